@@ -182,6 +182,38 @@ at = [0.1, 0.05, 0.2]
 force = [0, 0, 400]
 )";
 
+/// Two inclined struts that hold one coordinate: six deflections of one motion, with a snap through.
+const char* const two_struts = R"(trivet = 1
+[bodies.m]
+mass = 25
+free = ["z"]
+[elements.up]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, 3210]
+damping = {translation = [0, 0, 8]}
+[elements.l]
+type = "strut"
+on = "m"
+at = [0, 0, 0]
+from_at = [-0.1, 0, 0]
+free_length = 0.14
+stiffness = 4000
+[elements.r]
+type = "strut"
+on = "m"
+at = [0, 0, 0]
+from_at = [0.1, 0, 0]
+free_length = 0.14
+stiffness = 4000
+[excitations.F]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0, 0, 3]
+)";
+
 /// Ten bodies in a row on bushings, eight of them with friction snubbers.
 std::string ten_bodies() {
   std::string text = "trivet = 1\n";
@@ -256,6 +288,7 @@ int main() {
   compare("curve of a hardening spring", one_mass, one, 2e5, {.numpy = 35, .pyharm = 3000});
   SteadyOptions four{.from = 8 * two_pi, .to = 26 * two_pi, .harmonics = 9};
   compare("curve of a body on four hardening mounts", four_mounts, four, 1.2e11, {.numpy = 10});
+  time_curve("two struts on one coordinate, 15 harmonics", two_struts, {.from = 0.8, .to = 14, .harmonics = 15});
   time_curve("six coordinates with two stops, 25 harmonics", two_stops,
              {.from = 8 * two_pi, .to = 16 * two_pi, .harmonics = 25});
   time_curve("sixty coordinates with eight sliders, 9 harmonics", ten_bodies(),

@@ -15,6 +15,7 @@
 #include "trivet/foundation/message_list.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/project/analyses/steady_question.h"
+#include "trivet/project/suspicions.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/units.h"
 #include "trivet/results/check_text.h"
@@ -96,6 +97,16 @@ project::Analyses analyses_for(const study::AskedQuestion& question, const proje
     auto steady = std::make_shared<project::SteadyQuestion>(*analyses.find<project::SteadyQuestion>("steady"));
     steady->deep = true;
     analyses.questions["steady"] = std::move(steady);
+  }
+  if (!options.at.empty() && !analyses.response) {
+    auto steady = std::make_shared<project::SteadyQuestion>(*analyses.find<project::SteadyQuestion>("steady"));
+    if (steady->over_load_factor)
+      throw BadArgument("--at " + options.at +
+                        ": the steady motion of the file is over the load factor, at one frequency; remove "
+                        "over = \"load_factor\" from the file");
+    steady->harmonics_at = frequencies("--at", options.at);
+    analyses.questions["steady"] = std::move(steady);
+    return analyses;
   }
   assert(analyses.response || (options.at.empty() && options.band.empty()));  // options of `response` only
   if (!options.at.empty()) {
@@ -219,7 +230,9 @@ int answer_command(const std::string& which, const Options& options) {
   if (!project) return wrong_input;
   try {
     const project::Case& variant = chosen_case(*project, options.case_name);
-    const study::Answers answers = study::answers(variant, analyses_for(question, variant, options), progress());
+    const project::Analyses asked = analyses_for(question, variant, options);
+    study::Answers answers = study::answers(variant, asked, progress());
+    if (!options.band.empty()) answers.warnings.add(project::doubts_about_band(variant, *asked.response->band));
     const bool only_beside = which == "response" && answers.response;  // then only a limit or a limit line failed
     if (!answers.failures.empty() && !only_beside) throw foundation::NotComputable(answers.failures.front());
     if (options.csv) write_problems(answers.warnings);

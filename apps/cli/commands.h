@@ -31,11 +31,13 @@ struct Options {
   std::string output = "trivet-results";
   std::vector<std::string> of;
   int most = 10;
+  std::string by = "margin";
   int lowest = 0;  ///< modes; 0: those of the file, or all
   std::string torque;
   std::string excitations;
   std::string points;
-  std::string write;  ///< project file with the best design
+  std::string write;       ///< project file with the best design
+  std::string time_limit;  ///< of a search: "10 min"
   std::string format, what;
 };
 

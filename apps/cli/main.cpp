@@ -187,6 +187,10 @@ void add_optimize(CLI::App& app, Options& options) {
   CLI::Option* json = optimize->add_flag("--json", options.json, "JSON");
   optimize->add_flag("--csv", options.csv, "CSV: the parameters, or the points of a front")->excludes(json);
   add_write(*optimize, "optimum", options);
+  optimize
+      ->add_option("--time-limit", options.time_limit,
+                   "end the search after this time with the best design so far: \"10 min\", \"2 h\", or seconds")
+      ->check(not_empty);
   add_picture(*optimize, "front", options);
   add_strict(optimize, options);
 }
@@ -197,6 +201,9 @@ void add_select(CLI::App& app, Options& options) {
   select->add_option("--most", options.most, "number of combinations listed")
       ->capture_default_str()
       ->check(at_least_one);
+  select->add_option("--by", options.by, "margin, or of those that meet every requirement the isolation, price or mass")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"margin", "isolation", "price", "mass"}));
   select->add_flag("--json", options.json, "JSON, SI");
   add_write(*select, "best mounts", options);
   add_strict(select, options);
@@ -238,6 +245,11 @@ int run(int argc, char** argv) {
   add_strict(check, options);
   for (const trivet::study::AskedQuestion& question : trivet::study::asked_questions())
     add_strict(add_answer(app, question.name, question.about, options), options);
+  app.get_subcommand("steady")
+      ->add_option(
+          "--at", options.at,
+          "tell the harmonics of all motions found there: \"12 Hz\" or \"750 rpm\", or several: 75,80 in rad/s")
+      ->check(not_empty);
   app.get_subcommand("steady")->add_flag("--deep", options.deep, "judge the stability of every point in two ways");
   add_modes_options(app, options);
   add_response_options(app, options);

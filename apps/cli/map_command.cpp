@@ -66,8 +66,8 @@ void write_pairs(const std::vector<study::DesignMap>& maps, const foundation::Pr
 int map_command(const Options& options) {
   const auto project = read_or_complain(options,
                                         questions_of(options,
-                                                     {"map", "parameters", "requirements", "limit_lines", "response",
-                                                      "peaks", "limits", "random", "transient"}));
+                                                     {"map", "parameters", "requirements", "clearances", "limit_lines",
+                                                      "response", "peaks", "limits", "random", "transient"}));
   if (!project) return wrong_input;
   try {
     const project::Case& variant = chosen_case(*project, options.case_name);

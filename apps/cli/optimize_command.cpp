@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <optional>
+
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/new_project_file.h"
 #include "cli/progress_line.h"
+#include "cli/signals.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/model_number.h"
+#include "trivet/project/text/units.h"
 #include "trivet/report/front_figure.h"
 #include "trivet/results/front_results.h"
 #include "trivet/results/optimization_results.h"
@@ -26,9 +33,35 @@ std::vector<project::Node> trial_changes(const project::Analyses& asked) {
   return changes;
 }
 
+using Clock = std::chrono::steady_clock;
+
+/// The time of --time-limit, or none. @throws BadArgument
+std::optional<std::chrono::duration<double>> time_limit(const Options& options) {
+  const std::string& text = options.time_limit;
+  if (text.empty()) return std::nullopt;
+  double seconds = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    const auto converted = project::to_si(text, project::Quantity::time);
+    if (!converted)
+      throw BadArgument(
+          fmt::format("--time-limit: \"{}\": {}; give seconds, or a unit as in \"10 min\"", text, converted.error()));
+    seconds = *converted;
+  }
+  if (!(seconds > 0 && std::isfinite(seconds)))
+    throw BadArgument(fmt::format("--time-limit: \"{}\"; a time is above 0", text));
+  return std::chrono::duration<double>(seconds);
+}
+
 /// The search for one design.
 int write_optimum(const Options& options, const project::Project& project, const NewProjectFile& file) {
-  const study::Optimization found = study::optimization(project, progress());
+  const auto limit = time_limit(options);
+  const auto start = Clock::now();
+  const study::Optimization found = [&] {
+    const InterruptibleSearch search;  // what follows takes no time worth an early end
+    return study::optimization(project, progress(),
+                               [&] { return search.is_to_end() || (limit && Clock::now() - start > *limit); });
+  }();
   foundation::Problems warnings = project.base().warnings;
   warnings.add(found.warnings);
   const std::string written = file.write(study::optimum_changes(found));
@@ -37,11 +70,14 @@ int write_optimum(const Options& options, const project::Project& project, const
                    : options.csv ? results::optimization_csv(found)
                                  : results::optimization_text(found) + "\nThe optimum as settings:\n" +
                        results::optimization_settings(found) + written);
+  if (found.cut_short) return not_computed;
   return options.strict && !found.feasible ? over_a_limit : done;
 }
 
 /// The search for a front.
 int write_front(const Options& options, const project::Project& project, const NewProjectFile& file) {
+  if (!options.time_limit.empty())
+    throw BadArgument("--time-limit: a front is computed as a whole; take fewer points or starts");
   const std::unique_ptr<results::PictureFile> picture = new_picture(options);
   const study::DesignFront front = study::design_front(project, progress());
   const std::size_t chosen = study::chosen_point(front);

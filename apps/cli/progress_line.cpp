@@ -67,10 +67,39 @@ class ProgressLine {
   Clock::time_point start_, shown_;
 };
 
+/// On a pipe or in a file: a whole line, but only of what takes longer than half a minute.
+class ProgressLog {
+ public:
+  void show(std::string_view task, double fraction) {
+    const std::lock_guard lock(showing_);
+    if (task != task_ || fraction < last_) {
+      task_ = task;
+      first_ = fraction;
+      start_ = Clock::now();
+    }
+    last_ = fraction;
+    if (seconds_since(shown_) < between_lines || fraction >= 1) return;
+    shown_ = Clock::now();
+    const double share = fraction - first_;
+    write_error(fmt::format(
+        "{} {:.0f} %{}\n", task, 100 * fraction,
+        share > 0 ? ", about " + time_words(seconds_since(start_) * (1 - fraction) / share) + " left" : ""));
+  }
+
+ private:
+  static constexpr double between_lines = 30;  // [s]
+  std::mutex showing_;
+  std::string task_;
+  double first_ = 0, last_ = 0;
+  Clock::time_point start_, shown_ = Clock::now();
+};
+
 }  // namespace
 
 foundation::Progress progress() {
-  if (::isatty(STDERR_FILENO) == 0) return [](std::string_view, double) {};
+  if (::isatty(STDERR_FILENO) == 0)
+    return
+        [log = std::make_shared<ProgressLog>()](std::string_view task, double fraction) { log->show(task, fraction); };
   return
       [line = std::make_shared<ProgressLine>()](std::string_view task, double fraction) { line->show(task, fraction); };
 }

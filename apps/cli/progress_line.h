@@ -6,7 +6,7 @@
 namespace trivet::cli {
 
 /// Shows the task, its share and, after two seconds, the time left on one line of a terminal, ten times a second at
-/// most. Silent if standard error is not a terminal.
+/// most. If standard error is no terminal: a line every half a minute.
 [[nodiscard]] foundation::Progress progress();
 
 }  // namespace trivet::cli

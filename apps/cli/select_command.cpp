@@ -28,14 +28,16 @@ int select_command(const Options& options) {
   try {
     const NewProjectFile file(options, *project, trial_mounts(project->base().analyses));
     if (file.problems().has_errors()) return complain(options, file.problems());
-    const study::MountSelection found =
-        study::mount_selection(*project, static_cast<std::size_t>(options.most), progress());
+    const study::MountSelection found = study::mount_selection(*project, static_cast<std::size_t>(options.most),
+                                                               progress(), study::mount_order(options.by));
     const study::MountDesign& best = found.best.front();
     if (!options.write.empty() && !best.reason.empty())
       throw foundation::NotComputable("select: no combination can be judged, so nothing was written: " + best.reason);
     const std::string written = file.write(study::selection_changes(found));
-    if (!options.json) write_problems(project->base().warnings);
-    write_output(options.json ? results::selection_json(found, project->base().warnings)
+    foundation::Problems warnings = project->base().warnings;
+    warnings.add(found.warnings);
+    if (!options.json) write_problems(warnings);
+    write_output(options.json ? results::selection_json(found, warnings)
                               : results::selection_text(found) + "\nThe best as settings:\n" +
                          results::selection_settings(found) + written);
     return options.strict && !best.met ? over_a_limit : done;

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -13,13 +14,22 @@
 namespace trivet::cli {
 namespace {
 
+// Of InterruptibleSearch: shared with the thread that waits for signals.
+std::atomic<bool> search_may_end = false, search_is_to_end = false;
+
+void say(std::string_view words) { static_cast<void>(!write(STDERR_FILENO, words.data(), words.size())); }
+
 void wait_and_end(sigset_t signals) {
   int number = 0;
-  if (sigwait(&signals, &number) != 0) return;
+  for (;;) {
+    if (sigwait(&signals, &number) != 0) return;
+    if (number != SIGINT || !search_may_end.exchange(false)) break;
+    search_is_to_end = true;
+    say("\nthe search ends with the best design so far; interrupt again to end at once\n");
+  }
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends the program by default
   foundation::remove_leftovers();
-  constexpr std::string_view words = "\ninterrupted; unfinished results are removed\n";
-  static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
+  say("\ninterrupted; unfinished results are removed\n");
   _exit(128 + number);
 }
 
@@ -48,5 +58,13 @@ void end_cleanly_on_signals() {
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   }
 }
+
+InterruptibleSearch::InterruptibleSearch() {
+  search_is_to_end = false;
+  search_may_end = true;
+}
+InterruptibleSearch::~InterruptibleSearch() { search_may_end = false; }
+
+bool InterruptibleSearch::is_to_end() const { return search_is_to_end; }
 
 }  // namespace trivet::cli

@@ -9,4 +9,17 @@ namespace trivet::cli {
 /// once. Call this first, before any thread exists. An ignored SIGHUP (nohup) stays ignored.
 void end_cleanly_on_signals();
 
+/// While it exists, the first SIGINT only asks a search to end with the best design so far; a second one ends the
+/// program as above. At most one at a time.
+class InterruptibleSearch {
+ public:
+  InterruptibleSearch();
+  ~InterruptibleSearch();
+  InterruptibleSearch(const InterruptibleSearch&) = delete;
+  InterruptibleSearch& operator=(const InterruptibleSearch&) = delete;
+
+  /// On any thread.
+  [[nodiscard]] bool is_to_end() const;
+};
+
 }  // namespace trivet::cli

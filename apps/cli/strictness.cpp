@@ -28,7 +28,7 @@ void Strictness::add(const study::DesignMap& map) {
 
 void Strictness::add(const study::CaseVerdict& judged) {
   for (const study::RequirementResult& result : judged.results)
-    violated_ += judged.decides && result.value && !result.met();
+    (result.value ? violated_ : unknown_) += judged.decides && !result.met();
 }
 
 void Strictness::add(const study::Answers& answers) {
@@ -44,6 +44,11 @@ int Strictness::exit_code(bool strict, int otherwise) const {
   if (strict && otherwise == done && not_judged_ > 0) {
     write_error(fmt::format("--strict: {} of a map could not be computed; exit code {}\n",
                             count_text(not_judged_, "case", "cases"), static_cast<int>(not_computed)));
+    return not_computed;
+  }
+  if (strict && otherwise == done && unknown_ > 0) {
+    write_error(fmt::format("--strict: {} could not be judged; exit code {}\n",
+                            count_text(unknown_, "requirement", "requirements"), static_cast<int>(not_computed)));
     return not_computed;
   }
   if (!strict || otherwise != done || exceeded_ + violated_ + infeasible_ + warnings_.size() == 0) return otherwise;

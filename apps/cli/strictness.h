@@ -17,7 +17,7 @@ class Strictness {
   void add(const study::Answers& answers);
   /// A case that violates a rule or could not be computed, or no feasible design at all.
   void add(const study::DesignMap& map);
-  /// Requirements that are violated, if the design has to hold in this case.
+  /// Requirements that are violated or could not be judged, if the design has to hold in this case.
   void add(const study::CaseVerdict& judged);
   void add(const foundation::Problems& warnings);
 
@@ -27,6 +27,7 @@ class Strictness {
 
  private:
   std::size_t exceeded_ = 0, violated_ = 0, infeasible_ = 0, not_judged_ = 0;
+  std::size_t unknown_ = 0;  ///< requirements that could not be judged
   std::set<std::string> warnings_;  ///< the same warning of several cases counts once
 };
 

@@ -92,6 +92,13 @@ TEST(DesignSlopes, AgreeWithDifferencesUnderProportionalDamping) {
   expect_slopes_of(machine(9, "damping = {proportional = 2e-3}\n"));
 }
 
+/// Twenty times its weight takes a tenth of the tilting stiffness: forces at rest change with every number.
+TEST(DesignSlopes, AgreeWithDifferencesUnderALargeWeight) {
+  std::string text = machine(10, "damping = {loss_factor = 0.1}\n");
+  text.replace(text.find("-9.80665"), 8, "-196");
+  expect_slopes_of(text);
+}
+
 /// A mass on a spring: ln of the largest amplitude falls by ln k as −1 without damping, at rest and at resonance.
 TEST(DesignSlopes, OfAMassOnASpring) {
   const project::Project project = test::project(

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -97,7 +98,7 @@ std::vector<Eigen::MatrixXd> dense_search(const model::System& given, double ome
     }
     const auto motion = branch.start(guess, omega);
     if (!motion) continue;
-    const Eigen::MatrixXd coefficients = motion->unknowns.reshaped(balance.coefficients(), machine.size());
+    const Eigen::MatrixXd coefficients = balance.motion(motion->unknowns);
     if (std::none_of(found.begin(), found.end(), [&](const Eigen::MatrixXd& other) {
           return (other - coefficients).norm() < 1e-4 * coefficients.norm();
         }))
@@ -206,6 +207,83 @@ force = [)" +
     return value;
   };
   EXPECT_GT(largest(merged), 3 * largest(beside));
+}
+
+/// A backlash: 28 to 28.5 rad/s is above the resonance of the soft spring, and the connected motion touches nothing, so
+/// that five harmonics are enough for it. The detached one hits both stops. Marched in time by Newton's method on the
+/// return after half a period, with the other sign.
+TEST(DetachedMotions, HaveTheHarmonicsThatTheyNeed) {
+  constexpr double damping = 0.4, soft = 100, stop = 2000, gap = 7.5e-3, force = 5;
+  const std::string text = fmt::format(R"(trivet = 1
+[bodies.m]
+mass = 1
+free = ["x"]
+[elements.k]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [{}, 0, 0]
+damping = {{translation = [{}, 0, 0]}}
+laws.x = {{gap_stop = {{gaps = [{}, {}], stiffness = {}}}}}
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [{}, 0, 0]
+)",
+                                       soft, damping, gap, gap, stop, force);
+  nonlinear::SteadyOptions options{.from = 28, .to = 28.5, .tolerance = 1e-4};
+  options.of = {"m.x"};
+  options.detached = true;
+  const nonlinear::SteadyBranch found = nonlinear::steady_branch(test::project(text).base().system, options);
+  ASSERT_FALSE(found.further.empty());
+  int compared = 0;
+  for (const nonlinear::SteadyBranch& curve : found.further) {
+    EXPECT_LE(curve.left_out, options.tolerance);
+    EXPECT_GT(curve.harmonics, 5);
+    const nonlinear::SteadyPoint& point = curve.points[curve.points.size() / 2];
+    const double omega = point.angular_frequency;
+    const auto slope = [&](double t, const Eigen::Vector2d& y) {
+      const double beyond = std::max(0.0, std::abs(y(0)) - gap) * (y(0) > 0 ? 1 : -1);
+      return Eigen::Vector2d(y(1), force * std::cos(omega * t) - damping * y(1) - soft * y(0) - stop * beyond);
+    };
+    double largest = 0;
+    const auto after_half = [&](Eigen::Vector2d y) {
+      constexpr int steps = 20'000;
+      const double h = std::numbers::pi / omega / steps;
+      largest = 0;
+      for (int i = 0; i < steps; ++i) {
+        const double t = i * h;
+        const Eigen::Vector2d k1 = slope(t, y), k2 = slope(t + h / 2, y + h / 2 * k1),
+                              k3 = slope(t + h / 2, y + h / 2 * k2), k4 = slope(t + h, y + h * k3);
+        y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        largest = std::max(largest, std::abs(y(0)));
+      }
+      return y;
+    };
+    const nonlinear::ObservedMotion& motion = point.results[0];
+    Eigen::Vector2d start(motion.mean, 0);
+    for (Index k = 0; k < motion.harmonics.size(); ++k) {
+      start(0) += motion.harmonics(k).real();
+      start(1) -= static_cast<double>(k + 1) * omega * motion.harmonics(k).imag();
+    }
+    for (int iteration = 0; iteration < 8; ++iteration) {
+      const Eigen::Vector2d residual = after_half(start) + start;
+      Eigen::Matrix2d J = Eigen::Matrix2d::Identity();
+      for (int j = 0; j < 2; ++j) {
+        const double step = j == 0 ? 1e-7 : 1e-5;
+        J.col(j) += (after_half(start + step * Eigen::Vector2d::Unit(j)) -
+                     after_half(start - step * Eigen::Vector2d::Unit(j))) /
+            (2 * step);
+      }
+      start -= J.inverse() * residual;
+    }
+    (void)after_half(start);
+    constexpr double of_tolerance = 5e-4;
+    EXPECT_NEAR(motion.largest, largest, of_tolerance * largest) << omega;
+    ++compared;
+  }
+  EXPECT_GT(compared, 0);
 }
 
 }  // namespace detached_motions_test

@@ -190,6 +190,22 @@ TEST(DrivenPeaks, WithPowersOfFrequencyAgreeWithTheSearchOnDiscs) {
   expect_agreement({.load_powers = {0, 1}, .moving_ground = true, .seed = 9}, whole_axis);      // relative motions
 }
 
+/// Curves that grow towards high frequencies: velocities and accelerations under an unbalance.
+TEST(DrivenPeaks, ThatGrowBeyondTheBandAgreeWithTheSearchOnDiscs) {
+  const numerics::DrivenPeakOptions from_rest{.from = 0, .to = 12, .count_peaks = false},
+      above{.from = 25, .to = 400, .count_peaks = false};  // above most poles the growth decides
+  for (const numerics::DrivenPeakOptions& options : {highest_in_band, from_rest, above}) {
+    expect_agreement({.load_powers = {2}, .row_powers = {1}, .seed = 31}, options);
+    expect_agreement({.loss = 0, .load_powers = {2}, .row_powers = {1}, .seed = 32}, options);
+    expect_agreement({.load_powers = {2}, .row_powers = {2}, .seed = 33}, options);
+    expect_agreement({.load_powers = {0, 1, 2}, .row_powers = {2}, .seed = 34}, options);
+  }
+  for (const int n : {1, 2, 12})
+    for (const int power : {1, 2})
+      expect_agreement({.n = n, .load_powers = {2}, .row_powers = {power}, .seed = 35}, highest_in_band, nine_digits,
+                       16);
+}
+
 TEST(DrivenPeaks, OfOtherNumbersOfCoordinatesAgreeWithTheSearchOnDiscs) {
   for (const int n : {1, 2, 3, 9, 12})
     for (const numerics::DrivenPeakOptions& options : {whole_axis, highest_only})
@@ -311,7 +327,10 @@ TEST(DrivenPeaks, RejectPowersThatGrowWithoutBound) {
   for (const int power : {-1, 3}) {
     const numerics::DrivenDesigns designs = driven_designs(1, {.row_powers = {power}});
     EXPECT_THROW(static_cast<void>(numerics::driven_peaks(designs)), foundation::InvalidInput) << power;
+    EXPECT_THROW(static_cast<void>(numerics::driven_peaks(designs, in_band)), foundation::InvalidInput) << power;
   }
+  const numerics::DrivenDesigns faster = driven_designs(1, {.load_powers = {2}, .row_powers = {3}});
+  EXPECT_THROW(static_cast<void>(numerics::driven_peaks(faster, highest_in_band)), foundation::InvalidInput);
 }
 
 }  // namespace driven_peaks_test

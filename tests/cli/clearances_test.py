@@ -73,6 +73,18 @@ class Clearances(InTemporaryFolder):
         case = answer("verdict", self.file(OSCILLATOR.replace("6 mm", "1.6 mm") + FORCE))["cases"][0]
         self.assertIn("floor.approach", case["cause"])
 
+    def test_a_map_needs_a_position_of_rest_as_a_verdict_does(self):
+        text = OSCILLATOR + (
+            '[bodies.loose]\nmass = 1\nfree = ["z"]\n'
+            "[analyses.map]\n"
+            'x = {parameter = "elements.s.scale", from = 1, to = 2, points = 2}\n'
+            'y = {parameter = "bodies.m.mass", from = 1, to = 2, points = 2}\n'
+        )
+        for command in ("verdict", "map"):
+            done = trivet(command, self.file(text))
+            self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+            self.assertIn("so every case needs a position of rest", done.stderr)
+
     def test_optimum_between_a_clearance_and_a_natural_frequency(self):
         # Stiffness s K: gap s K / (m g) grows with s, the factor below a window of natural frequencies falls with s.
         window = 2 * math.sqrt(K / M) / (2 * math.pi)

@@ -132,6 +132,7 @@ force = [0, 0, 30]
 response = {band = ["20 Hz", "40 Hz"]}
 """
 MOUNTS = (SOURCE / "examples/genset/mounts.toml").read_text()
+PUMP_SET = (SOURCE / "examples/pump_set/pump.toml").read_text().split("[requirements]")[0]
 OBSERVED = (SOURCE / "examples/genset/load_cases.toml").read_text().split("[relative")[0]
 REQUIRED = (SOURCE / "examples/compressor/requirements.toml").read_text().split("[requirements]")
 
@@ -157,6 +158,7 @@ axis = "z"
     ("docs/design.md", "Requirements, the verdict, and the best design"): REQUIRED[0]
     + "[cases."
     + REQUIRED[1].partition("[cases.")[2],
+    ("docs/design.md", "Keys, values and margins"): PUMP_SET,
     ("docs/design.md", "Clearances"): OBSERVED,
     ("docs/design.md", "Load cases"): OBSERVED,
     ("docs/answers.md", "Relative motion"): OBSERVED,
@@ -199,11 +201,13 @@ translation = ["180 N/mm", "180 N/mm", "420 N/mm"]
 # A part that is not one of a project file is the file of this name, to which the base refers.
 NOT_A_PROJECT = {("docs/elements/catalogue.md", "Catalogues of mounts"): "maker.toml"}
 # Files that a part names: a text, or a path of a file with the contents.
+BELLS = {"catalogue/bells.toml": SOURCE / "examples/pump_set/catalogue/bells.toml"}
 CONES = {"catalogue/cones.toml": SOURCE / "examples/genset/catalogue/cones.toml"}
 FILES = {
     ("docs/measurements.md", "Measured and computed curves"): {
         "impact_test.uff": SOURCE / "tests/data/measured/seat.uff"
     },
+    ("docs/design.md", "Keys, values and margins"): BELLS,
     ("docs/design.md", "Choices of mounts"): CONES,
     ("docs/design.md", "trivet select"): CONES,
     (KEYS, "Flexible foundations"): {

@@ -42,7 +42,7 @@ ELSEWHERE = {
     'pip install ".[plots,tables,units]"': ("it compiles for minutes", ".ci/run", "scripts/python"),
     "scripts/test": ("it installs packages, builds and runs this test", ".ci/run", "scripts/test"),
     ".ci/run": ("it runs this test", ".ci/run", "scripts/test"),
-    ".ci/run long": ("it takes hours", ".ci/run", "long_stage; exit"),
+    ".ci/run long": ("it takes hours", ".ci/run", "long_stages; exit"),
     "cmake --workflow --preset sanitize": (BUILDS, ".ci/run", "cmake --workflow --preset sanitize"),
     "cmake --workflow --preset fuzz": (BUILDS, ".ci/run", "cmake --workflow --preset fuzz"),
     "build/fuzz/tests/fuzz/project_fuzzer -dict=tests/fuzz/project.dict NEW tests/fuzz/corpus": (
@@ -55,6 +55,11 @@ ELSEWHERE = {
         "for the next command",
         ".ci/run",
         "TRIVET=$PWD/build/release/apps/cli/trivet TRIVET_SOURCE=$PWD",
+    ),
+    "TRIVET=$PWD/build/release/apps/cli/trivet python3 tests/campaign/steady_machines.py": (
+        "it takes minutes and needs SciPy",
+        ".ci/run",
+        "python3 tests/campaign/steady_machines.py",
     ),
     LONG_CAMPAIGN + " --keep /tmp/failed": ("it takes a quarter of an hour", ".ci/run", LONG_CAMPAIGN),
     "scripts/benchmark": (IDLE, ".ci/run", "scripts/benchmark"),

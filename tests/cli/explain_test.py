@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -59,6 +60,57 @@ class Explain(unittest.TestCase):
             self.assertAlmostEqual(
                 slopes["bodies.aggregate.mass_about_center"][name], difference, delta=1e-5 * abs(difference)
             )
+
+    def test_slopes_are_relative_to_the_number_in_the_file(self):
+        # Against differences of files with another number; none of the numbers is the default.
+        given = {"scale": 2.0, "stiffness_factor.z": 1.5, "damping_factor": 3.0, "moved.x": 0.004}
+        text = """trivet = 1
+[bodies.m]
+mass = 250
+center_of_mass = [0.02, 0, 0.2]
+inertia = {about = "center_of_mass", xx = 8, yy = 12, zz = 13}
+[element_types.foot]
+type = "bushing"
+translation = [2e5, 2e5, 4e5]
+rotation = [200, 200, 200]
+damping = {loss_factor = 0.1}
+[tables.elements]
+rows = [
+  {name = "a", type = "foot", on = "m", at = [-0.4, 0.25, 0], KEYS},
+  {name = "b", type = "foot", on = "m", at = [-0.4, -0.25, 0]},
+  {name = "c", type = "foot", on = "m", at = [0.4, 0.25, 0]},
+  {name = "d", type = "foot", on = "m", at = [0.4, -0.25, 0]},
+]
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0.2]
+force = [0, 0, 100]
+[analyses]
+peaks = {of = ["m.z"]}
+"""
+        keys = ", ".join(f"{key} = {value}" for key, value in given.items())
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "factors.toml"
+            path.write_text(text.replace("KEYS", keys))
+            peak = json.loads(run("explain", str(path), "--of", "m.z", "--most", "1", "--json")[0])["peaks"][0]
+            slopes = {s["parameter"]: s for s in peak["sensitivities"]}
+            for key, value in given.items():
+                slope = slopes["elements.a." + key]
+                step = 1e-4 if slope["change"].endswith("%") else 1e-5  # relative, or 10 µm
+                height = {}
+                for sign in (1, -1):
+                    other = value * (1 + sign * step) if slope["change"].endswith("%") else value + sign * step
+                    found = run("peaks", str(path), "--json", "--set", f"elements.a.{key}={other:.12g}")[0]
+                    near = min(
+                        json.loads(found)["peaks"],
+                        key=lambda p: abs(p["angular_frequency"] / peak["angular_frequency"] - 1),
+                    )
+                    height[sign] = math.log(near["amplitude"])
+                difference = (height[1] - height[-1]) / (2 * step)
+                # Nine digits of the amplitudes over the step, and its square.
+                self.assertAlmostEqual(slope["height"], difference, delta=1e-4 * abs(difference) + 2e-5, msg=key)
+                self.assertGreater(abs(difference), 1e-3, key)
 
     def test_the_sentence_names_mode_element_direction_and_the_effect_of_ten_percent(self):
         text = " ".join(run("explain", BOGIE, "--of", "frame.z")[0].split())

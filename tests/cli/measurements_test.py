@@ -283,6 +283,77 @@ class Measurements(unittest.TestCase):
         (self.folder / "m.uff").write_text(self.function_at_the_seat())
         self.refused(MACHINE + RIG, "the file has: 7:+z", "device, device.seat", 'nodes = {"3" = "BODY.POINT"}')
 
+    def write_accelerance(self, unit, scale, units="", denominator="NONE"):
+        """Accelerance of the seat in another unit: numbers divided by its SI value."""
+        hertz, values = self.responses()
+        values = [h * (2j * math.pi * f) ** 2 / scale for f, h in zip(hertz, values)]
+        text = measured_function(7, 3, values, 12, (7, 3), (1.0, 0.1), unit=unit)
+        if denominator != "NONE":
+            axis = text.splitlines()[11]
+            text = text.replace(axis, axis[:47] + f"{denominator:<20s}", 1)
+        (self.folder / "m.uff").write_text(units + file_of_nodes((7, 0.2, 0.1, 0.1)) + text)
+
+    def test_units_are_those_of_labels_set_164_and_the_project(self):
+        g, pound = 9.80665, 4.4482216152605
+        si = (
+            "    -1\n   164\n         1SI                          2\n  1.0D+00  1.0D+00  1.0D+00\n  273.15D+00\n    -1\n"
+        )
+        of_project = 'unit = "g/N"\n'
+        agreeing = (
+            ("g", g, "", "NONE", ""),  # label
+            ("g", g, "", "NONE", of_project),  # label and project
+            ("NONE", g, "", "NONE", of_project),  # project
+            ("in/s^2", 0.0254 / pound, "", "lbf", ""),  # labels of both axes
+            ("g/N", g, "", "NONE", ""),  # one label for both
+            ("m/s2", 1, si, "NONE", ""),  # set 164 and label
+            ("g", g, si, "NONE", of_project),  # the project decides between set 164 and the label
+            ("g", 1, si, "NONE", 'unit = "(m/s2)/N"\n'),
+        )
+        for unit, scale, units, denominator, key in agreeing:
+            self.write_accelerance(unit, scale, units, denominator)
+            [channel] = self.compared(MACHINE + RIG + key)["channels"]
+            self.assertLess(abs(channel["largest_db"]), 1e-6, (unit, denominator, key))
+        contradicting = (
+            ("g", "", 'unit = "(m/s2)/N"\n', ('unit = "(m/s2)/N" of the project', 'label "g" of the numerator')),
+            ("g", si, "", ("set 164", 'label "g" of the numerator', "state it: unit =")),
+            ("NONE", si, of_project, ('unit = "g/N" of the project', "set 164")),
+            ("m/s2", "", 'unit = "(mm/s)/N"\n', ('unit = "(mm/s)/N"', "the numerator has the type 12")),
+            ("furlong", "", "", ('label "furlong" of the numerator is not a known unit',)),
+        )
+        for unit, units, key, words in contradicting:
+            self.write_accelerance(unit, 1, units)
+            self.refused(MACHINE + RIG + key, *words)
+
+    def test_exported_forces_and_moments_are_read_again(self):
+        results = '["a.force.z", "a.moment.x", "a.moment.y", "ground.moment.z"]'
+        text = MACHINE.replace('["device", "device.seat"]', results)
+        self.machine.write_text(text)
+        self.export()
+        axes = [line for line in (self.folder / "m.uff").read_text().splitlines() if line.startswith("         9    0")]
+        self.assertEqual([line.split()[4:] for line in axes], [["Force", "N"]] + 3 * [["Moment", "N", "m"]])
+        channels = self.compared(text + RIG)["channels"]
+        self.assertEqual([c["result"] for c in channels], ["a.force.z", "a.moment.x", "a.moment.y", "ground.moment.z"])
+        for channel in channels:
+            self.assertLess(abs(channel["largest_db"]), ROUND_OFF_DB)
+
+    def test_other_functions_are_named(self):
+        place = file_of_nodes((7, 0.2, 0.1, 0.1)) + self.function_at_the_seat()
+        time = self.function_at_the_seat(kind=1, abscissa=(17, "Time", "s"))
+        (self.folder / "m.uff").write_text(place + time + time + self.function_at_the_seat(kind=9))
+        said = self.said(MACHINE + RIG)
+        self.assertIn("2 × time response (type 1) over an abscissa of type 17", said)
+        self.assertIn("1 × power spectral density (type 9)", said)
+
+    def test_directions_are_those_of_the_system_of_the_node(self):
+        """Set 18: x of system 4 is z of the ground, its z is −x."""
+        system = "    -1\n    18\n         4         0         0         8         1\nS\n  0. 0. 0. 0. 0. 1.\n -1. 0. 0.\n    -1\n"
+        node = file_of_nodes((7, 0.2, 0.1, 0.1), systems=(0, 4))
+        function = self.function_at_the_seat(1).replace("         7   3", "         7   1")  # response and reference
+        (self.folder / "m.uff").write_text(node + system + function)
+        [channel] = self.compared(MACHINE + RIG)["channels"]
+        self.assertEqual(channel["result"], "device.seat.z")
+        self.assertLess(abs(channel["largest_db"]), 1e-6)
+
     def test_an_unknown_unit_needs_the_key(self):
         text = file_of_nodes((7, 0.2, 0.1, 0.1)) + self.function_at_the_seat(quantity=0)
         (self.folder / "m.uff").write_text(text)

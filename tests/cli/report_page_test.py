@@ -63,12 +63,17 @@ class Folder(unittest.TestCase):
 class Page(Folder):
     """Text that is there without a browser."""
 
-    def test_the_page_is_calm_only_if_limits_are_met(self):
-        kept, broken = (SCRIPTS.sub("", self.report(limit).read_text()) for limit in ("1 m", "12 mm"))
-        self.assertIn('<p class="calm">✓ No warnings; all checks of the data passed in all cases.</p>', kept)
-        self.assertNotIn("Limits are exceeded", kept)
-        self.assertIn("Limits are exceeded: </span>Base model (1 of 1); see below.", broken)
-        self.assertNotIn('class="calm"', broken)
+    def test_the_page_is_calm_only_if_limits_and_maps_are_met(self):
+        text = MACHINE[: MACHINE.index("[cases.strict]")]
+        kept, broken, own_map = (
+            SCRIPTS.sub("", self.report(*given).read_text()) for given in (("1 m", text), ("12 mm", text), ("1 m",))
+        )
+        self.assertIn("No warnings; all checks of the data passed in all cases.", kept)
+        self.assertIn('class="calm" role="note"><h2>✓ MET: 2 of 2 limits, 2 of 2 verdicts of a map</h2>', kept)
+        for page in (broken, own_map):
+            self.assertIn('<div class="alert" role="note"><h2>✗ VIOLATED:', page)
+            self.assertNotIn('class="calm"', page)
+            self.assertNotIn("✓ No warnings", page)
 
     def test_the_overview_reports_the_verdicts_of_the_map(self):
         overview = re.search('<section class="glance">.*?</table>', self.report().read_text(), re.DOTALL).group()

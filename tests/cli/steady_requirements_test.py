@@ -57,6 +57,19 @@ class SteadyRequirements(unittest.TestCase):
         self.assertEqual(of["no_jump"]["value"], 0)
         self.assertAlmostEqual(of["no_contact"]["margin"], 0.2 / (60 / (48 * 30)), delta=0.02)
 
+    def test_velocities_and_accelerations_by_their_unit(self):
+        open_stop = "{gap_stop = {gap = 0.2, stiffness = 4e5}}"  # the machine is linear
+        limits = 'steady = {"m.x" = ["0.1 m", "1 m/s", "10 m/s^2"]}'
+        run, found = verdict(open_stop, limits)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        amplitude = [
+            max(o**n * 60 / abs(complex(36000 - 40 * o**2, 48 * o)) for o in (29.9 + i * 1e-4 for i in range(2000)))
+            for n in range(3)
+        ]
+        by_unit = {one["unit"]: one["value"] for one in found}
+        for unit, largest in zip(("m", "m/s", "m/s²"), amplitude):
+            self.assertAlmostEqual(by_unit[unit] / largest, 1, delta=1e-3)  # of points beside the resonance
+
     def test_limits_are_those_of_displacements_whatever_the_curves_show(self):
         shown = MACHINE.replace("harmonics = 15", 'harmonics = 15, quantity = "acceleration"')
         values = [verdict(STOP, 'steady = {"m.x" = 0.02}', machine=one)[1][0]["value"] for one in (MACHINE, shown)]
@@ -138,7 +151,7 @@ stiffness = 8e4
             "{cubic = 1e6}",
             'steady = {"m.x" = 1}',
             "--set",
-            "requirements.band=[\"0 Hz\", \"8 Hz\"]",
+            'requirements.band=["0 Hz", "8 Hz"]',
             "--set",
             'analyses.steady={over = "load_factor", at = "5 Hz", load_factor = [0.1, 2]}',
         )

@@ -306,6 +306,19 @@ class Acceptances(InTemporaryFolder):
         self.assertIn("400 kg if the number was meant in grams", (self.folder / "out/report.html").read_text())
         self.assertIn("400 kg if the number was meant in grams", (self.folder / "out/results.json").read_text())
 
+    def test_a_band_of_the_command_line_is_judged_as_that_of_the_file(self):
+        self.machine["cases"] = {}
+        self.machine.pop("limits", None), self.machine.pop("limit_lines", None)
+
+        def response(band, *options):
+            self.machine["analyses"] = {"response": {"band": band} if band else {}}
+            path = written(self.folder, self.machine)
+            return subprocess.run([TRIVET, "response", path, *options], capture_output=True, text=True, timeout=60).stdout
+
+        for found in (response([0, 0.5]), response(None, "--band", "0,0.5")):
+            self.assertIn('suspicion "band": no natural frequency is in it', found)
+        self.assertNotIn("suspicion", response(None, "--band", "0,1000"))
+
     def test_are_errors_if_nothing_is_suspicious(self):
         self.machine["bodies"]["compressor"]["accept"] = {"mass": "heavy"}
         done = self.check(self.machine)

@@ -165,4 +165,38 @@ free_length = "18 mm"
   EXPECT_THAT(branch.winding.differs_at, testing::IsEmpty());
 }
 
+/// 1 kg on a strut under a support that shakes by 30 mm: a pendulum of 0.5 m. Upright it loses its stability to swings
+/// of twice the period, where the trace of the transition across the strut is −2: by SciPy's DOP853 with 1e-9, and
+/// bisection. Undamped, all multipliers are on the unit circle before.
+TEST(DistanceForce, UndampedPendulumDoublesItsPeriod) {
+  const model::System system = test::project(R"(trivet = 1
+gravity = [0, 0, -9.81]
+[bodies.m]
+mass = 1
+free = ["x", "z"]
+[elements.s]
+type = "strut"
+on = "m"
+at = [0, 0, 0]
+from_at = [0, 0, 0.5]
+stiffness = 1e5
+free_length = 0.4999
+[excitations.f]
+type = "base"
+translation = [0, 0, 0.03]
+)")
+                                   .base()
+                                   .system;
+  nonlinear::SteadyOptions options{.from = 7, .to = 11};
+  options.of = {"m.x"};
+  const nonlinear::SteadyBranch found = nonlinear::steady_branch(nonlinear::rest_position(system).system, options);
+  ASSERT_EQ(found.changes.size(), 2u);
+  const double expected[] = {8.377479310274737, 9.453590513141384};
+  for (std::size_t i = 0; i < 2; ++i) {
+    constexpr double of_place = 1e-6;
+    EXPECT_EQ(found.changes[i].kind, nonlinear::StabilityChange::Kind::period_doubling);
+    EXPECT_THAT(found.changes[i].point.angular_frequency, RelativelyNear(expected[i], of_place));
+  }
+}
+
 }  // namespace distance_force_test

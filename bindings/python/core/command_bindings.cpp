@@ -47,12 +47,13 @@ void bind_commands(nb::class_<OpenProject>& of) {
       of_case, nb::arg("nx") = 0, nb::arg("ny") = 0, threads, progress);
   of.def(
       "select",
-      [](const OpenProject& open, int most, int count, const nb::object& shown) {
-        return done<Answer>(
-            "select", count, shown, open,
-            [most](const ProjectPointer& project, const Progress& report) { return selected(project, most, report); });
+      [](const OpenProject& open, int most, const std::string& by, int count, const nb::object& shown) {
+        return done<Answer>("select", count, shown, open,
+                            [most, by](const ProjectPointer& project, const Progress& report) {
+                              return selected(project, most, by, report);
+                            });
       },
-      nb::arg("most") = 10, threads, progress);
+      nb::arg("most") = 10, nb::arg("by") = "margin", threads, progress);
   of.def(
       "optimize",
       [](const OpenProject& open, int count, const nb::object& shown) {

@@ -25,7 +25,8 @@ using foundation::Progress;
 /// @param nx, ny  designs along the axes instead of those of the file; 0: of the file
 [[nodiscard]] Answer mapped(const ProjectPointer& project, const std::string& case_name, int nx, int ny,
                             const Progress& progress);
-[[nodiscard]] Answer selected(const ProjectPointer& project, int most, const Progress& progress);
+/// @param by  "margin", "isolation", "price" or "mass"
+[[nodiscard]] Answer selected(const ProjectPointer& project, int most, const std::string& by, const Progress& progress);
 /// The optimum, or the front if the file asks for one.
 [[nodiscard]] Answer optimized(const ProjectPointer& project, const Progress& progress);
 [[nodiscard]] Answer judged(const ProjectPointer& project, const Progress& progress);

@@ -83,16 +83,17 @@ Answer mapped(const ProjectPointer& project, const std::string& case_name, int n
   return answer;
 }
 
-Answer selected(const ProjectPointer& project, int most, const Progress& progress) {
+Answer selected(const ProjectPointer& project, int most, const std::string& by, const Progress& progress) {
   if (most < 1) throw foundation::InvalidInput(fmt::format("most = {}; a number of combinations is ≥ 1", most));
   const auto found = std::make_shared<const study::MountSelection>(
-      study::mount_selection(*project, static_cast<std::size_t>(most), progress));
+      study::mount_selection(*project, static_cast<std::size_t>(most), progress, study::mount_order(by)));
   Answer answer;
   answer.question = "select";
   answer.title = project->title;
   answer.warnings = project->base().warnings;
+  answer.warnings.add(found->warnings);
   answer.changes = project::setting_words(study::selection_changes(*found));
-  answer.json = [found, project] { return results::selection_json(*found, project->base().warnings); };
+  answer.json = [found, warnings = answer.warnings] { return results::selection_json(*found, warnings); };
   answer.text = [found] { return results::selection_text(*found); };
   return answer;
 }

@@ -153,12 +153,15 @@ class Project(Questions):
         with shown(progress) as callback:
             return asked._answer(asked._inner.map(case, nx, ny, threads, callback))
 
-    def select(self, *, most: int = 10, threads: int = 0, progress: Progress | bool | None = None) -> Answer:
-        """The mounts of a catalogue with the largest least margin; `best` is the project with them."""
+    def select(
+        self, *, most: int = 10, by: str = "margin", threads: int = 0, progress: Progress | bool | None = None
+    ) -> Answer:
+        """The mounts of a catalogue with the largest least margin, or of those that meet every requirement the first by
+        "price", "mass" or "isolation"; `best` is the project with them."""
         require_case_and_threads("", threads)
         most = whole_number("most", most)
         with shown(progress) as callback:
-            return self._answer(self._inner.select(most, threads, callback))
+            return self._answer(self._inner.select(most, by, threads, callback))
 
     def optimize(self, *, threads: int = 0, progress: Progress | bool | None = None, **keys: Any) -> Answer:
         """The values of [parameters] with the largest least margin, or the smallest amplitudes: [analyses.optimize].

@@ -8,6 +8,7 @@
 
 #include "trivet/assembly/following.h"
 #include "trivet/assembly/geometric_stiffness.h"
+#include "trivet/assembly/second_order.h"
 #include "trivet/elements/law.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -229,7 +230,7 @@ numerics::DynamicMatrices summed(const model::System& system, const Assembled& a
     scatter(map, map.matrices.loss, 1, m.K_loss);
     lossy = lossy || map.matrices.loss_factor > 0;
   }
-  m.K += geometric_stiffness(system, assembled.layout).topLeftCorner(n, n);
+  m.K += assembled.of_levers.topLeftCorner(n, n);
   if (m.symmetric)
     for (Eigen::MatrixXd* matrix : {&m.A, &m.B, &m.K, &m.K_loss}) make_exactly_symmetric(*matrix);
   if (!lossy) m.K_loss.resize(0, 0);
@@ -238,20 +239,8 @@ numerics::DynamicMatrices summed(const model::System& system, const Assembled& a
   return m;
 }
 
-}  // namespace
-
-Assembled assemble(const model::System& system) {
-  std::vector<Eigen::Index> internal;
-  std::vector<bool> last;
-  for (const model::Element& element : system.elements()) {
-    internal.push_back(elements::matrices(element.law).stiffness.rows() - 12);
-    last.push_back(elements::is_frequency_dependent(element.law));
-  }
-  Assembled result{Layout(system.description(), internal, last), {}, {}, {}, {}};
-  const GroundRows rows = ground_rows(system.description(), result.ground);
-  move_together(system, result.ground);
-  for (std::size_t e = 0; e < system.elements().size(); ++e)
-    result.elements.push_back(map_of(result.layout, e, system.elements()[e], rows));
+/// Sums the matrices of the elements, bodies and foundations, and what the ground moves.
+void sum_up(const model::System& system, Assembled& result) {
   numerics::DynamicMatrices& m = result.matrices;
   const auto every = [](const ElementMap&) { return true; };
   const auto constant = [](const ElementMap& map) { return !map.frequency_dependent(); };
@@ -267,12 +256,61 @@ Assembled assemble(const model::System& system) {
   }
   couple_ground(result.elements, m.size(), result.ground, constant);
   if (damped_as_a_whole) result.ground.B += of_system.on_ground;
-  if (std::find(last.begin(), last.end(), true) != last.end()) {
+  if (!std::all_of(result.elements.begin(), result.elements.end(), constant)) {
     const Eigen::Index n = result.layout.before_last();
     result.constant = summed(system, result, n, constant);
     result.constant.B += (m.B - without).topLeftCorner(n, n);
   }
   follow_ground(system, of_system, result);
+}
+
+/// Adds what the forces of an element at rest add to its stiffness.
+void add_forces_at_rest(const elements::Matrix12& added, ElementMap& map) {
+  if (added.isZero(0)) return;
+  map.of_forces_at_rest = added;
+  map.matrices.stiffness.topLeftCorner<12, 12>() += added;
+  if (!map.dynamic_stiffness) return;
+  map.dynamic_stiffness = [of_law = std::move(map.dynamic_stiffness), added](std::complex<double> omega,
+                                                                             double near) -> elements::Matrix12c {
+    return of_law(omega, near) + added.cast<std::complex<double>>();
+  };
+}
+
+}  // namespace
+
+Assembled assemble_first_order(const model::System& system) {
+  std::vector<Eigen::Index> internal;
+  std::vector<bool> last;
+  for (const model::Element& element : system.elements()) {
+    internal.push_back(elements::matrices(element.law).stiffness.rows() - 12);
+    last.push_back(elements::is_frequency_dependent(element.law));
+  }
+  Assembled result{Layout(system.description(), internal, last), {}, {}, {}, {}, {}, {}, {}};
+  const GroundRows rows = ground_rows(system.description(), result.ground);
+  move_together(system, result.ground);
+  for (std::size_t e = 0; e < system.elements().size(); ++e)
+    result.elements.push_back(map_of(result.layout, e, system.elements()[e], rows));
+  result.of_levers = geometric_stiffness(system, result.layout);
+  sum_up(system, result);
+  return result;
+}
+
+Assembled assemble(const model::System& system) {
+  Assembled first = assemble_first_order(system);
+  if (!has_second_order(system)) return first;
+  SecondOrder added = second_order(system, first);
+  const bool nothing = added.of_levers == first.of_levers &&
+      std::all_of(added.of_elements.begin(), added.of_elements.end(), [](const auto& one) { return one.isZero(0); });
+  if (nothing) {
+    first.without_rest = std::move(added.without_rest);
+    return first;
+  }
+  Assembled result = first;
+  result.without_second_order = std::make_shared<const Assembled>(std::move(first));
+  result.without_rest = std::move(added.without_rest);
+  result.of_levers = std::move(added.of_levers);
+  for (std::size_t e = 0; e < result.elements.size(); ++e) add_forces_at_rest(added.of_elements[e], result.elements[e]);
+  sum_up(system, result);
   return result;
 }
 

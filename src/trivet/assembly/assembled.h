@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "trivet/assembly/layout.h"
@@ -22,7 +23,8 @@ struct ElementMap {
   Eigen::MatrixXd
       followed_ends;  ///< (12 + internal) × Ground::followed(): their motion when everything moves with the ground
   bool resists_following = true;  ///< false: that motion causes no force at any ω
-  elements::Matrices matrices;    ///< as assembled, scale included
+  elements::Matrices matrices;    ///< as assembled, with its scale and what forces at rest add to the stiffness
+  elements::Matrix12 of_forces_at_rest = elements::Matrix12::Zero();  ///< that addition
   /// D(ω), 12×12, if the matrices are not exact; the columns of `ends` that belong to the ends come first.
   std::function<elements::Matrix12c(std::complex<double> omega, double near)> dynamic_stiffness;
   Eigen::Index end_columns = 0;
@@ -99,7 +101,13 @@ struct Assembled {
   numerics::DynamicMatrices
       constant;  ///< without the frequency-dependent elements, first rows of `layout`; empty if there are none
   Ground ground;
+  /// Part of K that no element has: the points of bodies at which forces act at rest move on circles.
+  Eigen::MatrixXd of_levers;
+  /// The machine without the second-order effect of its weight, for statics; null if it has none.
+  std::shared_ptr<const Assembled> without_second_order;
+  std::vector<std::size_t> without_rest;  ///< bodies whose weight nothing holds: first order
 
+  [[nodiscard]] const Assembled& first_order() const { return without_second_order ? *without_second_order : *this; }
   [[nodiscard]] bool frequency_dependent() const { return constant.size() > 0; }
   /// Adds the contribution of the frequency-dependent elements to Z(ω), first rows of `layout`.
   void add_frequency_dependent(std::complex<double> omega, double near, Eigen::MatrixXcd& z) const;
@@ -107,7 +115,10 @@ struct Assembled {
   [[nodiscard]] Eigen::MatrixXcd dynamic_stiffness(std::complex<double> omega, double near) const;
 };
 
-/// K = Σ T C_e Tᵀ; B and A in the same way, plus the bodies and the damping of the system.
+/// K = Σ T C_e Tᵀ; B and A in the same way, plus the bodies and the damping of the system. Under gravity with the
+/// effect of the forces at rest (SecondOrder).
 [[nodiscard]] Assembled assemble(const model::System& system);
+/// The same without this effect, except of preloads: for positions of rest.
+[[nodiscard]] Assembled assemble_first_order(const model::System& system);
 
 }  // namespace trivet::assembly

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/orthogonal.h"
@@ -168,7 +167,7 @@ Columns coupled(const model::System& system, const Assembled& assembled, const s
     }
   }
   const Ground& ground = assembled.ground;
-  c.K += product(geometric_stiffness(system, assembled.layout), ground.R, ground.round_off);
+  c.K += product(assembled.of_levers, ground.R, ground.round_off);
   for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
     const model::Foundation& own = system.description().foundations[f];
     const Eigen::Index first = assembled.layout.foundation_row(f), count = own.mass.rows();

@@ -120,7 +120,13 @@ void DesignEvaluation::fit_family(const project::Case& variant) {
     report_.family = words(*plain.family);
     plain_family_ = std::move(plain.family);
   } else {
-    FamilyOrReason<DrivenDesign> driven = fitted<DrivenDesign>(variant, driven_design);
+    const bool within_band = std::isfinite(set_.band.to) &&
+        std::all_of(set_.rules.begin(), set_.rules.end(),
+                    [](const DesignRule& rule) { return rule.kind == DesignRule::Kind::amplitude; });
+    FamilyOrReason<DrivenDesign> driven = fitted<DrivenDesign>(
+        variant,
+        [&](const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+            const assembly::Loading& loading) { return driven_design(assembled, channels, loading, within_band); });
     if (driven.family) report_.family = words(*driven.family);
     else report_.no_family = driven.reason;
     driven_family_ = std::move(driven.family);

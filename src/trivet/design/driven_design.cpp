@@ -28,11 +28,12 @@ Terms rows_of(const numerics::ObservedCurve& curve, Eigen::Index n) {
   return rows;
 }
 
-bool powers_are_possible(const Terms& rows, const Terms& load) {
+bool powers_are_possible(const Terms& rows, const Terms& load, bool within_band) {
   return std::all_of(rows.begin(), rows.end(), [&](const DrivenDesign::Term& row) {
     return std::all_of(load.begin(), load.end(), [&](const DrivenDesign::Term& value) {
       const int power = row.power + value.power;
-      return power >= numerics::least_power && power <= numerics::most_power;
+      return power >= numerics::least_power &&
+          power <= (within_band ? numerics::most_power_in_band : numerics::most_power);
     });
   });
 }
@@ -85,7 +86,7 @@ bool same_powers(const Terms& a, const Terms& b) {
 
 DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
                                            const std::vector<assembly::Channel>& channels,
-                                           const assembly::Loading& loading) {
+                                           const assembly::Loading& loading, bool within_band) {
   const numerics::DynamicMatrices& m = assembled.matrices;
   const Eigen::Index n = m.size();
   if (assembled.frequency_dependent()) return {{}, "frequency-dependent elements"};
@@ -104,7 +105,8 @@ DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
       DrivenDesign::Curve& curve = design.curves[group.which[k]];
       curve.load = design.loads.size() - 1;
       curve.rows = rows_of(given.curves[k], n);
-      if (!powers_are_possible(curve.rows, load) || !add_given(given.curves[k], given.given, curve.constant))
+      if (!powers_are_possible(curve.rows, load, within_band) ||
+          !add_given(given.curves[k], given.given, curve.constant))
         return {{},
                 fmt::format("{} grows without bound towards low or high frequencies", channels[group.which[k]].name)};
     }

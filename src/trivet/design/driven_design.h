@@ -31,9 +31,11 @@ struct DrivenDesign {
   std::vector<Curve> curves;
 };
 
+/// @param within_band  only the highest values in a finite band are asked for: results may grow towards high
+/// frequencies
 [[nodiscard]] DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
                                                          const std::vector<assembly::Channel>& channels,
-                                                         const assembly::Loading& loading);
+                                                         const assembly::Loading& loading, bool within_band = false);
 
 // What DesignFamily interpolates.
 

@@ -87,7 +87,16 @@ class SumFit {
 
   [[nodiscard]] SumFamily::Along along(std::size_t j) const {
     if (j < family_.along_.size()) return family_.along_[j];
-    return {variables_[j].from, variables_[j].to, false, 0};
+    return between(j, false);
+  }
+
+  /// The range of a number, from a place that differs from number to number: where all have the same share of their
+  /// ranges, a symmetric machine has couplings that cancel, and terms would not be found.
+  [[nodiscard]] SumFamily::Along between(std::size_t j, bool logarithmic) const {
+    constexpr double golden = 0.6180339887498949, largest = 0.1;
+    const SumFamily::Along whole{variables_[j].from, variables_[j].to, logarithmic, 0};
+    const double share = variables_.size() > 1 ? largest * std::fmod(golden * static_cast<double>(j + 1), 1.0) : 0;
+    return {whole.value(share), variables_[j].to, logarithmic, 0};
   }
 
   void add_term(const Exponents& exponents, Eigen::VectorXd coefficients) {
@@ -120,7 +129,7 @@ class SumFit {
   /// One number from node to node, the others at their first ones.
   [[nodiscard]] Line line(std::size_t j, bool logarithmic) const {
     const std::vector<double>& nodes = newton_nodes();
-    Line result{{variables_[j].from, variables_[j].to, logarithmic, 0}, {}, 0, "", false};
+    Line result{between(j, logarithmic), {}, 0, "", false};
     std::vector<Eigen::VectorXd> all;
     for (int degree = 0; degree <= most_degree; ++degree) {
       Eigen::VectorXd values = values_at({});

@@ -64,6 +64,34 @@ Shapes shapes(double x, double phi, double length) {
   return s;
 }
 
+/// dw/dz at ξ of the same deflections.
+Eigen::Vector4d slopes(double x, double phi, double length) {
+  const double half = phi / 2;
+  Eigen::Vector4d slope;
+  slope << 6 * x * x - 6 * x - phi, length * (3 * x * x - 2 * (2 + half) * x + 1 + half), -6 * x * x + 6 * x + phi,
+      length * (3 * x * x - 2 * (1 - half) * x - half);
+  return slope / (length * (1 + phi));
+}
+
+/// ∫ w′ᵀw′ dz of one plane over (u_N, θ_N, u_K, θ_K); three Gauss points integrate the fourth-degree polynomials
+/// exactly.
+Eigen::Matrix4d plane_per_tension(const Plane& p, double length) {
+  const double outer = std::sqrt(0.6), points[] = {-outer, 0, outer}, weights[] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+  Eigen::Matrix4d sum = Eigen::Matrix4d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector4d slope = slopes((1 + points[i]) / 2, p.phi, length);
+    sum += weights[i] * length / 2 * slope * slope.transpose();
+  }
+  return sum;
+}
+
+/// Adds a matrix of one plane to the 12×12.
+void add_plane(const Plane& p, const Eigen::Matrix4d& local, Matrix12& whole) {
+  const int at[] = {p.translation, p.rotation, p.translation + 6, p.rotation + 6};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) whole(at[i], at[j]) += local(i, j) * (i % 2 ? p.sign : 1) * (j % 2 ? p.sign : 1);
+}
+
 /// Mass of one plane over (u_N, θ_N, u_K, θ_K); four Gauss points integrate the sixth-degree polynomials exactly.
 Eigen::Matrix4d plane_mass(const Plane& p, double line_mass, double length) {
   const double points[] = {-0.861136311594052575, -0.339981043584856265, 0.339981043584856265, 0.861136311594052575};
@@ -127,13 +155,18 @@ Matrix12 beam_mass(const Beam& b) {
     mass(i, i) = mass(i + 6, i + 6) = per_length * b.length / 3;
     mass(i, i + 6) = mass(i + 6, i) = per_length * b.length / 6;
   }
-  for (const Plane& p : planes(b)) {
-    const Eigen::Matrix4d local = plane_mass(p, line_mass, b.length);
-    const int at[] = {p.translation, p.rotation, p.translation + 6, p.rotation + 6};
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 4; ++j) mass(at[i], at[j]) = local(i, j) * (i % 2 ? p.sign : 1) * (j % 2 ? p.sign : 1);
-  }
+  for (const Plane& p : planes(b)) add_plane(p, plane_mass(p, line_mass, b.length), mass);
   return mass;
+}
+
+Matrix12 beam_stiffness_per_tension(const Beam& b) {
+  require_sound(check(b));
+  Matrix12 sum = Matrix12::Zero();
+  for (const Plane& p : planes(b)) add_plane(p, plane_per_tension(p, b.length), sum);
+  const double torsion = (b.section.moment_1 + b.section.moment_2) / (b.section.area * b.length);
+  sum(5, 5) = sum(11, 11) = torsion;
+  sum(5, 11) = sum(11, 5) = -torsion;
+  return sum;
 }
 
 foundation::Problems check(const Beam& b) {
@@ -162,6 +195,15 @@ foundation::Problems check(const Beam& b) {
     problems.warning("length", fmt::format("length = {:.4g} m is {:.3g} of the depth", b.length, b.length / depth),
                      "a beam is at least three times as long as deep", "use a finite-element solid");
   return problems;
+}
+
+Matrix12 link_stiffness_per_tension(double length) {
+  Matrix12 sum = Matrix12::Zero();
+  for (int i = 0; i < 2; ++i) {
+    sum(i, i) = sum(i + 6, i + 6) = 1 / length;
+    sum(i, i + 6) = sum(i + 6, i) = -1 / length;
+  }
+  return sum;
 }
 
 Matrix12 link_stiffness(const Link& link) {

@@ -78,6 +78,8 @@ struct Law {
   std::optional<FrequencyDependence> frequency_dependence;
   std::optional<Linearization> nonlinear;  ///< neither scaled nor damped
   std::optional<Vector12> preload;         ///< forces and moments on the ends N, K in the state about which it vibrates
+  /// Of a straight slender element along e3: what a tension at rest adds to the stiffness, per newton [1/m …].
+  std::optional<Matrix12> per_tension;
 };
 
 /// Stiffness at ω = 0, scaled, with the tangent of the nonlinear parts.

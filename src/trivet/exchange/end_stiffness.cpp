@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 
+#include "trivet/exchange/fixed_components.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
@@ -56,6 +57,19 @@ std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int
   return rows;
 }
 
+/// Error if a condensed row is fixed by a boundary condition: the element would be fixed to the ground there.
+void check_loose(const NamedMatrix& matrix, const std::vector<int>& condensed, foundation::Problems& problems) {
+  for (const int row : fixed_components(matrix.values))
+    if (std::find(condensed.begin(), condensed.end(), row) != condensed.end()) {
+      problems.error(
+          "condensation", fmt::format("{:.3g} on the diagonal of {}", matrix.values(row, row), row_name(matrix, row)),
+          "such a number stands for a component that a boundary condition fixes, as Abaqus writes it (1e36); "
+          "an element is attached to its two ends only",
+          "write the matrix without boundary conditions, or name this node as an end");
+      return;
+    }
+}
+
 /// K_bb − K_bi K_ii⁻¹ K_ib, or nullopt with an error.
 template <typename Dense>
 std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, const Partition& parts,
@@ -90,6 +104,8 @@ std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, con
 foundation::Expected<EndMatrix> reduced(const NamedMatrix& matrix, Partition parts) {
   EndMatrix result;
   parts.condensed = condensed_rows(matrix, parts.retained, result.warnings);
+  check_loose(matrix, parts.condensed, result.warnings);
+  if (result.warnings.has_errors()) return tl::make_unexpected(result.warnings);
   if (matrix.imaginary.size() == 0) {
     const auto boundary = condensed<Eigen::MatrixXd>(matrix.values, matrix, parts, result.warnings);
     if (!boundary) return tl::make_unexpected(result.warnings);

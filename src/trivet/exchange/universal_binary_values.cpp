@@ -71,17 +71,26 @@ struct BinaryData {
   std::string_view line_end;
 };
 
+/// The line end with which `bytes` begin; empty if there is none.
+std::string_view first_line_end(std::string_view bytes) {
+  for (const std::string_view end : {"\r\n", "\n"})
+    if (bytes.starts_with(end)) return end;
+  return {};
+}
+
 /// Bytes of the line with only -1 at the beginning of `bytes`, perhaps after a line end; 0 if there is no such line.
-/// Without a line end before it, -1 must be in columns 5 and 6: otherwise a lost byte of the values would not be
-/// noticed.
+/// Without a line end before it, -1 must be in columns 5 and 6, and a line feed alone before it must also end this
+/// line: otherwise a lost byte of the values would not be noticed.
 std::size_t closing_line(std::string_view bytes, std::string_view line_end) {
-  const std::size_t begin = bytes.starts_with(line_end) ? line_end.size() : 0;
+  const std::string_view before = first_line_end(bytes);
+  const std::size_t begin = before.size();
   const std::size_t minus = bytes.find_first_not_of(' ', begin);
   if (minus == std::string_view::npos || !bytes.substr(minus).starts_with("-1")) return 0;
   if (begin == 0 && minus != blanks_before_delimiter) return 0;
   const std::size_t end = bytes.find_first_not_of(" \t\r", minus + 2);
-  if (end == std::string_view::npos) return bytes.size();
-  return bytes[end] == '\n' ? end + 1 : 0;
+  if (end == std::string_view::npos) return before.size() != 1 || before == line_end ? bytes.size() : 0;
+  if (bytes[end] != '\n') return 0;
+  return before.size() != 1 || bytes[end - 1] != '\r' ? end + 1 : 0;
 }
 
 bool only_line_ends(std::string_view bytes) { return bytes.find_first_not_of("\r\n") == std::string_view::npos; }

@@ -33,12 +33,16 @@ struct UniversalUnits {
   double temperature_offset = 273.15;  ///< as in the file; not applied to any number
 };
 
-/// One point of set 15.
+/// One point of set 15 or 2411.
 struct UniversalNode {
   int label = 0;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m] in the definition system
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m] global; in the definition system if it is not known
   int definition_system = 0;                           ///< coordinate system of the position; 0: global
   int displacement_system = 0;                         ///< coordinate system of displacements; 0: global
+  bool in_part = false;        ///< set 2411: positions are global, whatever the definition system
+  bool position_known = true;  ///< false: its definition system is not in the file, or not Cartesian
+  bool axes_known = true;      ///< false: its displacement system is not in the file, or spherical
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< axes of displacements as columns, global
 };
 
 /// Set 82: a polygon of a wire frame.
@@ -143,12 +147,22 @@ struct UniversalExponents {
   bool operator==(const UniversalExponents&) const = default;
 };
 
+/// What a file states about the unit of its numbers on one axis.
+struct UniversalUnitStatements {
+  std::optional<double> by_set;    ///< SI value of one unit by set 164
+  std::optional<double> by_label;  ///< the same by the label of the axis, if it is a known one of the quantity
+  bool label_turns = false;        ///< the label is one of a rotation or a moment
+  std::string label;               ///< as in the file; empty for NONE
+};
+
 /// One axis of a function.
 struct UniversalAxis {
   UniversalQuantity quantity = UniversalQuantity::unknown;
-  UniversalExponents exponents;  ///< as in the file; they count for quantity general only
-  std::string label;             ///< empty for NONE
-  std::string unit;              ///< label of the unit as in the file, or of the SI unit after a conversion
+  UniversalExponents exponents;         ///< as in the file; they count for quantity general only
+  std::string label;                    ///< empty for NONE
+  std::string unit;                     ///< label of the unit as in the file, or of the SI unit after a conversion
+  UniversalUnitStatements stated = {};  ///< of an axis that was read
+  double applied_unit = 1;              ///< SI value of one unit of the file by which the numbers were multiplied
 };
 
 /// Response or reference of a function.

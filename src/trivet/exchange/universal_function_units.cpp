@@ -38,37 +38,49 @@ OrdinateUnit ordinate_unit(FunctionType type) {
   }
 }
 
-/// SI value of the unit of an axis, or nullopt.
+/// SI value of the unit of an axis by set 164, or nullopt.
 std::optional<double> unit_of_axis(const UniversalAxis& axis, UniversalMotion motion, const UniversalUnits& units) {
   const auto exponents = unit_exponents(axis.quantity, motion, axis.exponents);
   return exponents ? std::optional(unit_value(units, *exponents)) : std::nullopt;
 }
 
+/// Set 164 has units of length, force and temperature: it says nothing about radians, hertz or seconds.
+bool is_in_units(const UniversalAxis& axis, UniversalMotion motion) {
+  const auto exponents = unit_exponents(axis.quantity, motion, axis.exponents);
+  return exponents && *exponents != UniversalExponents{};
+}
+
+/// Notes what the file states about the unit of an axis, and returns the unit of its numbers: by set 164, or else by
+/// the label, or else SI. nullopt if none of them can say it.
+std::optional<double> stated_unit(UniversalAxis& axis, UniversalMotion motion,
+                                  const std::optional<UniversalUnits>& units) {
+  const auto of_label = unit_of_label(axis.quantity, motion, axis.unit);
+  axis.stated.label = axis.unit;
+  if (of_label) {
+    axis.stated.by_label = of_label->value;
+    axis.stated.label_turns = of_label->turns;
+    if (of_label->turns) motion = UniversalMotion::rotation;
+  }
+  const auto of_set = unit_of_axis(axis, motion, units.value_or(UniversalUnits{}));
+  if (units && of_set && is_in_units(axis, motion)) axis.stated.by_set = of_set;
+  if (axis.stated.by_set) return axis.stated.by_set;
+  return of_label ? axis.stated.by_label : of_set;
+}
+
 /// Some programs round the factors of units.
 constexpr double different_unit = 1e-3;
 
-/// The label may say g or mm/s2 while the units of the file are SI, or none: then the numbers are probably in the unit
-/// of the label.
-void compare_label(const UniversalAxis& axis, const char* name, double unit, int line, SetProblems& problems) {
-  const auto of_label = unit_value_of_label(axis.quantity, axis.unit);
-  if (!of_label || std::abs(unit / *of_label - 1) < different_unit) return;
-  problems.warning(
-      line, fmt::format("unit of the {}", name), in_quotes(axis.unit),
-      fmt::format("by set 164, or without it, one unit is {:.9g} in SI, and by this label {:.9g}", unit, *of_label),
-      "set 164 is used; multiply the numbers if the label is right");
-}
-
-void compare_labels(const UniversalFunction& function, double abscissa, double numerator, double denominator, int line,
-                    SetProblems& problems) {
-  compare_label(function.abscissa_axis, "abscissa", abscissa, line, problems);
-  if (ordinate_unit(function.type) != OrdinateUnit::ratio) return;
-  if (motion_of_direction(function.response.direction) != UniversalMotion::rotation)
-    compare_label(function.numerator, "numerator", numerator, line, problems);
-  if (motion_of_direction(function.reference.direction) != UniversalMotion::rotation)
-    compare_label(function.denominator, "denominator", denominator, line, problems);
+/// Two units of an abscissa. Those of the ordinates are compared where a function is used.
+void compare_label_of_abscissa(const UniversalAxis& axis, int line, SetProblems& problems) {
+  const auto &set = axis.stated.by_set, &label = axis.stated.by_label;
+  if (!set || !label || std::abs(*set / *label - 1) < different_unit) return;
+  problems.warning(line, "unit of the abscissa", in_quotes(axis.stated.label),
+                   fmt::format("by set 164 one unit is {:.9g} in SI, and by this label {:.9g}", *set, *label),
+                   "set 164 is used; multiply the numbers if the label is right");
 }
 
 void scale_abscissa(UniversalFunction& function, double unit) {
+  function.abscissa_axis.applied_unit = unit;
   if (unit == 1) return;
   if (auto* even = std::get_if<EvenAbscissa>(&function.abscissa)) {
     even->first *= unit;
@@ -79,13 +91,14 @@ void scale_abscissa(UniversalFunction& function, double unit) {
   function.abscissa_axis.unit = si_unit_label(function.abscissa_axis.quantity, UniversalMotion::translation);
 }
 
+void scale_axis(UniversalAxis& axis, UniversalMotion motion, double unit) {
+  axis.applied_unit = unit;
+  if (unit != 1) axis.unit = si_unit_label(axis.quantity, axis.stated.label_turns ? UniversalMotion::rotation : motion);
+}
+
 void scale_ordinates(UniversalFunction& function, double numerator, double denominator) {
-  if (numerator != 1)
-    function.numerator.unit =
-        si_unit_label(function.numerator.quantity, motion_of_direction(function.response.direction));
-  if (denominator != 1)
-    function.denominator.unit =
-        si_unit_label(function.denominator.quantity, motion_of_direction(function.reference.direction));
+  scale_axis(function.numerator, motion_of_direction(function.response.direction), numerator);
+  scale_axis(function.denominator, motion_of_direction(function.reference.direction), denominator);
   const double factor = numerator / denominator;
   for (std::complex<double>& value : function.values) value *= factor;
 }
@@ -100,15 +113,16 @@ bool is_finite(const UniversalFunction& function) {
 
 }  // namespace
 
-void convert_to_si(UniversalFunction& function, const UniversalUnits& units, int line, SetProblems& problems) {
-  const auto abscissa = unit_of_axis(function.abscissa_axis, UniversalMotion::translation, units);
-  const auto numerator = unit_of_axis(function.numerator, motion_of_direction(function.response.direction), units);
-  const auto denominator = unit_of_axis(function.denominator, motion_of_direction(function.reference.direction), units);
-  compare_labels(function, abscissa.value_or(1), numerator.value_or(1), denominator.value_or(1), line, problems);
+void convert_to_si(UniversalFunction& function, const std::optional<UniversalUnits>& units, int line,
+                   SetProblems& problems) {
+  const auto abscissa = stated_unit(function.abscissa_axis, UniversalMotion::translation, units);
+  const auto numerator = stated_unit(function.numerator, motion_of_direction(function.response.direction), units);
+  const auto denominator = stated_unit(function.denominator, motion_of_direction(function.reference.direction), units);
+  compare_label_of_abscissa(function.abscissa_axis, line, problems);
   const OrdinateUnit ordinate = ordinate_unit(function.type);
   const bool known =
       abscissa && (ordinate == OrdinateUnit::none || (ordinate == OrdinateUnit::ratio && numerator && denominator));
-  if (!is_si(units) && !known) {
+  if (units && !is_si(*units) && !known) {
     function.in_file_units = true;
     problems.warning(
         line, "unit",

@@ -40,7 +40,7 @@ void check_abscissa(const UniversalFunction& function, int line, SetProblems& pr
 
 }  // namespace
 
-UniversalFunctionSet read_universal_function(const UniversalSet& set, const UniversalUnits& units,
+UniversalFunctionSet read_universal_function(const UniversalSet& set, const std::optional<UniversalUnits>& units,
                                              SetProblems& problems) {
   auto head = read_function_head(set, problems);
   if (!head) return {};

@@ -16,8 +16,8 @@ namespace {
 constexpr std::array node_widths{10, 10, 10, 10, 13, 13, 13};
 constexpr std::array line_widths{10, 10, 10};
 constexpr std::array labels_widths{10, 10, 10, 10, 10, 10, 10, 10};
-/// System 1 is the global one in many files.
-constexpr int largest_global_system = 1;
+constexpr std::array part_node_widths{10, 10, 10, 10};
+constexpr std::array part_position_widths{25, 25, 25};
 
 std::optional<UniversalNode> node_of(const std::vector<double>& numbers, double length_unit) {
   const auto label = as_whole_number(numbers[0]);
@@ -26,14 +26,6 @@ std::optional<UniversalNode> node_of(const std::vector<double>& numbers, double 
   const Eigen::Vector3d position = Eigen::Vector3d(numbers[4], numbers[5], numbers[6]) * length_unit;
   if (!position.allFinite()) return std::nullopt;
   return UniversalNode{*label, position, *definition, *displacement};
-}
-
-void warn_about_systems(const std::vector<UniversalNode>& nodes, int line, SetProblems& problems) {
-  for (const UniversalNode& node : nodes)
-    if (node.definition_system > largest_global_system)
-      return problems.warning(line, "coordinate system",
-                              fmt::format("node {} is in system {}", node.label, node.definition_system),
-                              "coordinate systems are not applied", "its coordinates are read as they are");
 }
 
 std::optional<std::vector<int>> as_labels(const std::optional<std::vector<double>>& numbers) {
@@ -86,7 +78,31 @@ std::vector<UniversalNode> read_universal_nodes(const UniversalSet& set, const U
     }
     nodes.push_back(*node);
   }
-  warn_about_systems(nodes, set.line, problems);
+  check_end(set, problems);
+  return nodes;
+}
+
+std::vector<UniversalNode> read_universal_part_nodes(const UniversalSet& set, const UniversalUnits& units,
+                                                     SetProblems& problems) {
+  std::vector<UniversalNode> nodes;
+  const double length_unit = unit_value(units, {.length = 1});
+  for (Lines lines(set.body); lines.next();) {
+    if (trimmed(lines.line()).empty()) continue;
+    auto numbers = numbers_of_record(lines.line(), part_node_widths, part_node_widths.size());
+    const auto position = numbers && lines.next()
+        ? numbers_of_record(lines.line(), part_position_widths, part_position_widths.size())
+        : std::nullopt;
+    if (position) numbers->insert(numbers->end(), position->begin(), position->end());
+    auto node = position ? node_of(*numbers, length_unit) : std::nullopt;
+    if (!node) {
+      problems.error(set.line + lines.number(), "node", in_quotes(lines.line()),
+                     "a node is a label > 0 and three whole numbers, then a line with three finite coordinates",
+                     set.closed ? "correct the line" : "was the file cut off?");
+      return nodes;
+    }
+    node->in_part = true;
+    nodes.push_back(*node);
+  }
   check_end(set, problems);
   return nodes;
 }

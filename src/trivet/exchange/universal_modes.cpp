@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,6 +21,11 @@ constexpr int normal_mode = 2, complex_mode = 3, second_order_complex_mode = 7;
 constexpr int translations = 2, translations_and_rotations = 3;
 constexpr int real_data = 2, complex_data = 5;
 constexpr std::size_t largest_parameter_count = 12;
+constexpr std::array double_value_widths{20, 20, 20, 20};
+constexpr std::array analysis_widths{10, 10, 10, 10, 10, 10, 10, 10};
+constexpr int at_nodes = 1, real_double_data = 4, complex_double_data = 6;
+/// Records 1 to 8 of set 2414: label, name, location and five id lines.
+constexpr std::size_t analysis_head_lines = 8;
 
 /// Record 6.
 struct ModeDefinition {
@@ -31,6 +37,7 @@ struct ModeReading {
   const UniversalSet& set;
   SetProblems& problems;
   Lines lines;
+  FieldWidths value_widths = mode_value_widths;
   [[nodiscard]] int line() const { return set.line + lines.number(); }
 };
 
@@ -67,7 +74,7 @@ std::string other_than_mode(const ModeDefinition& definition) {
 std::optional<std::vector<double>> next_values(ModeReading& reading, std::size_t count, const std::string& what) {
   std::vector<double> values;
   while (values.size() < count && reading.lines.next()) {
-    const auto line = values_of_line(reading.lines.line(), reading.line(), mode_value_widths, reading.problems);
+    const auto line = values_of_line(reading.lines.line(), reading.line(), reading.value_widths, reading.problems);
     if (!line) return std::nullopt;
     values.insert(values.end(), line->begin(), line->end());
   }
@@ -131,6 +138,17 @@ std::optional<UniversalNodeMotion> next_node(ModeReading& reading, bool is_compl
   return motion;
 }
 
+/// Records of all nodes; false after an error.
+bool read_nodes(ModeReading& reading, std::size_t components, UniversalMode& mode) {
+  while (reading.lines.next()) {
+    if (trimmed(reading.lines.line()).empty()) continue;
+    auto node = next_node(reading, mode.is_complex, components);
+    if (!node) return false;
+    mode.nodes.push_back(*node);
+  }
+  return true;
+}
+
 void convert_mode(UniversalMode& mode, const UniversalUnits& units, const UniversalSet& set, SetProblems& problems) {
   if (is_si(units)) return;
   if (si_unit_label(mode.quantity, UniversalMotion::translation).empty() ||
@@ -157,6 +175,69 @@ void convert_mode(UniversalMode& mode, const UniversalUnits& units, const Univer
     problems.error(set.line, "unit", "infinite numbers in SI", "numbers are finite", "check the factors of set 164");
 }
 
+/// What set 2414 contains other than a mode at nodes, or an empty text.
+std::string other_than_analysis_mode(int location, const ModeDefinition& definition) {
+  if (location != at_nodes)
+    return fmt::format("results {}",
+                       location == 2 || location == 3 ? "at elements" : fmt::format("at location {}", location));
+  const auto quantity = static_cast<UniversalQuantity>(definition.quantity);
+  const bool motion = quantity == UniversalQuantity::displacement || quantity == UniversalQuantity::velocity ||
+      quantity == UniversalQuantity::acceleration;
+  const std::string result = motion ? "motions" : fmt::format("results of type {}", definition.quantity);
+  switch (definition.analysis) {
+    case normal_mode:
+    case complex_mode:
+    case second_order_complex_mode:
+      break;
+    case 1:
+      return result + " of a static analysis";
+    case 4:
+      return result + " over time";
+    case 5:
+      return result + " of a frequency response";
+    default:
+      return fmt::format("{} of analysis type {}", result, definition.analysis);
+  }
+  return motion ? other_than_mode(definition) : result + " of modes";
+}
+
+/// Record 9.
+std::optional<ModeDefinition> analysis_definition(std::string_view line) {
+  const auto numbers = whole_numbers_of_record(line, definition_widths, definition_widths.size());
+  if (!numbers) return std::nullopt;
+  const std::vector<int>& n = *numbers;
+  return ModeDefinition{n[1], n[2], n[3], n[4], n[5]};
+}
+
+bool is_complex_data(int type) { return type == complex_data || type == complex_double_data; }
+bool is_double_data(int type) { return type == real_double_data || type == complex_double_data; }
+
+/// Records 10 to 13 of set 2414: numbers of the mode, and its parameters.
+bool read_analysis_parameters(ModeReading& reading, const ModeDefinition& definition, UniversalMode& mode) {
+  const auto numbers =
+      reading.lines.next() ? whole_numbers_of_record(reading.lines.line(), analysis_widths, 6) : std::nullopt;
+  if (!numbers) {
+    reading.problems.error(reading.line(), "record 10", in_quotes(reading.lines.line()),
+                           "it has eight whole numbers, the fifth the load, the sixth the mode", "correct the line");
+    return false;
+  }
+  mode.load_case = (*numbers)[4];
+  mode.number = (*numbers)[5];
+  reading.lines.next();  // creation option
+  const auto values = next_values(reading, largest_parameter_count, "records 12 and 13");
+  if (!values) return false;
+  const std::vector<double>& v = *values;
+  if (definition.analysis == normal_mode)
+    mode.parameters = UniversalNormalMode{
+        .frequency_hz = v[1], .modal_mass = v[3], .damping_ratio = v[4], .hysteretic_damping = v[5]};
+  else
+    mode.parameters = UniversalComplexMode{.eigenvalue = {v[6], v[7]},
+                                           .modal_a = {v[8], v[9]},
+                                           .modal_b = {v[10], v[11]},
+                                           .second_order = definition.analysis == second_order_complex_mode};
+  return true;
+}
+
 }  // namespace
 
 UniversalModeSet read_universal_mode(const UniversalSet& set, const UniversalUnits& units, SetProblems& problems) {
@@ -176,18 +257,55 @@ UniversalModeSet read_universal_mode(const UniversalSet& set, const UniversalUni
   mode.quantity = static_cast<UniversalQuantity>(definition.quantity);
   mode.has_rotations = definition.values_per_node == 6;
   mode.is_complex = definition.data_type == complex_data;
-  ModeReading reading{set, problems, Lines(set.body)};
+  ModeReading reading{.set = set, .problems = problems, .lines = Lines(set.body)};
   for (std::size_t i = 0; i <= *ids; ++i) reading.lines.next();
   if (!read_parameters(reading, definition, mode)) return {};
-  while (reading.lines.next()) {
-    if (trimmed(reading.lines.line()).empty()) continue;
-    auto node = next_node(reading, mode.is_complex, static_cast<std::size_t>(definition.values_per_node));
-    if (!node) return {};
-    mode.nodes.push_back(*node);
-  }
+  if (!read_nodes(reading, static_cast<std::size_t>(definition.values_per_node), mode)) return {};
   convert_mode(mode, units, set, problems);
   check_end(set, problems);
   return {std::move(mode), ""};
+}
+
+UniversalModeSet read_universal_analysis_mode(const UniversalSet& set, const UniversalUnits& units,
+                                              SetProblems& problems) {
+  ModeReading reading{.set = set, .problems = problems, .lines = Lines(set.body)};
+  UniversalMode mode;
+  int location = 0;
+  for (std::size_t i = 0; i < analysis_head_lines && reading.lines.next(); ++i) {
+    if (i == 2) location = whole_number(trimmed(reading.lines.line())).value_or(0);
+    if (i > 2) mode.ids[i - 3] = unless_none(readable_line(reading.lines.line()));
+  }
+  const auto definition = reading.lines.next() ? analysis_definition(reading.lines.line()) : std::nullopt;
+  if (!definition) {
+    problems.error(reading.line(), "record 9", in_quotes(reading.lines.line()),
+                   "after five id lines it has six numbers", set.closed ? "correct the set" : "was the file cut off?");
+    return {};
+  }
+  if (std::string other = other_than_analysis_mode(location, *definition); !other.empty())
+    return {std::nullopt, std::move(other)};
+  mode.quantity = static_cast<UniversalQuantity>(definition->quantity);
+  mode.has_rotations = definition->values_per_node == 6;
+  mode.is_complex = is_complex_data(definition->data_type);
+  if (!read_analysis_parameters(reading, *definition, mode)) return {};
+  if (is_double_data(definition->data_type)) reading.value_widths = double_value_widths;
+  if (!read_nodes(reading, static_cast<std::size_t>(definition->values_per_node), mode)) return {};
+  convert_mode(mode, units, set, problems);
+  check_end(set, problems);
+  return {std::move(mode), ""};
+}
+
+int count_universal_elements(const UniversalSet& set) {
+  constexpr std::array beams{11, 21, 22, 23, 24};
+  constexpr int nodes_per_line = 8;
+  int count = 0;
+  for (Lines lines(set.body); lines.next();) {
+    const auto head = whole_numbers_of_record(lines.line(), definition_widths, definition_widths.size());
+    if (!head || (*head)[5] < 1) continue;
+    ++count;
+    if (std::find(beams.begin(), beams.end(), (*head)[1]) != beams.end()) lines.next();
+    for (int read = 0; read < (*head)[5] && lines.next();) read += nodes_per_line;
+  }
+  return count;
 }
 
 }  // namespace trivet::exchange

@@ -19,4 +19,11 @@ struct UniversalModeSet {
 [[nodiscard]] UniversalModeSet read_universal_mode(const UniversalSet& set, const UniversalUnits& units,
                                                    SetProblems& problems);
 
+/// The same of set 2414 with results at nodes, as Simcenter, NX and other finite element programs write them.
+[[nodiscard]] UniversalModeSet read_universal_analysis_mode(const UniversalSet& set, const UniversalUnits& units,
+                                                            SetProblems& problems);
+
+/// Number of elements of set 2412.
+[[nodiscard]] int count_universal_elements(const UniversalSet& set);
+
 }  // namespace trivet::exchange

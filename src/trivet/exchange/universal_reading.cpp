@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -11,10 +12,51 @@
 #include "trivet/exchange/universal_functions.h"
 #include "trivet/exchange/universal_geometry.h"
 #include "trivet/exchange/universal_modes.h"
+#include "trivet/exchange/universal_systems.h"
 #include "trivet/foundation/plain_text.h"
 
 namespace trivet::exchange {
 namespace {
+
+/// What a set that is not read contains: " (groups)".
+std::string_view content_of_set(int type) {
+  switch (type) {
+    case 71:
+    case 780:
+      return " (elements)";
+    case 2400:
+    case 1858:
+      return " (description)";
+    case 2429:
+    case 2430:
+    case 2432:
+    case 2435:
+    case 2452:
+    case 2467:
+    case 2477:
+      return " (groups)";
+    case 1707:
+    case 1710:
+      return " (materials)";
+    case 56:
+    case 57:
+      return " (results at elements)";
+    default:
+      return "";
+  }
+}
+
+bool needs_unit(const UniversalAxis& axis) {
+  return axis.quantity != UniversalQuantity::unknown && axis.quantity != UniversalQuantity::time &&
+      axis.quantity != UniversalQuantity::frequency;
+}
+
+/// True if the labels state all units, so that no set 164 is missed.
+bool has_labels(const UniversalFunction& function) {
+  for (const UniversalAxis* axis : {&function.abscissa_axis, &function.numerator, &function.denominator})
+    if (needs_unit(*axis) && !axis->stated.by_label) return false;
+  return true;
+}
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -28,6 +70,7 @@ class UniversalReader {
   void read_set(const UniversalSet& set);
   void read_function(const UniversalSet& set, SetProblems& problems);
   void read_mode(const UniversalSet& set, SetProblems& problems);
+  void read_analysis_data(const UniversalSet& set, SetProblems& problems);
   void read_units(const UniversalSet& set, SetProblems& problems);
   void warn_about_units();
   void warn_about_ignored_sets();
@@ -40,12 +83,14 @@ class UniversalReader {
   FileProblems problems_;
   SetScanner scanner_;
   UniversalFile file_;
-  std::map<std::string, int> ignored_;  ///< what, how often
+  std::vector<UniversalSystem> systems_;
+  std::map<std::string, int> ignored_;        ///< what, how often
+  std::map<std::string, int> other_results_;  ///< content of set 2414 that is no mode
   bool at_end_ = false;
 };
 
 void UniversalReader::read_function(const UniversalSet& set, SetProblems& problems) {
-  auto read = read_universal_function(set, units(), problems);
+  auto read = read_universal_function(set, file_.units_of_file, problems);
   if (read.function) file_.functions.push_back(std::move(*read.function));
   if (!set.binary) return;
   if (read.end > 0) scanner_.continue_after(set, read.end);
@@ -56,6 +101,12 @@ void UniversalReader::read_mode(const UniversalSet& set, SetProblems& problems) 
   auto read = read_universal_mode(set, units(), problems);
   if (read.mode) file_.modes.push_back(std::move(*read.mode));
   if (!read.other_content.empty()) ++ignored_["55 with " + read.other_content];
+}
+
+void UniversalReader::read_analysis_data(const UniversalSet& set, SetProblems& problems) {
+  auto read = read_universal_analysis_mode(set, units(), problems);
+  if (read.mode) file_.modes.push_back(std::move(*read.mode));
+  if (!read.other_content.empty()) ++other_results_[read.other_content];
 }
 
 void UniversalReader::read_units(const UniversalSet& set, SetProblems& problems) {
@@ -86,6 +137,24 @@ void UniversalReader::read_set(const UniversalSet& set) {
       file_.nodes.insert(file_.nodes.end(), nodes.begin(), nodes.end());
       break;
     }
+    case 2411: {
+      const auto nodes = read_universal_part_nodes(set, units(), problems);
+      file_.nodes.insert(file_.nodes.end(), nodes.begin(), nodes.end());
+      break;
+    }
+    case 18:
+    case 2420: {
+      const auto systems = set.type == 18 ? read_universal_systems(set, units(), problems)
+                                          : read_universal_part_systems(set, units(), problems);
+      systems_.insert(systems_.end(), systems.begin(), systems.end());
+      break;
+    }
+    case 2412:
+      ++ignored_[fmt::format("2412 with {} elements", count_universal_elements(set))];
+      break;
+    case 2414:
+      read_analysis_data(set, problems);
+      break;
     case 82:
       if (auto line = read_universal_line(set, problems)) file_.lines.push_back(std::move(*line));
       break;
@@ -96,22 +165,32 @@ void UniversalReader::read_set(const UniversalSet& set) {
       read_function(set, problems);
       break;
     default:
-      ++ignored_[fmt::format("{}", set.type)];
+      ++ignored_[fmt::format("{}{}", set.type, content_of_set(set.type))];
   }
 }
 
 void UniversalReader::warn_about_units() {
-  if (!file_.units_of_file && has_quantities())
+  if (file_.units_of_file || !has_quantities()) return;
+  const bool labelled = file_.nodes.empty() && file_.modes.empty() &&
+      std::all_of(file_.functions.begin(), file_.functions.end(), has_labels);
+  if (!labelled)
     problems_.warning(0, "units", "no set 164", "set 164 states the units of the numbers",
-                      "the numbers are read as SI");
+                      "numbers without the label of a known unit are read as SI");
 }
 
 void UniversalReader::warn_about_ignored_sets() {
+  std::vector<std::string> results;
+  for (const auto& [name, count] : other_results_) results.push_back(fmt::format("{} × {}", count, name));
+  if (!results.empty())
+    problems_.warning(0, "sets 2414", foundation::comma_separated(results),
+                      "displacements, velocities or accelerations of modes at nodes are read",
+                      "the others are ignored; export modes at nodes, or functions over frequency as set 58");
   if (ignored_.empty()) return;
   std::vector<std::string> names;
   for (const auto& [name, count] : ignored_) names.push_back(count == 1 ? name : fmt::format("{} ({}×)", name, count));
   problems_.warning(0, "sets", foundation::comma_separated(names),
-                    "sets 15, 55 (modes), 58, 58b, 82, 151 and 164 are read", "the others are ignored");
+                    "sets 15, 18, 55 and 2414 (modes), 58, 58b, 82, 151, 164, 2411 and 2420 are read",
+                    "the others are ignored");
 }
 
 void UniversalReader::warn_about_comments() {
@@ -133,6 +212,7 @@ foundation::Expected<UniversalRead> UniversalReader::result() {
                     "each set of a universal file is between two lines with only -1 in columns 5 and 6",
                     "is this a universal file (.unv, .uff)?");
   if (problems_.any()) return problems_.refused();
+  apply_systems(systems_, file_.nodes);
   warn_about_units();
   warn_about_ignored_sets();
   warn_about_comments();

@@ -19,7 +19,8 @@ struct NamedUnit {
 };
 
 constexpr double inch = 0.0254, foot = 0.3048, mil = inch / 1000, standard_gravity = 9.80665,
-                 pound_force = 4.4482216152605, one_per_minute = 1.0 / 60, two_pi = 6.283185307179586;
+                 pound_force = 4.4482216152605, one_per_minute = 1.0 / 60, two_pi = 6.283185307179586,
+                 degree = two_pi / 360;
 
 constexpr NamedUnit lengths[] = {{"m", 1},       {"mm", 1e-3}, {"cm", 1e-2},     {"um", 1e-6},
                                  {"µm", 1e-6},   {"μm", 1e-6}, {"micron", 1e-6}, {"in", inch},
@@ -45,21 +46,44 @@ constexpr NamedUnit forces[] = {{"N", 1},
                                 {"kgf", standard_gravity},
                                 {"lbf", pound_force},
                                 {"lb", pound_force}};
+constexpr NamedUnit angles[] = {{"rad", 1}, {"mrad", 1e-3}, {"deg", degree}, {"°", degree}};
+constexpr NamedUnit angular_velocities[] = {
+    {"rad/s", 1}, {"mrad/s", 1e-3}, {"deg/s", degree}, {"°/s", degree}, {"rpm", two_pi / 60}};
+constexpr NamedUnit angular_accelerations[] = {
+    {"rad/s2", 1}, {"rad/s/s", 1}, {"mrad/s2", 1e-3}, {"deg/s2", degree}, {"°/s2", degree}};
+constexpr NamedUnit moments[] = {{"Nm", 1},
+                                 {"N·m", 1},
+                                 {"N.m", 1},
+                                 {"N-m", 1},
+                                 {"Nmm", 1e-3},
+                                 {"N·mm", 1e-3},
+                                 {"N.mm", 1e-3},
+                                 {"kNm", 1e3},
+                                 {"kN·m", 1e3},
+                                 {"kN.m", 1e3},
+                                 {"lbfin", pound_force* inch},
+                                 {"inlbf", pound_force* inch},
+                                 {"lbin", pound_force* inch},
+                                 {"inlb", pound_force* inch},
+                                 {"lbfft", pound_force* foot},
+                                 {"ftlbf", pound_force* foot},
+                                 {"lbft", pound_force* foot},
+                                 {"ftlb", pound_force* foot}};
 constexpr NamedUnit times[] = {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"min", 60}};
 constexpr NamedUnit frequencies[] = {
     {"hz", 1}, {"khz", 1e3}, {"rad/s", 1 / two_pi}, {"rpm", one_per_minute}, {"cpm", one_per_minute}};
 
-std::span<const NamedUnit> units_of(Quantity quantity) {
+std::span<const NamedUnit> units_of(Quantity quantity, bool turns) {
   switch (quantity) {
     case Quantity::displacement:
-      return lengths;
+      return turns ? std::span<const NamedUnit>(angles) : lengths;
     case Quantity::velocity:
-      return velocities;
+      return turns ? std::span<const NamedUnit>(angular_velocities) : velocities;
     case Quantity::acceleration:
-      return accelerations;
+      return turns ? std::span<const NamedUnit>(angular_accelerations) : accelerations;
     case Quantity::reaction_force:
     case Quantity::excitation_force:
-      return forces;
+      return turns ? std::span<const NamedUnit>(moments) : forces;
     case Quantity::time:
       return times;
     case Quantity::frequency:
@@ -67,6 +91,11 @@ std::span<const NamedUnit> units_of(Quantity quantity) {
     default:
       return {};
   }
+}
+
+bool has_rotations(Quantity quantity) {
+  return quantity == Quantity::displacement || quantity == Quantity::velocity || quantity == Quantity::acceleration ||
+      quantity == Quantity::reaction_force || quantity == Quantity::excitation_force;
 }
 
 /// "[m/s²]", "m/sec^2" → "m/s2"
@@ -145,11 +174,14 @@ std::string_view si_unit_label(Quantity quantity, UniversalMotion motion) {
   }
 }
 
-std::optional<double> unit_value_of_label(Quantity quantity, std::string_view label) {
+std::optional<UniversalLabelUnit> unit_of_label(Quantity quantity, UniversalMotion motion, std::string_view label) {
   const std::string plain =
       plain_label(label, quantity == Quantity::reaction_force || quantity == Quantity::excitation_force);
-  for (const NamedUnit& unit : units_of(quantity))
-    if (unit.label == plain) return unit.unit_value;
+  for (const bool turns : {false, true}) {
+    if (motion == (turns ? UniversalMotion::translation : UniversalMotion::rotation)) continue;
+    for (const NamedUnit& unit : units_of(quantity, turns))
+      if (unit.label == plain) return UniversalLabelUnit{unit.unit_value, turns && has_rotations(quantity)};
+  }
   return std::nullopt;
 }
 

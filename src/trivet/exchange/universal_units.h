@@ -29,8 +29,16 @@ enum class UniversalMotion { scalar, translation, rotation };
 /// "m/s2", or empty if there is no name.
 [[nodiscard]] std::string_view si_unit_label(UniversalQuantity quantity, UniversalMotion motion);
 
-/// Number in SI, or in Hz, of the unit that a label names: 9.80665 for "g" and an acceleration.
-/// nullopt if the label is not a known one of this quantity.
-[[nodiscard]] std::optional<double> unit_value_of_label(UniversalQuantity quantity, std::string_view label);
+/// A unit that a label names.
+struct UniversalLabelUnit {
+  double value = 1;    ///< of one unit in SI, or in Hz
+  bool turns = false;  ///< of a rotation or a moment
+  bool operator==(const UniversalLabelUnit&) const = default;
+};
+
+/// Unit that a label names: 9.80665 for "g" and an acceleration. A scalar may be a translation or a rotation.
+/// nullopt if the label is not a known one of this quantity and motion.
+[[nodiscard]] std::optional<UniversalLabelUnit> unit_of_label(UniversalQuantity quantity, UniversalMotion motion,
+                                                              std::string_view label);
 
 }  // namespace trivet::exchange

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/assembly/assembled.h"
+#include "trivet/assembly/second_order.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
@@ -104,7 +105,8 @@ struct Deck {
 
 std::vector<std::string> write_nastran(const Content& content, const Target& target, const foundation::Progress&) {
   const model::System& system = content.variant.system;
-  const assembly::Assembled assembled = assembly::assemble(system);
+  // The other program finds the forces at rest, and what they add to the stiffness, itself.
+  const assembly::Assembled assembled = assembly::assemble_first_order(system);
   if (system.elements().empty()) throw foundation::NotComputable("nastran: the model has no elements to export");
   Deck deck;
   std::vector<std::string> lost;
@@ -125,6 +127,8 @@ std::vector<std::string> write_nastran(const Content& content, const Target& tar
       deck.loss +=
           columns("MOUNTS", grid, in_ground_axes(system, element, Matrix12(matrices.loss.topLeftCorner<12, 12>())));
   }
+  if (assembly::has_second_order(system))
+    lost.emplace_back("what the weight adds to the stiffness is not written: it belongs to the bodies");
   std::string selection = "$   K2GG = MOUNTK\n", cards;
   const auto add = [&](const char* name, const char* by, const std::string& text) {
     if (text.empty()) return;

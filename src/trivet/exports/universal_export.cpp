@@ -106,12 +106,17 @@ std::optional<SingleForce> single_force(const Content& content, const UniversalG
   return found;
 }
 
-UniversalQuantity quantity_of(const std::string& unit) {
-  if (unit == "m" || unit == "rad") return UniversalQuantity::displacement;
-  if (unit == "m/s" || unit == "rad/s") return UniversalQuantity::velocity;
-  if (unit == "m/s²" || unit == "rad/s²") return UniversalQuantity::acceleration;
-  if (unit == "N" || unit == "N m") return UniversalQuantity::reaction_force;
-  return UniversalQuantity::general;
+/// Axis of a result with this unit. The type does not distinguish a force from a moment: the direction does, and the
+/// label of the unit.
+exchange::UniversalAxis axis_of(const std::string& unit) {
+  std::string label = unit;
+  if (const std::size_t square = label.find("²"); square != std::string::npos) label.replace(square, 2, "^2");
+  if (unit == "m" || unit == "rad") return {UniversalQuantity::displacement, {}, "Displacement", label};
+  if (unit == "m/s" || unit == "rad/s") return {UniversalQuantity::velocity, {}, "Velocity", label};
+  if (unit == "m/s²" || unit == "rad/s²") return {UniversalQuantity::acceleration, {}, "Acceleration", label};
+  if (unit == "N" || unit == "N m")
+    return {UniversalQuantity::reaction_force, {}, unit == "N" ? "Force" : "Moment", label};
+  return {UniversalQuantity::general, {}, "", label};
 }
 
 /// A text that fits; cut and noted once if it does not.
@@ -140,8 +145,10 @@ std::vector<exchange::UniversalFunction> functions(const Content& content, const
       lost.push_back(curve.name + ": its axis is not an axis of the ground, so it has no node and direction");
     if (force) function.reference = force->point;
     function.abscissa_axis = {UniversalQuantity::frequency, {}, "Frequency", "Hz"};
-    function.numerator = {quantity_of(curve.unit), {}, "", ""};
-    if (force) function.denominator = {UniversalQuantity::excitation_force, {}, "", force->moment ? "N m" : "N"};
+    function.numerator = axis_of(curve.unit);
+    if (force)
+      function.denominator = {
+          UniversalQuantity::excitation_force, {}, force->moment ? "Moment" : "Force", force->moment ? "N m" : "N"};
     function.abscissa = hertz;
     const double scale = force ? 1 / force->amplitude : 1;
     for (const std::complex<double>& value : curve.value) function.values.push_back(scale * value);

@@ -2,6 +2,7 @@
 #include "trivet/exports/universal_model.h"
 
 #include <algorithm>
+#include <array>
 
 #include "trivet/exchange/universal_writing.h"
 #include "trivet/foundation/constants.h"
@@ -53,6 +54,15 @@ class Builder {
   UniversalGeometry geometry_;
 };
 
+/// Direction 1 … 6 of a component of a wrench, "mount.moment.x"; 0 for another result.
+int direction_of_wrench(const std::string& result) {
+  constexpr std::array<const char*, 6> parts = {".force.x",  ".force.y",  ".force.z",
+                                                ".moment.x", ".moment.y", ".moment.z"};
+  for (std::size_t j = 0; j < parts.size(); ++j)
+    if (result.ends_with(parts[j])) return static_cast<int>(j) + 1;
+  return 0;
+}
+
 }  // namespace
 
 int UniversalGeometry::label(const std::string& name) const {
@@ -66,6 +76,10 @@ UniversalGeometry universal_geometry(const model::System& system) { return Build
 UniversalPoint universal_point(const UniversalGeometry& geometry, const std::string& result) {
   const std::size_t dot = result.rfind('.');
   if (dot == std::string::npos) return {};
+  if (const int direction = direction_of_wrench(result); direction > 0) {
+    const std::string group = result.substr(0, result.rfind('.', dot - 1));
+    return {"", geometry.label(group + ".foot"), direction};
+  }
   const auto component =
       std::find(model::coordinate_names.begin(), model::coordinate_names.end(), result.substr(dot + 1));
   const std::string name = result.substr(0, dot);

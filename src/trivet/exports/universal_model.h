@@ -27,8 +27,8 @@ struct UniversalGeometry {
 };
 [[nodiscard]] UniversalGeometry universal_geometry(const model::System& system);
 
-/// Node and direction ±1 … ±6 of a result such as "machine.seat.rz"; node 0 for a force, a result of no place,
-/// or an axis that is not one of the ground.
+/// Node and direction ±1 … ±6 of a result such as "machine.seat.rz", or of a force or moment (direction 4 to 6) of an
+/// element on its foot; node 0 for a result of no place, or an axis that is not one of the ground.
 [[nodiscard]] exchange::UniversalPoint universal_point(const UniversalGeometry& geometry, const std::string& result);
 
 /// Motion of every node in each undamped mode, six numbers per node.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -173,7 +174,9 @@ LawFit fitted(const Scaled& data, const std::vector<StiffnessPoint>& points, con
   const auto count = 2 * static_cast<double>(points.size()), constants = static_cast<double>(minimum.parameters.size());
   constexpr double exact = 1e-24;  // squared residuals of noise-free data, by rounding
   const double squares = std::max(minimum.residuals.squaredNorm(), exact * count);
-  const double factor = student_quantile(confidence, count - constants) * std::sqrt(squares / (count - constants));
+  const double freedom = count - constants;
+  const double factor = freedom > 0 ? student_quantile(confidence, freedom) * std::sqrt(squares / freedom)
+                                    : std::numeric_limits<double>::infinity();
   LawFit law;
   law.law = family.name;
   law.converged = minimum.converged;
@@ -186,8 +189,9 @@ LawFit fitted(const Scaled& data, const std::vector<StiffnessPoint>& points, con
   else if (family.relative_modulus == zener) law.viscoelastic = elements::Zener{value(1), value(2)};
   else law.viscoelastic = elements::FractionalZener{value(1), value(2), value(3)};
   const double estimated = constants + 1;  // the noise is estimated too
-  law.akaike =
-      count * std::log(squares / count) + 2 * estimated + 2 * estimated * (estimated + 1) / (count - estimated - 1);
+  law.akaike = count - estimated - 1 > 0
+      ? count * std::log(squares / count) + 2 * estimated + 2 * estimated * (estimated + 1) / (count - estimated - 1)
+      : std::numeric_limits<double>::quiet_NaN();
   double relative = 0;
   for (const StiffnessPoint& p : points)
     relative += std::norm(stiffness_at(law, p.angular_frequency) / p.stiffness - 1.0);
@@ -196,11 +200,7 @@ LawFit fitted(const Scaled& data, const std::vector<StiffnessPoint>& points, con
 }
 
 foundation::Problems point_problems(const std::vector<StiffnessPoint>& points) {
-  constexpr std::size_t fewest = 3;
   foundation::Problems problems;
-  if (points.size() < fewest)
-    problems.error("dynamic_stiffness", fmt::format("{} points", points.size()),
-                   "a law over frequency needs at least three", "measure at more frequencies");
   Complex sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const StiffnessPoint& p = points[i];
@@ -263,10 +263,42 @@ std::complex<double> stiffness_at(const LawFit& law, double angular_frequency) {
   return law.stiffness * elements::relative_modulus(*law.viscoelastic, Complex(angular_frequency));
 }
 
+foundation::Expected<LawFit> fitted_law(const std::string& law, const std::vector<StiffnessPoint>& points,
+                                        double confidence) {
+  const auto family =
+      std::find_if(families().begin(), families().end(), [&](const Family& one) { return one.name == law; });
+  if (family == families().end() || !(confidence > 0 && confidence < 1))
+    throw foundation::InvalidInput(fmt::format("law \"{}\", confidence {}", law, confidence));
+  foundation::Problems problems;
+  std::vector<double> frequencies;
+  for (const StiffnessPoint& point : points) {
+    constexpr double same = 0.01;
+    if (std::none_of(frequencies.begin(), frequencies.end(),
+                     [&](double other) { return std::abs(point.angular_frequency - other) <= same * other; }))
+      frequencies.push_back(point.angular_frequency);
+  }
+  // Each frequency gives two numbers. With as many numbers as constants, a law that bends over frequency may not be
+  // unique; the simple ones are.
+  const std::size_t constants = 1 + family->parameters.size(), fewest = constants == 2 ? 1 : constants / 2 + 1;
+  if (frequencies.size() < fewest)
+    problems.error(
+        "dynamic_stiffness", fmt::format("{} frequencies", frequencies.size()),
+        fmt::format("the {} law has {} constants: at least {} frequencies determine them", law, constants, fewest),
+        "measure at more frequencies, or name a law with fewer constants");
+  problems.add(point_problems(points));
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  return fitted(scaled(points), points, *family, confidence);
+}
+
 foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& points, double confidence) {
   if (!(confidence > 0 && confidence < 1))
     throw foundation::InvalidInput(fmt::format("confidence = {}, must be between 0 and 1", confidence));
-  foundation::Problems problems = point_problems(points);
+  foundation::Problems problems;
+  if (points.size() < fewest_ranked_points)
+    problems.error("dynamic_stiffness", fmt::format("{} points", points.size()),
+                   "at least three points are needed to decide between laws",
+                   "measure at more frequencies, or name the law");
+  problems.add(point_problems(points));
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
   LawRanking ranking;
   const Scaled data = scaled(points);

@@ -41,7 +41,7 @@ struct LawFit {
   std::optional<elements::Viscoelastic> viscoelastic;  ///< of the others
   std::vector<Parameter> parameters;
   double relative_rms = 0;       ///< rms over the points of |k_law − k|/|k|
-  double akaike = 0;             ///< corrected criterion AICc from the weighted residuals; lower is better
+  double akaike = 0;             ///< corrected criterion AICc from the weighted residuals; lower is better; perhaps NaN
   double akaike_difference = 0;  ///< to the best law; above 10 the data clearly contradict this one
   bool converged = false;
 };
@@ -52,6 +52,15 @@ struct LawRanking {
 };
 
 [[nodiscard]] std::complex<double> stiffness_at(const LawFit& law, double angular_frequency);
+
+/// Fewest points from which laws are ranked.
+inline constexpr std::size_t fewest_ranked_points = 3;
+
+/// Fits the law of this name (as in LawFit) alone. One point determines the two constants of the hysteretic and of the
+/// viscous law, two points at different frequencies those of the Zener law, three those of the fractional one; without
+/// more points the limits of the constants are open, and there is no criterion (NaN). Problems as for `fitted_laws`.
+[[nodiscard]] foundation::Expected<LawFit> fitted_law(const std::string& law, const std::vector<StiffnessPoint>& points,
+                                                      double confidence = 0.95);
 
 /// Fits the laws to k*(ω) and ranks them. Problems: fewer than three points (four for the fractional law, which is
 /// otherwise omitted), frequencies not > 0, values not finite, nonpositive deviations, a mean stiffness or loss that is

@@ -77,7 +77,9 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
   if (mode.eigenvalue_squared == 0 || assembled.elements.empty()) return;
   // A foundation mode that moves no mount stores all its energy in the foundation: shares of round-off mean nothing.
   constexpr double round_off = 1e-12;
-  if (std::abs(strain.sum()) > round_off * std::abs(mode.eigenvalue_squared * phi.dot(momentum)))
+  // So do those of energies that cancel: of struts under compression against springs.
+  if (std::abs(strain.sum()) >
+      round_off * std::max(std::abs(mode.eigenvalue_squared * phi.dot(momentum)), strain.cwiseAbs().sum()))
     mode.strain_energy_share = Eigen::VectorXd(strain / strain.sum());
 }
 
@@ -106,6 +108,12 @@ void warn(const numerics::GeneralizedModes& raw, Modes& result) {
 
 namespace {
 
+/// ω² of a motion whose strain energies cancel but for round-off is zero.
+double without_round_off(double lambda, double norm, const Eigen::VectorXd& strain) {
+  constexpr double round_off = 1e-14;  // of sums of some ten entries
+  return std::abs(lambda * norm) <= round_off * strain.cwiseAbs().sum() ? 0 : lambda;
+}
+
 /// @param shapes  of `raw` in all coordinates
 Modes described(const model::System& system, const assembly::Assembled& assembled,
                 const numerics::GeneralizedModes& raw, const Eigen::MatrixXd& shapes) {
@@ -117,8 +125,8 @@ Modes described(const model::System& system, const assembly::Assembled& assemble
   for (Eigen::Index i = 0; i < raw.lambda.size(); ++i) {
     Mode& mode = result.list.emplace_back();
     mode.number = static_cast<int>(i) + 1;
-    mode.eigenvalue_squared = raw.lambda(i);
-    if (raw.lambda(i) >= 0) mode.angular_frequency = std::sqrt(raw.lambda(i));
+    mode.eigenvalue_squared = without_round_off(raw.lambda(i), raw.norm(i), strain.col(i));
+    if (mode.eigenvalue_squared >= 0) mode.angular_frequency = std::sqrt(mode.eigenvalue_squared);
     mode.modal_mass = raw.norm(i);
     mode.coordinates = shapes.col(i);
     describe_bodies(system, assembled, principal, mode.coordinates, mode);

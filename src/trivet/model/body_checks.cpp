@@ -6,6 +6,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
+#include "trivet/model/point_mass.h"
 #include "trivet/numerics/linalg/complete_pivoting.h"
 
 namespace trivet::model {
@@ -36,12 +37,20 @@ void check_body(const Body& body, foundation::Problems& problems) {
     problems.error(subject + ".free", "no free coordinate",
                    body.is_node ? "a node must be able to move" : "a body must be able to move",
                    "name at least one of x, y, z, rx, ry, rz, or make it part of the ground");
-  if (body.is_node) return;
+  if (body.is_node || is_point_mass(body)) return;
   const bool turns = body.free[3] || body.free[4] || body.free[5];
   if (!body.has_inertia && turns)
     problems.error(subject, "no inertia", "a body that can turn needs its moments of inertia",
-                   "give inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
-
+                   "give inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}; xx = 0, yy = 0, zz = 0 is a "
+                   "point mass");
+  if (turns && body.has_inertia && body.mass.mass > 0 && body.mass.inertia_about_centre.isZero(0)) {
+    problems.error(subject + ".center_of_mass",
+                   fmt::format("[{:.6g}, {:.6g}, {:.6g}] m of a point mass", body.mass.centre.x(), body.mass.centre.y(),
+                               body.mass.centre.z()),
+                   "a body whose inertia is zero has its pole at its centre of mass",
+                   "move `position` there and leave out center_of_mass, or give the inertia");
+    return;
+  }
   std::vector<spatial::ViolatedBound> violated;
   if (body.has_inertia) {
     violated = spatial::violated_bounds(body.mass);

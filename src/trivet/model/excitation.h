@@ -71,6 +71,7 @@ struct Excitation {
   std::string name;
   Action action;
   Course course;
+  double service_speed = 0;  ///< of the rotor of an unbalance [rad/s]; 0: not given
 };
 
 /// True if the excitation is among those selected by name; an empty selection means all.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "trivet/foundation/index.h"
+#include "trivet/model/point_mass.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/reduced_echelon.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
@@ -69,7 +70,7 @@ void for_each_end(const Description& description, std::size_t node, const Visito
   }
 }
 
-/// One free coordinate of a node without mass.
+/// One free coordinate without mass, of a node or a point mass.
 struct Coordinate {
   std::size_t node;
   int direction;
@@ -78,8 +79,10 @@ struct Coordinate {
 std::vector<Coordinate> massless_coordinates(const Description& description) {
   std::vector<Coordinate> list;
   for (std::size_t b = 0; b < description.bodies.size(); ++b) {
-    if (!description.bodies[b].is_node) continue;
-    Eigen::Matrix<bool, 6, 1> massive = Eigen::Matrix<bool, 6, 1>::Constant(false);
+    const Body& body = description.bodies[b];
+    if (!body.is_node && !is_point_mass(body)) continue;
+    Eigen::Matrix<bool, 6, 1> massive;
+    for (int j = 0; j < 6; ++j) massive(j) = !is_massless(body, to_size(j));
     for_each_end(description, b, [&](const Element& element, Eigen::Index first, const End& end) {
       const Eigen::MatrixXd mass = elements::matrices(element.law).mass;
       const Matrix6 motion = motion_of_end(end);
@@ -87,7 +90,7 @@ std::vector<Coordinate> massless_coordinates(const Description& description) {
         massive(j) = massive(j) || acts(mass, first, motion.col(j), j >= 3, longest_lever(description, element));
     });
     for (int j = 0; j < 6; ++j)
-      if (description.bodies[b].free[to_size(j)] && !massive(j)) list.push_back({b, j});
+      if (body.free[to_size(j)] && !massive(j)) list.push_back({b, j});
   }
   return list;
 }

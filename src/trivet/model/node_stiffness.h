@@ -13,7 +13,7 @@ namespace trivet::model {
 /// stiffness, damping or mass, beyond round-off.
 [[nodiscard]] std::array<bool, 6> held_directions(const Description& description, std::size_t node);
 
-/// Number of free coordinates of a node that get mass from an element.
+/// Number of free coordinates of a node or a point mass that have mass, or get it from an element.
 [[nodiscard]] std::size_t coordinates_with_mass(const Description& description, std::size_t node);
 
 /// A motion of nodes that no stiffness resists.

@@ -9,6 +9,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
 #include "trivet/model/node_stiffness.h"
+#include "trivet/model/point_mass.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::model {
@@ -41,11 +42,11 @@ void leave_out(Description& description, std::size_t node, foundation::Problems&
   const std::array<bool, 6> held = held_directions(description, node);
   bool any = false;
   for (std::size_t j = 0; j < 6; ++j) {
-    if (body.free[j] && !held[j]) body.left_out[j] = true;
+    if (body.free[j] && is_massless(body, j) && !held[j]) body.left_out[j] = true;
     if (body.left_out[j]) body.free[j] = false;
     any = any || body.free[j];
   }
-  if (!any)
+  if (!any && body.is_node)
     problems.error(path_of(body) + ".free", "no element holds any of its free directions",
                    "a node moves with the elements that end on it", "add an element, or remove the node");
 }
@@ -58,7 +59,9 @@ void check_force(const Body& node, const std::string& subject, const Action::Amp
   const double linear = force.head<3>().norm(), angular = force.tail<3>().norm() + at.norm() * linear;
   for (std::size_t j = 0; j < 6; ++j)
     if (node.left_out[j] && std::abs(at_node(to_index(j))) > rounding_of_axes * (j < 3 ? linear : angular))
-      problems.error(subject, fmt::format("it acts on the {} of node \"{}\"", direction_name(j), node.name),
+      problems.error(subject,
+                     fmt::format("it acts on the {} of {} \"{}\"", direction_name(j),
+                                 node.is_node ? "node" : "point mass", node.name),
                      "no element holds this direction, so it is left out",
                      "add an element that holds it, or change the direction of the force");
 }
@@ -66,7 +69,7 @@ void check_force(const Body& node, const std::string& subject, const Action::Amp
 void check_forces(const Description& description, foundation::Problems& problems) {
   for (const Excitation& excitation : description.excitations) {
     const Action& action = excitation.action;
-    if (!action.body || !description.bodies[*action.body].is_node) continue;
+    if (!action.body || !turns_without_mass(description.bodies[*action.body])) continue;
     const Body& node = description.bodies[*action.body];
     const std::string subject = "excitations." + excitation.name;
     if (const auto* orders = std::get_if<Orders>(&excitation.course)) {
@@ -80,7 +83,7 @@ void check_forces(const Description& description, foundation::Problems& problems
   for (const ConstantForce& force : description.constant_forces) {
     Action::Amplitude six;
     six << force.wrench.force.cast<std::complex<double>>(), force.wrench.moment.cast<std::complex<double>>();
-    if (description.bodies[force.body].is_node)
+    if (turns_without_mass(description.bodies[force.body]))
       check_force(description.bodies[force.body], "excitations." + force.name, six, force.at, problems);
   }
 }
@@ -130,9 +133,9 @@ void check_held(const Description& description, foundation::Problems& problems) 
 void settle_nodes(Description& description, foundation::Problems& problems) {
   const std::size_t before = problems.errors();
   for (std::size_t b = 0; b < description.bodies.size(); ++b) {
-    if (!description.bodies[b].is_node) continue;
+    if (!turns_without_mass(description.bodies[b])) continue;
     const std::size_t errors = problems.errors();
-    check_ends(description, b, problems);
+    if (description.bodies[b].is_node) check_ends(description, b, problems);
     if (problems.errors() == errors) leave_out(description, b, problems);
   }
   if (problems.errors() > before) return;
@@ -157,8 +160,8 @@ std::vector<std::string> left_out_notes(const Description& description) {
             (names.empty() ? "" : ", ") + std::string(first == 0 ? "translation along " : "rotation about ") + axes;
     }
     if (count > 0)
-      notes.push_back(
-          fmt::format("node {}: {} {} held by no element and left out", body.name, names, count == 1 ? "is" : "are"));
+      notes.push_back(fmt::format("{} {}: {} {} held by no element and left out", body.is_node ? "node" : "point mass",
+                                  body.name, names, count == 1 ? "is" : "are"));
   }
   return notes;
 }

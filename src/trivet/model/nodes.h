@@ -8,8 +8,8 @@
 
 namespace trivet::model {
 
-/// Leaves out the directions of nodes that no element holds, and checks that elements hold every other one:
-/// docs/decisions/nodes-without-mass.md.
+/// Leaves out the directions of nodes, and the rotations of point masses, that no element holds, and checks that
+/// elements hold every other one: docs/decisions/nodes-without-mass.md.
 void settle_nodes(Description& description, foundation::Problems& problems);
 
 /// "node joint: rotation about z is held by no element and left out", for every node with such directions.

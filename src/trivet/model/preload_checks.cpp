@@ -85,8 +85,7 @@ void check_preloads(const Description& description, foundation::Problems& proble
                       "moment of {:.4g} N m about its centre of mass remains",
                       sum->force.x(), sum->force.y(), sum->force.z(), weight.x(), weight.y(), weight.z(), tilting),
           "at rest the forces and moments of the preloads balance the weight of the body",
-          "set the preload of every element that carries it; elements without a preload add no geometric stiffness "
-          "here");
+          "set the preload of every element that carries it; elements without a preload carry what is left");
   }
 }
 

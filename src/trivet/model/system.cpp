@@ -13,6 +13,7 @@
 #include "trivet/model/modal_ground.h"
 #include "trivet/model/node_stiffness.h"
 #include "trivet/model/nodes.h"
+#include "trivet/model/point_mass.h"
 
 namespace trivet::model {
 namespace {
@@ -81,8 +82,8 @@ void check_damping(const Description& description, foundation::Problems& problem
     std::size_t coordinates = 0;
     for (std::size_t b = 0; b < description.bodies.size(); ++b) {
       const Body& body = description.bodies[b];
-      coordinates += body.is_node ? coordinates_with_mass(description, b)
-                                  : to_size(std::count(body.free.begin(), body.free.end(), true));
+      coordinates += turns_without_mass(body) ? coordinates_with_mass(description, b)
+                                              : to_size(std::count(body.free.begin(), body.free.end(), true));
     }
     for (const auto& element : description.elements)
       if (element.law.inertia) coordinates += to_size(element.law.inertia->angular_frequencies.size());
@@ -188,8 +189,8 @@ void set_linear_law_at(double deflection, Element& element) {
 }
 
 System System::in_other_state(Description description) const {
-  const bool has_nodes =
-      std::any_of(description.bodies.begin(), description.bodies.end(), [](const Body& body) { return body.is_node; });
+  const bool has_nodes = std::any_of(description.bodies.begin(), description.bodies.end(),
+                                     [](const Body& body) { return turns_without_mass(body); });
   if (!has_nodes) {
     System system;
     system.description_ = std::move(description);

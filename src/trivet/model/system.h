@@ -219,6 +219,7 @@ struct Description {
   std::vector<Excitation> excitations;
   std::vector<ConstantForce> constant_forces;
   std::optional<Eigen::Vector3d> gravity;  ///< [m/s²], ground frame
+  bool second_order = true;                ///< gravity changes the stiffness: forces at rest move with the bodies
   std::vector<RelativeMotion> relative_motions;
   std::vector<Section> sections;
   std::vector<Clearance> clearances;

@@ -22,9 +22,9 @@ struct Fading {
     constexpr double small = 1e-4;
     mean = std::abs(x) > small ? -std::expm1(-x) / x : 1 - x / 2;
     mean_of_integral = std::abs(x) > small ? (1 - mean) / x : 1.0 / 2 - x / 6;
-    kept = std::exp(-x);
+    lost = -std::expm1(-x);
   }
-  double kept;              ///< y at the end by that at the start
+  double lost;              ///< y at the start less that at the end, by y at the start
   double mean;              ///< of e^{−decay t}: y at the end by source · h, the mean of y by that at the start
   double mean_of_integral;  ///< the mean of y by source · h
 };
@@ -34,12 +34,12 @@ struct Fading {
 struct BristleKick {
   BristleKick(const BristleLoop::Here& at, double h) {
     const Fading fading(at.decay, h);
-    kept = fading.kept;
+    lost = fading.lost;
     grown = at.gain * fading.mean * h;
     by_start = at.by_bristle * fading.mean;
     by_rate = at.by_rate + at.by_bristle * at.gain * fading.mean_of_integral * h;
   }
-  double kept = 0, grown = 0;        ///< ζ at the end by that at the start, and by the rate
+  double lost = 0, grown = 0;        ///< what ζ loses by that at the start, and ζ at the end by the rate
   double by_start = 0, by_rate = 0;  ///< the mean force by ζ at the start, and by the rate
 };
 
@@ -83,8 +83,18 @@ VectorXd units_of_friction(const LawsAlong& motion, const VectorXd& acceleration
   return units;
 }
 
-numerics::RowMatrix answers_of_laws(const LawsAlong& motion, const MatrixXd& rates_by_force,
-                                    const VectorXd& accelerations, double from, double to, int steps) {
+MatrixXd DeflectionAnswers::left_side(const MatrixXd& by_deflection, const MatrixXd& by_rate, double step) const {
+  const Index m = rates.rows();
+  MatrixXd left = MatrixXd::Identity(m, m);
+  if (massless) left -= by_deflection * (at_once + step / 2 * drifts);
+  if (by_rate.size() > 0) left -= by_rate * (massless ? MatrixXd(drifts + step / 2 * rates) : step / 2 * rates);
+  return left;
+}
+
+numerics::RowMatrix answers_of_laws(const LawsAlong& motion, const DeflectionAnswers& answers, double from, double to,
+                                    int steps) {
+  const MatrixXd& rates_by_force = answers.rates;
+  const VectorXd accelerations = rates_by_force.diagonal();
   const Index m = rates_by_force.rows(), loops = to_index(motion.loops.size()),
               bristles = to_index(motion.bristles.size()), rubbings = to_index(motion.rubbings.size()),
               carried = motion.carried();
@@ -157,8 +167,9 @@ numerics::RowMatrix answers_of_laws(const LawsAlong& motion, const MatrixXd& rat
         force(first_carried + bristles + r) += aside(to_index(a)) * of_rubbings.back().mean * units(r);
       }
     }
-    if (damped) {  // implicit midpoint rule: the kick changes the rates that it depends on
-      const MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (forces.middleCols(m, m) * rates_by_force);
+    if (damped || answers.massless) {  // the kick changes the deflections and rates that it depends on
+      const MatrixXd left =
+          answers.left_side(forces.leftCols(m), damped ? MatrixXd(forces.middleCols(m, m)) : MatrixXd(), step);
       forces = numerics::PivotedLu<double>(left).solve(forces);
     }
     const Index first = i * (m + carried);
@@ -169,14 +180,14 @@ numerics::RowMatrix answers_of_laws(const LawsAlong& motion, const MatrixXd& rat
       const double grown = scale(b) * of_bristles[to_size(b)].grown;
       change = grown * step / 2 * rates_by_force.row(j) * forces;
       change(m + j) += grown;
-      change(first_carried + b) += of_bristles[to_size(b)].kept - 1;
+      change(first_carried + b) -= of_bristles[to_size(b)].lost;
     }
     for (Index r = 0; r < rubbings; ++r) {
       const Fading& fading = of_rubbings[to_size(r)];
       auto change = all.row(first + m + bristles + r);
       change = sources.row(r) + sources.row(r).segment(m, m) * (step / 2 * rates_by_force * forces);
       change *= fading.mean * step / units(r);
-      change(first_carried + bristles + r) += fading.kept - 1;
+      change(first_carried + bristles + r) -= fading.lost;
     }
   }
   return all;

@@ -9,10 +9,12 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/modal/modes.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/ending_cause.h"
 #include "trivet/nonlinear/free_motion.h"
+#include "trivet/nonlinear/held_by_friction.h"
+#include "trivet/nonlinear/modes_at_rest.h"
+#include "trivet/nonlinear/reference_machine.h"
 #include "trivet/numerics/periodic/branch_walk.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
@@ -80,20 +82,20 @@ class FreeCourse {
         system_(about_rest(given)),
         assembled_(assembly::assemble(system_)),
         deflections_(laws_of(system_, assembled_, options.damped)),
-        motion_(assembled_, deflections_, options.damped, options.harmonics),
+        holding_(assembly::assemble(with_references(given, references_of(given, hold_at_rest(given)))).matrices.K),
+        motion_(assembled_, deflections_, options.damped, options.harmonics, holding_),
         observer_(system_, assembled_, PeriodicExcitation(), deflections_, options.of, options.quantity) {
     if (assembled_.frequency_dependent())
       throw foundation::NotComputable(
           "backbone: elements whose stiffness is a function of frequency; give them constant matrices or a Maxwell "
           "model");
-    std::vector<modal::Mode> moving;
-    for (const modal::Mode& mode : modal::modes(system_, assembled_).list)
-      if (mode.angular_frequency && *mode.angular_frequency > 0) moving.push_back(mode);
-    if (options.mode < 0 || options.mode >= to_index(moving.size()))
-      throw foundation::NotComputable(fmt::format("backbone: mode {} does not exist; {} modes have a frequency above 0",
-                                                  options.mode + 1, moving.size()));
-    omega_ = *moving[to_size(options.mode)].angular_frequency;
-    shape_ = moving[to_size(options.mode)].coordinates;
+    std::vector<ModeAtRest> modes = modes_at_rest(system_, assembled_, holding_);
+    if (options.mode < 0 || options.mode >= to_index(modes.size()))
+      throw foundation::NotComputable(
+          fmt::format("backbone: mode {} does not exist; {} modes have a frequency above 0, at rest or in motion",
+                      options.mode + 1, modes.size()));
+    omega_ = modes[to_size(options.mode)].angular_frequency;
+    shape_ = std::move(modes[to_size(options.mode)].shape);
   }
 
   Backbone follow(const foundation::Progress& progress) {
@@ -107,12 +109,13 @@ class FreeCourse {
     for (const double share : {1e-3, 1e-2, 1e-1}) {
       const VectorXd start = starting_shape(share);
       motion_.set_mode(shape_, start.cwiseAbs().maxCoeff());
+      const double first_omega = frequency_of(start);
       const numerics::Branch branch(
           [this](const VectorXd& unknowns, double omega, numerics::Equations& equations) {
             motion_.evaluate(unknowns, omega, equations);
           },
-          smallest_scale(start), omega_);
-      if (const std::optional<BranchPoint> now = first(branch, start)) {
+          smallest_scale(start), typical_frequency(first_omega));
+      if (const std::optional<BranchPoint> now = first(branch, start, first_omega)) {
         follow(branch, *now, found, progress);
         return found;
       }
@@ -122,6 +125,25 @@ class FreeCourse {
   }
 
  private:
+  /// Of a motion with this shape, by the balance of its first harmonic along itself.
+  [[nodiscard]] double frequency_of(const VectorXd& start) const {
+    const double probe = omega_ > 0 ? omega_ : 1;
+    numerics::Equations equations;
+    motion_.evaluate(start, probe, equations);
+    const auto first = start.segment(motion_.place(1), motion_.coordinates());
+    const double square = probe * probe +
+        first.dot(equations.value.segment(motion_.place(1), motion_.coordinates())) /
+            first.dot(assembled_.matrices.A * first);
+    return square > 0 && std::isfinite(square) ? std::sqrt(square) : omega_;
+  }
+
+  /// By which changes of ω along the branch are measured: that of small motions, unless large ones are far faster.
+  [[nodiscard]] double typical_frequency(double at_start) const {
+    constexpr double faster = 10;
+    const double at_end = frequency_of(starting_shape(1));
+    return at_end > faster * std::max(omega_, at_start) || !(omega_ > 0) ? std::max(at_end, at_start) : omega_;
+  }
+
   void follow(const numerics::Branch& branch, const BranchPoint& start, Backbone& found,
               const foundation::Progress& progress) const {
     found.points.push_back(observed(start, found));
@@ -145,6 +167,13 @@ class FreeCourse {
         break;
       }
       const BranchPoint& next = step->to;
+      const bool ends = share(next) >= 1;
+      if (ends && !step->hops)
+        if (const auto end = branch.zero([&](const BranchPoint& point) { return share(point) - 1; }, now, 0,
+                                         step->length, accurate)) {
+          step->length = numerics::Branch::length(now, *end);
+          step->to = *end;
+        }
       const double energy = found.points.back().energy, next_energy = this->energy(next);
       for (const double wanted : options_.at_energy)
         if ((energy < wanted) != (next_energy < wanted))
@@ -157,6 +186,7 @@ class FreeCourse {
         found.ended = fmt::format("the branch returns to rest at {:.6g} Hz", next.parameter / foundation::two_pi);
         break;
       }
+      if (ends) break;
       if (progress) progress("backbone", std::clamp(found.points.back().share, 0.0, 1.0));
       walk.go(std::move(*step));
       if (!walk.is_smooth()) continue;
@@ -188,7 +218,10 @@ class FreeCourse {
       moves_any = true;
       factor = std::min(factor, small * end_of(one) / deflection);
     }
-    factor = std::min(factor, small * std::sqrt(2 * options_.up_to_energy) / omega_);  // modal mass 1
+    if (std::isfinite(options_.up_to_energy))
+      factor = std::min(factor,
+                        omega_ > 0 ? small * std::sqrt(2 * options_.up_to_energy) / omega_  // modal mass 1
+                                   : amplitude_of(small * small * options_.up_to_energy));
     if (!std::isfinite(factor) && moves_any)
       throw foundation::NotComputable(fmt::format("backbone: mode {} moves nonlinear parts in {} only; give {}",
                                                   options_.mode + 1,
@@ -202,6 +235,20 @@ class FreeCourse {
     return unknowns;
   }
 
+  /// Factor on the mode at which it has this potential energy.
+  [[nodiscard]] double amplitude_of(double energy) const {
+    double high = 1;
+    constexpr double largest = 1e12, accurate = 1e-6;
+    while (potential(high * shape_) > energy && high > 1 / largest) high /= 2;
+    while (potential(high * shape_) < energy && high < largest) high *= 2;
+    double low = high / 2;
+    while (high - low > accurate * high) {
+      const double middle = (low + high) / 2;
+      (potential(middle * shape_) < energy ? low : high) = middle;
+    }
+    return high;
+  }
+
   /// Coordinates that stay near zero are compared with a hundredth of the largest; ζ with 1.
   [[nodiscard]] VectorXd smallest_scale(const VectorXd& start) const {
     constexpr double share = 1e-2;
@@ -209,17 +256,20 @@ class FreeCourse {
   }
 
   /// From the mode about rest, along which its amplitude grows and its frequency stays.
-  [[nodiscard]] std::optional<BranchPoint> first(const numerics::Branch& branch, const VectorXd& start) const {
-    BranchPoint point{start, omega_, {}, {}, 0};
+  [[nodiscard]] std::optional<BranchPoint> first(const numerics::Branch& branch, const VectorXd& start,
+                                                 double omega) const {
+    BranchPoint point{start, omega, {}, {}, 0};
     if (options_.damped) {
       const MatrixXd& B = assembled_.matrices.B;
-      double loss = shape_.dot(B * shape_) / (2 * omega_);
-      if (assembled_.matrices.lossy()) loss += shape_.dot(assembled_.matrices.K_loss * shape_) / (2 * omega_ * omega_);
+      const double mass = shape_.dot(assembled_.matrices.A * shape_);
+      double loss = shape_.dot(B * shape_) / (2 * omega * mass);
+      if (assembled_.matrices.lossy())
+        loss += shape_.dot(assembled_.matrices.K_loss * shape_) / (2 * omega * omega * mass);
       point.unknowns(start.size() - 1) = start.cwiseAbs().maxCoeff() * loss;
     }
     const double largest = start.cwiseAbs().maxCoeff();
     point.scale = VectorXd::Constant(start.size() + 1, largest);
-    point.scale(start.size()) = omega_;
+    point.scale(start.size()) = omega;
     point.tangent = VectorXd::Zero(start.size() + 1);
     point.tangent.head(start.size()) = start / largest;
     point.tangent.normalize();
@@ -233,15 +283,7 @@ class FreeCourse {
     const bool has_potential = std::all_of(deflections_.begin(), deflections_.end(),
                                            [](const Deflection& one) { return one.law.of_amplitude().empty(); });
     if (!options_.damped && has_potential) {
-      const VectorXd q = (numerics::fourier_row(options_.harmonics, 0) * motion).transpose();
-      double sum = q.dot(assembled_.matrices.K * q) / 2;
-      const VectorXd deviations = motion_.across().transpose() * q;
-      for (Index j = 0; j < deviations.size(); ++j) {
-        const Deflection& deflection = deflections_[to_size(j)];
-        sum += deflection.law.energy(deviations(j));
-        if (deflection.distance) sum += deflection.distance->energy(deviations.segment<3>(j));
-      }
-      return sum;
+      return potential((numerics::fourier_row(options_.harmonics, 0) * motion).transpose());
     }
     MatrixXd rates(motion.rows(), motion.cols());
     for (Index i = 0; i < motion.cols(); ++i)
@@ -255,6 +297,38 @@ class FreeCourse {
     return largest;
   }
 
+  /// Of the coordinates, above that of rest, without dampers and loops.
+  [[nodiscard]] double potential(const VectorXd& q) const {
+    double sum = q.dot(assembled_.matrices.K * q) / 2;
+    const VectorXd deviations = motion_.across().transpose() * q;
+    for (Index j = 0; j < deviations.size(); ++j) {
+      const Deflection& deflection = deflections_[to_size(j)];
+      sum += deflection.law.energy(deviations(j));
+      if (deflection.distance) sum += deflection.distance->energy(deviations.segment<3>(j));
+    }
+    return sum;
+  }
+
+  struct Reached {
+    double deflection = 0;  ///< largest deviation of any nonlinear deflection
+    double share = 0;       ///< of the end that was asked for
+  };
+  [[nodiscard]] Reached reached(const BranchPoint& point) const {
+    Reached found{0, energy(point) / options_.up_to_energy};
+    const MatrixXd course = motion_.deflections(point.unknowns);
+    const Index samples = this->samples();
+    for (Index n = 0; n < samples; ++n) {
+      const Eigen::RowVectorXd row = numerics::fourier_row(options_.harmonics, phase(n, samples));
+      for (Index j = 0; j < course.cols(); ++j) {
+        const double deviation = std::abs(row.dot(course.col(j)));
+        found.deflection = std::max(found.deflection, deviation);
+        found.share = std::max(found.share, deviation / end_of(deflections_[to_size(j)]));
+      }
+    }
+    return found;
+  }
+  [[nodiscard]] double share(const BranchPoint& point) const { return reached(point).share; }
+
   [[nodiscard]] BackbonePoint observed(const BranchPoint& point, Backbone& found) const {
     BackbonePoint result;
     result.angular_frequency = point.parameter;
@@ -266,16 +340,9 @@ class FreeCourse {
     for (Index k = 1; k <= options_.harmonics; ++k)
       for (Index i = 0; i < motion.cols(); ++i) result.coordinates(i, k) = {motion(2 * k - 1, i), -motion(2 * k, i)};
     const MatrixXd course = motion_.deflections(point.unknowns);
-    const Index samples = this->samples();
-    for (Index n = 0; n < samples; ++n) {
-      const Eigen::RowVectorXd row = numerics::fourier_row(options_.harmonics, phase(n, samples));
-      for (Index j = 0; j < course.cols(); ++j) {
-        const double deviation = std::abs(row.dot(course.col(j)));
-        result.deflection = std::max(result.deflection, deviation);
-        result.share = std::max(result.share, deviation / end_of(deflections_[to_size(j)]));
-      }
-    }
-    result.share = std::max(result.share, result.energy / options_.up_to_energy);
+    const Reached reached = this->reached(point);
+    result.deflection = reached.deflection;
+    result.share = reached.share;
     const MatrixXd forces = motion_.forces(point.unknowns, point.parameter);
     std::optional<ForceRemainder> remainder;
     if (observer_.follows_forces()) remainder.emplace(motion_.laws(), course, forces, point.parameter);
@@ -298,6 +365,7 @@ class FreeCourse {
   model::System system_;
   assembly::Assembled assembled_;
   std::vector<Deflection> deflections_;
+  MatrixXd holding_;  ///< stiffness in all directions that deflect nonlinear parts
   FreeMotion motion_;
   Observer observer_;
   double omega_ = 0;
@@ -312,6 +380,7 @@ Backbone backbone(const model::System& system, const BackboneOptions& options, c
       std::any_of(std::begin(ends), std::end(ends), [](double end) { return !(end > 0); }))
     throw foundation::InvalidInput("backbone: give an end above 0: a deflection or an energy");
   if (options.harmonics < 1) throw foundation::InvalidInput("backbone: at least one harmonic");
+  if (options.damped) require_elastic_hold(system, "backbone");
   return FreeCourse(system, options).follow(progress);
 }
 

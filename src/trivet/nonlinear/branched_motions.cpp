@@ -21,12 +21,11 @@ int periods_of(const StabilityChange& change) { return change.kind == StabilityC
 std::optional<SteadyEquations::Place> crossing_near(const StabilityChange& change, const SteadyPath& connected,
                                                     const SteadyPath& seen, bool over_frequency) {
   const bool doubles = periods_of(change) == 2;
-  const Index m = change.point.deflections.cols();
   const auto place_of = [&](const Eigen::MatrixXd& motion, double parameter) -> SteadyEquations::Place {
-    return {(doubles ? over_two_periods(motion) : motion).reshaped(), parameter};
+    return {seen.balance().unknowns_of(doubles ? over_two_periods(motion) : motion), parameter};
   };
   const auto place_on_path = [&](const numerics::BranchPoint& point) {
-    return place_of(point.unknowns.reshaped(point.unknowns.size() / m, m), point.parameter);
+    return place_of(connected.balance().motion(point.unknowns), point.parameter);
   };
   const std::optional<VectorXd> direction = seen.equations().weakest_direction(
       place_of(change.point.deflections, over_frequency ? change.point.angular_frequency : change.point.load_factor));

@@ -5,13 +5,14 @@
 #include <memory>
 #include <vector>
 
+#include "trivet/nonlinear/deflection_basis.h"
 #include "trivet/nonlinear/linear_machine.h"
 #include "trivet/nonlinear/periodic_excitation.h"
 
 namespace trivet::nonlinear {
 
-/// The linear machine in periodic motion, as its nonlinear deflections see it: its receptance at every frequency, and
-/// the harmonics at which it is excited.
+/// The linear machine in periodic motion, as its independent nonlinear deflections see it: its receptance at every
+/// frequency, and the harmonics at which it is excited.
 class CondensedMachine {
  public:
   /// `assembled` must outlive it.
@@ -20,6 +21,8 @@ class CondensedMachine {
   CondensedMachine(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections,
                    const PeriodicExcitation& excitation);
 
+  [[nodiscard]] const DeflectionBasis& basis() const { return basis_; }
+  /// Number of independent deflections, to which all of the following belongs.
   [[nodiscard]] Eigen::Index size() const { return static_receptance_.rows(); }
   /// Of the machine, or of the nearest one with constant matrices.
   [[nodiscard]] const Eigen::VectorXcd& poles() const { return machine_->poles(); }
@@ -39,13 +42,14 @@ class CondensedMachine {
   }
 
   /// All coordinates at each harmonic, under the forces of the nonlinear parts and the excitation.
-  /// @param forces  Fourier coefficients × deflections
+  /// @param forces  Fourier coefficients × all deflections
   /// @param omega   of the first harmonic [rad/s]
   /// @param factor  on the excitation
   /// @return coordinates × harmonics 0, 1, …
   [[nodiscard]] Eigen::MatrixXcd coordinates(const Eigen::MatrixXd& forces, double omega, double factor) const;
 
  private:
+  DeflectionBasis basis_;
   std::vector<Eigen::Index> excited_;
   std::unique_ptr<LinearMachine> machine_;
   Eigen::MatrixXd all_receptance_;  ///< coordinates × deflections, at ω = 0

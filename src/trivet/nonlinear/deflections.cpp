@@ -18,6 +18,12 @@ void each_part(const std::vector<model::Element>& elements, const Visit& visit) 
     for (const model::NonlinearPart& part : element.nonlinear_parts) visit(element, part);
 }
 
+template <typename Visit>
+void each_distance(const std::vector<model::Element>& elements, const Visit& visit) {
+  for (const model::Element& element : elements)
+    for (const model::DistancePart& part : element.distance_parts) visit(part);
+}
+
 bool is_slack(const model::NonlinearPart& part) {
   return !elements::only<elements::DampingForce>(part.laws).empty() &&
       !(elements::small_motion(part.laws, part.at_rest).damping > 0);
@@ -45,6 +51,32 @@ elements::SmallMotion positive_reference(const model::NonlinearPart& part) {
                                   elements::force_at_rest(part.laws, place).force) /
                              small);
   return {largest, about_rest.damping};
+}
+
+/// Over a distance, along its line and across it. Without tension nothing holds the ends across the line, and under
+/// compression less than nothing: there it is as stiff as under the same tension, but at least a share of the stiffness
+/// along the line. In all directions if the ends are at one place.
+Eigen::Matrix3d positive_reference(const model::DistancePart& part) {
+  constexpr double small = 1e-3, least_across = 1e-3;
+  const elements::DistanceForce& law = part.law;
+  Eigen::Vector3d line = law.offset + part.at_rest;
+  Eigen::Matrix3d plane = Eigen::Matrix3d::Identity();
+  if (law.across) line.z() = plane(2, 2) = 0;
+  const double distance = line.norm();
+  const auto force = [&](double at) { return elements::force_at_rest(law.laws, at - law.length).force; };
+  std::vector<double> from = elements::kink_distances(law);
+  from.push_back(distance);
+  double largest = 0;
+  for (const double place : from)
+    for (const double step : {-small, small})
+      largest = std::max(largest, std::abs(force(place + step) - force(place)) / small);
+  if (!(distance > 0)) return largest * plane;
+  const Eigen::Vector3d u = line / distance;
+  const Eigen::Matrix3d along = u * u.transpose();
+  const double tangent = u.dot(elements::force_in_motion(law, part.at_rest, Eigen::Vector3d::Zero()).by_deflection * u),
+               stiffness = tangent > 0 ? tangent : largest,
+               across = std::max(std::abs(force(distance)) / distance, least_across * stiffness);
+  return stiffness * along + across * (plane - along);
 }
 
 RubbingAbout rubbing_about(const model::Element& element, const model::RubbingPart& part) {
@@ -77,7 +109,10 @@ bool has_slack_dampers(const model::System& system) {
 References tangents_at_rest(const model::System& system) {
   References found;
   each_part(system.elements(), [&](const model::Element&, const model::NonlinearPart& part) {
-    found.push_back(elements::small_motion(part.laws, part.at_rest));
+    found.parts.push_back(elements::small_motion(part.laws, part.at_rest));
+  });
+  each_distance(system.elements(), [&](const model::DistancePart& part) {
+    found.distances.push_back(elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero()).by_deflection);
   });
   return found;
 }
@@ -85,14 +120,16 @@ References tangents_at_rest(const model::System& system) {
 References positive_references(const model::System& system) {
   References found;
   each_part(system.elements(), [&](const model::Element&, const model::NonlinearPart& part) {
-    found.push_back(positive_reference(part));
+    found.parts.push_back(positive_reference(part));
   });
+  each_distance(system.elements(),
+                [&](const model::DistancePart& part) { found.distances.push_back(positive_reference(part)); });
   return found;
 }
 
 model::System with_references(const model::System& system, const References& references) {
   model::Description description = system.description();
-  std::size_t next = 0;
+  std::size_t next = 0, next_distance = 0;
   for (model::Element& element : description.elements) {
     if (!model::has_laws(element)) continue;
     const model::Span span = model::span(description.bodies, element.n, element.k);
@@ -101,7 +138,7 @@ model::System with_references(const model::System& system, const References& ref
       sum.inner_tangent = sum.inner_damping = sum.inner_offset = Eigen::VectorXd::Zero(element.law.inner->count());
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
       if (part.is_inner()) {
-        const elements::SmallMotion& reference = references[next++];
+        const elements::SmallMotion& reference = references.parts[next++];
         sum.inner_tangent(part.inner) += reference.stiffness;
         sum.inner_damping(part.inner) += reference.damping;
         sum.inner_offset(part.inner) +=
@@ -110,7 +147,7 @@ model::System with_references(const model::System& system, const References& ref
       }
       const elements::Vector12 row =
           elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre).transpose();
-      const elements::SmallMotion& reference = references[next++];
+      const elements::SmallMotion& reference = references.parts[next++];
       sum.tangent += reference.stiffness * row * row.transpose();
       sum.damping += reference.damping * row * row.transpose();
       sum.offset += (elements::force_at_rest(part.laws, part.at_rest).force - reference.stiffness * part.at_rest) * row;
@@ -135,9 +172,10 @@ model::System with_references(const model::System& system, const References& ref
     for (const model::DistancePart& part : element.distance_parts) {
       const Eigen::Matrix<double, 3, 12> rows = elements::difference_rows(span.n_from_k);
       const elements::SpatialForce there = elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero());
-      sum.tangent += rows.transpose() * there.by_deflection * rows;
+      const Eigen::Matrix3d& reference = references.distances[next_distance++];
+      sum.tangent += rows.transpose() * reference * rows;
       sum.damping += rows.transpose() * there.by_rate * rows;
-      sum.offset += rows.transpose() * (there.force - there.by_deflection * part.at_rest);
+      sum.offset += rows.transpose() * (there.force - reference * part.at_rest);
       if (!part.friction) continue;
       const Eigen::Matrix3d sticks = RubbingAbout(*part.friction, part.law, part.at_rest).own_stiffness();
       sum.tangent += rows.transpose() * sticks * rows;
@@ -166,7 +204,9 @@ Deflection without_law(const std::string& name, bool is_rotation, const assembly
   return deflection;
 }
 
-void add_distances(const model::System& system, const assembly::Assembled& assembled, std::vector<Deflection>& found) {
+void add_distances(const model::System& system, const assembly::Assembled& assembled, const References& references,
+                   std::vector<Deflection>& found) {
+  std::size_t next = 0;
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const model::Element& element = system.elements()[e];
     const assembly::ElementMap& map = assembled.elements[e];
@@ -178,7 +218,7 @@ void add_distances(const model::System& system, const assembly::Assembled& assem
         row.head<12>() = rows.row(a);
         Deflection deflection = without_law(element.name + ".difference." + model::coordinate_names[to_size(a)], false,
                                             assembled, map, row);
-        if (a == 0) deflection.distance.emplace(part.law, part.at_rest);
+        if (a == 0) deflection.distance.emplace(part.law, part.at_rest, references.distances[next++]);
         found.push_back(std::move(deflection));
       }
     }
@@ -236,11 +276,11 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
           if (const double share = deflection.on_coordinates(c); share != 0)
             acceleration += share * deflection.accelerations(c);
       }
-      deflection.law = LawAbout(part.laws, part.at_rest, references[found.size()], acceleration);
+      deflection.law = LawAbout(part.laws, part.at_rest, references.parts[found.size()], acceleration);
       found.push_back(std::move(deflection));
     }
   }
-  add_distances(system, assembled, found);
+  add_distances(system, assembled, references, found);
   return found;
 }
 

@@ -28,15 +28,20 @@ struct Deflection {
     RubbingAbout law;
   };
   std::optional<Rubbing> rubbing = {};  ///< over this deflection and the next one, or the next two of a ring
+  bool is_followed = false;             ///< without a law, for its phase: always an unknown
 };
 
-/// Stiffness and damping in place of a nonlinear part.
-using References = std::vector<elements::SmallMotion>;  ///< one per nonlinear part, in the order of the elements
+/// Stiffness and damping in place of nonlinear parts, both in the order of the elements.
+struct References {
+  std::vector<elements::SmallMotion> parts;
+  std::vector<Eigen::Matrix3d> distances;  ///< stiffness; their damping is that at rest
+};
 
 /// Tangents of the nonlinear parts at rest, for motions of vanishing amplitude.
 [[nodiscard]] References tangents_at_rest(const model::System& system);
 /// The same, but the stiffness positive also where a part has none at rest, by its secant to a small deflection, and
-/// the damping of dampers that have none at small rates by their secant to a small rate.
+/// the damping of dampers that have none at small rates by their secant to a small rate. Struts without tension are
+/// stiff across their line, too.
 [[nodiscard]] References positive_references(const model::System& system);
 
 /// The machine with these in place of its nonlinear parts. In the position of rest it has the forces of the

@@ -16,11 +16,12 @@ inline constexpr double load_of_search = 20;
 /// What was done to find motions that are not connected with the one at the lower end of the band. It is a search, not
 /// a proof that there are no more.
 struct DetachedSearch {
-  int places = 0;         ///< of the parameter, evenly over the band
-  int starts = 0;         ///< of Newton's method, with random amplitudes and phases
-  int rests = 0;          ///< other positions of rest, about which motions were sought at each place
-  int resonances = 0;     ///< curves of phase resonance over the load, on which it was sought too
-  double load_up_to = 0;  ///< the load was raised there at each place, through the folds of its path
+  int places = 0;           ///< of the parameter, evenly over the band
+  int starts = 0;           ///< of Newton's method, with random amplitudes and phases
+  int beside_unstable = 0;  ///< starts beside unstable motions that are known
+  int rests = 0;            ///< other positions of rest, about which motions were sought at each place
+  int resonances = 0;       ///< curves of phase resonance over the load, on which it was sought too
+  double load_up_to = 0;    ///< the load was raised there at each place, through the folds of its path
 };
 
 struct DetachedPaths {

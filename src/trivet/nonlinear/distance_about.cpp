@@ -18,6 +18,11 @@ DistanceAbout::DistanceAbout(elements::DistanceForce law, const Vector3d& at_res
         return !elastic || elements::is_damped(*elastic);
       })) {}
 
+DistanceAbout::DistanceAbout(elements::DistanceForce law, const Vector3d& at_rest, const Eigen::Matrix3d& stiffness)
+    : DistanceAbout(std::move(law), at_rest) {
+  there_.by_deflection = stiffness;
+}
+
 elements::SpatialForce DistanceAbout::at(const Vector3d& deviation, const Vector3d& rate) const {
   elements::SpatialForce found = elements::force_in_motion(law_, at_rest_ + deviation, rate);
   found.force -= there_.force + there_.by_deflection * deviation + there_.by_rate * rate;

@@ -8,14 +8,15 @@
 
 namespace trivet::nonlinear {
 
-/// A distance force over the deviation from rest and its rate, beyond the tangents at rest, which the linear machine
-/// contains in its place.
+/// A distance force over the deviation from rest and its rate, beyond the stiffness and damping that the linear machine
+/// contains in its place: the tangents at rest, or another stiffness.
 class DistanceAbout {
  public:
   explicit DistanceAbout(elements::DistanceForce law, const Eigen::Vector3d& at_rest = Eigen::Vector3d::Zero());
+  DistanceAbout(elements::DistanceForce law, const Eigen::Vector3d& at_rest, const Eigen::Matrix3d& stiffness);
 
   [[nodiscard]] elements::SpatialForce at(const Eigen::Vector3d& deviation, const Eigen::Vector3d& rate) const;
-  /// ∫ over the deviation from 0, with the tangent [J].
+  /// ∫ over the deviation from 0, with that stiffness [J].
   [[nodiscard]] double energy(const Eigen::Vector3d& deviation) const;
   [[nodiscard]] double distance(const Eigen::Vector3d& deviation) const { return law_.distance(at_rest_ + deviation); }
   /// Distances for which all forces are known [m].
@@ -33,7 +34,7 @@ class DistanceAbout {
  private:
   elements::DistanceForce law_;
   Eigen::Vector3d at_rest_;
-  elements::SpatialForce there_;
+  elements::SpatialForce there_;  ///< by_deflection: the stiffness in the linear machine
   std::vector<double> kinks_;
   bool has_dampers_ = false;
 };

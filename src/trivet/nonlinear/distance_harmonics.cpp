@@ -40,11 +40,9 @@ DistanceHarmonics::DistanceHarmonics(DistanceAbout law, Index harmonics) : law_(
 std::vector<double> DistanceHarmonics::corners(const MatrixXd& course) const {
   if (law_.kinks().empty()) return {};
   // The square of the distance has twice the harmonics, exactly.
+  const MatrixXd deviations = values_.leftCols(course.rows()) * course;
   VectorXd square(values_.rows());
-  for (Index n = 0; n < values_.rows(); ++n) {
-    const Vector3d here = (values_.row(n).head(course.rows()) * course).transpose();
-    square(n) = std::pow(law_.distance(here), 2);
-  }
+  for (Index n = 0; n < values_.rows(); ++n) square(n) = std::pow(law_.distance(deviations.row(n).transpose()), 2);
   VectorXd coefficients = 2.0 / static_cast<double>(values_.rows()) * (values_.transpose() * square);
   coefficients(0) /= 2;
   std::vector<double> levels;
@@ -53,53 +51,74 @@ std::vector<double> DistanceHarmonics::corners(const MatrixXd& course) const {
 }
 
 /// Nodes of the integrals over a period: even samples, or Gauss's between corners. Weights add up to 2.
-void DistanceHarmonics::each_node(const MatrixXd& course, double omega, const Visit& visit) const {
-  const MatrixXd rate = omega * numerics::phase_derivatives(course);
-  const Index count = course.rows();
-  const auto at_row = [&](const RowVectorXd& row, double weight) {
-    visit(row, weight, law_.at((row.head(count) * course).transpose(), (row.head(count) * rate).transpose()));
-  };
+DistanceHarmonics::Nodes DistanceHarmonics::nodes(const MatrixXd& course) const {
   const std::vector<double> corners = this->corners(course);
-  if (corners.empty()) {
-    const double weight = 2.0 / static_cast<double>(values_.rows());
-    for (Index n = 0; n < values_.rows(); ++n) at_row(values_.row(n), weight);
-    return;
-  }
+  if (corners.empty()) return {{}, VectorXd::Constant(values_.rows(), 2.0 / static_cast<double>(values_.rows()))};
   const double longest = two_pi / static_cast<double>(4 * std::max<Index>(harmonics_, 2));
+  std::vector<double> phases, weights;
   for (std::size_t i = 0; i < corners.size(); ++i)
     numerics::each_gauss_node(corners[i], i + 1 < corners.size() ? corners[i + 1] : corners.front() + two_pi, longest,
                               [&](double phase, double length) {
-                                at_row(numerics::fourier_row(2 * harmonics_, phase), length / (two_pi / 2));
+                                phases.push_back(phase);
+                                weights.push_back(length / (two_pi / 2));
                               });
+  Nodes found{MatrixXd(to_index(phases.size()), values_.cols()),
+              Eigen::Map<const VectorXd>(weights.data(), to_index(weights.size()))};
+  for (std::size_t n = 0; n < phases.size(); ++n)
+    found.between_corners.row(to_index(n)) = numerics::fourier_row(2 * harmonics_, phases[n]);
+  return found;
+}
+
+DistanceHarmonics::Sums DistanceHarmonics::sums(const MatrixXd& course, double omega, bool with_tangents) const {
+  const Nodes nodes = this->nodes(course);
+  const MatrixXd& rows = nodes.between_corners.size() > 0 ? nodes.between_corners : values_;
+  const Index count = rows.rows(), C = course.rows();
+  const bool damped = law_.has_dampers();
+  const MatrixXd deviations = rows.leftCols(C) * course,
+                 rates = damped ? MatrixXd(rows.leftCols(C) * (omega * numerics::phase_derivatives(course)))
+                                : MatrixXd::Zero(count, 3);
+  MatrixXd force(count, 3), by_deflection(with_tangents ? count : 0, 9),
+      by_rate(with_tangents && damped ? count : 0, 9);
+  for (Index n = 0; n < count; ++n) {
+    const elements::SpatialForce there = law_.at(deviations.row(n).transpose(), rates.row(n).transpose());
+    const double weight = nodes.weights(n);
+    force.row(n) = weight * there.force.transpose();
+    if (!with_tangents) continue;
+    by_deflection.row(n) = weight * there.by_deflection.reshaped().transpose();
+    if (damped) by_rate.row(n) = weight * there.by_rate.reshaped().transpose();
+  }
+  Sums found{rows.leftCols(C).transpose() * force, {}, {}};
+  found.force.row(0) /= 2;
+  if (!with_tangents) return found;
+  found.by_deflection = rows.transpose() * by_deflection;
+  if (damped) found.by_rate = rows.transpose() * by_rate;
+  return found;
 }
 
 MatrixXd DistanceHarmonics::force_at(const MatrixXd& course, double omega) const {
-  MatrixXd sum = MatrixXd::Zero(course.rows(), 3);
-  each_node(course, omega, [&](const RowVectorXd& row, double weight, const elements::SpatialForce& force) {
-    sum.noalias() += weight * row.head(course.rows()).transpose() * force.force.transpose();
-  });
-  sum.row(0) /= 2;
-  return sum;
+  return sums(course, omega, false).force;
+}
+
+DistanceHarmonics::Spectra DistanceHarmonics::spectra_of(const Sums& sums) {
+  Spectra found;
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b) {
+      const Index entry = to_index(a + 3 * b);
+      found.by_deflection[a][b] = sums.by_deflection.col(entry);
+      if (sums.by_rate.size() > 0) found.by_rate[a][b] = sums.by_rate.col(entry);
+      else found.by_rate[a][b] = VectorXd::Zero(sums.by_deflection.rows());
+    }
+  return found;
 }
 
 DistanceHarmonics::Spectra DistanceHarmonics::tangents_at(const MatrixXd& course, double omega) const {
-  Spectra sum;
-  for (auto* square : {&sum.by_deflection, &sum.by_rate})
-    for (auto& row : *square)
-      for (VectorXd& entry : row) entry = VectorXd::Zero(values_.cols());
-  each_node(course, omega, [&](const RowVectorXd& row, double weight, const elements::SpatialForce& force) {
-    for (std::size_t a = 0; a < 3; ++a)
-      for (std::size_t b = 0; b < 3; ++b) {
-        sum.by_deflection[a][b] += weight * force.by_deflection(to_index(a), to_index(b)) * row.transpose();
-        if (law_.has_dampers()) sum.by_rate[a][b] += weight * force.by_rate(to_index(a), to_index(b)) * row.transpose();
-      }
-  });
-  return sum;
+  return spectra_of(sums(course, omega, true));
 }
 
 DistanceHarmonics::Found DistanceHarmonics::at(const MatrixXd& course, double omega) const {
-  Found found{force_at(course, omega), MatrixXd::Zero(course.rows(), 3), {}};
-  const Spectra spectra = tangents_at(course, omega);
+  const Sums all = sums(course, omega, true);
+  Found found{all.force, MatrixXd::Zero(course.rows(), 3), {}};
+  const Spectra spectra = spectra_of(all);
   for (std::size_t a = 0; a < 3; ++a)
     for (std::size_t b = 0; b < 3; ++b) {
       found.tangent[a][b] = numerics::product_matrix(spectra.by_deflection[a][b], harmonics_);
@@ -113,7 +132,9 @@ DistanceHarmonics::Found DistanceHarmonics::at(const MatrixXd& course, double om
 
 elements::SpatialForce DistanceHarmonics::at_phase(const MatrixXd& course, double omega, double phase) const {
   const RowVectorXd row = numerics::fourier_row((course.rows() - 1) / 2, phase);
-  return law_.at((row * course).transpose(), (row * omega * numerics::phase_derivatives(course)).transpose());
+  const Vector3d rate =
+      law_.has_dampers() ? Vector3d((row * omega * numerics::phase_derivatives(course)).transpose()) : Vector3d::Zero();
+  return law_.at((row * course).transpose(), rate);
 }
 
 }  // namespace trivet::nonlinear

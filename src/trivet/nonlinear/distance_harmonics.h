@@ -39,8 +39,17 @@ class DistanceHarmonics {
   [[nodiscard]] const DistanceAbout& law() const { return law_; }
 
  private:
-  using Visit = std::function<void(const Eigen::RowVectorXd& row, double weight, const elements::SpatialForce& force)>;
-  void each_node(const Eigen::MatrixXd& course, double omega, const Visit& visit) const;
+  struct Nodes {
+    Eigen::MatrixXd between_corners;  ///< rows of the basis; empty: the even samples
+    Eigen::VectorXd weights;
+  };
+  [[nodiscard]] Nodes nodes(const Eigen::MatrixXd& course) const;
+  /// Fourier coefficients, those of the tangents as in Spectra, entries by columns.
+  struct Sums {
+    Eigen::MatrixXd force, by_deflection, by_rate;
+  };
+  [[nodiscard]] Sums sums(const Eigen::MatrixXd& course, double omega, bool with_tangents) const;
+  [[nodiscard]] static Spectra spectra_of(const Sums& sums);
 
   DistanceAbout law_;
   Eigen::Index harmonics_;

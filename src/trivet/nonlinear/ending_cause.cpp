@@ -75,9 +75,7 @@ std::string ending_cause(const std::vector<Deflection>& deflections, const Machi
     const Deflection& deflection = deflections[to_size(j)];
     if (std::string found = just_touched(deflection, motion.col(j)); !found.empty()) return found;
     if (deflection.law.hysteretic().empty()) continue;
-    const LawHarmonics& law = laws.single()[to_size(j)];
-    if (std::string found =
-            of_loops(deflection.name, law.course(motion.col(j), omega), law.course(beyond.col(j), omega));
+    if (std::string found = of_loops(deflection.name, laws.course(j, motion, omega), laws.course(j, beyond, omega));
         !found.empty())
       return found;
   }

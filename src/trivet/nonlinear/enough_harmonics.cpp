@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "trivet/elements/scalar_law.h"
 #include "trivet/foundation/invalid_input.h"
@@ -47,6 +49,29 @@ void check_harmonics(const SteadyOptions& options, const PeriodicExcitation& exc
 double allowed_left_out(const model::System& system, const SteadyOptions& options) {
   constexpr double share_for_gas = 0.1;
   return has_gas(system) ? share_for_gas * options.tolerance : options.tolerance;
+}
+
+Eigen::Index harmonics_for(const SteadyPath& curve, double most_left_out,
+                           const std::function<std::unique_ptr<SteadyPath>(Eigen::Index)>& path_with) {
+  const auto left_out = [](const SteadyPath& path, const numerics::BranchPoint& point) {
+    return path.balance().left_out(point.unknowns, path.driving(point.parameter).omega);
+  };
+  const std::vector<numerics::BranchPoint>& points = curve.motions().points();
+  const auto worst = std::max_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+    return left_out(curve, a) < left_out(curve, b);
+  });
+  const Eigen::Index deflections = curve.balance().size() / curve.balance().coefficients();
+  Eigen::MatrixXd motion = worst->unknowns.reshaped(curve.balance().coefficients(), deflections);
+  for (Eigen::Index harmonics = more_harmonics(curve.balance().harmonics());; harmonics = more_harmonics(harmonics)) {
+    if (harmonics == most_steady_harmonics) return harmonics;
+    const std::unique_ptr<SteadyPath> finer = path_with(harmonics);
+    Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(finer->balance().coefficients(), deflections);
+    padded.topRows(motion.rows()) = motion;
+    const std::optional<numerics::BranchPoint> found = finer->motion_near(padded.reshaped(), worst->parameter);
+    if (!found) continue;
+    if (left_out(*finer, *found) <= most_left_out) return harmonics;
+    motion = found->unknowns.reshaped(finer->balance().coefficients(), deflections);
+  }
 }
 
 }  // namespace trivet::nonlinear

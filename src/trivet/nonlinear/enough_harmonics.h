@@ -2,10 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <memory>
 
 #include "trivet/model/system.h"
 #include "trivet/nonlinear/periodic_excitation.h"
 #include "trivet/nonlinear/steady_options.h"
+#include "trivet/nonlinear/steady_path.h"
 
 /// How many harmonics a curve of steady motion has if none are given.
 namespace trivet::nonlinear {
@@ -19,5 +22,10 @@ void check_harmonics(const SteadyOptions& options, const PeriodicExcitation& exc
 
 /// Share of the deflections that those beyond may add.
 [[nodiscard]] double allowed_left_out(const model::System& system, const SteadyOptions& options);
+
+/// Number of harmonics with which that motion of a curve which leaves out most leaves out at most a share.
+/// @param path_with  a path of the same machine with a number of harmonics
+[[nodiscard]] Eigen::Index harmonics_for(const SteadyPath& curve, double most_left_out,
+                                         const std::function<std::unique_ptr<SteadyPath>(Eigen::Index)>& path_with);
 
 }  // namespace trivet::nonlinear

@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/followed_motions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "trivet/foundation/index.h"
@@ -42,6 +43,21 @@ void FollowedMotions::clear() {
   corners_.clear();
   turns_.clear();
   pieces_.clear();
+}
+
+void FollowedMotions::remove_turns_of_round_off() {
+  constexpr double round_off = 1e-10;  // of the scale of the parameter; Newton's method leaves 1e-11
+  if (turns_.empty()) return;
+  const double least = round_off * points_.front().scale(points_.front().scale.size() - 1);
+  const auto parameter_of = [](const Turn& turn) { return turn.point.parameter; };
+  std::vector<Turn> kept;
+  for (Turn& turn : turns_) {
+    if (!kept.empty() && std::abs(parameter_of(kept.back()) - parameter_of(turn)) <= least) kept.pop_back();
+    else if (kept.empty() && std::abs(points_.front().parameter - parameter_of(turn)) <= least) continue;
+    else kept.push_back(std::move(turn));
+  }
+  while (!kept.empty() && std::abs(points_.back().parameter - parameter_of(kept.back())) <= least) kept.pop_back();
+  turns_ = std::move(kept);
 }
 
 BranchPoint FollowedMotions::reversed(BranchPoint point) {

@@ -58,6 +58,10 @@ class FollowedMotions {
     return branch_.zero(quantity, points_[point], 0, lengths_[point], accurate);
   }
 
+  /// Removes turns between which the parameter changes by round-off only: a curve that begins upright, at a crossing
+  /// with another one, has its direction there by chance.
+  void remove_turns_of_round_off();
+
   /// The same motion, followed in the other direction.
   [[nodiscard]] static numerics::BranchPoint reversed(numerics::BranchPoint point);
 

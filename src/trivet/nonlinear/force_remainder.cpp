@@ -20,7 +20,7 @@ ForceRemainder::ForceRemainder(const MachineLaws& laws, const MatrixXd& course, 
   for (Index j = 0; j < course.cols(); ++j) {
     const LawHarmonics& law = laws.single()[to_size(j)];
     if (law.law().is_empty()) continue;
-    LawCourse along = law.course(course.col(j), omega);
+    LawCourse along = laws.course(j, course, omega);
     // Bristles that rest are springs, and have the harmonics of the motion.
     if (std::any_of(along.bristles().begin(), along.bristles().end(),
                     [](const BristleLoop& loop) { return !loop.moves(); }))

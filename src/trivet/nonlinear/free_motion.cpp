@@ -24,7 +24,7 @@ MatrixXd columns(const std::vector<Deflection>& deflections, Index coordinates) 
 }  // namespace
 
 FreeMotion::FreeMotion(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections, bool damped,
-                       Index harmonics)
+                       Index harmonics, const MatrixXd& holding)
     : A_(assembled.matrices.A),
       B_(assembled.matrices.B),
       K_(assembled.matrices.K),
@@ -32,9 +32,9 @@ FreeMotion::FreeMotion(const assembly::Assembled& assembled, const std::vector<D
       damped_(damped),
       harmonics_(harmonics),
       across_(columns(deflections, A_.rows())),
-      sizes_(deflections, across_.transpose() * numerics::PivotedLu<double>(K_).solve(across_)),
-      laws_(deflections, harmonics, harmonics),
-      wider_(deflections, 3 * harmonics, harmonics) {}
+      sizes_(deflections, across_.transpose() * numerics::PivotedLu<double>(holding).solve(across_)),
+      laws_(deflections, sizes_, harmonics, harmonics),
+      wider_(deflections, sizes_, 3 * harmonics, harmonics) {}
 
 Index FreeMotion::place(Index coefficient) const {
   const Index n = coordinates();

@@ -19,8 +19,9 @@ namespace trivet::nonlinear {
 /// of ζ. Parameter: ω. [Krack, Nonlinear modal analysis of nonconservative systems, 2015]
 class FreeMotion {
  public:
+  /// @param holding  a stiffness of the machine, regular, with which deflections of unlike kinds are compared
   FreeMotion(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections, bool damped,
-             Eigen::Index harmonics);
+             Eigen::Index harmonics, const Eigen::MatrixXd& holding);
 
   /// The mode whose rate at phase 0 is zero, and the value of its unknown for ζ = 1: of the size of the motion.
   void set_mode(const Eigen::VectorXd& shape, double ratio_scale);

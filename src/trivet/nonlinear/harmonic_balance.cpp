@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/harmonic_balance.h"
 
+#include <cmath>
+#include <utility>
+
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
@@ -11,13 +14,57 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+DeflectionSizes sizes_of(const CondensedMachine& machine, const std::vector<Deflection>& deflections) {
+  const MatrixXd& spread = machine.basis().spread;
+  return {deflections, spread.transpose() * machine.static_receptance() * spread};
+}
+
+/// Forces on all deflections as those on the independent ones, by virtual work.
+CoupledForces on_independent(CoupledForces all, const DeflectionBasis& basis) {
+  if (basis.has_all()) return all;
+  const MatrixXd& spread = basis.spread;
+  CoupledForces found{all.force * spread.transpose(), all.by_omega * spread.transpose(), {}};
+  const Index r = basis.size(), C = all.force.rows();
+  std::vector<MatrixXd> sums(static_cast<std::size_t>(r * r));
+  for (const CoupledForces::Tangent& tangent : all.tangents)
+    for (Index by = 0; by < r; ++by)
+      for (Index of = 0; of < r; ++of) {
+        const double share = spread(of, tangent.of) * spread(by, tangent.by);
+        if (share == 0) continue;
+        MatrixXd& sum = sums[static_cast<std::size_t>(of * r + by)];
+        if (sum.size() == 0) sum.setZero(C, C);
+        sum += share * tangent.matrix;
+      }
+  for (Index of = 0; of < r; ++of)
+    for (Index by = 0; by < r; ++by)
+      if (MatrixXd& sum = sums[static_cast<std::size_t>(of * r + by)]; sum.size() > 0)
+        found.tangents.push_back({of, by, std::move(sum)});
+  return found;
+}
+
+}  // namespace
+
 HarmonicBalance::HarmonicBalance(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                                  Index harmonics)
     : machine_(machine),
       harmonics_(harmonics),
-      sizes_(deflections, machine.static_receptance()),
-      laws_(deflections, harmonics, harmonics),
-      wider_(deflections, 3 * harmonics, harmonics) {}
+      laws_(deflections, sizes_of(machine, deflections), harmonics, harmonics),
+      wider_(deflections, laws_.sizes(), 3 * harmonics, harmonics) {}
+
+namespace {
+
+/// Means of forces that are round-off of their harmonics are zero. Where hardly anything brings a mean back, as of
+/// fluid that circulates within the play of a decoupler, round-off would decide on it.
+void remove_round_off_of_means(MatrixXd& force) {
+  constexpr double round_off = 1e-14;
+  for (Index j = 0; j < force.cols(); ++j)
+    if (std::abs(force(0, j)) <= round_off * force.col(j).tail(force.rows() - 1).lpNorm<Eigen::Infinity>())
+      force(0, j) = 0;
+}
+
+}  // namespace
 
 Index HarmonicBalance::coefficients() const { return numerics::coefficient_count(harmonics_); }
 
@@ -43,7 +90,9 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   equations.by_unknowns.setZero(size(), size());  // setIdentity would test every entry
   equations.by_unknowns.diagonal().setOnes();
   equations.by_parameter.setZero(size());
-  const CoupledForces forces = laws_.at(unknowns.reshaped(C, m), omega);
+  CoupledForces of_deflections = laws_.at(motion(unknowns), omega);
+  remove_round_off_of_means(of_deflections.force);
+  const CoupledForces forces = on_independent(std::move(of_deflections), machine_.basis());
   // Coefficients a, b of a harmonic are the amplitude a − i b: the receptance g_r + i g_i turns them into
   // g_r a + g_i b and g_r b − g_i a. Coefficients × entries of the receptance:
   MatrixXd direct(C, m * m), crossed(C, m * m), direct_slope(C, m * m), crossed_slope(C, m * m);
@@ -83,13 +132,15 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
     for (Index i = 0; i < m; ++i)
       add(direct, crossed, j * m + i, forces.by_omega.col(j), equations.by_parameter.segment(i * C, C));
   }
-  for (const CoupledForces::Tangent& tangent : forces.tangents)
+  for (const CoupledForces::Tangent& tangent : forces.tangents) {
+    if (tangent.matrix.isZero(0)) continue;  // a stop that the motion does not touch
     for (Index c = 0; c < C; ++c) {
       exchange(tangent.matrix.col(c));
       for (Index i = 0; i < m; ++i)
         add(direct, crossed, tangent.of * m + i, tangent.matrix.col(c),
             equations.by_unknowns.col(tangent.by * C + c).segment(i * C, C));
     }
+  }
   if (parameter == Parameter::load_factor) equations.by_parameter.setZero();
   for (std::size_t e = 0; e < machine_.excited().size(); ++e) {
     const Index k = machine_.excited()[e];
@@ -107,49 +158,80 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   }
 }
 
+MatrixXd HarmonicBalance::motion(const VectorXd& unknowns) const {
+  const auto independent = unknowns.reshaped(coefficients(), machine_.size());
+  if (machine_.basis().has_all()) return independent;
+  return independent * machine_.basis().spread;
+}
+
+VectorXd HarmonicBalance::unknowns_of(const MatrixXd& motion) const {
+  return motion(Eigen::all, machine_.basis().independent).reshaped();
+}
+
+namespace {
+
+VectorXd largest_in_columns(const Eigen::Ref<const MatrixXd>& motion) {
+  return motion.cwiseAbs().colwise().maxCoeff().transpose();
+}
+
+/// 1/sizes, or 0 of a kind that cannot move.
+VectorXd inverse(const VectorXd& sizes) {
+  return sizes.unaryExpr([](double size) { return size > 0 ? 1 / size : 0; });
+}
+
+}  // namespace
+
+VectorXd HarmonicBalance::of_independent(const VectorXd& amplitudes) const {
+  return laws_.sizes().largest_of_kind(amplitudes)(machine_.basis().independent);
+}
+
 VectorXd HarmonicBalance::largest(const VectorXd& unknowns) const {
-  return unknowns.reshaped(coefficients(), machine_.size()).cwiseAbs().colwise().maxCoeff().transpose();
+  return of_independent(largest_in_columns(motion(unknowns)));
+}
+
+VectorXd HarmonicBalance::largest_means(const VectorXd& unknowns) const {
+  return of_independent(largest_in_columns(motion(unknowns).topRows<1>()));
 }
 
 VectorXd HarmonicBalance::largest_harmonics(const VectorXd& unknowns) const {
-  return unknowns.reshaped(coefficients(), machine_.size())
-      .bottomRows(coefficients() - 1)
-      .cwiseAbs()
-      .colwise()
-      .maxCoeff()
-      .transpose();
+  return of_independent(largest_in_columns(motion(unknowns).bottomRows(coefficients() - 1)));
 }
 
 bool HarmonicBalance::are_same(const VectorXd& one, const VectorXd& other, double share) const {
-  const VectorXd sizes = sizes_.largest_of_kind(largest(one).cwiseMax(largest(other)));
-  const auto scaled = [&](const VectorXd& motion) {
-    return (motion.reshaped(coefficients(), machine_.size()) * sizes.cwiseInverse().asDiagonal()).norm();
-  };
-  return scaled(one - other) <= share * std::max(scaled(one), scaled(other));
+  const MatrixXd first = motion(one), second = motion(other);
+  const VectorXd sizes = laws_.sizes().largest_of_kind(largest_in_columns(first).cwiseMax(largest_in_columns(second)));
+  const auto scaled = [&](const MatrixXd& motion) { return (motion * inverse(sizes).asDiagonal()).norm(); };
+  return scaled(first - second) <= share * std::max(scaled(first), scaled(second));
 }
 
 MatrixXd HarmonicBalance::forces(const VectorXd& unknowns, double omega) const {
-  return laws_.forces(unknowns.reshaped(coefficients(), machine_.size()), omega);
+  MatrixXd found = laws_.forces(motion(unknowns), omega);
+  remove_round_off_of_means(found);
+  return found;
 }
 
 double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
-  MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(3 * harmonics_), machine_.size());
-  padded.topRows(coefficients()) = unknowns.reshaped(coefficients(), machine_.size());
+  const MatrixXd course = motion(unknowns);
+  MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(3 * harmonics_), course.cols());
+  padded.topRows(coefficients()) = course;
   const MatrixXd forces = wider_.forces(padded, omega);
   if (!forces.allFinite()) return foundation::infinity;  // a loop that does not close
   return added(forces, harmonics_, unknowns, omega);
 }
 
 /// Largest shares of the deflections that the forces of the harmonics above one cause, added up.
-double HarmonicBalance::added(const MatrixXd& forces, Index above, const VectorXd& unknowns, double omega) const {
-  const VectorXd sizes = sizes_.largest_of_kind(largest(unknowns));
+double HarmonicBalance::added(const MatrixXd& of_all, Index above, const VectorXd& unknowns, double omega) const {
+  const MatrixXd& spread = machine_.basis().spread;
+  const VectorXd per_size = inverse(laws_.sizes().largest_of_kind(largest_in_columns(motion(unknowns))));
+  const MatrixXd forces = of_all * spread.transpose();
   double sum = 0;
   Eigen::VectorXcd force(forces.cols());
   Eigen::MatrixXcd receptance;
   for (Index k = above + 1; 2 * k < forces.rows(); ++k) {
     for (Index j = 0; j < forces.cols(); ++j) force(j) = {forces(2 * k - 1, j), -forces(2 * k, j)};
     machine_.set_receptance(static_cast<double>(k) * omega, receptance);
-    sum += (receptance * force).cwiseAbs().cwiseQuotient(sizes).maxCoeff();
+    const Eigen::VectorXcd added = spread.transpose() * (receptance * force);
+    sum += added.cwiseAbs().cwiseProduct(per_size).maxCoeff();
   }
   return sum;
 }

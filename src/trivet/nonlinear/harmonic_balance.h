@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "trivet/nonlinear/condensed_machine.h"
-#include "trivet/nonlinear/deflection_sizes.h"
 #include "trivet/nonlinear/machine_laws.h"
 #include "trivet/numerics/periodic/branch.h"
 
@@ -18,8 +17,9 @@ struct Driving {
 enum class Parameter { frequency, load_factor };
 
 /// Harmonic balance in the nonlinear deflections alone: δ_k − motion_k + G(kω) f_k(δ) = 0 for k = 0 … H. The linear
-/// machine enters by its receptance G only. Unknowns: the Fourier coefficients of one deflection after another
-/// (numerics/periodic/fourier_basis.h); parameter: ω of the first harmonic [rad/s], or a factor on it at fixed ω.
+/// machine enters by its receptance G only. Unknowns: the Fourier coefficients of one independent deflection after
+/// another (DeflectionBasis, numerics/periodic/fourier_basis.h); parameter: ω of the first harmonic [rad/s], or a
+/// factor on it at fixed ω.
 class HarmonicBalance {
  public:
   /// The machine must outlive the balance.
@@ -35,12 +35,16 @@ class HarmonicBalance {
   /// Coefficients of the linear motion, without the nonlinear forces.
   [[nodiscard]] Eigen::VectorXd linear_motion(const Driving& driving) const;
   [[nodiscard]] const MachineLaws& laws() const { return laws_; }
-  /// Coefficients × deflections: the forces over a motion.
+  /// Coefficients × all deflections: a motion, and the unknowns of one.
+  [[nodiscard]] Eigen::MatrixXd motion(const Eigen::VectorXd& unknowns) const;
+  [[nodiscard]] Eigen::VectorXd unknowns_of(const Eigen::MatrixXd& motion) const;
+  /// Coefficients × all deflections: the forces over a motion.
   [[nodiscard]] Eigen::MatrixXd forces(const Eigen::VectorXd& unknowns, double omega) const;
-  /// Largest coefficient of each deflection: of all, or without the mean.
+  /// Largest coefficient of the kind of each independent deflection (DeflectionSizes): of all, of the means, or without
+  /// them.
   [[nodiscard]] Eigen::VectorXd largest(const Eigen::VectorXd& unknowns) const;
+  [[nodiscard]] Eigen::VectorXd largest_means(const Eigen::VectorXd& unknowns) const;
   [[nodiscard]] Eigen::VectorXd largest_harmonics(const Eigen::VectorXd& unknowns) const;
-  [[nodiscard]] const DeflectionSizes& sizes() const { return sizes_; }
   /// Is one motion another, but for a share of its largest deflections?
   [[nodiscard]] bool are_same(const Eigen::VectorXd& one, const Eigen::VectorXd& other, double share) const;
   /// Largest deflection that the harmonics from H + 1 to 3H add, as a share of the largest coefficient of its kind:
@@ -50,12 +54,13 @@ class HarmonicBalance {
   [[nodiscard]] double held_share(const Eigen::VectorXd& unknowns, double omega) const;
 
  private:
+  /// @param amplitudes  of all deflections
+  [[nodiscard]] Eigen::VectorXd of_independent(const Eigen::VectorXd& amplitudes) const;
   [[nodiscard]] double added(const Eigen::MatrixXd& forces, Eigen::Index above, const Eigen::VectorXd& unknowns,
                              double omega) const;
 
   const CondensedMachine& machine_;
   Eigen::Index harmonics_;
-  DeflectionSizes sizes_;
   MachineLaws laws_;
   MachineLaws wider_;  ///< the same laws with 3H harmonics: those of a cube
 };

@@ -42,20 +42,14 @@ std::string KnownForces::hint() const {
   return "";
 }
 
-std::string KnownForces::reason_unknown(const HarmonicBalance& balance, const VectorXd& motion, double omega) const {
-  const Index C = balance.coefficients();
-  constexpr double round_off = 1e-9;
-  const double smallest = round_off * motion.cwiseAbs().maxCoeff();
+std::string KnownForces::reason_unknown(const HarmonicBalance& balance, const VectorXd& unknowns, double omega) const {
+  const Eigen::MatrixXd motions = balance.motion(unknowns);
   std::vector<Turn> turns;
   for (std::size_t j = 0; j < deflections_.size(); ++j) {
-    const Index first = to_index(j) * C;
     if (deflections_[j].distance)
-      if (std::string reason = out_of_distances(j, motion.segment(first, 3 * C).reshaped(C, 3)); !reason.empty())
-        return reason;
-    if (std::string reason = out_of_curve(j, motion.segment(first, C)); !reason.empty()) return reason;
-    if (std::string reason = add_turns(j, balance.laws().single()[j], motion.segment(first, C), smallest, omega, turns);
-        !reason.empty())
-      return reason;
+      if (std::string reason = out_of_distances(j, motions.middleCols(to_index(j), 3)); !reason.empty()) return reason;
+    if (std::string reason = out_of_curve(j, motions.col(to_index(j))); !reason.empty()) return reason;
+    if (std::string reason = add_turns(j, balance.laws(), motions, omega, turns); !reason.empty()) return reason;
   }
   for (std::size_t i = 0; i < turns.size(); ++i)
     if (std::string reason = rests_at_turn(turns, i); !reason.empty()) return reason;
@@ -93,14 +87,17 @@ std::string KnownForces::out_of_distances(std::size_t j, const Eigen::MatrixXd& 
 }
 
 /// A deflection whose rate never becomes that of a turning point rests all the time.
-std::string KnownForces::add_turns(std::size_t j, const LawHarmonics& law, const VectorXd& motion, double smallest,
-                                   double omega, std::vector<Turn>& turns) const {
+std::string KnownForces::add_turns(std::size_t j, const MachineLaws& laws, const Eigen::MatrixXd& motions, double omega,
+                                   std::vector<Turn>& turns) const {
+  constexpr double round_off = 1e-9;
+  const double smallest = round_off * motions.cwiseAbs().maxCoeff();
+  const VectorXd motion = motions.col(to_index(j));
   double limit = 0;
-  for (const LawAbout::Hysteretic& part : law.law().hysteretic())
+  for (const LawAbout::Hysteretic& part : laws.single()[j].law().hysteretic())
     if (const auto* friction = std::get_if<elements::CoulombFriction>(&part.law)) limit += friction->limit();
   if (limit == 0 || motion.tail(motion.size() - 1).norm() <= smallest) return "";
   const VectorXd acceleration = omega * omega * numerics::phase_derivative(numerics::phase_derivative(motion));
-  const LawCourse course = law.course(motion, omega);
+  const LawCourse course = laws.course(to_index(j), motions, omega);
   const std::size_t before = turns.size();
   for (const HystereticLoop& loop : course.loops()) {
     if (!elements::jumps_at_turns(loop.law())) continue;

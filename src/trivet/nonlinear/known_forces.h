@@ -21,18 +21,16 @@ class KnownForces {
   [[nodiscard]] std::string hint() const;
 
   /// Why not all forces are known over a motion; empty if they are.
-  /// @param motion  unknowns of the balance
-  /// @param omega   of the first harmonic [rad/s]
-  [[nodiscard]] std::string reason_unknown(const HarmonicBalance& balance, const Eigen::VectorXd& motion,
+  /// @param omega  of the first harmonic [rad/s]
+  [[nodiscard]] std::string reason_unknown(const HarmonicBalance& balance, const Eigen::VectorXd& unknowns,
                                            double omega) const;
 
  private:
   [[nodiscard]] std::string out_of_curve(std::size_t deflection, const Eigen::VectorXd& motion) const;
   [[nodiscard]] std::string out_of_distances(std::size_t deflection, const Eigen::MatrixXd& motion) const;
   struct Turn;
-  /// @param smallest  amplitude that is not round-off
-  [[nodiscard]] std::string add_turns(std::size_t deflection, const LawHarmonics& law, const Eigen::VectorXd& motion,
-                                      double smallest, double omega, std::vector<Turn>& turns) const;
+  [[nodiscard]] std::string add_turns(std::size_t deflection, const MachineLaws& laws, const Eigen::MatrixXd& motions,
+                                      double omega, std::vector<Turn>& turns) const;
   [[nodiscard]] std::string rests_at_turn(const std::vector<Turn>& turns, std::size_t at) const;
 
   const std::vector<Deflection>& deflections_;

@@ -14,7 +14,7 @@ namespace trivet::nonlinear {
 using Eigen::VectorXd;
 
 LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eigen::Index harmonics, double omega,
-                     const Eigen::Ref<const Eigen::MatrixXd>& samples)
+                     const Eigen::Ref<const Eigen::MatrixXd>& samples, double round_off)
     : law_(law), omega_(omega), deflection_(deflection), rate_(omega * numerics::phase_derivative(deflection)) {
   assert(deflection.tail(deflection.size() - numerics::coefficient_count(harmonics)).isZero(0));
   if (!law.of_amplitude().empty()) {
@@ -39,7 +39,8 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
     std::sort(corners_.begin(), corners_.end());
   }
   if (law.hysteretic().empty() && law.bristles().empty()) return;
-  const auto turns = [&](double turning_slope) {
+  const auto turns = [&](double turning_slope) -> std::vector<double> {
+    if (amplitude() <= round_off) return {};
     const VectorXd slope = numerics::phase_derivative(deflection_), bend = numerics::phase_derivative(slope);
     if (turning_slope == 0) return crossings(slope, {0});
     std::vector<double> found;

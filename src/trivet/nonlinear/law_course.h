@@ -18,8 +18,9 @@ class LawCourse {
   /// @param harmonics   of the motion; the others are zero
   /// @param omega       of the first harmonic [rad/s]
   /// @param samples     evenly spaced phases × coefficients: rows of the basis
+  /// @param round_off   a smaller amplitude is none: the turning points of noise would decide on the memory of friction
   LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eigen::Index harmonics, double omega,
-            const Eigen::Ref<const Eigen::MatrixXd>& samples);
+            const Eigen::Ref<const Eigen::MatrixXd>& samples, double round_off = 0);
 
   /// Phases at which the parts without memory are not smooth, ascending in [0, 2π).
   [[nodiscard]] const std::vector<double>& corners() const { return corners_; }

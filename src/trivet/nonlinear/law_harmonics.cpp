@@ -51,12 +51,12 @@ LawHarmonics::LawHarmonics(LawAbout law, Index harmonics, std::optional<Index> o
         numerics::fourier_row(2 * harmonics, two_pi * static_cast<double>(n) / static_cast<double>(samples));
 }
 
-LawCourse LawHarmonics::course(const VectorXd& deflection, double omega) const {
-  return {law_, deflection, of_motion_, omega, values_.leftCols(deflection.size())};
+LawCourse LawHarmonics::course(const VectorXd& deflection, double omega, double round_off) const {
+  return {law_, deflection, of_motion_, omega, values_.leftCols(deflection.size()), round_off};
 }
 
-ForceHarmonics LawHarmonics::at(const VectorXd& deflection, double omega) const {
-  Spectra found = spectra(deflection, omega, true);
+ForceHarmonics LawHarmonics::at(const VectorXd& deflection, double omega, double round_off) const {
+  Spectra found = spectra(deflection, omega, round_off, true);
   ForceHarmonics result{std::move(found.force), numerics::product_matrix(found.by_deflection, harmonics_),
                         found.by_omega};
   if (found.by_memory.size() > 0) result.tangent += found.by_memory;
@@ -68,16 +68,18 @@ ForceHarmonics LawHarmonics::at(const VectorXd& deflection, double omega) const 
   return result;
 }
 
-LawHarmonics::TangentHarmonics LawHarmonics::tangents_at(const VectorXd& deflection, double omega) const {
-  Spectra found = spectra(deflection, omega, true);
+LawHarmonics::TangentHarmonics LawHarmonics::tangents_at(const VectorXd& deflection, double omega,
+                                                         double round_off) const {
+  Spectra found = spectra(deflection, omega, round_off, true);
   return {std::move(found.by_deflection), std::move(found.by_rate)};
 }
 
-VectorXd LawHarmonics::force_at(const VectorXd& deflection, double omega) const {
-  return spectra(deflection, omega, false).force;
+VectorXd LawHarmonics::force_at(const VectorXd& deflection, double omega, double round_off) const {
+  return spectra(deflection, omega, round_off, false).force;
 }
 
-LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double omega, bool with_tangent) const {
+LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double omega, double round_off,
+                                            bool with_tangent) const {
   const Index twice = with_tangent ? numerics::coefficient_count(2 * harmonics_) : 0;
   Spectra sum{with_tangent,
               VectorXd::Zero(deflection.size()),
@@ -85,7 +87,7 @@ LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double o
               VectorXd::Zero(law_.has_dampers() ? twice : 0),
               VectorXd::Zero(deflection.size()),
               {}};
-  const LawCourse along = course(deflection, omega);
+  const LawCourse along = course(deflection, omega, round_off);
   add_line(along, deflection, omega, sum);
   if (!law_.smooth().is_empty()) add_sampled(law_.smooth(), deflection, omega, sum);
   if (!law_.quadratic().is_empty()) add_quadratic(along, deflection, omega, sum);

@@ -27,18 +27,20 @@ class LawHarmonics {
   LawHarmonics(LawAbout law, Eigen::Index harmonics, std::optional<Eigen::Index> of_motion = std::nullopt);
 
   /// @param omega  of the first harmonic [rad/s]
-  [[nodiscard]] ForceHarmonics at(const Eigen::VectorXd& deflection, double omega) const;
+  /// @param round_off  as of LawCourse
+  [[nodiscard]] ForceHarmonics at(const Eigen::VectorXd& deflection, double omega, double round_off = 0) const;
   /// The force alone.
-  [[nodiscard]] Eigen::VectorXd force_at(const Eigen::VectorXd& deflection, double omega) const;
+  [[nodiscard]] Eigen::VectorXd force_at(const Eigen::VectorXd& deflection, double omega, double round_off = 0) const;
 
   /// Coefficients of the tangents, to twice the harmonics, with doubled means: of elastic forces and of loops since
   /// their last turning points by the deflection, of dampers by the rate. Without parts that depend on the amplitude.
   struct TangentHarmonics {
     Eigen::VectorXd by_deflection, by_rate;
   };
-  [[nodiscard]] TangentHarmonics tangents_at(const Eigen::VectorXd& deflection, double omega) const;
+  [[nodiscard]] TangentHarmonics tangents_at(const Eigen::VectorXd& deflection, double omega,
+                                             double round_off = 0) const;
 
-  [[nodiscard]] LawCourse course(const Eigen::VectorXd& deflection, double omega) const;
+  [[nodiscard]] LawCourse course(const Eigen::VectorXd& deflection, double omega, double round_off = 0) const;
   [[nodiscard]] const LawAbout& law() const { return law_; }
 
  private:
@@ -51,7 +53,8 @@ class LawHarmonics {
     /// What the force owes to past turning points, bristles and the amplitude, by the coefficients.
     Eigen::MatrixXd by_memory;
   };
-  [[nodiscard]] Spectra spectra(const Eigen::VectorXd& deflection, double omega, bool with_tangent) const;
+  [[nodiscard]] Spectra spectra(const Eigen::VectorXd& deflection, double omega, double round_off,
+                                bool with_tangent) const;
   void add_line(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_sampled(const LawAbout::Parts& parts, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_quadratic(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;

@@ -16,8 +16,10 @@ LawsAlong::LawsAlong(const MachineLaws& laws, const VectorXd& deflections, doubl
   const std::vector<LawHarmonics>& single = laws.single();
   const Index C = deflections.size() / to_index(single.size());
   harmonics = (C - 1) / 2;
+  const MatrixXd motion = deflections.reshaped(C, to_index(single.size()));
+  const VectorXd rests_below = laws.round_off(motion);
   for (std::size_t j = 0; j < single.size(); ++j) {
-    courses.push_back(single[j].course(deflections.segment(to_index(j) * C, C), omega));
+    courses.push_back(single[j].course(motion.col(to_index(j)), omega, rests_below(to_index(j))));
     is_piecewise_linear = is_piecewise_linear && single[j].law().is_piecewise_linear();
   }
   for (const MachineLaws::Distance& one : laws.distances()) {
@@ -49,6 +51,32 @@ std::vector<double> TangentsAlong::list() const {
   std::vector<double> all;
   for (const VectorXd* part : {&by_deflection, &by_rate, &by_travel, &by_start})
     all.insert(all.end(), part->begin(), part->end());
+  return all;
+}
+
+MatrixXd TangentsAlong::stiffness(const LawsAlong& motion) const {
+  MatrixXd all = by_deflection.asDiagonal();
+  for (std::size_t h = 0; h < motion.loops.size(); ++h) {
+    const Index j = motion.loops[h].deflection;
+    all(j, j) += by_travel(to_index(h));
+  }
+  for (std::size_t d = 0; d < distances.size(); ++d)
+    all.block<3, 3>(motion.distances[d].first, motion.distances[d].first) += distances[d].by_deflection;
+  for (std::size_t r = 0; r < rubbings.size(); ++r)
+    all(motion.rubbings[r].on, motion.rubbings[r].on) += rubbings[r].by_deflection;
+  return all;
+}
+
+MatrixXd TangentsAlong::damping(const LawsAlong& motion) const {
+  MatrixXd all = by_rate.asDiagonal();
+  for (std::size_t b = 0; b < bristles.size(); ++b) {
+    const Index j = motion.bristles[b].deflection;
+    all(j, j) += bristles[b].by_rate;
+  }
+  for (std::size_t d = 0; d < distances.size(); ++d)
+    all.block<3, 3>(motion.distances[d].first, motion.distances[d].first) += distances[d].by_rate;
+  for (std::size_t r = 0; r < rubbings.size(); ++r)
+    all(motion.rubbings[r].on, motion.rubbings[r].on) += rubbings[r].by_rate;
   return all;
 }
 

@@ -83,6 +83,9 @@ struct TangentsAlong {
 
   /// All numbers of these laws.
   [[nodiscard]] std::vector<double> list() const;
+  /// Of all laws but their memories, deflections × deflections: forces by deflections, and by their rates.
+  [[nodiscard]] Eigen::MatrixXd stiffness(const LawsAlong& motion) const;
+  [[nodiscard]] Eigen::MatrixXd damping(const LawsAlong& motion) const;
   /// Deflections × states: values, rates and memory to forces, of laws without bristles and distances.
   [[nodiscard]] Eigen::MatrixXd forces(const LawsAlong& motion, const Eigen::MatrixXd& values,
                                        const Eigen::MatrixXd& rates) const;

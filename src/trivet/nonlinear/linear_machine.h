@@ -42,13 +42,15 @@ class LinearMachine {
 inline constexpr const char* free_when_removed =
     "the machine is free to move when its nonlinear parts are removed; add a soft linear stiffness";
 
-/// Of constant matrices: poles and residues, so that one frequency costs (poles × deflections²).
+/// Of constant matrices: poles and residues, so that one frequency costs (poles × deflections²). Where poles repeat
+/// without as many shapes, as at critical damping, residues do not exist or cancel each other: the dynamic stiffness is
+/// then factorised at each frequency, as below. `assembled` must outlive it.
 /// @throws foundation::NotComputable if the machine is free to move when its nonlinear parts are removed
 [[nodiscard]] std::unique_ptr<LinearMachine> machine_of_poles(const assembly::Assembled& assembled,
                                                               const std::vector<Deflection>& deflections,
                                                               const std::vector<assembly::Loading>& loadings);
 
-/// With elements whose stiffness is a function of frequency: their exact dynamic stiffness, factorised at each
+/// The exact dynamic stiffness, factorised at each frequency, also with elements whose stiffness is a function of
 /// frequency. `assembled` must outlive it.
 /// @throws foundation::NotComputable as above
 [[nodiscard]] std::unique_ptr<LinearMachine> machine_over_frequency(const assembly::Assembled& assembled,

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/orthogonal.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/numerics/periodic/branch_walk.h"
@@ -36,12 +36,28 @@ model::System without_built_in_forces(const model::System& linear) {
   return linear.in_other_state(std::move(description));
 }
 
+/// Forces on all deflections without any deflection, without signs.
+VectorXd built_in_forces(const model::System& undeformed, Index count) {
+  VectorXd found = VectorXd::Zero(count);
+  Index next = 0;
+  for (const model::Element& element : undeformed.elements())
+    for (const model::NonlinearPart& part : element.nonlinear_parts)
+      found(next++) = std::abs(elements::force_at_rest(part.laws, 0).force);
+  for (const model::Element& element : undeformed.elements())
+    for (const model::DistancePart& part : element.distance_parts) {
+      const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+      found.segment<3>(next) = elements::force_in_motion(part.law, none, none).force.cwiseAbs();
+      next += 3;
+    }
+  return found;
+}
+
 }  // namespace
 
 LoadPath::LoadPath(const model::System& undeformed) {
   const References references = positive_references(undeformed);
   const model::System linear = with_references(undeformed, references);
-  const assembly::Assembled assembled = assembly::assemble(linear);
+  const assembly::Assembled assembled = assembly::assemble_first_order(linear);
   deflections_ = nonlinear_deflections(linear, assembled, references);
   add_rubbings(linear, assembled, deflections_);
   const Index count = to_index(deflections_.size());
@@ -50,13 +66,13 @@ LoadPath::LoadPath(const model::System& undeformed) {
   references_ = VectorXd::Zero(count);  // distances are held by their tangents alone
   for (Index j = 0; j < count; ++j) {
     across_.col(j) = deflections_[to_size(j)].on_coordinates;
-    if (to_size(j) < references.size()) references_(j) = references[to_size(j)].stiffness;
+    if (to_size(j) < references.parts.size()) references_(j) = references.parts[to_size(j)].stiffness;
   }
-  const VectorXd load = assembly::static_load(linear, assembled);
+  load_ = assembly::static_load(linear, assembled);
   const numerics::PivotedLu<double> stiffness(stiffness_);
   constexpr double singular = 1e-13;
   if (!(stiffness.reciprocal_condition() > singular)) {
-    if (load.isZero(0)) return;
+    if (load_.isZero(0)) return;
     throw foundation::NotComputable(
         "static: the machine is free to move, so it has no position of rest; hold it by another element, or give a "
         "strut "
@@ -64,12 +80,14 @@ LoadPath::LoadPath(const model::System& undeformed) {
   }
   receptance_ = across_.transpose() * stiffness.solve(across_);
   sizes_.emplace(deflections_, receptance_);
-  const VectorXd displacement = stiffness.solve(load);
+  const VectorXd displacement = stiffness.solve(load_);
   linear_ = across_.transpose() * displacement;
   of_load_ = across_.transpose() * stiffness.solve(assembly::static_load(without_built_in_forces(linear), assembled));
-  constexpr double round_off = 1e-12;  // a load across a deflection does not move it
+  typical_ = of_load_.cwiseAbs() + receptance_.cwiseAbs() * built_in_forces(undeformed, count);
+  // A load across a deflection does not move it; nor does one that built-in forces just bear.
+  constexpr double round_off = 1e-12;
   for (Index j = 0; j < count; ++j)
-    loaded_ = loaded_ || std::abs(linear_(j)) > round_off * across_.col(j).norm() * displacement.norm();
+    loaded_ = loaded_ || std::abs(linear_(j)) > round_off * (across_.col(j).norm() * displacement.norm() + typical_(j));
 }
 
 LoadPath::Forces LoadPath::forces(const VectorXd& deflections) const {
@@ -128,7 +146,7 @@ std::optional<LoadPath::Forced> LoadPath::least_energy(Forced now, double held) 
     const MatrixXd matrix = MatrixXd::Identity(count, count) + tangents * receptance_;
     const VectorXd more = numerics::PivotedLu<double>(matrix).solve(missing), change = -(receptance_ * more);
     if (!change.allFinite()) return std::nullopt;
-    if (change.norm() <= accurate * now.deflections.norm()) return now;
+    if (change.norm() <= accurate * std::max(now.deflections.norm(), typical_.norm())) return now;
     // Slope of the energy along the step.
     const auto slope = [&](double step) {
       return (forces(now.deflections + step * change) - now.forces - step * more).dot(change);
@@ -142,22 +160,37 @@ std::optional<LoadPath::Forced> LoadPath::least_energy(Forced now, double held) 
   return std::nullopt;
 }
 
+bool LoadPath::is_zero_change(const VectorXd& change, const VectorXd& of) const {
+  constexpr double accurate = 1e-13;
+  return change.norm() <= accurate * std::max(of.norm(), typical_.norm());
+}
+
 std::optional<VectorXd> LoadPath::solved(VectorXd now, double held) const {
+  return solved(std::move(now), held, VectorXd::Zero(linear_.size()));
+}
+
+/// Where no stiffness acts in a direction, it does not move in that direction.
+std::optional<VectorXd> LoadPath::solved(VectorXd now, double held, const VectorXd& missing) const {
   constexpr int most = 100;
-  constexpr double accurate = 1e-13, least_step = 1e-6;
+  constexpr double least_step = 1e-6;
   const MatrixXd added = held * receptance_ * references_.asDiagonal();
   numerics::Equations equations;
   const auto at = [&](const VectorXd& deflections) {
-    evaluate(deflections, VectorXd::Zero(deflections.size()), equations);
+    evaluate(deflections, missing, equations);
     equations.value += added * deflections;
     equations.by_unknowns += added;
   };
   at(now);
   for (int i = 0; i < most; ++i) {
-    const VectorXd change = -numerics::PivotedLu<double>(equations.by_unknowns).solve(equations.value);
+    VectorXd change = -numerics::PivotedLu<double>(equations.by_unknowns).solve(equations.value);
+    if (!change.allFinite()) change = -numerics::smallest_solution(equations.by_unknowns, equations.value);
     if (!change.allFinite()) return std::nullopt;
-    if (change.norm() <= accurate * now.norm()) return now;
     const double before = equations.value.norm();
+    if (is_zero_change(change, now)) {
+      constexpr double solves = 1e-9;  // else it is in a hollow of the forces
+      if (before > solves * std::max(now.norm(), typical_.norm())) return std::nullopt;
+      return VectorXd(now + change);
+    }
     double step = 1;
     for (;; step /= 2) {
       at(now + step * change);
@@ -178,8 +211,47 @@ std::pair<VectorXd, std::vector<double>> LoadPath::followed() const {
     if (!found.deflections)
       if (Followed other_side = followed(growing, true); other_side.deflections) found = std::move(other_side);
   if (found.deflections) return {std::move(*found.deflections), std::move(found.turns)};
+  if (std::optional<VectorXd> fallen = released()) return {std::move(*fallen), {}};
   throw foundation::NotComputable(fmt::format(
       "static: no position of rest was found: the load can be raised to {:.4g} of its whole only", found.highest));
+}
+
+VectorXd LoadPath::scale(const VectorXd& deflections) const {
+  constexpr double smallest = 1e-3;
+  return sizes_->largest_of_kind(deflections.cwiseAbs().cwiseMax(smallest * typical_));
+}
+
+/// The directions of the path are those which [∂r/∂δ ∂r/∂λ] does not change: of them the one along which the load grows
+/// most. If none changes it, because nothing is stiff against it, the one in which the load does most work.
+std::optional<BranchPoint> LoadPath::start(const VectorXd& growing, bool other_side) const {
+  const Index n = linear_.size();
+  std::optional<VectorXd> without = VectorXd(VectorXd::Zero(n));
+  if (growing != linear_) without = solved(*without, 0, growing);
+  if (!without) return std::nullopt;
+  BranchPoint found{*without, 0, VectorXd(n + 1), {}, 0};
+  found.scale << scale(*without), 1;
+  numerics::Equations equations;
+  evaluate(*without, growing, equations);
+  MatrixXd rows(n, n + 1);
+  rows << equations.by_unknowns, -growing;
+  const VectorXd sizes = found.scale.head(n);
+  rows = (sizes.cwiseInverse().asDiagonal() * rows * found.scale.asDiagonal()).eval();
+  constexpr double round_off = 1e-12, none = 1e-6;
+  const numerics::PivotedQr factors = numerics::pivoted_qr(rows.transpose(), round_off);
+  const MatrixXd changing = factors.Q.leftCols(factors.rank);
+  const auto unchanging = [&](const VectorXd& direction) {
+    return VectorXd(direction - changing * (changing.transpose() * direction));
+  };
+  found.tangent = unchanging(VectorXd::Unit(n + 1, n));
+  if (found.tangent.norm() < none) {
+    VectorXd work = VectorXd::Zero(n + 1);
+    work.head(n) = growing.cwiseQuotient(sizes);
+    found.tangent = unchanging(work.normalized());
+  }
+  if (found.tangent.norm() < none) return growing.isZero(0) ? std::optional(found) : std::nullopt;
+  found.tangent.normalize();
+  if (other_side) found.tangent = -found.tangent;
+  return found;
 }
 
 LoadPath::Followed LoadPath::followed(const VectorXd& growing, bool other_side) const {
@@ -190,18 +262,14 @@ LoadPath::Followed LoadPath::followed(const VectorXd& growing, bool other_side) 
                                           .hidden_folds = 1e-4,
                                           .sharp_turns = 1e-4};  // a stop closes
   constexpr int most_points = 5000;
-  constexpr double smallest = 1e-3;
   const numerics::Branch branch(
       [&](const VectorXd& unknowns, double share, numerics::Equations& equations) {
         evaluate(unknowns, (1 - share) * growing, equations);
         equations.by_parameter = -growing;
       },
-      1.0,
-      [&](const VectorXd& unknowns) {
-        return VectorXd(sizes_->largest_of_kind(unknowns.cwiseAbs().cwiseMax(smallest * linear_.cwiseAbs())));
-      });
+      1.0, [&](const VectorXd& unknowns) { return scale(unknowns); });
   Followed found;
-  const std::optional<BranchPoint> start = branch.start(VectorXd::Zero(linear_.size()), 0, other_side);
+  const std::optional<BranchPoint> start = this->start(growing, other_side);
   const bool builds_in = growing != linear_;
   found.starts = start && !(builds_in && !is_stable(start->unknowns));
   if (!found.starts) return found;
@@ -238,29 +306,6 @@ LoadPath::Followed LoadPath::followed(const VectorXd& growing, bool other_side) 
   return found;
 }
 
-std::vector<double> LoadPath::starts(Index j) const {
-  constexpr double smallest = 1e-7, largest = 10, ratio = 1.1;  // [m, rad]
-  const auto missing = [&](double x) {
-    return x + receptance_(j, j) * deflections_[to_size(j)].law.at_rest(x).force - linear_(j);
-  };
-  std::vector<double> grid = {0};
-  for (double x = smallest; x < largest; x *= ratio) {
-    grid.push_back(x);
-    grid.insert(grid.begin(), -x);
-  }
-  std::vector<double> found = {linear_(j)};
-  const auto rubs = [&](Index first) {
-    return first >= 0 && deflections_[to_size(first)].rubbing && !deflections_[to_size(first)].rubbing->law.is_ring();
-  };
-  if (rubs(j) || rubs(j - 1)) return found;  // linear
-  for (Index first = std::max<Index>(0, j - 2); first <= j; ++first)
-    if (const auto& distance = deflections_[to_size(first)].distance; distance && !distance->is_ring())
-      found.push_back(distance->mirrored(j - first));
-  for (std::size_t i = 0; i + 1 < grid.size(); ++i)
-    if ((missing(grid[i]) < 0) != (missing(grid[i + 1]) < 0)) found.push_back((grid[i] + grid[i + 1]) / 2);
-  return found;
-}
-
 bool LoadPath::are_known(const VectorXd& deflections) const {
   const auto is_within = [](double value, const std::pair<double, double>& range) {
     return value >= range.first && value <= range.second;
@@ -272,39 +317,6 @@ bool LoadPath::are_known(const VectorXd& deflections) const {
       return false;
   }
   return true;
-}
-
-std::vector<VectorXd> LoadPath::all() const {
-  std::vector<VectorXd> found;
-  if (linear_.size() == 0) return found;
-  std::vector<std::vector<double>> choices;
-  for (Index j = 0; j < linear_.size(); ++j) choices.push_back(starts(j));
-  constexpr int most_starts = 2000;
-  double all_starts = 1;
-  for (const std::vector<double>& of_one : choices) all_starts *= static_cast<double>(of_one.size());
-  const bool tries_all = all_starts <= most_starts;
-  std::mt19937_64 random(20261127);
-  std::vector<std::size_t> chosen(choices.size(), 0);
-  for (int i = 0; i < most_starts; ++i) {
-    VectorXd start(linear_.size());
-    for (std::size_t j = 0; j < choices.size(); ++j) start(to_index(j)) = choices[j][chosen[j]];
-    if (const std::optional<VectorXd> rest = solved(start, 0); rest && are_known(*rest)) {
-      constexpr double same = 1e-6;
-      const bool is_known = std::any_of(found.begin(), found.end(), [&](const VectorXd& other) {
-        return (other - *rest).norm() <= same * std::max(other.norm(), rest->norm()) || other == *rest;
-      });
-      if (!is_known) found.push_back(*rest);
-    }
-    if (!tries_all) {
-      for (std::size_t j = 0; j < choices.size(); ++j) chosen[j] = random() % choices[j].size();
-      continue;
-    }
-    std::size_t place = 0;
-    while (place < chosen.size() && ++chosen[place] == choices[place].size()) chosen[place++] = 0;
-    if (place == chosen.size()) break;
-  }
-  std::sort(found.begin(), found.end(), [](const VectorXd& a, const VectorXd& b) { return a(0) < b(0); });
-  return found;
 }
 
 bool LoadPath::is_stable(const VectorXd& deflections) const {

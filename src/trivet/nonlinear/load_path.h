@@ -29,13 +29,16 @@ class LoadPath {
   [[nodiscard]] std::optional<Eigen::VectorXd> only_one() const;
 
   /// Deflections at the whole load, and the shares at which the load turns before. Built-in forces act from the start;
-  /// where that does not lead to the whole load, as of a strut that has buckled without one, they grow with it.
-  /// @throws foundation::NotComputable if the whole load is not reached
+  /// where that does not lead to the whole load, as of a strut that has buckled without one, they grow with it. Without
+  /// a stiffness against the load at first, as of a lamp on a straight wire, the deflections begin to grow alone.
+  /// Where no path leads to the whole load, the machine is released under it and comes to rest.
+  /// @throws foundation::NotComputable if it is not reached, and the machine does not come to rest
   [[nodiscard]] std::pair<Eigen::VectorXd, std::vector<double>> followed() const;
 
-  /// All positions of rest at the whole load that Newton's method finds from many starts: combinations of the positions
-  /// that each deflection has if the others move as in the linear machine. Only those at which all forces are known, in
-  /// the order of the first deflection.
+  /// All positions of rest at the whole load. Of one coordinate: the zeros of its force, between which it is scanned.
+  /// Of several: those that Newton's method finds from many starts, combinations of the positions that each deflection
+  /// has if the others move as in the linear machine, of two or three coordinates also a grid of places, and from
+  /// places between those found. Only those at which all forces are known, in the order of the first deflection.
   [[nodiscard]] std::vector<Eigen::VectorXd> all() const;
 
   /// Is the energy least there? For slow motions; dampers do not matter.
@@ -62,8 +65,25 @@ class LoadPath {
   /// @param growing     the part of linear_ that grows from zero
   /// @param other_side  at first the load falls
   [[nodiscard]] Followed followed(const Eigen::VectorXd& growing, bool other_side) const;
+  /// Without the growing part, and the direction in which the path leaves; empty if there is no such position.
+  [[nodiscard]] std::optional<numerics::BranchPoint> start(const Eigen::VectorXd& growing, bool other_side) const;
+  [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& deflections) const;
   /// Newton's method with a line search. @param held  share of the references that holds the machine in addition
+  /// @param missing  as in `evaluate`
+  [[nodiscard]] std::optional<Eigen::VectorXd> solved(Eigen::VectorXd now, double held,
+                                                      const Eigen::VectorXd& missing) const;
   [[nodiscard]] std::optional<Eigen::VectorXd> solved(Eigen::VectorXd now, double held) const;
+  /// Where the machine comes to rest if it is released under the whole load and all energy is dissipated: by Newton's
+  /// method with positive curvatures, along each step to where the energy is first least.
+  [[nodiscard]] std::optional<Eigen::VectorXd> released() const;
+  [[nodiscard]] bool is_zero_change(const Eigen::VectorXd& change, const Eigen::VectorXd& of) const;
+  /// Positions of rest of a machine whose deflections are all multiples of one number.
+  [[nodiscard]] std::optional<std::vector<Eigen::VectorXd>> scanned() const;
+  [[nodiscard]] bool is_among(const Eigen::VectorXd& one, const std::vector<Eigen::VectorXd>& found) const;
+  void add_between(std::vector<Eigen::VectorXd>& found) const;
+  void add_from_grid(std::vector<Eigen::VectorXd>& found) const;
+  /// @param start  of Newton's method
+  void add(const Eigen::VectorXd& start, std::vector<Eigen::VectorXd>& found) const;
   /// Deflections that the load and forces of the parts cause together.
   struct Forced {
     Eigen::VectorXd deflections, forces;
@@ -79,7 +99,10 @@ class LoadPath {
   Eigen::MatrixXd stiffness_;                      ///< of the machine of positive references
   Eigen::MatrixXd across_;                         ///< free coordinates × deflections
   Eigen::MatrixXd receptance_;                     ///< deflections × deflections
+  Eigen::VectorXd load_;                           ///< on the free coordinates, with built-in forces
   Eigen::VectorXd linear_, of_load_, references_;  ///< of_load_: without built-in forces
+  /// Of load and built-in forces, each as if it were alone: what linear_ may be a small difference of.
+  Eigen::VectorXd typical_;
   std::optional<DeflectionSizes> sizes_;
   bool loaded_ = false;
 };

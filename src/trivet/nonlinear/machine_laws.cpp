@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/machine_laws.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -10,6 +11,7 @@ namespace trivet::nonlinear {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 namespace {
 
@@ -17,7 +19,9 @@ MatrixXd own_course(const MachineLaws::Rubbing& one, const MatrixXd& course) { r
 
 }  // namespace
 
-MachineLaws::MachineLaws(const std::vector<Deflection>& deflections, Index harmonics, Index of_motion) {
+MachineLaws::MachineLaws(const std::vector<Deflection>& deflections, DeflectionSizes sizes, Index harmonics,
+                         Index of_motion)
+    : sizes_(std::move(sizes)) {
   for (std::size_t j = 0; j < deflections.size(); ++j) {
     single_.emplace_back(deflections[j].law, harmonics, of_motion);
     if (deflections[j].distance)
@@ -28,6 +32,16 @@ MachineLaws::MachineLaws(const std::vector<Deflection>& deflections, Index harmo
       else rubbings_.push_back({{to_index(rubbing->along), first, first + 1}, rubbing->law});
     }
   }
+}
+
+/// Newton's method leaves errors of 1e-11 of the largest deflection (numerics::BranchOptions).
+VectorXd MachineLaws::round_off(const MatrixXd& course) const {
+  constexpr double share = 1e-10;
+  return share * sizes_.largest_of_kind(course.bottomRows(course.rows() - 1).colwise().norm().transpose());
+}
+
+LawCourse MachineLaws::course(Index deflection, const MatrixXd& course, double omega) const {
+  return single_[to_size(deflection)].course(course.col(deflection), omega, round_off(course)(deflection));
 }
 
 RubbingLoop MachineLaws::loop(const Rubbing& one, const MatrixXd& course, double omega, const Steps& steps) const {
@@ -73,8 +87,10 @@ RubbingHarmonics MachineLaws::friction(const Rubbing& one, const MatrixXd& cours
 
 MatrixXd MachineLaws::forces(const MatrixXd& course, double omega) const {
   MatrixXd all = MatrixXd::Zero(course.rows(), course.cols());
+  const VectorXd rests_below = round_off(course);
   for (Index j = 0; j < course.cols(); ++j)
-    if (!single_[to_size(j)].law().is_empty()) all.col(j) = single_[to_size(j)].force_at(course.col(j), omega);
+    if (!single_[to_size(j)].law().is_empty())
+      all.col(j) = single_[to_size(j)].force_at(course.col(j), omega, rests_below(j));
   for (const Distance& one : distances_)
     all.middleCols<3>(one.first) += one.law.force_at(course.middleCols<3>(one.first), omega);
   for (const Rubbing& one : rubbings_) all(Eigen::all, one.on) += friction(one, course, omega, false).force;
@@ -83,9 +99,10 @@ MatrixXd MachineLaws::forces(const MatrixXd& course, double omega) const {
 
 CoupledForces MachineLaws::at(const MatrixXd& course, double omega) const {
   CoupledForces all{MatrixXd::Zero(course.rows(), course.cols()), MatrixXd::Zero(course.rows(), course.cols()), {}};
+  const VectorXd rests_below = round_off(course);
   for (Index j = 0; j < course.cols(); ++j) {
     if (single_[to_size(j)].law().is_empty()) continue;
-    ForceHarmonics found = single_[to_size(j)].at(course.col(j), omega);
+    ForceHarmonics found = single_[to_size(j)].at(course.col(j), omega, rests_below(j));
     all.force.col(j) = found.force;
     all.by_omega.col(j) = found.by_omega;
     all.tangents.push_back({j, j, std::move(found.tangent)});

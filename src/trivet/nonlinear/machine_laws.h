@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "trivet/nonlinear/deflection_sizes.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/distance_harmonics.h"
 #include "trivet/nonlinear/law_harmonics.h"
@@ -26,8 +27,10 @@ struct CoupledForces {
 /// contacts.
 class MachineLaws {
  public:
+  /// @param sizes      what motions of deflections are compared with: smaller ones are round-off (`round_off`)
   /// @param of_motion  harmonics of the motions, which are padded with zeros
-  MachineLaws(const std::vector<Deflection>& deflections, Eigen::Index harmonics, Eigen::Index of_motion);
+  MachineLaws(const std::vector<Deflection>& deflections, DeflectionSizes sizes, Eigen::Index harmonics,
+              Eigen::Index of_motion);
 
   /// @param course  Fourier coefficients × deflections
   /// @param omega   of the first harmonic [rad/s]
@@ -35,6 +38,13 @@ class MachineLaws {
   [[nodiscard]] Eigen::MatrixXd forces(const Eigen::MatrixXd& course, double omega) const;
 
   [[nodiscard]] const std::vector<LawHarmonics>& single() const { return single_; }
+  [[nodiscard]] const DeflectionSizes& sizes() const { return sizes_; }
+  /// Amplitudes below which deflections rest: those of round-off beside the motions of the others. In a symmetric
+  /// machine forces on opposite sides cancel, and what is left of them must not move friction.
+  /// @param course  Fourier coefficients × deflections
+  [[nodiscard]] Eigen::VectorXd round_off(const Eigen::MatrixXd& course) const;
+  /// Of the laws over one deflection in the motion of all.
+  [[nodiscard]] LawCourse course(Eigen::Index deflection, const Eigen::MatrixXd& course, double omega) const;
   struct Distance {
     Eigen::Index first;  ///< of its three deflections
     DistanceHarmonics law;
@@ -60,6 +70,7 @@ class MachineLaws {
   [[nodiscard]] RubbingHarmonics friction(const Rubbing& one, const Eigen::MatrixXd& course, double omega,
                                           bool with_tangent) const;
 
+  DeflectionSizes sizes_;
   std::vector<LawHarmonics> single_;  ///< one per deflection, some without any law
   std::vector<Distance> distances_;
   std::vector<Rubbing> rubbings_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -149,12 +151,51 @@ class MachineOfPoles final : public LinearMachine {
   MatrixXcd residues_;       ///< entries of the receptance × poles
 };
 
+/// Frequencies beside poles so close to each other that they may be one without as many shapes.
+std::vector<double> beside_close_poles(const VectorXcd& poles) {
+  constexpr double close = 1e-2;  // round-off separates k equal poles by its k-th root
+  constexpr double beside = 1.1;  // of the pole, where an undamped machine has motions too
+  std::vector<double> frequencies;
+  for (Index i = 0; i < poles.size(); ++i) {
+    const Complex& one = poles(i);
+    if (!std::isfinite(std::abs(one)) || one == 0.0 || one.imag() < 0) continue;
+    for (Index k = 0; k < i; ++k)
+      if (std::abs(poles(k) - one) <= close * std::abs(one)) {
+        frequencies.push_back(beside * std::abs(one));
+        break;
+      }
+  }
+  return frequencies;
+}
+
+/// Are receptances and motions under the excitation the same to round-off?
+bool agree(const LinearMachine& one, const LinearMachine& other, std::size_t loadings, double omega) {
+  constexpr double round_off = 1e-10;
+  MatrixXcd ours, theirs;
+  one.set_receptance(omega, ours);
+  other.set_receptance(omega, theirs);
+  const Eigen::VectorXd size = theirs.diagonal().cwiseAbs().cwiseSqrt();
+  if (!((ours - theirs).cwiseAbs().array() <= round_off * (size * size.transpose()).array()).all()) return false;
+  for (std::size_t i = 0; i < loadings; ++i) {
+    const VectorXcd moved = other.motion(i, omega).motion;
+    if (!((one.motion(i, omega).motion - moved).cwiseAbs().maxCoeff() <= round_off * moved.cwiseAbs().maxCoeff()))
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::unique_ptr<LinearMachine> machine_of_poles(const assembly::Assembled& assembled,
                                                 const std::vector<Deflection>& deflections,
                                                 const std::vector<assembly::Loading>& loadings) {
-  return std::make_unique<MachineOfPoles>(assembled, deflections, loadings);
+  auto found = std::make_unique<MachineOfPoles>(assembled, deflections, loadings);
+  const std::vector<double> doubtful = beside_close_poles(found->poles());
+  if (doubtful.empty()) return found;
+  auto direct = machine_over_frequency(assembled, deflections, loadings);
+  for (const double omega : doubtful)
+    if (!agree(*found, *direct, loadings.size(), omega)) return direct;
+  return found;
 }
 
 }  // namespace trivet::nonlinear

@@ -23,13 +23,14 @@ class MachineOverFrequency final : public LinearMachine {
   MachineOverFrequency(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections,
                        const std::vector<assembly::Loading>& loadings)
       : assembled_(assembled),
+        constant_(assembled.frequency_dependent() ? assembled.constant : assembled.matrices),
         loadings_(loadings),
         poles_(numerics::poles(numerics::system_roots(assembled.matrices))),
-        scale_(numerics::unit_scale(assembled.constant)) {
+        scale_(numerics::unit_scale(constant_)) {
     constexpr double singular = 1e-13;
     if (!(numerics::PivotedLu<double>(assembled.matrices.K).reciprocal_condition() > singular))
       throw foundation::NotComputable(free_when_removed);
-    const Index n = assembled.layout.before_last(), count = to_index(deflections.size());
+    const Index n = constant_.size(), count = to_index(deflections.size());
     rows_.resize(n, count);
     ground_rows_.resize(assembled.ground.size(), count);
     for (Index j = 0; j < count; ++j) {
@@ -102,14 +103,14 @@ class MachineOverFrequency final : public LinearMachine {
   }
 
   [[nodiscard]] MatrixXcd stiffness(double omega) const {
-    const numerics::DynamicMatrices& m = assembled_.constant;
+    const numerics::DynamicMatrices& m = constant_;
     MatrixXcd z = m.complex_stiffness() + Complex(0, 1) * omega * m.B - omega * omega * m.A;
     each_dynamic([&](const assembly::ElementMap& map) { add(map, held(map, omega), z); });
     return z;
   }
 
   [[nodiscard]] MatrixXcd stiffness_slope(double omega) const {
-    const numerics::DynamicMatrices& m = assembled_.constant;
+    const numerics::DynamicMatrices& m = constant_;
     MatrixXcd slope = Complex(0, 1) * m.B.cast<Complex>() - 2 * omega * m.A;
     const double step = relative_step * omega;
     each_dynamic([&](const assembly::ElementMap& map) {
@@ -143,6 +144,7 @@ class MachineOverFrequency final : public LinearMachine {
   }
 
   const assembly::Assembled& assembled_;
+  const numerics::DynamicMatrices& constant_;  ///< without elements over frequency
   std::vector<assembly::Loading> loadings_;
   std::vector<numerics::Load> right_sides_;  ///< without the dynamic stiffness
   VectorXcd poles_;

@@ -19,29 +19,44 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
+/// Names of results, and what they are of points.
+struct Asked {
+  const std::vector<std::string>& of;
+  assembly::MotionQuantity quantity;
+  const std::vector<assembly::MotionQuantity>& quantities;
+
+  [[nodiscard]] std::vector<assembly::Channel> channels(const model::System& system,
+                                                        const assembly::Assembled& assembled) const {
+    if (quantities.empty()) return assembly::channels(system, assembled, of, quantity);
+    std::vector<assembly::Channel> all;
+    for (std::size_t i = 0; i < of.size(); ++i)
+      for (assembly::Channel& one : assembly::channels(system, assembled, {of[i]}, quantities[i]))
+        all.push_back(std::move(one));
+    return all;
+  }
+};
+
 /// The machine at rest with a unit force in one nonlinear part, which a force of an element at rest contains.
 std::vector<double> forces_at_rest(const model::System& system, const assembly::Assembled& assembled,
-                                   const std::vector<std::string>& of, assembly::MotionQuantity quantity) {
+                                   const Asked& asked) {
   std::vector<double> values;
-  for (const assembly::Channel& channel : assembly::channels(system, assembled, of, quantity))
-    values.push_back(channel.at_rest);
+  for (const assembly::Channel& channel : asked.channels(system, assembled)) values.push_back(channel.at_rest);
   return values;
 }
 
-MatrixXd direct_forces(const model::System& system, const assembly::Assembled& assembled,
-                       const std::vector<std::string>& of, assembly::MotionQuantity quantity) {
+MatrixXd direct_forces(const model::System& system, const assembly::Assembled& assembled, const Asked& asked) {
   Index parts = 0;
   for (const model::Element& element : system.elements())
     parts += to_index(element.nonlinear_parts.size()) + 3 * to_index(element.distance_parts.size()) +
         2 * to_index(element.rubbing_parts.size());
-  const std::vector<double> without = forces_at_rest(system, assembled, of, quantity);
+  const std::vector<double> without = forces_at_rest(system, assembled, asked);
   MatrixXd direct(to_index(without.size()), parts);
   Index column = 0;
   const auto add = [&](std::size_t e, const elements::Vector12& on_ends) {
     model::Description description = system.description();
     description.elements[e].law.nonlinear->offset += on_ends;
     const model::System with_force = system.in_other_state(std::move(description));
-    const std::vector<double> with = forces_at_rest(with_force, assembled, of, quantity);
+    const std::vector<double> with = forces_at_rest(with_force, assembled, asked);
     for (std::size_t c = 0; c < with.size(); ++c) direct(to_index(c), column) = with[c] - without[c];
     ++column;
   };
@@ -168,15 +183,15 @@ double ObservedMotion::slope_at(double phase) const {
 
 Observer::Observer(const model::System& system, const assembly::Assembled& assembled, PeriodicExcitation excitation,
                    const std::vector<Deflection>& deflections, const std::vector<std::string>& of,
-                   assembly::MotionQuantity quantity)
+                   assembly::MotionQuantity quantity, const std::vector<assembly::MotionQuantity>& quantities)
     : assembled_(assembled),
       excitation_(std::move(excitation)),
-      channels_(assembly::channels(system, assembled, of, quantity)),
+      channels_(Asked{of, quantity, quantities}.channels(system, assembled)),
       direct_(MatrixXd::Zero(to_index(channels_.size()), to_index(deflections.size()))),
       feedthrough_(MatrixXd::Zero(direct_.rows(), direct_.cols())) {
   // Undamped free motion has no friction of stops, whose columns are the last, and a displacement that is followed as a
   // deflection bears no force.
-  const MatrixXd direct = direct_forces(system, assembled, of, quantity);
+  const MatrixXd direct = direct_forces(system, assembled, {of, quantity, quantities});
   const Index both = std::min(direct.cols(), direct_.cols());
   direct_.leftCols(both) = direct.leftCols(both);
   constexpr int acceleration = 2;

@@ -28,10 +28,11 @@ struct ObservedMotion {
 class Observer {
  public:
   /// `assembled` must outlive it.
+  /// @param quantities  one per name; empty: `quantity` of all
   /// @throws foundation::InvalidInput for an unknown name
   Observer(const model::System& system, const assembly::Assembled& assembled, PeriodicExcitation excitation,
            const std::vector<Deflection>& deflections, const std::vector<std::string>& of,
-           assembly::MotionQuantity quantity);
+           assembly::MotionQuantity quantity, const std::vector<assembly::MotionQuantity>& quantities = {});
 
   [[nodiscard]] const std::vector<assembly::Channel>& channels() const { return channels_; }
 

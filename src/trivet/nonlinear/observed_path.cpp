@@ -102,9 +102,12 @@ bool ObservedPath::may_be_unstable_between(const SteadyBranch& found, std::size_
 SteadyPoint ObservedPath::steady(const BranchPoint& point) const {
   SteadyPoint result = observer_.at(path_.balance(), point.unknowns, path_.driving(point.parameter));
   if (by_winding_) {
-    result.unstable_by_winding =
-        observer_.winding().unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
-    if (result.unstable_by_winding) result.stable = *result.unstable_by_winding == 0;
+    result.unstable_by_winding = observer_.winding().unstable_exponents(path_.balance().motion(point.unknowns),
+                                                                        path_.driving(point.parameter).omega);
+    if (result.unstable_by_winding) {
+      result.stable = *result.unstable_by_winding == 0;
+      result.uncertain = false;
+    }
   }
   return result;
 }
@@ -129,7 +132,10 @@ void ObservedPath::judge_by_winding(SteadyBranch& found, const foundation::Progr
   judge(others, found, progress);
   found.winding.decides = by_winding_ = true;
   for (SteadyPoint& point : found.points)
-    if (point.unstable_by_winding) point.stable = *point.unstable_by_winding == 0;
+    if (point.unstable_by_winding) {
+      point.stable = *point.unstable_by_winding == 0;
+      point.uncertain = false;
+    }
 }
 
 void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& found,
@@ -137,12 +143,17 @@ void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& f
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const BranchPoint& point = path_.motions().points()[chosen[i]];
     SteadyPoint& judged = found.points[chosen[i]];
-    judged.unstable_by_winding =
-        observer_.winding().unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
+    judged.unstable_by_winding = observer_.winding().unstable_exponents(path_.balance().motion(point.unknowns),
+                                                                        path_.driving(point.parameter).omega);
     ++found.winding.points;
     if (!judged.unstable_by_winding) ++found.winding.undecided;
-    else if (*judged.unstable_by_winding != judged.unstable_multipliers())
+    else if (judged.multipliers_hold && *judged.unstable_by_winding != judged.unstable_multipliers()) {
       found.winding.differs_at.push_back(point.parameter);
+      if ((*judged.unstable_by_winding == 0) != judged.stable) {
+        judged.uncertain = true;
+        judged.stable = false;
+      }
+    }
     foundation::report_progress(progress, "stability by winding number",
                                 static_cast<double>(i) / static_cast<double>(chosen.size()));
   }
@@ -169,37 +180,38 @@ void ObservedPath::add_landings(const MotionsAt& known, SteadyBranch& branch) co
 }
 
 void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) const {
-  const Index C = path_.balance().coefficients();
-  for (Index j = 0; j < machine_.condensed.size(); ++j) {
-    const LawHarmonics& law = path_.balance().laws().single()[to_size(j)];
+  const MachineLaws& laws = path_.balance().laws();
+  const Eigen::MatrixXd motion = path_.balance().motion(point.unknowns);
+  for (Index j = 0; j < motion.cols(); ++j) {
+    const LawHarmonics& law = laws.single()[to_size(j)];
     const std::string& name = machine_.deflections[to_size(j)].name;
     if (law.law().hysteretic().empty() ||
         std::find(found.sticking.begin(), found.sticking.end(), name) != found.sticking.end())
       continue;
-    const LawCourse course = law.course(point.unknowns.segment(j * C, C), path_.driving(point.parameter).omega);
+    const LawCourse course = laws.course(j, motion, path_.driving(point.parameter).omega);
     if (std::any_of(course.loops().begin(), course.loops().end(),
                     [](const HystereticLoop& loop) { return loop.sticks() || loop.just_reaches_slip(); }))
       found.sticking.push_back(name);
   }
-  const MachineLaws& laws = path_.balance().laws();
   for (const MachineLaws::Rubbing& one : laws.rubbings()) {
     std::string name = machine_.deflections[to_size(one.on[1])].name;
     if (one.law.is_ring()) name = name.substr(0, name.find('.'));
     if (std::find(found.sticking.begin(), found.sticking.end(), name) != found.sticking.end()) continue;
-    const Eigen::MatrixXd course = point.unknowns.reshaped(C, machine_.condensed.size());
-    if (laws.loop(one, course, path_.driving(point.parameter).omega).always_sticks()) found.sticking.push_back(name);
+    if (laws.loop(one, motion, path_.driving(point.parameter).omega).always_sticks()) found.sticking.push_back(name);
   }
 }
 
 void ObservedPath::add_changes(SteadyBranch& found) const {
   for (std::size_t i = 0; i + 1 < found.points.size(); ++i) {
     if (found.points[i].stable == found.points[i + 1].stable) continue;
+    if (found.points[i].uncertain || found.points[i + 1].uncertain) continue;
     const auto is_fold_near = [&](std::size_t steps) {
       return std::any_of(found.folds.begin(), found.folds.end(),
                          [&](const Fold& fold) { return std::max(fold.after, i) - std::min(fold.after, i) <= steps; });
     };
     if (is_fold_near(0)) continue;
-    StabilityChange change = change_after(i);
+    const bool multipliers_hold = found.points[i].multipliers_hold && found.points[i + 1].multipliers_hold;
+    StabilityChange change = change_after(i, by_winding_ || !multipliers_hold);
     // Multipliers pass 1 beside the fold of the harmonics by what the harmonics leave out.
     if (change.kind == StabilityChange::Kind::branch_point && is_fold_near(1)) continue;
     found.changes.push_back(std::move(change));
@@ -207,30 +219,37 @@ void ObservedPath::add_changes(SteadyBranch& found) const {
 }
 
 /// Where the largest multiplier passes the unit circle between a point and the next one.
-StabilityChange ObservedPath::change_after(std::size_t point) const {
+/// @param by_number  located by the number of unstable exponents instead
+StabilityChange ObservedPath::change_after(std::size_t point, bool by_number) const {
   constexpr double of_multipliers = 1e-11;
   // Where another curve crosses, Newton's method along this one has no unique step: as near as it converges.
   constexpr std::array<double, 4> accurate = {1e-10, 1e-8, 1e-6, 1e-4};
-  const auto excess = [&](const BranchPoint& there) {
+  const auto beyond_circle = [&](const BranchPoint& there) {
     return observer_.stability()
-               .multipliers(path_.balance().laws(), there.unknowns, path_.driving(there.parameter).omega,
-                            of_multipliers)
+               .multipliers(path_.balance().laws(), path_.balance().motion(there.unknowns).reshaped(),
+                            path_.driving(there.parameter).omega, of_multipliers)
                .values.cwiseAbs()
                .maxCoeff() -
         1;
   };
   const auto by_winding = [&](const BranchPoint& there) {
-    const std::optional<int> unstable =
-        observer_.winding().unstable_exponents(there.unknowns, path_.driving(there.parameter).omega);
+    const std::optional<int> unstable = observer_.winding().unstable_exponents(path_.balance().motion(there.unknowns),
+                                                                               path_.driving(there.parameter).omega);
     return unstable && *unstable > 0 ? 1.0 : -1.0;
   };
   const FollowedMotions& motions = path_.motions();
+  // Without damping multipliers stay on the circle until two of them meet, and leave it like a square root: its place
+  // is found from where they are clearly outside, not from round-off.
+  const double here = beyond_circle(motions.points()[point]), next = beyond_circle(motions.points()[point + 1]);
+  constexpr double on_circle = 1e-6, outside = 1e-4;
+  const double level = std::min(here, next) > -on_circle ? std::min(outside, std::max(here, next) / 2) : 0;
+  const auto excess = [&](const BranchPoint& there) { return beyond_circle(there) - level; };
   std::optional<BranchPoint> middle;
   for (const double near : accurate)
     if (!middle)
-      middle = by_winding_ ? motions.zero_after(point, by_winding, near) : motions.zero_after(point, excess, near);
+      middle = by_number ? motions.zero_after(point, by_winding, near) : motions.zero_after(point, excess, near);
   if (!middle) {  // not located: the unstable one of both points is the nearest that shows the kind
-    const bool ends_unstable = excess(motions.points()[point + 1]) > excess(motions.points()[point]);
+    const bool ends_unstable = next > here;
     middle = motions.points()[ends_unstable ? point + 1 : point];
   }
   StabilityChange change{steady(*middle), point};

@@ -34,7 +34,7 @@ class ObservedPath {
   [[nodiscard]] std::vector<SteadyPoint> landings(const MotionsAt& known, const numerics::BranchPoint& fold) const;
   void note_sticking(const numerics::BranchPoint& point, SteadyBranch& found) const;
   void add_changes(SteadyBranch& found) const;
-  [[nodiscard]] StabilityChange change_after(std::size_t point) const;
+  [[nodiscard]] StabilityChange change_after(std::size_t point, bool by_number) const;
 
   const ReferenceMachine& machine_;
   SteadyPath& path_;

@@ -26,7 +26,7 @@ PointObserver::PointObserver(const ReferenceMachine& machine, const SteadyOption
     : machine_(machine),
       options_(options),
       observer_(machine.system, machine.assembled, machine.excitation, machine.deflections, options.of,
-                options.quantity),
+                options.quantity, options.quantities),
       stability_(machine.assembled, machine.deflections),
       winding_(machine.condensed, machine.deflections) {
   for (std::size_t j = 0; j < machine.deflections.size(); ++j) {
@@ -67,7 +67,7 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
   const auto [omega, factor] = driving;
   result.angular_frequency = omega / machine_.excitation.first_harmonic;
   result.load_factor = factor;
-  result.deflections = unknowns.reshaped(balance.coefficients(), machine_.condensed.size());
+  result.deflections = balance.motion(unknowns);
   if (!observer_.channels().empty()) {
     const Eigen::MatrixXd forces = balance.forces(unknowns, omega);
     std::optional<ForceRemainder> remainder;
@@ -75,11 +75,18 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
     result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor,
                                   remainder ? &*remainder : nullptr);
   }
-  PeriodicStability::Multipliers multipliers = stability_.multipliers(balance.laws(), unknowns, omega);
+  PeriodicStability::Multipliers multipliers =
+      stability_.multipliers(balance.laws(), result.deflections.reshaped(), omega);
   result.multipliers = std::move(multipliers.values);
   result.multiplier_uncertainty = multipliers.uncertainty;
+  constexpr double accurate = 1e-5;
+  result.multipliers_hold = multipliers.confirmed && multipliers.uncertainty <= accurate;
   for (const std::size_t stop : stops_) result.contact.push_back(contact(stop, balance, result));
-  result.stable = result.unstable_multipliers() == 0 && !(of_amplitude_ && is_behind_fold(balance, unknowns, driving));
+  if (!result.multipliers_hold && has_winding())
+    result.unstable_by_winding = winding_.unstable_exponents(unknowns, omega);
+  const int unstable = result.unstable_by_winding.value_or(result.unstable_multipliers());
+  result.uncertain = !result.multipliers_hold && !result.unstable_by_winding;
+  result.stable = !result.uncertain && unstable == 0 && !(of_amplitude_ && is_behind_fold(balance, unknowns, driving));
   return result;
 }
 

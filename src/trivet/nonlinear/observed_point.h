@@ -19,7 +19,8 @@ class PointObserver {
 
   /// Names and units of what it observes.
   void describe(SteadyBranch& branch) const;
-  /// Stable by the multipliers, and by folds over the amplitude.
+  /// Stable by the multipliers, and by folds over the amplitude. Where the multipliers do not hold, the second verdict
+  /// decides; without it the stability is uncertain.
   [[nodiscard]] SteadyPoint at(const HarmonicBalance& balance, const Eigen::VectorXd& unknowns,
                                const Driving& driving) const;
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/periodic_stability.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
@@ -11,6 +12,7 @@
 #include "trivet/nonlinear/answers_of_laws.h"
 #include "trivet/numerics/linalg/general_eigen.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/response/transient/exponential_step.h"
 #include "trivet/response/transient/state_space.h"
@@ -46,6 +48,24 @@ numerics::DynamicMatrices without_losses(numerics::DynamicMatrices matrices) {
   return matrices;
 }
 
+/// Is the product of all multipliers exp(logarithm), if each is known up to an error?
+bool agrees_with_liouville(const Eigen::VectorXcd& multipliers, double logarithm, double error) {
+  constexpr double margin = 100, close = 1e-4;
+  const double each = margin * error;
+  double highest = 0, lowest = 0;
+  for (const std::complex<double>& one : multipliers) {
+    highest += std::log(std::abs(one) + each);
+    lowest += std::abs(one) > each ? std::log(std::abs(one) - each) : -foundation::infinity;
+  }
+  const double round_off = close * (1 + std::abs(logarithm));
+  return logarithm <= highest + round_off && logarithm >= lowest - round_off;
+}
+
+MatrixXd without_round_off(const MatrixXd& given, double size) {
+  constexpr double round_off = 1e-12;
+  return (given.array().abs() > round_off * size).select(given, 0.0);
+}
+
 }  // namespace
 
 PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections)
@@ -68,11 +88,21 @@ PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const
     values_.row(j) = deflections[to_size(j)].on_coordinates.transpose() * states.displacements().on_state;
     rates_.row(j) = deflections[to_size(j)].on_coordinates.transpose() * velocities;
   }
-  constexpr double round_off = 1e-12;
-  const double at_once = (values_ * force_).cwiseAbs().maxCoeff();
-  if (at_once > round_off * values_.cwiseAbs().maxCoeff() * force_.cwiseAbs().maxCoeff())
-    throw foundation::NotComputable("stability: a nonlinear part acts on a node without mass; give the node a mass");
-  accelerations_ = (values_ * F_ * force_).diagonal();
+  answers_.rates = rates_ * force_;
+  answers_.drifts = without_round_off(values_ * force_, values_.cwiseAbs().maxCoeff() * force_.cwiseAbs().maxCoeff());
+  answers_.at_once = MatrixXd::Zero(values_.rows(), values_.rows());
+  if (n + states.massive() > states.size()) {  // coordinates with stiffness only
+    for (Index j = 0; j < force_.cols(); ++j)
+      for (Index i = 0; i < values_.rows(); ++i)
+        answers_.at_once(i, j) = deflections[to_size(i)].on_coordinates.dot(
+            states.displacements().on_input.col(j * response::input_derivatives + response::of_value));
+    answers_.at_once = without_round_off(answers_.at_once, answers_.at_once.cwiseAbs().maxCoeff());
+  }
+  answers_.massless = !answers_.drifts.isZero(0) || !answers_.at_once.isZero(0);
+  check_nodes(deflections);
+  accelerations_ = answers_.rates.diagonal();
+  const VectorXd size = accelerations_.cwiseAbs().cwiseSqrt().unaryExpr([](double one) { return one > 0 ? one : 1.0; });
+  alike_ = size.cwiseInverse().asDiagonal() * answers_.rates * size.asDiagonal();
   flow_ = numerics::LinearFlow(F_);
   if (!flow_.is_diagonalizable()) return;
   kick_ = flow_.from_states() * force_;
@@ -84,7 +114,11 @@ MatrixXd PeriodicStability::with_constant_tangents(const LawsAlong& motion, doub
   TangentsAlong tangent;
   set_tangents(motion, (from + to) / 2, tangent);
   const Index n = F_.rows();
-  const MatrixXd forces = tangent.forces(motion, values_, rates_);
+  MatrixXd forces = tangent.forces(motion, values_, rates_);
+  if (answers_.massless) {
+    const MatrixXd left = answers_.left_side(tangent.stiffness(motion), tangent.damping(motion), 0);
+    forces = numerics::PivotedLu<double>(left).solve(forces);
+  }
   MatrixXd F = MatrixXd::Zero(forces.cols(), forces.cols());
   F.topRows(n) = force_ * forces;
   F.topLeftCorner(n, n) += F_;
@@ -93,98 +127,49 @@ MatrixXd PeriodicStability::with_constant_tangents(const LawsAlong& motion, doub
   return flow_over(found->second, F, (to - from) / motion.omega);
 }
 
-/// `answers_of_laws` without dampers and memory.
-numerics::RowMatrix PeriodicStability::elastic_answers(const LawsAlong& motion, double from, double to,
-                                                       int steps) const {
-  const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
-  MatrixXd of_piece;
-  const bool whole = from == 0 && to == two_pi;
-  constexpr std::size_t most_kept = 32;
-  if (rows_.size() > most_kept) rows_.clear();
-  MatrixXd& rows = whole ? rows_[{steps, motion.harmonics}] : of_piece;
-  if (rows.size() == 0) {
-    rows.resize(steps, numerics::coefficient_count(motion.harmonics));
-    for (int i = 0; i < steps; ++i)
-      rows.row(i) = numerics::fourier_row(motion.harmonics, from + (i + 0.5) * phase_step);
+/// Laws that depend on rates need masses or dampers to act on, and forces that jump or rub need masses.
+void PeriodicStability::check_nodes(const std::vector<Deflection>& deflections) const {
+  for (std::size_t j = 0; j < deflections.size(); ++j) {
+    const Deflection& one = deflections[j];
+    const Index row = to_index(j);
+    const auto is_massless = [&](Index i) {
+      return !answers_.drifts.row(i).isZero(0) || !answers_.at_once.row(i).isZero(0);
+    };
+    const bool jumps = std::any_of(one.law.hysteretic().begin(), one.law.hysteretic().end(),
+                                   [](const auto& part) { return elements::jumps_at_turns(part.law); });
+    const bool rubs = one.rubbing && (is_massless(row) || is_massless(row + 1)),
+               depends_on_rate = one.law.has_dampers() || !one.law.of_amplitude().empty() ||
+        (one.distance && one.distance->has_dampers());
+    const bool follows =
+        !answers_.at_once.row(row).isZero(0) || (one.distance && !answers_.at_once.middleRows(row, 3).isZero(0));
+    const char* what = (depends_on_rate && follows)                 ? "depends on its rate"
+        : jumps && is_massless(row)                                 ? "is friction without a spring"
+        : rubs || (!one.law.bristles().empty() && is_massless(row)) ? "is friction that turns or has bristles"
+                                                                    : nullptr;
+    if (what)
+      throw foundation::NotComputable(
+          fmt::format("stability: {} {} and acts on a node, which has no mass; make the node a body with the mass of "
+                      "the part that it stands for{}",
+                      one.name, what, depends_on_rate && follows ? ", or give its elements damping" : ""));
   }
-  const Index m = force_.cols();
-  numerics::RowMatrix all = numerics::RowMatrix::Zero(m * steps, m);
-  for (Index j = 0; j < m; ++j) {
-    const VectorXd tangents = step * motion.courses[to_size(j)].elastic_tangents(rows);
-    for (int i = 0; i < steps; ++i) all(i * m + j, j) = tangents(i);
-  }
-  return all;
 }
 
-MatrixXd PeriodicStability::split(const LawsAlong& motion, double from, double to, int steps) const {
-  const double step = (to - from) / steps / motion.omega;
-  const Index n = F_.rows(), m = force_.cols(), memory = motion.memories(), all = n + memory,
-              carried = motion.carried(), rates = motion.is_damped() ? m : 0;
-  const bool in_modes = flow_.is_diagonalizable();
-  numerics::LinearFlow::Kicks kicks{
-      numerics::RowMatrix::Zero(all, m + carried), numerics::RowMatrix::Zero(m + rates + memory, all),
-      motion.is_elastic() ? elastic_answers(motion, from, to, steps)
-                          : answers_of_laws(motion, rates_ * force_, accelerations_, from, to, steps)};
-  kicks.kick.topLeftCorner(n, m) = in_modes ? kick_ : force_;
-  kicks.kick.bottomRightCorner(carried, carried).setIdentity();
-  kicks.seen.topLeftCorner(m, n) = in_modes ? seen_ : values_;
-  if (rates > 0) kicks.seen.block(m, 0, m, n) = in_modes ? seen_rates_ : rates_;
-  kicks.seen.bottomRightCorner(memory, memory).setIdentity();
-  numerics::RowMatrix y = numerics::RowMatrix::Identity(all, all);
-  if (in_modes) {
-    y.topLeftCorner(n, n) = flow_.from_states();
-    flow_.apply_with_kicks(step, kicks, y);
-    y.topRows(n) = (flow_.to_states() * y.topRows(n)).eval();
-    return y;
+/// Variation of a deflection at a phase, by the states and memories; that of a node follows by its balance of forces.
+Eigen::RowVectorXd PeriodicStability::deflection(const LawsAlong& motion, Index j, double phase,
+                                                 const MatrixXd& states) const {
+  const Eigen::RowVectorXd by_states = values_.row(j) * states.topRows(F_.rows());
+  if (answers_.at_once.row(j).isZero(0)) return by_states;
+  TangentsAlong tangent;
+  set_tangents(motion, phase > 0 ? phase : phase + two_pi, tangent);
+  const MatrixXd stiffness = tangent.stiffness(motion), damping = tangent.damping(motion);
+  MatrixXd forces = (stiffness * values_ + damping * rates_) * states.topRows(F_.rows());
+  for (std::size_t h = 0; h < motion.loops.size(); ++h) {
+    const Index row = F_.rows() + 2 * to_index(h);
+    forces.row(motion.loops[h].deflection) -= tangent.by_travel(to_index(h)) * states.row(row);
+    forces.row(motion.loops[h].deflection) += tangent.by_start(to_index(h)) * states.row(row + 1);
   }
-  const MatrixXd half = response::ExponentialStep(F_, step / 2, 0).state(0);
-  for (int i = 0; i < steps; ++i) {
-    y.topRows(n) = (half * y.topRows(n)).eval();
-    y += (kicks.kick * (kicks.answers.middleRows(i * (m + carried), m + carried) * (kicks.seen * y))).eval();
-    y.topRows(n) = (half * y.topRows(n)).eval();
-  }
-  return y;
-}
-
-PeriodicStability::Transition PeriodicStability::split(const LawsAlong& motion, double from, double to,
-                                                       double accurate) const {
-  constexpr int per_period = 16, most = 2048;
-  // The coarsest steps turn the mass that a law holds by its tangent alone by about a fifth of its period.
-  TangentsAlong middle;
-  set_tangents(motion, (from + to) / 2, middle);
-  VectorXd stiffness = middle.by_deflection;
-  for (std::size_t h = 0; h < motion.loops.size(); ++h)
-    stiffness(motion.loops[h].deflection) += middle.by_travel(to_index(h));
-  for (std::size_t b = 0; b < motion.bristles.size(); ++b)
-    stiffness(motion.bristles[b].deflection) += middle.bristles[b].by_bristle * middle.bristles[b].gain;
-  for (std::size_t r = 0; r < motion.rubbings.size(); ++r)
-    stiffness(motion.rubbings[r].on) += middle.rubbings[r].by_deflection.diagonal();
-  const double squared = stiffness.cwiseProduct(accelerations_).cwiseAbs().maxCoeff(),
-               turned = std::sqrt(squared) * (to - from) / motion.omega;
-  constexpr double turned_in_step = 1.2;
-  const int fewest = std::max({2, static_cast<int>(std::ceil(per_period * (to - from) / two_pi)),
-                               static_cast<int>(std::ceil(std::min(most / 8.0, turned / turned_in_step)))});
-  // Errors in h², h⁴, … are removed from left to right (Aitken, Neville), from fewer steps than doubling would take.
-  constexpr std::array<int, 4> multiples = {2, 3, 4, 6};
-  std::vector<double> steps;
-  std::vector<MatrixXd> row;
-  for (int factor = 1;; factor *= 4) {
-    for (const int multiple : multiples) {
-      const int count = fewest * factor * multiple / 2;
-      std::vector<MatrixXd> next = {split(motion, from, to, count)};
-      for (std::size_t k = 0; k < row.size(); ++k) {
-        const double ratio = count / steps[steps.size() - 1 - k];
-        next.push_back(next.back() + (next.back() - row[k]) / (ratio * ratio - 1));
-      }
-      steps.push_back(count);
-      row = std::move(next);
-      const std::size_t last = row.size() - 1;
-      if (last == 0) continue;
-      const double change = (row[last] - row[last - 1]).norm(), size = row[last].norm();
-      if (change <= accurate * size) return {row.back()};
-      if (count > most) return {row.back(), change / size};
-    }
-  }
+  return by_states +
+      answers_.at_once.row(j) * numerics::PivotedLu<double>(answers_.left_side(stiffness, damping, 0)).solve(forces);
 }
 
 /// At a turning point the memory of a loop becomes its deflection and force there.
@@ -195,7 +180,7 @@ void PeriodicStability::turn(const LawsAlong& motion, std::size_t loop, double p
   constexpr double before = 1e-9;
   const elements::ForceOnTravel end =
       one.loop->at(one.loop->branch_at(phase > before ? phase - before : phase - before + two_pi), deflection);
-  const Eigen::RowVectorXd turned = values_.row(one.deflection) * states.topRows(n);
+  const Eigen::RowVectorXd turned = this->deflection(motion, one.deflection, phase - before, states);
   const Eigen::RowVectorXd force = end.by_travel * (turned - states.row(row)) + end.by_start * states.row(row + 1);
   states.row(row) = turned;
   states.row(row + 1) = force;
@@ -270,6 +255,9 @@ void PeriodicStability::forget_unused(const LawsAlong& motion, MatrixXd& states)
 PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws& laws, const VectorXd& deflections,
                                                               double omega, double accurate) const {
   const LawsAlong motion(laws, deflections, omega);
+  // Undamped, all multipliers of stable motions are on the unit circle: they must not seem outside.
+  constexpr double on_circle = 1e-9;
+  if (F_.trace() == 0 && !motion.is_damped()) accurate = std::min(accurate, on_circle);
   std::vector<double> corners = {0, two_pi};
   for (const LawCourse& course : motion.courses)
     for (const double phase : course.all_corners()) corners.push_back(phase);
@@ -280,7 +268,8 @@ PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws&
   std::sort(corners.begin(), corners.end());
   const Index all = F_.rows() + motion.memories();
   MatrixXd period = MatrixXd::Identity(all, all);
-  double uncertainty = 0;
+  constexpr double exact = 1e-9;  // share of the transition by closed form, with nearly dependent eigenvectors
+  double uncertainty = 0, logarithm = 0;
   forget_unused(motion, period);
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     const double from = corners[i], to = corners[i + 1];
@@ -294,13 +283,18 @@ PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws&
     constexpr double nothing = 1e-12;
     if (to - from < nothing) continue;
     const Transition piece = motion.is_piecewise_linear ? Transition{with_constant_tangents(motion, from, to)}
-                                                        : split(motion, from, to, accurate);
+                                                        : smooth(motion, from, to, accurate);
     period = (piece.states * period).eval();
     uncertainty = std::max(uncertainty, piece.uncertainty);
+    if (motion.memories() == 0) logarithm += trace(motion, from, to);
   }
   const numerics::GeneralEigen found = numerics::general_eigenvalues(period);
-  if (!found.converged) return {Eigen::VectorXcd::Constant(all, foundation::infinity), foundation::infinity};
-  return {found.values, uncertainty};
+  if (!found.converged) return {Eigen::VectorXcd::Constant(all, foundation::infinity), foundation::infinity, false};
+  const double error = period.norm() * (motion.is_piecewise_linear ? exact : std::max({accurate, exact, uncertainty}));
+  constexpr double most = 1e-3;  // beyond, all but the largest multipliers are round-off
+  const bool confirmed =
+      motion.memories() > 0 ? error < most : error < most && agrees_with_liouville(found.values, logarithm, error);
+  return {found.values, uncertainty, confirmed};
 }
 
 }  // namespace trivet::nonlinear

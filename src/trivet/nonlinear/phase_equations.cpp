@@ -13,7 +13,7 @@ using numerics::BranchPoint;
 PhaseEquations::PhaseEquations(const ReferenceMachine& machine, Index harmonics, const HeldPhase& held, double load)
     : held_(held),
       balance_(machine.condensed, machine.deflections, harmonics),
-      cosine_(held.deflection * balance_.coefficients() + 2 * held.harmonic - 1),
+      cosine_(machine.condensed.basis().place(held.deflection) * balance_.coefficients() + 2 * held.harmonic - 1),
       branch_([this](const VectorXd& u, double factor, numerics::Equations& e) { evaluate(u, factor, e); }, load,
               [this](const VectorXd& u) { return scale(u); }) {}
 
@@ -81,8 +81,7 @@ void PhaseEquations::evaluate(const VectorXd& unknowns, double load, numerics::E
 VectorXd PhaseEquations::scale(const VectorXd& unknowns) const {
   constexpr double of_frequency = 0.1;
   const Index n = balance_.size();
-  const VectorXd sizes =
-      balance_.sizes().largest_of_kind(balance_.largest(unknowns.head(n))).cwiseMax(std::numeric_limits<double>::min());
+  const VectorXd sizes = balance_.largest(unknowns.head(n)).cwiseMax(std::numeric_limits<double>::min());
   VectorXd found(n + 1);
   found << sizes.transpose().replicate(balance_.coefficients(), 1).reshaped(), of_frequency;
   return found;

@@ -13,9 +13,9 @@ namespace trivet::nonlinear {
 
 /// What is held along a curve over the load: a harmonic of a deflection lags the excitation by an angle.
 struct HeldPhase {
-  Eigen::Index deflection = 0;
-  Eigen::Index harmonic = 1;  ///< an excited one
-  double lag = 0;             ///< [rad]
+  Eigen::Index deflection = 0;  ///< an independent one (DeflectionBasis)
+  Eigen::Index harmonic = 1;    ///< an excited one
+  double lag = 0;               ///< [rad]
   PeriodicExcitation::Reference reference = {};
 };
 

@@ -111,8 +111,8 @@ SteadyBranch phase_resonances(const model::System& system, const SteadyOptions& 
                               const foundation::Progress& progress) {
   const ReferenceMachine machine(system, references, options.excitations, options.at_phase->of);
   check_harmonics(options, machine.excitation);
-  const HeldPhase held{machine.condensed.size() - 1, machine.excitation.harmonics.front(), options.at_phase->lag,
-                       machine.excitation.reference};
+  const HeldPhase held{to_index(machine.deflections.size()) - 1, machine.excitation.harmonics.front(),
+                       options.at_phase->lag, machine.excitation.reference};
   const bool is_given = options.harmonics > 0;
   Index harmonics = is_given ? options.harmonics : std::max<Index>(5, machine.excitation.highest());
   for (;; harmonics = more_harmonics(harmonics)) {

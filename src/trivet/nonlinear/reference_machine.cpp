@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/reference_machine.h"
 
+#include <cmath>
+
 #include "trivet/assembly/channels.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::nonlinear {
 namespace {
@@ -33,6 +36,7 @@ std::vector<Deflection> with_displacement(const std::string& name, const model::
     throw foundation::InvalidInput("steady: phase.of: " + name + " is not one displacement or rotation");
   Deflection found{name, channels[0].unit == "rad", channels[0].on_displacement.real(),
                    Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout({})};
+  found.is_followed = true;
   if (!channels[0].ground.empty()) found.on_ground = channels[0].ground.on_displacement.real();
   deflections.push_back(std::move(found));
   return deflections;
@@ -55,14 +59,27 @@ ReferenceMachine::ReferenceMachine(const ReferenceMachine& same, TwoPeriods /*un
       excitation(halved(same.excitation)),
       condensed(assembled, deflections, excitation) {}
 
-bool holds_at_rest(const model::System& given) {
-  constexpr double singular = 1e-13;
-  const assembly::Assembled assembled = assembly::assemble(with_references(given, tangents_at_rest(given)));
-  return numerics::PivotedLu<double>(assembled.matrices.K).reciprocal_condition() > singular;
+/// The softest direction with tangents and with positive references, in coordinates in which the latter have a diagonal
+/// of 1. Stiffnesses that cancel leave round-off of their size, which a condition number does not show: that of one
+/// coordinate is 1.
+HoldAtRest hold_at_rest(const model::System& given) {
+  constexpr double singular = 1e-13, round_off = 1e-12, enough = 1e-9;
+  const Eigen::MatrixXd tangent = assembly::assemble(with_references(given, tangents_at_rest(given))).matrices.K,
+                        positive = assembly::assemble(with_references(given, positive_references(given))).matrices.K;
+  if (!(numerics::PivotedLu<double>(tangent).reciprocal_condition() > singular)) return {};
+  const Eigen::VectorXd scale =
+      positive.diagonal().unaryExpr([](double entry) { return entry == 0 ? 1.0 : 1 / std::sqrt(std::abs(entry)); });
+  const auto softest = [&](const Eigen::MatrixXd& stiffness) {
+    const Eigen::MatrixXd scaled =
+        scale.asDiagonal() * (0.5 * (stiffness + stiffness.transpose())) * scale.asDiagonal();
+    return numerics::symmetric_eigenvalues(scaled).cwiseAbs().minCoeff();
+  };
+  const double share = softest(tangent) / softest(positive);
+  return {share > round_off, share > enough};
 }
 
-References references_of(const model::System& given, bool holds) {
-  return holds && !has_slack_dampers(given) ? tangents_at_rest(given) : positive_references(given);
+References references_of(const model::System& given, const HoldAtRest& hold) {
+  return hold.conditions && !has_slack_dampers(given) ? tangents_at_rest(given) : positive_references(given);
 }
 
 }  // namespace trivet::nonlinear

@@ -30,10 +30,14 @@ struct ReferenceMachine {
   CondensedMachine condensed;
 };
 
-/// Do the tangents at rest hold all bodies?
-[[nodiscard]] bool holds_at_rest(const model::System& given);
+/// What tangents at rest do for a machine.
+struct HoldAtRest {
+  bool holds = false;       ///< they hold all bodies
+  bool conditions = false;  ///< and so well that round-off does not decide how far
+};
+[[nodiscard]] HoldAtRest hold_at_rest(const model::System& given);
 
 /// Tangents at rest, or what keeps the receptance of a machine finite that they do not hold or damp.
-[[nodiscard]] References references_of(const model::System& given, bool holds);
+[[nodiscard]] References references_of(const model::System& given, const HoldAtRest& hold);
 
 }  // namespace trivet::nonlinear

@@ -15,16 +15,17 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using numerics::BranchPoint;
 
-/// The translation and the rotation with the largest harmonic.
-std::vector<Index> moved_most(const HarmonicBalance& balance, const std::vector<Deflection>& deflections,
-                              const VectorXd& motion, Index harmonic) {
+/// The translation and the rotation with the largest harmonic, of the independent ones.
+std::vector<Index> moved_most(const ReferenceMachine& machine, const HarmonicBalance& balance, const VectorXd& unknowns,
+                              Index harmonic) {
+  const Eigen::MatrixXd motion = balance.motion(unknowns);
   std::vector<Index> found;
   for (const bool rotation : {false, true}) {
     std::optional<Index> most;
     double largest = 0;
-    for (Index j = 0; j < to_index(deflections.size()); ++j) {
-      if (deflections[to_size(j)].is_rotation != rotation) continue;
-      const double size = motion.segment<2>(j * balance.coefficients() + 2 * harmonic - 1).norm();
+    for (const Index j : machine.condensed.basis().independent) {
+      if (machine.deflections[to_size(j)].is_rotation != rotation) continue;
+      const double size = motion.col(j).segment<2>(2 * harmonic - 1).norm();
       if (size > largest) {
         largest = size;
         most = j;
@@ -71,9 +72,9 @@ ResonancesAtLoad resonances_at_load(const ReferenceMachine& machine, const Stead
       const double omega = pole.imag() / static_cast<double>(harmonic), parameter = omega / first;
       if (parameter < options.from / farthest || parameter > options.to * farthest) continue;
       const VectorXd linear = balance.linear_motion({omega, small});
-      for (const Index deflection : moved_most(balance, machine.deflections, linear, harmonic)) {
+      for (const Index deflection : moved_most(machine, balance, linear, harmonic)) {
         if (found.curves == most_curves) return found;
-        const Index cosine = deflection * balance.coefficients() + 2 * harmonic - 1;
+        const Index cosine = machine.condensed.basis().place(deflection) * balance.coefficients() + 2 * harmonic - 1;
         const double lag = std::atan2(linear(cosine + 1), linear(cosine));  // behind cos ωt
         const PhaseEquations at(machine, harmonics,
                                 {deflection, harmonic, lag + reference.phase_at(pole.imag()), reference}, 1);

@@ -10,6 +10,8 @@
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/assembly/second_order.h"
+#include "trivet/foundation/grouped_notes.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/deflections.h"
@@ -42,6 +44,10 @@ std::string stops_words(const model::NonlinearPart& part) {
 
 std::vector<std::string> notes_about_rest(const model::System& system) {
   std::vector<std::string> notes;
+  double round_off = 0;
+  for (const model::Element& element : system.elements())
+    for (const model::NonlinearPart& part : element.nonlinear_parts)
+      round_off = std::max(round_off, 1e-12 * std::abs(part.at_rest));
   for (const model::Element& element : system.elements())
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
       if (notes.empty())
@@ -67,7 +73,8 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
       notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}{}",
                                   element.name, elements::small_motion(part.laws, part.at_rest).stiffness,
                                   turns ? "N m/rad" : "N/m", turns ? "about" : "along", "xyz"[part.axis % 3],
-                                  part.at_rest, turns ? "rad" : "m", stops_words(part)));
+                                  std::abs(part.at_rest) > round_off ? part.at_rest : 0.0, turns ? "rad" : "m",
+                                  stops_words(part)));
     }
   for (const model::Element& element : system.elements())
     for (const model::RubbingPart& part : element.rubbing_parts) {
@@ -86,16 +93,16 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
       const elements::SpatialForce there = elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero());
       if (there.force.norm() == 0) continue;
       notes.push_back(fmt::format(
-          "{}: a force of {:.4g} N at rest, over a distance of {:.4g} m; its lever changes as bodies rotate, which is "
-          "left out",
-          element.name, there.force.norm(), part.law.distance(part.at_rest)));
+          "{}: a force of {:.4g} N at rest, over a distance of {:.4g} m{}", element.name, there.force.norm(),
+          part.law.distance(part.at_rest),
+          assembly::has_second_order(system) ? "" : "; its lever changes as bodies rotate, which is left out"));
       if (part.friction)
         notes.push_back(
             fmt::format("{}: pressed at rest, where it bears no friction and sticks with {:.4g} N/m around and along "
                         "its wall",
                         element.name, part.friction->stiffness));
     }
-  return notes;
+  return foundation::grouped(notes);
 }
 
 namespace {
@@ -197,7 +204,7 @@ model::System without_rubbing(const model::System& settled) {
 /// The deflections of all nonlinear parts of a machine with tangents at rest, under its static load.
 void move_to_equilibrium(const model::System& given, model::Description& description) {
   const model::System settled = without_rubbing(given);
-  const assembly::Assembled assembled = assembly::assemble(settled);
+  const assembly::Assembled assembled = assembly::assemble_first_order(settled);
   const VectorXd displacement =
       numerics::PivotedLu<double>(assembled.matrices.K).solve(assembly::static_load(settled, assembled));
   std::vector<Deflection> deflections = nonlinear_deflections(settled, assembled, tangents_at_rest(settled));
@@ -212,10 +219,10 @@ void move_to_equilibrium(const model::System& given, model::Description& descrip
 /// With tangents at rest. Friction bears no force there.
 bool is_stable(const model::System& settled) {
   const auto stiffness = [&](const References& references) {
-    return assembly::assemble(with_references(settled, references)).matrices.K;
+    return assembly::assemble_first_order(with_references(settled, references)).matrices.K;
   };
   const model::System there = without_rubbing(settled);
-  return is_positive(assembly::assemble(there).matrices.K, stiffness(positive_references(settled)));
+  return is_positive(assembly::assemble_first_order(there).matrices.K, stiffness(positive_references(settled)));
 }
 
 }  // namespace

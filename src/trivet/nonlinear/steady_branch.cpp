@@ -7,12 +7,15 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/branched_motions.h"
 #include "trivet/nonlinear/enough_harmonics.h"
+#include "trivet/nonlinear/held_by_friction.h"
 #include "trivet/nonlinear/observed_path.h"
 #include "trivet/nonlinear/phase_resonance.h"
 #include "trivet/nonlinear/reference_machine.h"
@@ -30,10 +33,10 @@ void add_linear(const model::System& given, const SteadyOptions& options, Steady
   constexpr int count = 400;
   const ReferenceMachine about_rest(given, tangents_at_rest(given), options.excitations);
   const Observer observer(about_rest.system, about_rest.assembled, about_rest.excitation, about_rest.deflections,
-                          options.of, options.quantity);
+                          options.of, options.quantity, options.quantities);
   const PeriodicExcitation& excitation = about_rest.excitation;
-  const Eigen::MatrixXd none =
-      Eigen::MatrixXd::Zero(numerics::coefficient_count(excitation.highest()), about_rest.condensed.size());
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(numerics::coefficient_count(excitation.highest()),
+                                                     about_rest.condensed.basis().spread.cols());
   found.linear.resize(count, to_index(found.results.size()));
   for (int i = 0; i < count; ++i) {
     const double parameter = options.from * std::pow(options.to / options.from, i / (count - 1.0));
@@ -60,7 +63,10 @@ void settle_end(const StabilityChange& at, bool is_last, SteadyBranch& curve) {
                near = std::max(farther * beside, least * change);
   Index first = 1;
   while (first + 1 < count && std::abs(curve.parameter(points[place(first)]) - change) <= near) ++first;
-  for (Index i = 0; i < first; ++i) points[place(i)].stable = points[place(first)].stable;
+  for (Index i = 0; i < first; ++i) {
+    points[place(i)].stable = points[place(first)].stable;
+    points[place(i)].uncertain = points[place(first)].uncertain;
+  }
   std::erase_if(curve.changes, [&](const StabilityChange& one) {
     return is_last ? to_index(one.after) >= count - 1 - first : to_index(one.after) < first;
   });
@@ -73,7 +79,7 @@ bool passes(const SteadyBranch& curve, const SteadyPoint& change, const Harmonic
   const double parameter = curve.parameter(change);
   return std::any_of(curve.points.begin(), curve.points.end(), [&](const SteadyPoint& point) {
     return std::abs(curve.parameter(point) - parameter) < near * parameter &&
-        balance.are_same(point.deflections.reshaped(), change.deflections.reshaped(), same);
+        balance.are_same(balance.unknowns_of(point.deflections), balance.unknowns_of(change.deflections), same);
   });
 }
 
@@ -90,11 +96,18 @@ bool is_stable_at(const SteadyBranch& curve, double parameter) {
 /// The curves beside the connected one, in the order in which they are told.
 class Curves {
  public:
-  Curves(const ReferenceMachine& machine, SteadyPath& path, const SteadyOptions& options,
-         const foundation::Progress& progress)
-      : machine_(machine), path_(path), options_(options), progress_(progress), observed_(machine, path, options) {}
+  /// @param beside  another curve that is known; null: none
+  Curves(const ReferenceMachine& machine, SteadyPath& path, std::unique_ptr<SteadyPath> beside,
+         const SteadyOptions& options, const foundation::Progress& progress)
+      : machine_(machine),
+        path_(path),
+        beside_(std::move(beside)),
+        options_(options),
+        progress_(progress),
+        observed_(machine, path, options) {}
 
-  [[nodiscard]] SteadyBranch all() {
+  /// @returns nothing if a detached curve leaves out more than that; `enough_harmonics` then has a number to begin with
+  [[nodiscard]] std::optional<SteadyBranch> all(double most_left_out) {
     SteadyBranch found = observed_.branch(progress_);
     const bool doubles = std::any_of(found.changes.begin(), found.changes.end(), [](const StabilityChange& change) {
       return change.kind == StabilityChange::Kind::period_doubling;
@@ -105,17 +118,25 @@ class Curves {
     std::vector<const SteadyPath*> of_one_period = {&path_};
     for (const BranchedPath& one : branched_.paths)
       if (one.periods == 1) of_one_period.push_back(one.path.get());
+    if (beside_) of_one_period.push_back(beside_.get());
     if (options_.detached) {
-      const auto new_path = [&] {
+      const auto path_with = [&](Index harmonics) {
         return std::make_unique<SteadyPath>(machine_.condensed, machine_.deflections, machine_.excitation, options_,
-                                            path_.balance().harmonics());
+                                            harmonics);
       };
+      const auto new_path = [&] { return path_with(path_.balance().harmonics()); };
       detached_ =
           detached_paths(path_, of_one_period, machine_.deflections, to_other_positions_of_rest(machine_.system),
                          resonances(), options_, new_path, progress_);
-      for (const auto& one : detached_.paths) of_one_period.push_back(one.get());
+      for (const auto& one : detached_.paths) {
+        if (one->left_out() > most_left_out)
+          enough_harmonics_ = std::max(enough_harmonics_, harmonics_for(*one, most_left_out, path_with));
+        of_one_period.push_back(one.get());
+      }
+      if (enough_harmonics_ > path_.balance().harmonics()) return std::nullopt;
       found.search = detached_.search;
     }
+    if (beside_) detached_.paths.insert(detached_.paths.begin(), std::move(beside_));
     for (const auto& one : detached_.paths) {
       ObservedPath observed(machine_, *one, options_);
       found.further.push_back(observed.branch(progress_));
@@ -131,6 +152,8 @@ class Curves {
     }
     return found;
   }
+
+  [[nodiscard]] Index enough_harmonics() const { return enough_harmonics_; }
 
  private:
   [[nodiscard]] ResonancesAtLoad resonances() const {
@@ -172,13 +195,12 @@ class Curves {
           change.curve = found.further.size();
       observed.add_landings(of_one_period, curve);
     } else {
-      const Index deflections = machine_.condensed.size();
       observed.add_landings(
           [&](double parameter) {
             std::vector<numerics::BranchPoint> all = one.path->motions().all_at(parameter);
             for (numerics::BranchPoint& point : of_one_period(parameter)) {
-              const Eigen::MatrixXd motion = point.unknowns.reshaped(point.unknowns.size() / deflections, deflections);
-              point.unknowns = over_two_periods(motion).reshaped();
+              point.unknowns =
+                  one.path->balance().unknowns_of(over_two_periods(path_.balance().motion(point.unknowns)));
               all.push_back(std::move(point));
             }
             return all;
@@ -198,12 +220,14 @@ class Curves {
 
   const ReferenceMachine& machine_;
   SteadyPath& path_;
+  std::unique_ptr<SteadyPath> beside_;
   const SteadyOptions& options_;
   const foundation::Progress& progress_;
   ObservedPath observed_;
   std::unique_ptr<const ReferenceMachine> twice_;
   BranchedPaths branched_;
   DetachedPaths detached_;
+  Index enough_harmonics_ = 0;
 };
 
 /// Deflections whose smooth loops bear a force at rest, which they lose in motion.
@@ -280,21 +304,56 @@ const char* words(StabilityChange::Kind kind) {
 SteadyBranch steady_branch(const model::System& system, const SteadyOptions& options,
                            const foundation::Progress& progress) {
   check(options);
-  const bool holds = holds_at_rest(system);
-  if (options.at_phase) return phase_resonances(system, options, references_of(system, holds), progress);
-  const ReferenceMachine machine(system, references_of(system, holds), options.excitations);
+  require_elastic_hold(system, "steady");
+  const HoldAtRest hold = hold_at_rest(system);
+  const References references = references_of(system, hold);
+  if (options.at_phase) return phase_resonances(system, options, references, progress);
+  const ReferenceMachine machine(system, references, options.excitations);
   check(options, machine);
   const Index fewest = std::max<Index>(5, machine.excitation.highest());
   const bool is_given = options.harmonics > 0;
-  for (Index harmonics = is_given ? options.harmonics : fewest;; harmonics = more_harmonics(harmonics)) {
-    const bool is_last = is_given || harmonics == most_steady_harmonics;
-    SteadyPath path(machine.condensed, machine.deflections, machine.excitation, options, harmonics);
-    if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : allowed_left_out(system, options), progress))
+  std::optional<SteadyPath::Known> known;
+  Index harmonics = is_given ? options.harmonics : fewest;
+  const auto raise = [&] { harmonics = std::min(options.most_harmonics, more_harmonics(harmonics)); };
+  for (;;) {
+    const bool is_last = is_given || harmonics >= options.most_harmonics;
+    const double most_left_out = is_last ? std::numeric_limits<double>::infinity() : allowed_left_out(system, options);
+    const auto new_path = [&] {
+      return std::make_unique<SteadyPath>(machine.condensed, machine.deflections, machine.excitation, options,
+                                          harmonics);
+    };
+    std::unique_ptr<SteadyPath> path = new_path(), beside;
+    const bool is_enough = path->follow(most_left_out, known ? &*known : nullptr, progress);
+    known = path->known();
+    if (!is_enough) {
+      raise();
       continue;
-    SteadyBranch found = Curves(machine, path, options, progress).all();
-    found.lost_means = lost_means(machine.deflections);
-    if (holds && !found.results.empty()) add_linear(system, options, found);
-    return found;
+    }
+    if (path->returned()) {
+      std::unique_ptr<SteadyPath> above = new_path();
+      if (!above->follow_above(*path, most_left_out, progress)) {
+        raise();
+        continue;
+      }
+      if (!above->motions().points().empty()) {
+        beside = std::move(path);
+        path = std::move(above);
+      }
+    }
+    Curves curves(machine, *path, std::move(beside), options, progress);
+    std::optional<SteadyBranch> found = curves.all(most_left_out);
+    if (!found) {
+      harmonics = std::min(options.most_harmonics, curves.enough_harmonics());
+      continue;
+    }
+    if (path->returned() && found->ended.empty())
+      found->ended =
+          fmt::format("the curve returns to the lower end of the band; at {} places above it no other motion was found",
+                      SteadyPath::places_above);
+    found->lost_means = lost_means(machine.deflections);
+    found->asked_at = options.at;
+    if (hold.holds && !found->results.empty()) add_linear(system, options, *found);
+    return *std::move(found);
   }
 }
 

@@ -22,7 +22,11 @@ struct SteadyPoint {
   std::vector<ObservedMotion> results;  ///< in the order of SteadyBranch::results
   Eigen::VectorXcd multipliers;
   double multiplier_uncertainty = 0;  ///< PeriodicStability::Multipliers
+  bool multipliers_hold = true;       ///< are they accurate, and is their product that of Liouville's formula?
   bool stable = true;
+  /// Stability is not known, and `stable` is false: the multipliers do not hold and there is no second verdict, or it
+  /// contradicts them.
+  bool uncertain = false;
   std::vector<double> contact;             ///< shares of the period in which stops are touched, as SteadyBranch::stops
   std::optional<int> unstable_by_winding;  ///< Floquet exponents with Re > 0 (WindingStability), where computed
 
@@ -61,7 +65,8 @@ struct SteadyBranch {
   std::vector<std::string> stops;        ///< names of the deflections that have any
   std::vector<std::string> results, units;
   std::vector<SteadyPoint> points;       ///< along the branch, from `from`
-  std::vector<SteadyPoint> at;           ///< at the frequencies asked for, in the order of the branch
+  std::vector<double> asked_at;          ///< parameters at which the harmonics are told
+  std::vector<SteadyPoint> at;           ///< there, in the order of the branch
   std::vector<Fold> folds;               ///< in the order of the branch
   std::vector<StabilityChange> changes;  ///< in the order of the branch
   Parameter over = Parameter::frequency;

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/lane_lu.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::nonlinear {
@@ -17,6 +19,20 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+/// Of the same kind: translations or rotations.
+VectorXd carried_with_independent(const DeflectionBasis& basis, const std::vector<Deflection>& deflections) {
+  VectorXd found = VectorXd::Zero(basis.size());
+  for (Index b = 0; b < basis.size(); ++b)
+    for (Index j = 0; j < basis.spread.cols(); ++j)
+      if (deflections[to_size(j)].is_rotation == deflections[to_size(basis.independent[to_size(b)])].is_rotation)
+        found(b) += basis.spread(b, j) * basis.spread(b, j);
+  return found.cwiseSqrt();
+}
+
+}  // namespace
+
 SteadyEquations::SteadyEquations(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                                  const PeriodicExcitation& excitation, const SteadyOptions& options, Index harmonics)
     : options_(options),
@@ -24,8 +40,9 @@ SteadyEquations::SteadyEquations(const CondensedMachine& machine, const std::vec
       of_shaft_(excitation.of_shaft),
       balance_(machine, deflections, harmonics) {
   constexpr double share = 1e-3;
+  carried_ = carried_with_independent(machine.basis(), deflections);
   const VectorXd motion = balance_.linear_motion(driving(options_.from));
-  smallest_ = share * balance_.sizes().largest_of_kind(balance_.largest_harmonics(motion));
+  smallest_ = share * balance_.largest_harmonics(motion);
   const auto vanish = [](const numerics::Load& load) {
     return std::all_of(load.terms().begin(), load.terms().end(),
                        [](const numerics::LoadTerm& term) { return term.value.isZero(0); });
@@ -53,16 +70,12 @@ std::string SteadyEquations::place(double parameter) const {
 VectorXd SteadyEquations::scale(const VectorXd& unknowns) const {
   constexpr double of_mean = 1e-4;
   const Index C = balance_.coefficients();
-  const VectorXd means = unknowns(Eigen::seqN(0, unknowns.size() / C, C)).cwiseAbs();
-  const VectorXd mean = balance_.sizes().largest_of_kind(means);
-  const VectorXd harmonic = balance_.sizes()
-                                .largest_of_kind(balance_.largest_harmonics(unknowns))
-                                .cwiseMax(smallest_)
-                                .cwiseMax(of_mean * mean);
+  const VectorXd mean = balance_.largest_means(unknowns);
+  const VectorXd harmonic = balance_.largest_harmonics(unknowns).cwiseMax(smallest_).cwiseMax(of_mean * mean);
   VectorXd result(unknowns.size());
   for (Index j = 0; j < mean.size(); ++j) {
-    result.segment(j * C, C).setConstant(harmonic(j));
-    result(j * C) = std::max(mean(j), harmonic(j));
+    result.segment(j * C, C).setConstant(harmonic(j) / carried_(j));
+    result(j * C) = std::max(mean(j), harmonic(j)) / carried_(j);
   }
   return result;
 }
@@ -128,6 +141,10 @@ std::optional<VectorXd> SteadyEquations::weakest_direction(const Place& place) c
     return direction(largest) < 0 ? VectorXd(-direction) : direction;
   }
   return std::nullopt;
+}
+
+bool SteadyEquations::is_beyond_fold(const Place& place) const {
+  return numerics::LaneLu(derivatives(place)).determinant_sign() < 0;
 }
 
 /// The derivatives D bordered by the direction d: [D d; dᵀ 0] [x; change] = [0; 1].

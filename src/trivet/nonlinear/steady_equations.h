@@ -30,7 +30,7 @@ class SteadyEquations {
 
   /// Harmonics are compared with the largest one of their kind (DeflectionSizes), means with the largest mean too: a
   /// mean that changes little must not hide a resonance. What stays near zero is compared with a thousandth of the
-  /// linear motion.
+  /// linear motion. Lengths on the branch count all deflections, also those that are no unknowns.
   [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& unknowns) const;
 
   /// Its solutions. The equations must outlive it, and so for the next ones.
@@ -46,6 +46,9 @@ class SteadyEquations {
   };
   /// The direction of the unknowns in which the equations change least; empty if they are not finite.
   [[nodiscard]] std::optional<Eigen::VectorXd> weakest_direction(const Place& place) const;
+  /// Is the determinant of the equations negative, which it is beyond a fold: an odd number of real multipliers above
+  /// 1?
+  [[nodiscard]] bool is_beyond_fold(const Place& place) const;
   /// It passes zero where the equations do not change at all in a direction near the given one: two curves cross.
   [[nodiscard]] double change_along(const Place& place, const Eigen::VectorXd& direction) const;
 
@@ -58,6 +61,7 @@ class SteadyEquations {
   bool of_shaft_;
   HarmonicBalance balance_;
   Eigen::VectorXd smallest_;  ///< scales of harmonics, per deflection
+  Eigen::VectorXd carried_;   ///< root of the number of deflections that move with each independent one
 };
 
 }  // namespace trivet::nonlinear

@@ -60,13 +60,39 @@ SteadyPath::SteadyPath(const CondensedMachine& machine, const std::vector<Deflec
       motions_(branch_, options.at),
       most_points_(options.most_points) {}
 
-bool SteadyPath::follow(double most_left_out, const foundation::Progress& progress) {
-  const std::optional<BranchPoint> start = first_motion(equations_, branch_, options_.from);
+SteadyPath::Known SteadyPath::known() const { return *first_; }
+
+/// With more harmonics, which are zero at first.
+std::optional<BranchPoint> SteadyPath::near(const Known& known) const {
+  Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(balance().coefficients(), known.motion.cols());
+  motion.topRows(known.motion.rows()) = known.motion;
+  return motion_near(balance().unknowns_of(motion), known.parameter);
+}
+
+/// Where fewer harmonics had none there, only near the linear one: the longer ways take long.
+std::optional<BranchPoint> SteadyPath::motion_at_lower_end(const Known* known) const {
+  if (!known) return first_motion(equations_, branch_, options_.from);
+  std::optional<BranchPoint> found = branch_.start(balance().linear_motion(driving(options_.from)), options_.from);
+  if (found || known->parameter > options_.from) return found;
+  if ((found = near(*known))) return found;
+  return first_motion(equations_, branch_, options_.from);
+}
+
+std::string SteadyPath::task() const {
+  return fmt::format("steady motion, {} {}", balance().harmonics(),
+                     balance().harmonics() == 1 ? "harmonic" : "harmonics");
+}
+
+bool SteadyPath::follow(double most_left_out, const Known* known, const foundation::Progress& progress) {
+  foundation::report_progress(progress, task(), 0);
+  const std::optional<BranchPoint> start = motion_at_lower_end(known);
   const std::string reason = start
       ? unknown_forces(*start)
       : fmt::format("no motion was found at the lower end of the band, {}", equations_.place(options_.from));
   if (reason.empty()) return begin(*start, most_left_out) && walk(most_left_out, {}, progress);
-  const std::optional<BranchPoint> above = lowest_motion();
+  std::optional<BranchPoint> above;
+  if (known && known->parameter > options_.from) above = near(*known);
+  if (!above) above = lowest_motion(nullptr);
   if (!above)
     throw foundation::NotComputable(
         fmt::format("steady: {}; at {} places above it no motion with known forces was found either; choose another "
@@ -80,9 +106,27 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
   return true;
 }
 
+bool SteadyPath::follow_above(const SteadyPath& returned, double most_left_out, const foundation::Progress& progress) {
+  const std::optional<BranchPoint> above = lowest_motion(&returned);
+  if (!above) return true;
+  if (!follow_through(*above, most_left_out, progress)) return false;
+  if (std::min(points().front().parameter, points().back().parameter) > options_.from) {
+    begun_at_ = above->parameter;
+    if (ended_.empty()) ended_ = "the curve of motions does not come to the lower end of the band";
+  }
+  return true;
+}
+
 /// The first motion whose forces are known on the way from the lower end of the band to the upper one: by Newton's
 /// method from the linear motion, and only if that finds none by the longer ways to one.
-std::optional<BranchPoint> SteadyPath::lowest_motion() const {
+std::optional<BranchPoint> SteadyPath::lowest_motion(const SteadyPath* except) const {
+  constexpr double same = 1e-3;  // of the motion
+  const auto is_on_it = [&](const BranchPoint& motion) {
+    if (!except) return false;
+    const std::vector<BranchPoint> there = except->motions().all_at(motion.parameter);
+    return std::any_of(there.begin(), there.end(),
+                       [&](const BranchPoint& one) { return balance().are_same(one.unknowns, motion.unknowns, same); });
+  };
   const double ratio = std::pow(options_.to / options_.from, 1.0 / (places_above + 1));
   for (const bool by_all_ways : {false, true}) {
     double parameter = options_.from;
@@ -91,7 +135,7 @@ std::optional<BranchPoint> SteadyPath::lowest_motion() const {
       std::optional<BranchPoint> found = by_all_ways
           ? first_motion(equations_, branch_, parameter)
           : branch_.start(balance().linear_motion(driving(parameter)), parameter);
-      if (found && unknown_forces(*found).empty()) return found;
+      if (found && unknown_forces(*found).empty() && !is_on_it(*found)) return found;
     }
   }
   return std::nullopt;
@@ -120,6 +164,7 @@ bool SteadyPath::follow_through(const BranchPoint& start, double most_left_out, 
   ended_.clear();
   if (!begin(FollowedMotions::reversed(start), most_left_out) || !walk(most_left_out, {}, progress)) return false;
   motions_.reverse_and_append(onward);
+  motions_.remove_turns_of_round_off();
   if (ended_.empty()) ended_ = onward_ended;
   else if (!onward_ended.empty() && ended_ != onward_ended) ended_ += "; " + onward_ended;
   return true;
@@ -207,8 +252,8 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
   constexpr double first_step = 0.02;  // in shares of the deflection and of the band
   // A short step may turn by any angle: a slider begins to slip in both senses.
   constexpr numerics::StepControl control{.sharp_turns = 1e-4};
-  numerics::BranchWalk walk(branch_, points().back(), control, first_step, leaves_downwards_ ? options_.from : 0.0,
-                            options_.to);
+  numerics::BranchWalk walk(branch_, points().back(), control, first_step, options_.from, options_.to);
+  double farthest = 0;  // of the band
   Extent smooth = extent();
   while (points().back().parameter < options_.to ||
          (points().size() == 1 && points().back().parameter_direction() < 0)) {
@@ -227,7 +272,7 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
       break;
     }
     const bool beyond_upper = step->to.parameter > options_.to,
-               beyond_lower = leaves_downwards_ && step->to.parameter < options_.from && now.parameter > options_.from;
+               beyond_lower = step->to.parameter < options_.from && now.parameter > options_.from;
     if (beyond_upper || beyond_lower) {
       std::optional<BranchPoint> end = branch_.at(beyond_upper ? options_.to : options_.from, now, 0, step->length);
       if (!end) {
@@ -285,28 +330,26 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
     walk.go(std::move(*step));
     if (walk.is_smooth()) smooth = extent();
     const double parameter = walk.now().parameter;
-    if (leaves_downwards_ && parameter <= options_.from) break;
-    if (parameter < options_.from) {
-      ended_ = "left the band downwards at " + equations_.place(parameter);
+    if (parameter <= options_.from) {
+      returned_ = !leaves_downwards_;
       break;
     }
-    if (progress) progress("steady motion", std::clamp((parameter - options_.from) / equations_.width(), 0.0, 1.0));
+    farthest = std::max(farthest, std::clamp((parameter - options_.from) / equations_.width(), 0.0, 1.0));
+    foundation::report_progress(progress, task(), farthest);
   }
+  motions_.remove_turns_of_round_off();
   return true;
 }
 
 /// Why the path ends at a point from which no step leads further.
 std::string SteadyPath::no_further(const BranchPoint& point) const {
   constexpr double ahead = 1e-3;
-  const Index size = point.unknowns.size(), coefficients = balance().coefficients();
+  const Index size = point.unknowns.size();
   const VectorXd beyond = point.unknowns + ahead * point.tangent.head(size).cwiseProduct(point.scale.head(size));
-  const auto courses = [&](const VectorXd& unknowns) {
-    return Eigen::MatrixXd(unknowns.reshaped(coefficients, size / coefficients));
-  };
   return fmt::format("no further motion beyond {}: the step of the branch became too short{}",
                      equations_.place(point.parameter),
-                     ending_cause(known_.deflections(), balance().laws(), courses(point.unknowns), courses(beyond),
-                                  equations_.driving(point.parameter).omega));
+                     ending_cause(known_.deflections(), balance().laws(), balance().motion(point.unknowns),
+                                  balance().motion(beyond), equations_.driving(point.parameter).omega));
 }
 
 /// On the way to an unbounded resonance: it grows and grows at one place.
@@ -327,6 +370,7 @@ std::string SteadyPath::unknown_forces(const BranchPoint& point) const {
 
 bool SteadyPath::begin(const BranchPoint& first, double most_left_out) {
   motions_.begin(first);
+  if (!first_) first_ = {balance().motion(first.unknowns), first.parameter};
   return note_left_out(first, most_left_out);
 }
 

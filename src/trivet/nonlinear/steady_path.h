@@ -27,9 +27,24 @@ class SteadyPath {
   ~SteadyPath() = default;
 
   /// Follows them; if there is none at the lower end, through the first one that is found above it, to both sides.
+  /// @param known  a motion of fewer harmonics, sought before the longer ways to one; null: none
   /// @return false, and an unfinished path, as soon as a motion leaves out more than the share given
   /// @throws foundation::NotComputable if there is no motion at the lower end, nor at several places above it
-  [[nodiscard]] bool follow(double most_left_out, const foundation::Progress& progress);
+  struct Known {
+    Eigen::MatrixXd motion;  ///< Fourier coefficients × deflections
+    double parameter = 0;
+  };
+  [[nodiscard]] bool follow(double most_left_out, const Known* known, const foundation::Progress& progress);
+  /// Its first motion: for more harmonics.
+  [[nodiscard]] Known known() const;
+
+  /// Did the curve from the lower end of the band return there, so that motions above it lie on another one?
+  [[nodiscard]] bool returned() const { return returned_; }
+  /// Then: the curve through the first motion above the lower end that is not on that path; no points if there is none.
+  /// @return as follow()
+  [[nodiscard]] bool follow_above(const SteadyPath& returned, double most_left_out,
+                                  const foundation::Progress& progress);
+  static constexpr int places_above = 24;  ///< where motions are sought
 
   /// Instead: a curve of motions through one that is not on another path, until it closes or leaves the band.
   void follow_detached(const numerics::BranchPoint& start, const foundation::Progress& progress);
@@ -69,16 +84,19 @@ class SteadyPath {
   [[nodiscard]] Driving driving(double parameter) const { return equations_.driving(parameter); }
 
  private:
+  [[nodiscard]] std::string task() const;  ///< as progress names it
   /// How much has been found.
   struct Extent {
     FollowedMotions::Extent motions;
     double left_out, held_share;  ///< largest so far
   };
   [[nodiscard]] const std::vector<numerics::BranchPoint>& points() const { return motions_.points(); }
-  static constexpr int places_above = 24;
   void limit_points_of_further_curve();
   [[nodiscard]] bool grows_without_limit(const numerics::BranchPoint& next) const;
-  [[nodiscard]] std::optional<numerics::BranchPoint> lowest_motion() const;
+  /// @param except  motions on this path do not count; null: all count
+  [[nodiscard]] std::optional<numerics::BranchPoint> motion_at_lower_end(const Known* known) const;
+  [[nodiscard]] std::optional<numerics::BranchPoint> near(const Known& known) const;
+  [[nodiscard]] std::optional<numerics::BranchPoint> lowest_motion(const SteadyPath* except) const;
   [[nodiscard]] bool follow_through(const numerics::BranchPoint& start, double most_left_out,
                                     const foundation::Progress& progress);
   /// @param ends  places to stop at
@@ -106,8 +124,10 @@ class SteadyPath {
   double left_out_ = 0, held_share_ = 0;
   std::string ended_;
   bool leaves_downwards_ = false;  ///< is the lower end of the band an end of the curve, not its start?
+  bool returned_ = false;
   bool closed_ = false;
   std::optional<double> begun_at_;
+  std::optional<Known> first_;
   Eigen::Index most_points_;
   std::optional<std::size_t> stopped_at_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/stiffness_over_amplitude.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -64,7 +66,9 @@ std::vector<AmplitudeStiffness> stiffness_over_amplitude(const model::System& sy
                                                          double to, const std::vector<double>& amplitudes) {
   SteadyOptions options{.from = from, .to = to};
   options.harmonics = 0;
-  options.tolerance = 0.02;  // a picture
+  options.tolerance = 0.02;  // a picture, for which hundreds of points with many harmonics take too long
+  options.most_harmonics = 30;
+  options.most_points = 400;
   options.of = {system.elements()[element].name + ".force.z"};
   std::vector<AmplitudeStiffness> found;
   for (const double amplitude : amplitudes) {
@@ -74,6 +78,9 @@ std::vector<AmplitudeStiffness> stiffness_over_amplitude(const model::System& sy
     } catch (const foundation::NotComputable& reason) {  // the others are worth having
       branch.ended = reason.what();
     }
+    if (branch.ended.empty() && branch.left_out > options.tolerance)
+      branch.ended =
+          fmt::format("{} harmonics leave out up to {:.2g} of the motion", branch.harmonics, branch.left_out);
     AmplitudeStiffness one{amplitude, {}, Eigen::VectorXcd(to_index(branch.points.size())), branch.ended};
     for (const SteadyPoint& point : branch.points) {
       one.stiffness(to_index(one.angular_frequency.size())) = -point.results[0].harmonics(0) / amplitude;

@@ -42,13 +42,13 @@ MatrixXcd variation(const VectorXd& by_deflection, const VectorXd& by_rate, doub
 /// The force that a variation e^{i(μ + l)φ} of one deflection causes, at the frequencies μ + k, k = −K … K.
 class LawVariation {
  public:
-  LawVariation(const LawAbout& law, const VectorXd& deflection, double omega, Index harmonics)
+  LawVariation(const LawAbout& law, const VectorXd& deflection, double omega, Index harmonics, double round_off)
       : harmonics_(harmonics), omega_(omega) {
     const LawHarmonics wide(law, harmonics, (deflection.size() - 1) / 2);
     VectorXd padded = VectorXd::Zero(numerics::coefficient_count(harmonics));
     padded.head(deflection.size()) = deflection;
-    tangents_ = wide.tangents_at(padded, omega);
-    const LawCourse course = wide.course(padded, omega);
+    tangents_ = wide.tangents_at(padded, omega, round_off);
+    const LawCourse course = wide.course(padded, omega, round_off);
     for (const BristleLoop& loop : course.bristles()) bristles_.emplace_back(loop, omega, harmonics);
     const double longest = two_pi / static_cast<double>(4 * harmonics);
     for (const HystereticLoop& loop : course.loops()) {
@@ -151,23 +151,24 @@ class LawVariation {
 /// D(iν).
 class HillDeterminant {
  public:
-  HillDeterminant(const CondensedMachine& machine, const std::vector<Deflection>& deflections, const VectorXd& motion,
+  HillDeterminant(const CondensedMachine& machine, const std::vector<Deflection>& deflections, const MatrixXd& motion,
                   double omega, Index harmonics)
       : machine_(machine), omega_(omega), harmonics_(harmonics) {
-    const Index C = motion.size() / machine.size();
-    const MachineLaws laws(deflections, harmonics, (C - 1) / 2);
-    for (const MachineLaws::Rubbing& one : laws.rubbings()) {
-      MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(harmonics), machine.size());
-      padded.topRows(C) = motion.reshaped(C, machine.size());
+    const Index C = motion.rows();
+    const MatrixXd& spread = machine.basis().spread;
+    const MachineLaws laws(deflections, {deflections, spread.transpose() * machine.static_receptance() * spread},
+                           harmonics, (C - 1) / 2);
+    MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(harmonics), motion.cols());
+    padded.topRows(C) = motion;
+    for (const MachineLaws::Rubbing& one : laws.rubbings())
       rubbings_.push_back({one.on, laws.loop(one, padded, omega)});
-    }
-    for (Index j = 0; j < machine.size(); ++j) {
+    const VectorXd rests_below = laws.round_off(motion);
+    for (Index j = 0; j < motion.cols(); ++j) {
       const Deflection& deflection = deflections[to_size(j)];
-      laws_.emplace_back(deflection.law, motion.segment(j * C, C), omega, harmonics);
+      laws_.emplace_back(deflection.law, motion.col(j), omega, harmonics, rests_below(j));
       if (!deflection.distance) continue;
-      MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(harmonics), 3);
-      padded.topRows(C) = motion.segment(j * C, 3 * C).reshaped(C, 3);
-      distances_.emplace_back(j, DistanceHarmonics(*deflection.distance, harmonics).tangents_at(padded, omega));
+      distances_.emplace_back(
+          j, DistanceHarmonics(*deflection.distance, harmonics).tangents_at(padded.middleCols(j, 3), omega));
     }
   }
 
@@ -180,7 +181,7 @@ class HillDeterminant {
     };
     std::vector<Tangent> tangents;
     const double mu = nu / omega_;
-    for (Index j = 0; j < m; ++j) tangents.push_back({j, j, laws_[to_size(j)].at(mu)});
+    for (Index j = 0; j < to_index(laws_.size()); ++j) tangents.push_back({j, j, laws_[to_size(j)].at(mu)});
     for (const auto& [first, spectra] : distances_)
       for (std::size_t a = 0; a < 3; ++a)
         for (std::size_t b = 0; b < 3; ++b)
@@ -197,9 +198,15 @@ class HillDeterminant {
       if (frequency == 0) receptance = machine_.static_receptance().cast<Complex>();
       else machine_.set_receptance(std::abs(frequency), receptance);
       if (frequency < 0) receptance = receptance.conjugate().eval();
-      for (Index i = 0; i < m; ++i)
-        for (const Tangent& tangent : tangents)
-          whole.block(i * count + k, tangent.by * count, 1, count) += receptance(i, tangent.of) * tangent.matrix.row(k);
+      const MatrixXcd by_force = receptance * machine_.basis().spread;  // of all deflections
+      for (const Tangent& tangent : tangents)
+        for (Index b = 0; b < m; ++b) {
+          const double share = machine_.basis().spread(b, tangent.by);
+          if (share == 0) continue;
+          for (Index i = 0; i < m; ++i)
+            whole.block(i * count + k, b * count, 1, count) +=
+                (share * by_force(i, tangent.of)) * tangent.matrix.row(k);
+        }
     }
     return numerics::PivotedLu<Complex>(whole).determinant();
   }
@@ -251,10 +258,10 @@ std::optional<double> turn(const HillDeterminant& determinant, double from, Comp
 
 }  // namespace
 
-std::optional<int> WindingStability::unstable_exponents(const VectorXd& deflections, double omega) const {
-  const Index C = deflections.size() / machine_.size(), given = (C - 1) / 2;
+std::optional<int> WindingStability::unstable_exponents(const MatrixXd& motion, double omega) const {
+  const Index given = (motion.rows() - 1) / 2;
   const Index harmonics = std::max<Index>(given + 4, 3 * given / 2);
-  const HillDeterminant determinant(machine_, deflections_, deflections, omega, harmonics);
+  const HillDeterminant determinant(machine_, deflections_, motion, omega, harmonics);
   const std::vector<double> places = first_places(machine_, omega);
   double turned = 0;
   Complex before = determinant.at(places.front());

@@ -23,9 +23,9 @@ class WindingStability {
 
   /// Number of Floquet exponents with Re s > 0; empty if an exponent lies on the axis, to
   /// round-off: D is then almost zero somewhere, and its turns cannot be told.
-  /// @param deflections  Fourier coefficients of one deflection after another
-  /// @param omega        of the first harmonic [rad/s]
-  [[nodiscard]] std::optional<int> unstable_exponents(const Eigen::VectorXd& deflections, double omega) const;
+  /// @param motion  Fourier coefficients × all deflections
+  /// @param omega   of the first harmonic [rad/s]
+  [[nodiscard]] std::optional<int> unstable_exponents(const Eigen::MatrixXd& motion, double omega) const;
 
  private:
   const CondensedMachine& machine_;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/model/point_mass.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -66,7 +67,7 @@ Attachment attachment(const model::Element& element, std::size_t index, bool at_
 }
 
 bool is_whole(const model::Body& body) {
-  return body.has_inertia && body.mass.mass > 0 &&
+  return body.has_inertia && body.mass.mass > 0 && !model::is_point_mass(body) &&
       std::all_of(body.free.begin(), body.free.end(), [](bool f) { return f; });
 }
 
@@ -82,7 +83,6 @@ spatial::MassProperties undone_mass(const BodyPicture& picture, const Slip& undo
 spatial::Matrix6 stiffness_at(const BodyPicture& picture, const Eigen::Vector3d& centre, const Slip& undone) {
   spatial::Matrix6 sum = spatial::Matrix6::Zero();
   for (const Attachment& a : picture.attachments) {
-    if (!a.elastic()) continue;
     const double k = a.typed ? undone.stiffness : 1, s = undone.places;
     // arms inside an element were typed in the same unit as its place
     spatial::Matrix6 own;

@@ -1,89 +1,205 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/plausibility/overturning.h"
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
-#include "trivet/numerics/linalg/complete_pivoting.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/orthogonal.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
-#include "trivet/plausibility/body_picture.h"
-#include "trivet/plausibility/suspicion.h"
-#include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::plausibility {
 namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 /// Share of the tilting stiffness that gravity may take before it is reported: the tilting frequency is then 13 %
 /// lower.
 constexpr double worth_a_word = 0.25;
 /// Share of the stiffest direction below which one is unrestrained.
 constexpr double unheld = 1e-9;
+/// Coordinates up to which machines are examined for notes.
+constexpr Eigen::Index most_for_notes = 300;
 
-using Matrix32 = Eigen::Matrix<double, 3, 2>;
+MatrixXd symmetric_part(const MatrixXd& m) { return 0.5 * (m + m.transpose()); }
 
-/// Contribution of the weight to the stiffness against rotations: mounts at r_i from the centre of mass carry it by
-/// forces F_i, and a rotation θ moves their ends by an additional ½ θ × (θ × r_i); this adds Σ [(F_i·r_i) I − sym(F_i
-/// r_iᵀ)]. Body frame.
-Eigen::Matrix3d geometric_stiffness(const BodyPicture& picture, const spatial::Vector6& sag) {
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  const Eigen::Vector3d shift = sag.head<3>(), turn = sag.tail<3>();
-  for (const Attachment& a : picture.attachments) {
-    if (!a.elastic()) continue;
-    const Eigen::Vector3d r = a.at - picture.mass.centre;
-    const Eigen::Vector3d force = -(a.translation * (shift + turn.cross(r)) + a.coupling * turn);
-    const Eigen::Matrix3d outer = force * r.transpose();
-    sum += force.dot(r) * Eigen::Matrix3d::Identity() - 0.5 * (outer + outer.transpose());
+/// K of both orders in coordinates scaled by the masses.
+class Stiffness {
+ public:
+  explicit Stiffness(const assembly::Assembled& assembled)
+      : scale_(numerics::unit_scale(assembled.matrices)),
+        first_(scaled(assembled.first_order().matrices.K)),
+        whole_(scaled(assembled.matrices.K)),
+        round_off_(round_off()) {}
+
+  [[nodiscard]] const VectorXd& scale() const { return scale_; }
+  [[nodiscard]] const MatrixXd& first() const { return first_; }
+  [[nodiscard]] const MatrixXd& whole() const { return whole_; }
+
+  /// Has it no negative eigenvalue beyond round-off?
+  [[nodiscard]] bool holds(const MatrixXd& stiffness) const {
+    return stiffness.rows() == 0 || numerics::symmetric_eigenvalues(stiffness)(0) >= -round_off_;
   }
-  return sum;
+
+ private:
+  [[nodiscard]] MatrixXd scaled(const MatrixXd& stiffness) const {
+    return scale_.asDiagonal() * symmetric_part(stiffness) * scale_.asDiagonal();
+  }
+  [[nodiscard]] double round_off() const {
+    constexpr double of_a_sum = 64 * std::numeric_limits<double>::epsilon();
+    return std::max(of_a_sum * static_cast<double>(whole_.rows()) * first_.cwiseAbs().maxCoeff(),
+                    unheld * (whole_ - first_).cwiseAbs().maxCoeff());
+  }
+
+  VectorXd scale_;
+  MatrixXd first_, whole_;
+  double round_off_;
+};
+
+/// Motions of a body in which it tilts, as columns on scaled coordinates, and an orthonormal basis of all others. A
+/// body whose rotations are guided tilts about its free axes.
+struct Parted {
+  MatrixXd tilts, others;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> axes;  ///< of the tilts, body frame
+};
+
+std::optional<Parted> parted(const model::System& system, const assembly::Assembled& assembled, std::size_t b,
+                             const VectorXd& scale) {
+  const model::Body& body = system.bodies()[b];
+  if (body.is_node || !(body.mass.mass > 0)) return std::nullopt;
+  const Eigen::Vector3d down = body.pose.rotation.transpose() * *system.description().gravity;
+  std::vector<Eigen::Index> rows;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> axes(3, 0);
+  for (int j = 0; j < 3; ++j)
+    if (const Eigen::Index row = assembled.layout.row(b, 3 + j); row >= 0) {
+      rows.push_back(row);
+      axes.conservativeResize(3, axes.cols() + 1);
+      axes.rightCols<1>() = Eigen::Vector3d::Unit(j);
+    }
+  if (rows.empty()) return std::nullopt;
+  const Eigen::Index n = scale.size(), count = to_index(rows.size());
+  MatrixXd about(count, count == 3 ? 2 : count);  // free rotations × tilts
+  if (count == 3) {
+    about.col(0) = down.unitOrthogonal();
+    about.col(1) = down.normalized().cross(Eigen::Vector3d(about.col(0)));
+  } else {
+    about.setIdentity();
+  }
+  Parted result{MatrixXd::Zero(n, about.cols()), MatrixXd::Zero(n, n - about.cols()), axes * about};
+  for (Eigen::Index i = 0; i < count; ++i) result.tilts.row(rows[to_size(i)]) = about.row(i) / scale(rows[to_size(i)]);
+  Eigen::Index next = 0;
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (std::find(rows.begin(), rows.end(), i) == rows.end()) result.others(i, next++) = 1;
+  if (count == 3)
+    for (Eigen::Index i = 0; i < count; ++i) result.others(rows[to_size(i)], next) = down(i) / scale(rows[to_size(i)]);
+  if (count == 3) result.others.col(next).normalize();
+  return result;
 }
 
-/// True if all elements of a body are on rigid ground and have no preload, which would include the effect of gravity.
-bool is_alone(const model::System& system, const BodyPicture& picture) {
-  return std::all_of(picture.attachments.begin(), picture.attachments.end(), [&](const Attachment& a) {
-    const model::Element& element = system.elements()[a.element];
-    return !element.law.preload && !(element.n.body && element.k.body) && !element.n.foundation &&
-        !element.k.foundation;
-  });
+/// Stiffness against the tilts while all else follows in equilibrium [N m/rad].
+MatrixXd condensed(const MatrixXd& stiffness, const Parted& parts) {
+  const MatrixXd own = parts.tilts.transpose() * stiffness * parts.tilts,
+                 coupling = parts.others.transpose() * stiffness * parts.tilts,
+                 rest = parts.others.transpose() * stiffness * parts.others;
+  if (rest.rows() == 0) return own;
+  return symmetric_part(own - coupling.transpose() * numerics::smallest_solution(rest, coupling));
+}
+
+/// @param axis  of unit length, in components along the axes of the tilts
+Tilting tilting(const model::System& system, std::size_t b, const Parted& parts, const MatrixXd& first,
+                const MatrixXd& whole, const VectorXd& axis) {
+  const model::Body& body = system.bodies()[b];
+  const Eigen::Vector3d down = body.pose.rotation.transpose() * *system.description().gravity;
+  Tilting result{b};
+  result.restoring = std::max(0.0, axis.dot(first * axis));
+  result.overturning = axis.dot((first - whole) * axis);
+  result.height = -down.normalized().dot(body.mass.centre);
+  const double level = Eigen::Vector3d(parts.axes * axis).cross(down.normalized()).squaredNorm();
+  result.standing = result.height + axis.dot(whole * axis) / (body.mass.mass * down.norm() * level);
+  return result;
 }
 
 }  // namespace
 
-std::vector<std::string> overturning_notes(const model::System& system) {
+std::optional<Tilting> falling_body(const model::System& system, const assembly::Assembled& assembled) {
+  if (!assembled.without_second_order || numerics::is_positive_definite(symmetric_part(assembled.matrices.K)))
+    return std::nullopt;
+  const Stiffness stiffness(assembled);
+  if (stiffness.holds(stiffness.whole()) || !stiffness.holds(stiffness.first())) return std::nullopt;
+  std::optional<Tilting> worst;
+  double released = 0;
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    const std::optional<Parted> parts = parted(system, assembled, b, stiffness.scale());
+    // Only a machine that stands while this body does not tilt falls over with it.
+    if (!parts || !stiffness.holds(parts->others.transpose() * stiffness.whole() * parts->others)) continue;
+    const MatrixXd first = condensed(stiffness.first(), *parts), whole = condensed(stiffness.whole(), *parts);
+    const Tilting found = tilting(system, b, *parts, first, whole, numerics::symmetric_eigen(whole).vectors.col(0));
+    const double energy = found.overturning - found.restoring;
+    if (!worst || energy > released) worst = found, released = energy;
+  }
+  if (worst) return worst;
+  // Several bodies fall: that with the largest mass times height.
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    const std::optional<Parted> parts = parted(system, assembled, b, stiffness.scale());
+    if (!parts) continue;
+    const MatrixXd first = parts->tilts.transpose() * stiffness.first() * parts->tilts,
+                   whole = parts->tilts.transpose() * stiffness.whole() * parts->tilts;
+    const Tilting found = tilting(system, b, *parts, first, whole, numerics::symmetric_eigen(whole).vectors.col(0));
+    if (const double size = system.bodies()[b].mass.mass * found.height; size > highest) worst = found, highest = size;
+  }
+  return worst;
+}
+
+std::string falling_words(const model::System& system, const Tilting& tilting) {
+  return fmt::format(
+      "it falls over: when it tilts, the weight causes an overturning moment of {:.5g} N m/rad, the elements a "
+      "restoring moment of {:.5g} N m/rad; with its centre of mass below {:.4g} m over its pole (now {:.4g} m) {} "
+      "would stand",
+      tilting.overturning, tilting.restoring, tilting.standing, tilting.height, system.bodies()[tilting.body].name);
+}
+
+std::vector<std::string> overturning_notes(const model::System& system, const assembly::Assembled& assembled) {
+  std::vector<std::string> notes;
+  if (!assembled.without_second_order || assembled.matrices.size() > most_for_notes) return notes;
+  const Stiffness stiffness(assembled);
+  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
+    const std::optional<Parted> parts = parted(system, assembled, b, stiffness.scale());
+    if (!parts) continue;
+    const MatrixXd first = condensed(stiffness.first(), *parts), whole = condensed(stiffness.whole(), *parts);
+    const VectorXd alone = numerics::symmetric_eigenvalues(first);
+    if (!(alone(0) > unheld * alone.tail<1>()(0))) continue;
+    const numerics::SymmetricEigen<MatrixXd> both = numerics::symmetric_eigen(MatrixXd(first - whole), first);
+    const double share = both.values.tail<1>()(0);
+    if (!(share > worth_a_word)) continue;
+    const Tilting found = tilting(system, b, *parts, first, whole, both.vectors.rightCols<1>().col(0).normalized());
+    notes.push_back(
+        fmt::format("body {}: when it tilts, the weight causes an overturning moment of {:.4g} N m/rad, its mounts a "
+                    "restoring moment of {:.4g} N m/rad: {:.0f} % of the stiffness is lost, and natural frequencies "
+                    "are those of the rest",
+                    system.bodies()[b].name, found.overturning, found.restoring, 100 * share));
+  }
+  return notes;
+}
+
+std::vector<std::string> first_order_notes(const model::System& system, const assembly::Assembled& assembled) {
   std::vector<std::string> notes;
   const auto& gravity = system.description().gravity;
   if (!gravity || gravity->isZero(0)) return notes;
-  for (const BodyPicture& picture : pictures(system, {}, {})) {
-    if (!is_alone(system, picture)) continue;
-    const spatial::Matrix6 k = stiffness_about_centre(picture);
-    if (!k.allFinite() || !numerics::is_regular(k)) continue;
-    const Eigen::Vector3d down = system.bodies()[picture.body].pose.rotation.transpose() * *gravity;
-    spatial::Vector6 weight = spatial::Vector6::Zero();
-    weight.head<3>() = picture.mass.mass * down;
-    Matrix32 horizontal;  // axes of tilting
-    horizontal.col(0) = down.unitOrthogonal();
-    horizontal.col(1) = down.normalized().cross(horizontal.col(0));
-    const Eigen::Matrix3d condensed = k.bottomRightCorner<3, 3>() -
-        k.bottomLeftCorner<3, 3>() * numerics::inverse(Eigen::Matrix3d(k.topLeftCorner<3, 3>())) *
-            k.topRightCorner<3, 3>();
-    const Eigen::Matrix2d held = horizontal.transpose() * condensed * horizontal,
-                          taken = -(horizontal.transpose() *
-                                    geometric_stiffness(picture, numerics::completely_pivoted_solution(k, weight)) *
-                                    horizontal);
-    const Eigen::Vector2d alone = numerics::symmetric_eigen(held).values;
-    if (!(alone(0) > unheld * alone(1))) continue;
-    const numerics::SymmetricEigen<Eigen::Matrix2d> both = numerics::symmetric_eigen(taken, held);
-    const double share = both.values(1);
-    if (!(share > worth_a_word)) continue;
-    const Eigen::Vector2d axis = both.vectors.col(1).normalized();
+  if (!system.description().second_order)
+    notes.emplace_back(
+        "second_order = false: the weight acts to first order only; forces at rest that move with the bodies do not "
+        "change the stiffness, except of elements with a preload");
+  for (const std::size_t b : assembled.without_rest)
     notes.push_back(
-        fmt::format("body {}: when it tilts, its weight causes an overturning moment of {:.4g} N m/rad, its mounts a "
-                    "restoring moment of {:.4g} N m/rad: {}. Elements without preload have no "
-                    "geometric stiffness, so natural frequencies of tilting {}",
-                    system.bodies()[picture.body].name, axis.dot(taken * axis), axis.dot(held * axis),
-                    share >= 1 ? "it falls over" : fmt::format("{:.0f} % of the stiffness is lost", 100 * share),
-                    share >= 1 ? "are computed that do not exist" : "are computed too high"));
-  }
+        fmt::format("body {}: nothing balances its weight, so it has no position of rest, and the weight does not "
+                    "change its stiffness",
+                    system.bodies()[b].name));
   return notes;
 }
 

@@ -54,7 +54,28 @@ bool holds_any(const Window& window, const std::vector<double>& natural, double 
                      [&](double w) { return factor * w * margin >= window.from && factor * w <= window.to * margin; });
 }
 
+/// A window to avoid whose numbers, had they been meant in hertz, would hold a natural frequency that it misses in
+/// rad/s: the requirement would be met by the slip alone.
+void judge_avoided(const Window& window, const std::vector<double>& natural, Suspicions& found) {
+  constexpr double turn = 2 * std::numbers::pi;
+  const auto inside = [&](double factor) {
+    return std::find_if(natural.begin(), natural.end(),
+                        [&](double w) { return w >= factor * window.from && w <= factor * window.to; });
+  };
+  const auto meant = inside(turn);
+  if (inside(1) != natural.end() || meant == natural.end()) return;
+  found.push_back(
+      {"band", window.subject, fmt::format("{:.4g} … {:.4g} Hz", hertz(window.from), hertz(window.to)),
+       fmt::format("numbers without a unit are in rad/s; in Hz they would hold the natural frequency {:.4g} "
+                   "Hz",
+                   hertz(*meant)),
+       fmt::format("write [\"{:.6g} Hz\", \"{:.6g} Hz\"] if hertz are meant, or [\"{:.6g} rad/s\", "
+                   "\"{:.6g} rad/s\"]",
+                   window.from, window.to, window.from, window.to)});
+}
+
 void judge_window(const Window& window, const std::vector<double>& natural, Suspicions& found) {
+  if (window.avoided) return judge_avoided(window, natural, found);
   if (holds_any(window, natural, 1)) return;
   const double thousand = std::sqrt(1000.0);
   const auto explains = [&](double factor) {
@@ -152,7 +173,7 @@ void judge_limits(const model::System& system, const std::vector<AllowedMotion>&
                                       [&](const BodyPicture& p) { return system.bodies()[p.body].name == limit.body; });
     if (picture == pictures.end()) continue;
     const auto remedy = [&](const char* unit) {
-      return limit.is_line ? fmt::format("divide its limits by 1000 if they are in {}: rows are in SI", unit)
+      return limit.is_line ? fmt::format("write unit = \"{}\" if they are in it: rows without a unit are in SI", unit)
                            : fmt::format("write \"{:.6g} {}\" if millimetres are meant", limit.amplitude, unit);
     };
     if (limit.is_velocity && limit.amplitude > fastest_allowed)
@@ -189,6 +210,12 @@ void judge_ground_motion(const model::System& system, const std::vector<BodyPict
                        fmt::format("the machine is {:.2g} m large", size),
                        "add quantity = \"acceleration\" if an acceleration is meant"});
   }
+}
+
+std::vector<Suspicion> suspicions_about(const model::System& system, const std::vector<Window>& windows) {
+  Suspicions found;
+  judge_questions(system, {.windows = windows}, found);
+  return found;
 }
 
 void judge_questions(const model::System& system, const Stated& stated, Suspicions& found) {

@@ -65,6 +65,7 @@ struct Window {
   std::string subject;  ///< "analyses.response.band"
   double from = 0, to = 0;
   bool spectrum = false;
+  bool avoided = false;  ///< no natural frequency shall be in it, and its numbers have no unit
 };
 
 /// A rotor on a body.
@@ -125,9 +126,8 @@ struct Stated {
 /// of the file.
 [[nodiscard]] std::string table_of(const std::string& subject);
 
-/// Notes on bodies so high above their mounts that gravity takes much of the tilting stiffness, or all of it: one
-/// sentence per body.
-[[nodiscard]] std::vector<std::string> overturning_notes(const model::System& system);
+/// Suspicions about frequency ranges alone.
+[[nodiscard]] std::vector<Suspicion> suspicions_about(const model::System& system, const std::vector<Window>& windows);
 
 /// All suspicions, one per cause, in the order body, layout, damping, loads, questions.
 [[nodiscard]] std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated);

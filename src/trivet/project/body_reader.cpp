@@ -97,7 +97,8 @@ model::Body read_body(const Node& node, const std::string& name, std::size_t ind
   read_free(reader, body, in_file);
   if (!reader.has("inertia") && !reader.has("solids") && (body.free[3] || body.free[4] || body.free[5]))
     reader.missing("inertia",
-                   "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
+                   "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}; a point "
+                   "mass has xx = 0, yy = 0, zz = 0");
   read_body_adjustments(reader, body, index, in_file);
   reader.finish();
   return body;

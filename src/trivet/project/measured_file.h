@@ -27,7 +27,8 @@ struct MeasuredFunction {
 struct MeasuredFile {
   std::vector<MeasuredFunction> functions;
   std::vector<exchange::UniversalMode> modes;
-  std::map<int, Eigen::Vector3d> nodes;  ///< positions in the ground frame, of nodes with displacements along its axes
+  std::map<int, Eigen::Vector3d> nodes;  ///< positions in the ground frame
+  std::map<int, Eigen::Matrix3d> axes;   ///< of displacements of nodes, as columns, if they are not those of the ground
   std::vector<exchange::UniversalNode> nodes_in_systems;  ///< measured, but not in `nodes`: see measured_systems.h
   foundation::Problems warnings;
 };

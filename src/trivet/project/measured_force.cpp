@@ -57,7 +57,7 @@ std::optional<std::complex<double>> MeasuredForce::amplitude(const exchange::Uni
   const int direction = std::abs(reference.direction);
   const bool turns = !force_.action.amplitude.tail<3>().isZero(0);
   if (direction < 1 || direction > 6 || (direction > 3) != turns || !acts_at(reference.node)) return std::nullopt;
-  const Eigen::Vector3d along = body.pose.rotation.transpose() * direction_in_ground(reference.direction);
+  const Eigen::Vector3d along = body.pose.rotation.transpose() * places_.direction_in_ground(reference);
   return component_along(turns ? force_.action.amplitude.tail<3>() : force_.action.amplitude.head<3>(), along);
 }
 

@@ -10,13 +10,9 @@
 
 namespace trivet::project {
 
-Eigen::Vector3d direction_in_ground(int direction) {
-  const Eigen::Vector3d axis = Eigen::Vector3d::Unit((std::abs(direction) - 1) % 3);
-  return direction < 0 ? Eigen::Vector3d(-axis) : axis;
-}
-
-MeasuredPlaces::MeasuredPlaces(const model::Description& description, std::map<int, Eigen::Vector3d> nodes)
-    : description_(description), nodes_(std::move(nodes)) {
+MeasuredPlaces::MeasuredPlaces(const model::Description& description, std::map<int, Eigen::Vector3d> nodes,
+                               std::map<int, Eigen::Matrix3d> axes)
+    : description_(description), nodes_(std::move(nodes)), axes_(std::move(axes)) {
   for (std::size_t b = 0; b < description.bodies.size(); ++b) {
     const model::Body& body = description.bodies[b];
     const auto add = [&](const std::string& name, const Eigen::Vector3d& at) {
@@ -53,13 +49,20 @@ std::optional<Eigen::Vector3d> MeasuredPlaces::position(int node) const {
   return known == nodes_.end() ? std::nullopt : std::optional(known->second);
 }
 
+Eigen::Vector3d MeasuredPlaces::direction_in_ground(const exchange::UniversalPoint& point) const {
+  const auto own = axes_.find(point.node);
+  const int axis = (std::abs(point.direction) - 1) % 3;
+  const Eigen::Vector3d along =
+      own == axes_.end() ? Eigen::Vector3d::Unit(axis) : Eigen::Vector3d(own->second.col(axis));
+  return point.direction < 0 ? Eigen::Vector3d(-along) : along;
+}
+
 std::optional<MeasuredPlaces::Component> MeasuredPlaces::component(const exchange::UniversalPoint& point) const {
   constexpr double parallel = 1 - 1e-6;
   const int direction = std::abs(point.direction);
   const MeasuredPlace* at = place(point.node);
   if (!at || direction < 1 || direction > 6) return std::nullopt;
-  const Eigen::Vector3d along =
-      description_.bodies[at->body].pose.rotation.transpose() * direction_in_ground(point.direction);
+  const Eigen::Vector3d along = description_.bodies[at->body].pose.rotation.transpose() * direction_in_ground(point);
   for (int j = 0; j < 3; ++j)
     if (std::abs(along(j)) > parallel)
       return Component{at->name + "." + model::coordinate_names[to_size(direction > 3 ? j + 3 : j)],

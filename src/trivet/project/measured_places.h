@@ -23,7 +23,9 @@ struct MeasuredPlace {
 class MeasuredPlaces {
  public:
   /// @param nodes  positions of nodes of the file in the ground frame
-  MeasuredPlaces(const model::Description& description, std::map<int, Eigen::Vector3d> nodes);
+  /// @param axes   of displacements of nodes of the file as columns, where they are not those of the ground
+  MeasuredPlaces(const model::Description& description, std::map<int, Eigen::Vector3d> nodes,
+                 std::map<int, Eigen::Matrix3d> axes);
 
   /// Puts a node at the place of this name; false if there is no such place.
   [[nodiscard]] bool put(int node, const std::string& place);
@@ -36,6 +38,9 @@ class MeasuredPlaces {
   [[nodiscard]] const MeasuredPlace* place(int node) const;
   /// Position of a node in the ground frame: that of its place, or of the file.
   [[nodiscard]] std::optional<Eigen::Vector3d> position(int node) const;
+
+  /// Unit vector of a direction ±1 … ±6 of a node, in the ground frame.
+  [[nodiscard]] Eigen::Vector3d direction_in_ground(const exchange::UniversalPoint& point) const;
 
   /// A component of the motion of a place, and the sign of the measured one.
   struct Component {
@@ -52,14 +57,12 @@ class MeasuredPlaces {
  private:
   const model::Description& description_;
   std::map<int, Eigen::Vector3d> nodes_;
+  std::map<int, Eigen::Matrix3d> axes_;
   std::vector<MeasuredPlace> places_;
   std::map<int, std::size_t> put_;
 };
 
 /// Distance within which places are the same [m].
 inline constexpr double same_place = 1e-3;
-
-/// Unit vector of a direction ±1 … ±6 in the ground frame.
-[[nodiscard]] Eigen::Vector3d direction_in_ground(int direction);
 
 }  // namespace trivet::project

@@ -177,6 +177,7 @@ foundation::Expected<MeasuredFile> read_measured_table(const std::filesystem::pa
   const std::vector<FunctionColumns> columns = function_columns(*table, found);
   if (found.has_errors()) return tl::make_unexpected(std::move(found));
   MeasuredFile result;
+  result.warnings = table->warnings;
   for (const FunctionColumns& one : columns)
     result.functions.push_back(function_of(*table, one, *factor, unit, with_coherence, found));
   if (found.has_errors()) return tl::make_unexpected(std::move(found));

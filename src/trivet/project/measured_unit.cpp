@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/measured_unit.h"
 
+#include "trivet/foundation/plain_text.h"
+
 namespace trivet::project {
 namespace {
 
@@ -22,7 +24,8 @@ std::optional<MeasuredUnit> unit_without_load(const std::string& text) {
   for (const Quantity quantity :
        {Quantity::length, Quantity::velocity, Quantity::acceleration, Quantity::angle, Quantity::angular_velocity,
         Quantity::angular_acceleration, Quantity::force, Quantity::moment})
-    if (const auto value = to_si("1 " + without_parentheses(text), quantity)) return MeasuredUnit{quantity, *value};
+    if (const auto value = to_si("1 " + without_parentheses(text), quantity))
+      return MeasuredUnit{quantity, *value, false, text};
   return std::nullopt;
 }
 
@@ -37,6 +40,18 @@ std::optional<MeasuredUnit> measured_unit(const std::string& text) {
   if (!unit || !load) return std::nullopt;
   unit->factor /= *load;
   unit->per_load = true;
+  unit->text = text;
+  unit->load = *load;
+  return unit;
+}
+
+std::optional<MeasuredUnit> read_measured_unit(TableReader& reader) {
+  const auto text = reader.text("unit");
+  if (!text) return std::nullopt;
+  auto unit = measured_unit(*text);
+  if (!unit)
+    reader.error("unit", foundation::quoted(*text), "it is a unit of a motion or a force, perhaps per force",
+                 "for instance unit = \"m/s2\" or unit = \"(mm/s)/N\"");
   return unit;
 }
 

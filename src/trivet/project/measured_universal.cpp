@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
-#include <set>
+#include <map>
 
 #include "trivet/exchange/universal_reading.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/model/system.h"
 #include "trivet/project/measured_abscissa.h"
+#include "trivet/project/measured_axes.h"
 #include "trivet/project/measured_file.h"
 #include "trivet/project/measured_systems.h"
 
@@ -21,56 +23,17 @@ using exchange::UniversalFunction;
 using exchange::UniversalFunctionType;
 using exchange::UniversalQuantity;
 
-bool is_rotation(const exchange::UniversalPoint& point) { return std::abs(point.direction) > 3; }
-
-bool is_load(UniversalQuantity quantity) {
-  return quantity == UniversalQuantity::excitation_force || quantity == UniversalQuantity::reaction_force;
-}
-
-std::optional<Quantity> quantity_of_axis(const UniversalFunction& function) {
-  const bool turns = is_rotation(function.response);
-  switch (function.numerator.quantity) {
-    case UniversalQuantity::displacement:
-      return turns ? Quantity::angle : Quantity::length;
-    case UniversalQuantity::velocity:
-      return turns ? Quantity::angular_velocity : Quantity::velocity;
-    case UniversalQuantity::acceleration:
-      return turns ? Quantity::angular_acceleration : Quantity::acceleration;
-    case UniversalQuantity::reaction_force:
-    case UniversalQuantity::excitation_force:
-      return turns ? Quantity::moment : Quantity::force;
-    default:
-      return std::nullopt;
-  }
-}
-
-/// Unit by the types of the axes, or the one that the user gives; its factor is still to be applied.
-std::optional<MeasuredUnit> unit_of_function(const UniversalFunction& function,
-                                             const std::optional<MeasuredUnit>& given) {
-  const auto quantity = quantity_of_axis(function);
-  const bool per_load = is_load(function.denominator.quantity);
-  const bool plain = function.denominator.quantity == UniversalQuantity::unknown &&
-      function.type != UniversalFunctionType::frequency_response;
-  if (quantity && (per_load || plain) && !function.in_file_units) return MeasuredUnit{*quantity, 1, per_load};
-  if (!given) return std::nullopt;
-  MeasuredUnit unit = *given;
-  // A general axis with powers of length and force is already in SI.
-  if (!function.in_file_units && !(function.numerator.exponents == exchange::UniversalExponents{})) unit.factor = 1;
-  unit.per_load = unit.per_load || per_load;
-  return unit;
-}
-
 bool is_compared(const UniversalFunction& function) {
   if (!may_be_over_frequency(function)) return false;
   return function.type == UniversalFunctionType::general || function.type == UniversalFunctionType::spectrum ||
       function.type == UniversalFunctionType::frequency_response;
 }
 
-MeasuredFunction measured_function(const UniversalFunction& function, const std::optional<MeasuredUnit>& given) {
+MeasuredFunction measured_function(const UniversalFunction& function, std::optional<MeasuredUnit> unit) {
   MeasuredFunction result;
   result.response = function.response;
   result.reference = function.reference;
-  result.unit = unit_of_function(function, given);
+  result.unit = std::move(unit);
   for (const std::string& id : function.ids)
     if (!id.empty()) result.texts.push_back(id);
   result.name =
@@ -128,19 +91,39 @@ Eigen::VectorXd coherences(const MeasuredFunction& measured, const exchange::Uni
   return Eigen::Map<const Eigen::VectorXd>(values.data(), to_index(values.size()));
 }
 
+/// "time response (type 1)", or what is not compared in a function over another abscissa.
+std::string kind_of(const UniversalFunction& function) {
+  static const std::map<UniversalFunctionType, const char*> names = {
+      {UniversalFunctionType::time_response, "time response"},
+      {UniversalFunctionType::auto_spectrum, "auto spectrum"},
+      {UniversalFunctionType::cross_spectrum, "cross spectrum"},
+      {UniversalFunctionType::transmissibility, "transmissibility"},
+      {UniversalFunctionType::auto_correlation, "auto correlation"},
+      {UniversalFunctionType::cross_correlation, "cross correlation"},
+      {UniversalFunctionType::power_spectral_density, "power spectral density"},
+      {UniversalFunctionType::energy_spectral_density, "energy spectral density"},
+      {UniversalFunctionType::shock_response_spectrum, "shock response spectrum"},
+      {UniversalFunctionType::order_function, "order function"},
+  };
+  const auto name = names.find(function.type);
+  const std::string kind = name == names.end() ? "function" : name->second;
+  const std::string type = fmt::format("{} (type {})", kind, static_cast<int>(function.type));
+  if (may_be_over_frequency(function)) return type;
+  return fmt::format("{} over an abscissa of type {}", type, static_cast<int>(function.abscissa_axis.quantity));
+}
+
 /// Warns of functions that are not compared: times, power spectra, orders.
 void report_other_functions(const exchange::UniversalFile& file, foundation::Problems& warnings) {
-  std::set<int> types;
-  std::size_t count = 0;
+  std::map<std::string, std::size_t> kinds;
   for (const UniversalFunction& function : file.functions)
-    if (!is_compared(function) && function.type != UniversalFunctionType::coherence) {
-      types.insert(static_cast<int>(function.type));
-      ++count;
-    }
-  if (count > 0)
-    warnings.warning("", fmt::format("{} functions of the types {}", count, fmt::join(types, ", ")),
-                     "frequency responses (type 4), spectra (12) and general functions (0) over frequency are compared",
-                     "they are ignored");
+    if (!is_compared(function) && function.type != UniversalFunctionType::coherence) ++kinds[kind_of(function)];
+  if (kinds.empty()) return;
+  std::vector<std::string> words;
+  for (const auto& [kind, count] : kinds) words.push_back(fmt::format("{} × {}", count, kind));
+  warnings.warning("", foundation::comma_separated(words),
+                   "frequency responses (type 4), spectra (12) and general functions (0) over frequency are compared; "
+                   "a time response or a power spectrum has no phase of a force",
+                   "they are ignored; export frequency responses");
 }
 
 }  // namespace
@@ -167,13 +150,18 @@ foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem
   result.warnings = read->warnings;
   result.modes = read->file.modes;
   for (const exchange::UniversalNode& node : read->file.nodes)
-    if (node.definition_system == 0 && node.displacement_system == 0) result.nodes[node.label] = node.position;
+    if (node.position_known && node.axes_known) {
+      result.nodes[node.label] = node.position;
+      if (!node.axes.isIdentity(0)) result.axes[node.label] = node.axes;
+    }
+  turn_to_ground(read->file.nodes, result.modes);
   result.nodes_in_systems = nodes_in_systems(read->file);
   std::vector<const UniversalFunction*> compared;
+  MeasuredAxes axes(unit, path.string(), result.warnings);
   for (const UniversalFunction& function : read->file.functions) {
     if (!is_compared(function)) continue;
     compared.push_back(&function);
-    result.functions.push_back(measured_function(function, unit));
+    result.functions.push_back(measured_function(function, axes.unit_of(function)));
     MeasuredFunction& measured = result.functions.back();
     if (with_coherence) measured.coherence = coherences(measured, read->file, path.string(), result.warnings);
   }

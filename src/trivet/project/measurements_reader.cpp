@@ -41,7 +41,7 @@ class MeasurementTable {
     const std::size_t before = reader_.errors();
     Measurement result{.name = name};
     const auto path = read_file_name(reader_, "file");
-    const auto unit = read_unit();
+    const auto unit = read_measured_unit(reader_);
     const bool with_coherence = reader_.boolean("coherence").value_or(false);
     reader_.also_known({"nodes", "channels", "force"});
     if (!path || reader_.errors() > before) return std::nullopt;
@@ -53,7 +53,7 @@ class MeasurementTable {
       reader_.error("file", "neither functions nor modes",
                     "a measurement has functions over frequency (set 58, types 0, 4, 12) or modes (set 55)",
                     "choose another file");
-    MeasuredPlaces places(description_, file->nodes);
+    MeasuredPlaces places(description_, file->nodes, file->axes);
     read_nodes(places);
     report_systems(*file, places);
     if (reader_.errors() > before) return std::nullopt;
@@ -68,16 +68,6 @@ class MeasurementTable {
   }
 
  private:
-  std::optional<MeasuredUnit> read_unit() {
-    const auto text = reader_.text("unit");
-    if (!text) return std::nullopt;
-    const auto unit = measured_unit(*text);
-    if (!unit)
-      reader_.error("unit", foundation::quoted(*text), "it is a unit of a motion or a force, perhaps per force",
-                    "for instance unit = \"m/s2\" or unit = \"(mm/s)/N\"");
-    return unit;
-  }
-
   void read_nodes(MeasuredPlaces& places) {
     const Node* table = reader_.table("nodes");
     if (!table) return;

@@ -51,7 +51,8 @@ std::optional<GroundMobility> read_mobility_table(TableReader& reader) {
   const auto file = read_file_name(reader, "file");
   if (!file) return std::nullopt;
   const auto csv = read_csv_table(*file, most_rows_over_frequency);
-  if (!csv) return reader.add_of_file("file", csv.error()), std::nullopt;
+  reader.add_of_file("file", csv ? csv->warnings : csv.error());
+  if (!csv) return std::nullopt;
   std::vector<std::pair<int, int>> entries;
   for (const std::string& column : csv->columns) {
     const auto entry = entry_of(column);

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "trivet/exchange/universal_reading.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/measured_abscissa.h"
+#include "trivet/project/measured_axes.h"
 #include "trivet/project/measured_file.h"
 #include "trivet/project/measured_systems.h"
 #include "trivet/project/mobility_checks.h"
@@ -26,20 +28,11 @@ using exchange::UniversalQuantity;
 /// Difference of a coupling measured both ways over the geometric mean of the driving points (rms) that is not noise.
 constexpr double not_reciprocal = 0.1;
 
-/// Factor iω to the power by which a function becomes a mobility; none if it is not motion per force.
-std::optional<int> power_to_mobility(const UniversalFunction& function) {
-  if (function.denominator.quantity != UniversalQuantity::excitation_force || function.in_file_units)
+/// Power of iω by which a function becomes a mobility; none if it is not motion per force.
+std::optional<int> power_to_mobility(const std::optional<MeasuredUnit>& unit) {
+  if (!unit || !unit->per_load || unit->quantity == Quantity::force || unit->quantity == Quantity::moment)
     return std::nullopt;
-  switch (function.numerator.quantity) {
-    case UniversalQuantity::displacement:
-      return 1;
-    case UniversalQuantity::velocity:
-      return 0;
-    case UniversalQuantity::acceleration:
-      return -1;
-    default:
-      return std::nullopt;
-  }
+  return 1 - derivatives_of(unit->quantity);
 }
 
 bool is_axis(const UniversalPoint& point) { return std::abs(point.direction) >= 1 && std::abs(point.direction) <= 6; }
@@ -58,15 +51,19 @@ std::vector<exchange::UniversalNode> nodes_among(const std::vector<int>& wanted,
 class MobilityFunctions {
  public:
   MobilityFunctions(const exchange::UniversalFile& file, const std::string& source, const std::vector<int>& nodes,
-                    foundation::Problems& found)
+                    const std::optional<MeasuredUnit>& unit, foundation::Problems& found)
       : source_(source), nodes_(nodes), found_(found) {
+    MeasuredAxes axes(unit, source, found);
     for (const UniversalFunction& function : file.functions)
       if (function.type == UniversalFunctionType::frequency_response && point(function.response) &&
-          point(function.reference) && is_axis(function.response) && is_axis(function.reference))
+          point(function.reference) && is_axis(function.response) && is_axis(function.reference)) {
         functions_.push_back(&function);
+        units_[&function] = axes.unit_of(function);
+      }
   }
 
   GroundMobility mobility() {
+    if (found_.has_errors()) return {};
     for (const UniversalFunction* function : functions_) check(*function);
     found_.add(judge_abscissas(functions_, source_));
     if (functions_.empty())
@@ -97,10 +94,10 @@ class MobilityFunctions {
   }
 
   void check(const UniversalFunction& function) {
-    if (!power_to_mobility(function))
+    if (!power_to_mobility(units_.at(&function)))
       found_.error("", name_of(function) + " is not a motion per force, or has no known unit",
                    "the axes of receptance, mobility or accelerance have the types 8, 11 or 12 per 13",
-                   "write the types of the axes and set 164");
+                   "write the types of the axes and set 164, or state the unit of its numbers: unit = \"(m/s)/N\"");
     if (!may_be_over_frequency(function))
       found_.error("",
                    fmt::format("{} has an abscissa of type {}", name_of(function),
@@ -152,13 +149,14 @@ class MobilityFunctions {
   Eigen::VectorXcd values(const UniversalFunction& function) const {
     Eigen::VectorXcd result(to_index(result_.knots.size()));
     const double sign = (function.response.direction > 0) == (function.reference.direction > 0) ? 1 : -1;
-    const int power = *power_to_mobility(function);
+    const auto& unit = units_.at(&function);
+    const int power = *power_to_mobility(unit);
     Eigen::Index next = 0;
     for (std::size_t i = 0; i < hertz_.size(); ++i) {
       if (!(hertz_[i] > 0)) continue;
       const std::complex<double> s(0, foundation::two_pi * hertz_[i]);
       const std::complex<double> factor = power == 0 ? 1.0 : power > 0 ? s : 1.0 / s;
-      result(next++) = sign * factor * function.values[i];
+      result(next++) = sign * unit->factor * factor * function.values[i];
     }
     return result;
   }
@@ -205,21 +203,42 @@ class MobilityFunctions {
   const std::vector<int>& nodes_;
   foundation::Problems& found_;
   std::vector<const UniversalFunction*> functions_;  ///< between the nodes
+  std::map<const UniversalFunction*, std::optional<MeasuredUnit>> units_;
   std::vector<double> hertz_;
   GroundMobility result_;
   std::vector<std::vector<const UniversalFunction*>> measured_;  ///< motion of the first per force at the second
 };
 
+/// Turns the directions of functions to axes of the ground.
+foundation::Problems turn_functions(const std::vector<exchange::UniversalNode>& nodes,
+                                    std::vector<UniversalFunction>& functions) {
+  foundation::Problems found;
+  for (UniversalFunction& function : functions)
+    for (UniversalPoint* point : {&function.response, &function.reference}) {
+      if (const auto turned = in_ground(*point, nodes)) {
+        *point = *turned;
+        continue;
+      }
+      found.error("", name_of(function) + " is measured along an axis of its node that is not one of the ground",
+                  "a mobility has the directions x, y, z, rx, ry, rz of the ground",
+                  "turn the measurement, or describe the ground in its axes");
+      return found;
+    }
+  return found;
+}
+
 }  // namespace
 
 std::optional<GroundMobility> read_universal_mobility(TableReader& reader, const std::vector<int>& nodes) {
   const auto file = read_file_name(reader, "file");
-  if (!file) return std::nullopt;
-  const auto read = exchange::read_universal(*file);
+  const auto unit = read_measured_unit(reader);
+  if (!file || (reader.has("unit") && !unit)) return std::nullopt;
+  auto read = exchange::read_universal(*file);
   if (!read) return reader.add_of_file("file", read.error()), std::nullopt;
   foundation::Problems found = read->warnings;
+  found.add(turn_functions(nodes_among(nodes, read->file), read->file.functions));
   found.add(judge_directions(nodes_among(nodes, read->file)));
-  GroundMobility result = MobilityFunctions(read->file, file->string(), nodes, found).mobility();
+  GroundMobility result = MobilityFunctions(read->file, file->string(), nodes, unit, found).mobility();
   result.source = file->string();
   if (!found.has_errors()) found.add(judge_mobility(result));
   reader.add_of_file("file", found);

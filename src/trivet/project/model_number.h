@@ -54,7 +54,9 @@ using Design = std::vector<std::pair<ModelNumber, double>>;
 [[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const Design& design);
 
 /// The same with changes of the file.
-[[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes);
+/// @param may_fall  also of a machine that its weight makes fall over, which is no valid model otherwise
+[[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes,
+                                                                 bool may_fall = false);
 
 /// The case with changes of its model: its analyses and warnings are those of `variant`.
 [[nodiscard]] foundation::Expected<Case> changed_case(const Case& variant, const std::vector<Node>& changes);

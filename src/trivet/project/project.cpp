@@ -27,6 +27,7 @@
 #include "trivet/project/rest_of_clearances.h"
 #include "trivet/project/settings.h"
 #include "trivet/project/settled_system.h"
+#include "trivet/project/standing_check.h"
 #include "trivet/project/suspicions.h"
 #include "trivet/project/text/acceptances.h"
 #include "trivet/project/text/changes.h"
@@ -170,6 +171,10 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
 
 /// Adds the suspicions of a case to its warnings, except those accepted, and the error of clearances without rest.
 void judge(Case& variant, const Questions& questions, AcceptanceBook& book, foundation::Problems& problems) {
+  foundation::Problems standing = standing_problems(variant.system);
+  locate(standing, variant.document);
+  problems.add(standing);
+  if (!standing.has_errors()) variant.warnings.add(standing);
   if (is_requested("clearances", questions, variant.name)) problems.add(without_rest(variant));
   const std::vector<Acceptance> accepted = read_acceptances(variant.document, problems);
   std::vector<std::pair<std::string, std::string>> kinds;
@@ -216,19 +221,21 @@ const Case* Project::find(const std::string& name) const {
 namespace {
 
 std::optional<Case> read_changed(const Case& variant, Node document, const std::vector<Node>& changes,
-                                 foundation::Problems& problems) {
+                                 foundation::Problems& problems, bool may_fall = false) {
   for (const Node& change : changes) apply_changes(document, change, "", problems);
   std::string title;
   const KnownModel known{variant.document, variant.system.description()};
   auto changed = read_case(document, variant.name, title, problems, {}, nullptr, &known);
+  if (changed && !may_fall) problems.add(standing_problems(changed->system));
   return problems.has_errors() ? std::nullopt : std::move(changed);
 }
 
 }  // namespace
 
-foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes) {
+foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes,
+                                                   bool may_fall) {
   foundation::Problems problems;
-  auto changed = read_changed(variant, without_questions(variant.written), changes, problems);
+  auto changed = read_changed(variant, without_questions(variant.written), changes, problems, may_fall);
   if (changed) return std::move(changed->system);
   return tl::make_unexpected(std::move(problems));
 }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "trivet/project/analyses/isolation_reader.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/text/outside_features.h"
@@ -75,7 +76,15 @@ class UsedExcitationCollector {
 
  private:
   void add_requirements(const Requirements& required) {
-    if (!required.limits.empty() || !required.no_peak.empty()) add_excitations(required.excitations, harmonic);
+    bool common = !required.no_peak.empty();
+    for (const AmplitudeLimit& limit : required.limits) {
+      if (limit.speed) add_excitations(limit.excitations.value_or(std::vector<std::string>()), by_orders);
+      else if (limit.excitations) add_excitations(*limit.excitations, harmonic);
+      else common = true;
+    }
+    if (common) add_excitations(required.excitations, harmonic);
+    for (const Isolation& isolation : required.isolation)
+      for (const std::string& force : isolated_forces(isolation, variant_.system)) used_.names.insert(force);
     if (!required.rms.empty()) add_excitations({}, random);
     if (!required.largest.empty()) add_excitations({}, in_time);
     if (!required.statics.empty() || required.mount_load) add_constant_forces();

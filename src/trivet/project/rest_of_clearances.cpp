@@ -3,6 +3,7 @@
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/static_machine.h"
 #include "trivet/response/steady/static_response.h"
 
 namespace trivet::project {
@@ -11,7 +12,8 @@ foundation::Problems without_rest(const Case& variant) {
   foundation::Problems problems;
   if (variant.system.description().clearances.empty()) return problems;
   try {
-    static_cast<void>(response::static_response(variant.system, assembly::assemble(variant.system), {}));
+    const nonlinear::StaticMachine held = nonlinear::static_machine(variant.system, assembly::assemble(variant.system));
+    static_cast<void>(response::static_response(held.system, held.assembled, {}));
   } catch (const foundation::NotComputable& reason) {
     problems
         .error("clearances", reason.what(),

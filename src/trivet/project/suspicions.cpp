@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/suspicions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "trivet/project/analyses/orders_question.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/transient_question.h"
+#include "trivet/project/text/acceptances.h"
 #include "trivet/project/text/table_reader.h"
 
 namespace trivet::project {
@@ -78,6 +81,43 @@ void add_limit(const std::string& table, const AmplitudeLimit& limit, plausibili
                                     limit.amplitude, limit.quantity == assembly::MotionQuantity::velocity});
 }
 
+/// The band of [requirements], if it is not that of the response, and windows to avoid without units.
+void add_windows_of_requirements(const Case& variant, plausibility::Stated& stated) {
+  const Node* table = variant.document.find("requirements");
+  if (!table || !variant.analyses.requirements) return;
+  if (table->find("band") && variant.analyses.requirements->band)
+    stated.windows.push_back(
+        {"requirements.band", variant.analyses.requirements->band->from, variant.analyses.requirements->band->to});
+  const Node* natural = table->find("natural_frequencies");
+  const Node* avoid = natural ? natural->find("avoid") : nullptr;
+  if (!avoid) return;
+  for (const Node& window : avoid->items)
+    if (window.items.size() == 2 && window.items[0].kind != Node::Kind::text &&
+        window.items[1].kind != Node::Kind::text)
+      stated.windows.push_back({.subject = "requirements.natural_frequencies.avoid",
+                                .from = window.items[0].number,
+                                .to = window.items[1].number,
+                                .avoided = true});
+}
+
+/// Speeds of `isolation` without a unit.
+void add_speeds_of_isolation(const Case& variant, plausibility::Stated& stated) {
+  const Node* isolation = find(variant.document, "requirements", "isolation");
+  if (!isolation) return;
+  const auto add = [&](const Node& speed) {
+    if (speed.kind == Node::Kind::integer || speed.kind == Node::Kind::real)
+      stated.speeds.push_back({"requirements.isolation.at", speed.number});
+  };
+  const auto add_of = [&](const Node& table) {
+    const Node* at = table.kind == Node::Kind::table ? table.find("at") : nullptr;
+    if (!at) return;
+    if (at->kind != Node::Kind::array) return add(*at);
+    for (const Node& item : at->items) add(item);
+  };
+  if (isolation->kind != Node::Kind::array) return add_of(*isolation);
+  for (const Node& table : isolation->items) add_of(table);
+}
+
 void add_questions(const Case& variant, plausibility::Stated& stated) {
   const Analyses& asked = variant.analyses;
   const auto add = [&](const std::string& question, const std::optional<response::Band>& band) {
@@ -99,11 +139,13 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,
                                         request.of, *std::max_element(line.limit.begin(), line.limit.end()),
                                         line.unit == "m/s", true});
+  add_windows_of_requirements(variant, stated);
   const Node* orders = find(variant.document, "analyses", "orders");
   const Node* speeds = orders ? orders->find("speed") : nullptr;
   const auto* run_up = asked.find<OrdersQuestion>("orders");
   if (run_up && speeds && speeds->items.size() == 2 && speeds->items[1].kind != Node::Kind::text)
     stated.speeds.push_back({"analyses.orders.speed", run_up->speed.to});
+  add_speeds_of_isolation(variant, stated);
   for (const model::Excitation& excitation : variant.system.description().excitations)
     if (const auto* random = std::get_if<model::Random>(&excitation.course))
       stated.windows.push_back(
@@ -134,6 +176,20 @@ std::vector<plausibility::Suspicion> suspicions(const Case& variant,
   std::vector<plausibility::Suspicion> found = plausibility::suspicions(variant.system, stated);
   for (plausibility::Suspicion& one : found) name_foundation(variant.document, one.subject);
   return found;
+}
+
+foundation::Problems doubts_about_band(const Case& variant, const response::Band& band) {
+  foundation::Problems ignored, doubts;
+  const std::vector<Acceptance> accepted = read_acceptances(variant.document, ignored);
+  const std::string table = "analyses.response";
+  for (const plausibility::Suspicion& one :
+       plausibility::suspicions_about(variant.system, {{table + ".band", band.from, band.to}})) {
+    const bool known = std::any_of(accepted.begin(), accepted.end(),
+                                   [&](const Acceptance& a) { return a.table == table && a.kind == one.kind; });
+    if (!known)
+      doubts.warning("--band", one.finding, fmt::format("suspicion \"{}\": {}", one.kind, one.rule), one.probable);
+  }
+  return doubts;
 }
 
 void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems) {

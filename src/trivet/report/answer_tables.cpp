@@ -76,6 +76,9 @@ std::string transient_table(const study::Answers& answers) {
   const auto* transient = answers.find<study::TransientResult>("transient");
   if (!transient) return "";
   std::vector<std::vector<Cell>> rows;
+  results::LargestOfKind largest;
+  for (const response::TimeCurve& c : transient->response.curves)
+    for (const double value : {c.largest.value, c.smallest.value}) largest.add(c.unit, value);
   for (const response::TimeCurve& c : transient->response.curves) {
     const results::DisplayUnit unit = results::display_unit(answers.display, c.unit);
     if (is_round_off(transient->response, c)) {
@@ -83,11 +86,11 @@ std::string transient_table(const study::Answers& answers) {
       continue;
     }
     rows.push_back({{c.name},
-                    quantity_cell(c.largest.value, unit),
+                    quantity_cell(largest.shown(c.unit, c.largest.value), unit),
                     quantity_cell(c.largest.time, "s"),
-                    quantity_cell(c.smallest.value, unit),
+                    quantity_cell(largest.shown(c.unit, c.smallest.value), unit),
                     quantity_cell(c.smallest.time, "s"),
-                    quantity_cell(c.rms, unit)});
+                    quantity_cell(largest.shown(c.unit, c.rms), unit)});
   }
   return html_table(
              {{"result"}, right("largest"), right("at"), right("smallest"), right("at"), right("rms over the time")},
@@ -182,15 +185,18 @@ std::string power_table(const study::Answers& answers) {
   const auto* found = answers.find<response::PowerFlow>("power");
   if (!found || found->angular_frequency.empty() || found->mounts.empty()) return "";
   const response::PowerFlow& p = *found;
+  results::LargestOfKind largest;
+  for (const double power : p.by_forces) largest.add("W", power);
+  for (const double power : p.by_ground) largest.add("W", power);
   const auto row = [&](const std::string& name, const Eigen::VectorXd& power) {
     Eigen::Index at = 0;
     const double most = power.maxCoeff(&at), total = p.into_ground_in_total(at),
                  fed = p.by_forces(at) + std::max(p.by_ground(at), 0.0);
     return std::vector<Cell>{{name},
-                             quantity_cell(most, "W"),
+                             quantity_cell(largest.shown("W", most), "W"),
                              frequency_cell(p.angular_frequency[to_size(at)], answers.display),
                              total > 0 && most > 0 ? percent_cell(most / total) : right("–"),
-                             quantity_cell(fed, "W")};
+                             quantity_cell(largest.shown("W", fed), "W")};
   };
   std::vector<std::vector<Cell>> rows;
   for (std::size_t m = 0; m < p.mounts.size(); ++m)

@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::size_t tall_from = 19;  // rows; from this number on the table scrolls
 
-const char* class_of(Tone tone) { return tone == Tone::bad ? "bad" : tone == Tone::good ? "good" : "quiet"; }
+const char* class_of(Tone tone) {
+  return tone == Tone::bad ? "bad" : tone == Tone::good ? "good" : tone == Tone::doubt ? "unsure" : "quiet";
+}
 
 std::string content(const Cell& c) {
   const std::string text = c.html ? c.text : escaped(c.text);
@@ -103,6 +105,8 @@ void add_frequency_headings(std::vector<Cell>& row, const project::ShownUnits& d
 Cell verdict_cell(bool passed, const std::string& yes, const std::string& no) {
   return {passed ? "✓ " + yes : "✗ " + no, false, passed ? Tone::good : Tone::bad};
 }
+
+Cell missing_verdict_cell(const std::string& words) { return {"? " + words, false, Tone::doubt}; }
 
 Cell html_cell(std::string html) { return {std::move(html), false, Tone::plain, 1, true}; }
 

@@ -8,8 +8,8 @@
 
 namespace trivet::report {
 
-/// How a cell is coloured: a limit is violated, a check passed, a number is only round-off.
-enum class Tone { plain, bad, good, quiet };
+/// How a cell is coloured: a limit is violated, a check passed, a number is only round-off, something was not judged.
+enum class Tone { plain, bad, good, quiet, doubt };
 
 /// A cell of a table; numbers are right-aligned.
 struct Cell {
@@ -20,7 +20,7 @@ struct Cell {
   bool html = false;  ///< `text` is HTML, not plain text
 };
 
-/// A row, with the style of the whole row: "failed", "minor" or "".
+/// A row, with the style of the whole row: "failed", "unjudged", "minor" or "".
 struct Row {
   std::vector<Cell> cells;
   std::string style;
@@ -50,6 +50,8 @@ void add_frequency(std::vector<Cell>& row, double angular_frequency, const proje
 void add_frequency_headings(std::vector<Cell>& row, const project::ShownUnits& display);
 /// "✓ ok" or "✗ FAILED".
 [[nodiscard]] Cell verdict_cell(bool passed, const std::string& yes = "ok", const std::string& no = "FAILED");
+/// A verdict that is missing: "? not judged".
+[[nodiscard]] Cell missing_verdict_cell(const std::string& words);
 [[nodiscard]] Cell html_cell(std::string html);
 
 /// A table in the style of the page. @param style  class of the table: "matrix" or ""

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/model/point_mass.h"
 #include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
 #include "trivet/results/law_words.h"
@@ -75,14 +76,15 @@ std::string bodies_tables(const std::vector<model::Body>& bodies) {
     const Eigen::Vector3d moments = spatial::principal_inertia(b.mass).moments;
     std::string points;
     for (const model::Point& p : b.points) points += "<div>" + escaped(p.name + " " + vector_words(p.at)) + "</div>";
-    rows.push_back({{{b.name},
-                     right(number_text(b.mass.mass)),
-                     {vector_words(b.mass.centre)},
-                     {listed(moments, 6), false, moments.minCoeff() <= 0 ? Tone::bad : Tone::plain},
-                     {coordinates_words(b.free)},
-                     {vector_words(b.pose.position)},
-                     html_cell(points)},
-                    ""});
+    rows.push_back(
+        {{{b.name},
+          right(number_text(b.mass.mass)),
+          {vector_words(b.mass.centre)},
+          {listed(moments, 6), false, moments.minCoeff() <= 0 && !model::is_point_mass(b) ? Tone::bad : Tone::plain},
+          {coordinates_words(b.free)},
+          {vector_words(b.pose.position)},
+          html_cell(points)},
+         ""});
     inertia += paragraph(b.name + ": the body axes " + axes_words(b.pose.rotation)) +
         matrix_table({"x", "y", "z"}, spatial::inertia_about_pole(b.mass));
   }

@@ -40,10 +40,13 @@ std::string marks_table(const study::DesignMap& map) {
     for (const std::string& sentence : results::verdict_words(map, mark))
       words += (words.empty() ? "" : "; ") + sentence;
     const bool feasible = mark.judged && mark.judged->governing.feasible();
+    const Cell verdict = mark.judged
+        ? Cell{feasible ? "meets every rule" : "violates a rule", false, feasible ? Tone::plain : Tone::bad}
+        : missing_verdict_cell("not computed");
     rows.push_back({{mark.name.empty() ? "base model" : mark.name},
                     right(value_or_dash(mark.x, map.request.x)),
                     right(value_or_dash(mark.y, map.request.y)),
-                    {feasible ? "meets every rule" : "violates a rule", false, feasible ? Tone::plain : Tone::bad},
+                    verdict,
                     {words + (mark.of_this_model ? "" : " (not the model of the map)")}});
   }
   return rows.empty() ? ""

@@ -6,6 +6,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/report/answer_tables.h"
 #include "trivet/report/html_table.h"
+#include "trivet/report/result_tables.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/optimization_results.h"
 #include "trivet/study/design_front.h"
@@ -22,7 +23,7 @@ std::string words_in_case(const Optimization& found, std::size_t c, const std::s
 }
 
 Cell optimum_margin_cell(const study::RequirementResult& result) {
-  return result.value ? aligned_cell(result.margin) : Cell{"not judged", false, Tone::bad};
+  return result.value ? aligned_cell(result.margin) : missing_verdict_cell("not judged");
 }
 
 std::string optimum_parameters_table(const Optimization& found) {
@@ -75,8 +76,8 @@ std::string optimum_requirements_table(const Optimization& found) {
       rows.push_back({{{words_in_case(found, c, after.words)},
                        optimum_margin_cell(found.before[c].results[r]),
                        optimum_margin_cell(after),
-                       verdict_cell(after.met(), "met", "VIOLATED")},
-                      after.met() ? "" : "failed"});
+                       requirement_cell(after)},
+                      requirement_style(after)});
     }
   if (rows.empty()) return "";
   return html_table({{"Requirement"}, right("margin, given"), right("margin, optimum"), {"verdict"}}, rows);

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "trivet/report/design_judgement.h"
 #include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
 
@@ -56,14 +57,6 @@ std::string box(const std::string& style, const std::string& title, const std::v
   return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2><ul>{}</ul></div>\n", style, title, items);
 }
 
-std::string exceeded_words(const std::vector<ShownCase>& cases) {
-  std::string words;
-  for (const ShownCase& c : cases)
-    if (c.exceeded_limits())
-      words += fmt::format("{}{} ({} of {})", words.empty() ? "" : ", ", c.name(), c.exceeded_limits(), c.limits());
-  return words;
-}
-
 }  // namespace
 
 std::string page_notices(const std::vector<ShownCase>& cases) {
@@ -75,17 +68,13 @@ std::string page_notices(const std::vector<ShownCase>& cases) {
     for (const std::string& text : cases[i].answers.free_motions) add(rigid, text, "", i);
     for (const std::string& text : cases[i].answers.notes) add(notes, text, "", i);
   }
-  std::string html = box("alert", "⚠ " + count_words(warnings.size(), "warning"), warnings, cases) +
+  std::string html = judgement_box(cases) +
+      box("alert", "⚠ " + count_words(warnings.size(), "warning"), warnings, cases) +
       box("alert", "✗ " + count_words(failed.size(), "failed check"), failed, cases) +
       box("note", "Rigid-body modes", rigid, cases) + box("note", "Notes", notes, cases);
-  const std::string exceeded = exceeded_words(cases);
-  if (!exceeded.empty())
-    html += "<p class=\"alert\" role=\"note\"><span class=\"bad\">✗ Limits are exceeded: </span>" + escaped(exceeded) +
-        "; see below.</p>\n";
   if (!cases.empty() && warnings.empty() && failed.empty())
-    html += paragraph(std::string(exceeded.empty() ? "✓ " : "") + "No warnings; all checks of the data passed" +
-                          (cases.size() > 1 ? " in all cases." : "."),
-                      exceeded.empty() ? "calm" : "note");
+    html += paragraph(
+        "No warnings; all checks of the data passed" + std::string(cases.size() > 1 ? " in all cases." : "."), "quiet");
   return html;
 }
 
@@ -106,7 +95,7 @@ const study::MapMark* map_mark(const ShownCase& shown, const std::vector<ShownCa
 Cell map_cell(const ShownCase& shown, const std::vector<ShownCase>& cases) {
   const study::MapMark* mark = map_mark(shown, cases);
   if (!mark) return {"–"};
-  if (!mark->judged) return {"not computed", false, Tone::bad};
+  if (!mark->judged) return missing_verdict_cell("not computed");
   const std::string whose = shown.answers.map && !shown.answers.case_name.empty() ? " (own map)" : "";
   return verdict_cell(mark->judged->governing.feasible(), "met" + whose, "VIOLATED" + whose);
 }
@@ -115,7 +104,7 @@ Cell requirements_cell(const study::CaseVerdict& judged) {
   const auto violated = std::count_if(judged.results.begin(), judged.results.end(),
                                       [](const study::RequirementResult& r) { return r.value && !r.met(); });
   if (violated == 0 && judged.not_judged() > 0)
-    return {fmt::format("{} not judged", judged.not_judged()), false, Tone::bad};
+    return missing_verdict_cell(fmt::format("{} not judged", judged.not_judged()));
   if (violated > 0 && !judged.decides) return {fmt::format("{} violated, no need", violated)};
   return verdict_cell(violated == 0, "met", fmt::format("{} of {} VIOLATED", violated, judged.results.size()));
 }

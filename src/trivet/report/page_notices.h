@@ -8,7 +8,8 @@
 
 namespace trivet::report {
 
-/// Warnings, failed checks, rigid-body modes and exceeded limits of all cases; equal texts once, with their cases.
+/// The verdict on the design, then warnings, failed checks and rigid-body modes of all cases; equal texts once, with
+/// their cases.
 [[nodiscard]] std::string page_notices(const std::vector<ShownCase>& cases);
 
 /// One row for each case; a button selects the case.

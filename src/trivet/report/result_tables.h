@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "trivet/report/html_table.h"
 #include "trivet/study/answers.h"
 
 /// Tables of the modes, the roots and the answers to constant and harmonic excitations as HTML; empty if the case did
@@ -16,6 +17,10 @@ namespace trivet::report {
 
 /// Resonance peaks, and the curves without one.
 [[nodiscard]] std::string peaks_table(const project::Case& variant, const study::Answers& answers);
+
+/// "✓ met", "✗ VIOLATED" or "? NOT JUDGED", and the style of its row.
+[[nodiscard]] Cell requirement_cell(const study::RequirementResult& result);
+[[nodiscard]] const char* requirement_style(const study::RequirementResult& result);
 
 /// Every requirement with its margin, the least first.
 [[nodiscard]] std::string requirements_table(const study::Answers& answers);

@@ -104,10 +104,15 @@ std::string load_sharing_table(const study::Answers& answers) {
   std::vector<std::vector<Cell>> rows;
   const results::DisplayUnit force = results::display_unit(answers.display, "N"),
                              length = results::display_unit(answers.display, "m");
+  results::LargestOfKind largest;
   for (const response::MountLoad& m : answers.load_sharing->mounts) {
-    std::vector<Cell> row = {{m.element}, quantity_cell(m.bearing, force), percent_cell(m.share)};
+    largest.add("N", m.bearing);
+    for (const double deflection : m.deflection) largest.add("m", deflection);
+  }
+  for (const response::MountLoad& m : answers.load_sharing->mounts) {
+    std::vector<Cell> row = {{m.element}, quantity_cell(largest.shown("N", m.bearing), force), percent_cell(m.share)};
     if (m.bearing < 0) row.back().tone = Tone::bad;
-    for (int j = 0; j < 3; ++j) row.push_back(quantity_cell(m.deflection(j), length));
+    for (int j = 0; j < 3; ++j) row.push_back(quantity_cell(largest.shown("m", m.deflection(j)), length));
     rows.push_back(std::move(row));
   }
   return html_table({{"mount"}, right("load"), right("share"), right("deflection x"), right("y"), right("z")}, rows) +

@@ -36,12 +36,13 @@ bool belongs_to(const Columns& columns, const CurveGroup& group) {
 }
 
 std::string static_table(const std::vector<response::StaticValue>& values, const std::vector<CurveGroup>& groups,
-                         const Columns& columns, const project::ShownUnits& display) {
-  constexpr double round_off = 1e-11;
+                         const Columns& columns, const project::ShownUnits& display,
+                         const results::LargestOfKind& kinds) {
   std::array<double, 2> largest = {0, 0};
+  const auto shown = [&](const GroupedCurve& c) { return kinds.shown(values[c.curve].unit, values[c.curve].value); };
   for (const CurveGroup& g : groups) {
-    for (const GroupedCurve& c : g.upper) largest[0] = std::max(largest[0], std::abs(values[c.curve].value));
-    for (const GroupedCurve& c : g.lower) largest[1] = std::max(largest[1], std::abs(values[c.curve].value));
+    for (const GroupedCurve& c : g.upper) largest[0] = std::max(largest[0], std::abs(shown(c)));
+    for (const GroupedCurve& c : g.lower) largest[1] = std::max(largest[1], std::abs(shown(c)));
   }
   std::vector<UnitPrefix> prefixes;
   for (std::size_t kind = 0; kind < 2; ++kind)
@@ -60,9 +61,7 @@ std::string static_table(const std::vector<response::StaticValue>& values, const
         rows.back().cells.push_back(right("–"));
         continue;
       }
-      const double value = values[found->curve].value;
-      rows.back().cells.push_back(aligned_cell(value * prefixes[k / 3].factor));
-      if (value != 0 && std::abs(value) < round_off * largest[k / 3]) rows.back().cells.back().tone = Tone::quiet;
+      rows.back().cells.push_back(aligned_cell(shown(*found) * prefixes[k / 3].factor));
     }
   }
   return html_table(headings, rows);
@@ -74,16 +73,18 @@ std::string static_tables(const project::Case&, const study::Answers& answers) {
   if (!answers.statics) return "";
   const std::vector<response::StaticValue>& values = answers.statics->values;
   const std::vector<CurveGroup> all = curve_groups(curve_names(values));
+  results::LargestOfKind kinds;
+  for (const response::StaticValue& value : values) kinds.add(value.unit, value.value);
   std::string html;
   for (const Columns& columns : all_columns()) {
     std::vector<CurveGroup> groups;
     std::copy_if(all.begin(), all.end(), std::back_inserter(groups),
                  [&](const CurveGroup& group) { return belongs_to(columns, group); });
     if (!groups.empty())
-      html += (html.empty() ? "" : "<p></p>") + static_table(values, groups, columns, answers.display);
+      html += (html.empty() ? "" : "<p></p>") + static_table(values, groups, columns, answers.display, kinds);
   }
   return html +
-      hint(fmt::format("Under gravity and the constant forces. Grey values are round-off. Backward error of the "
+      hint(fmt::format("Under gravity and the constant forces. Round-off is shown as 0. Backward error of the "
                        "solution: {:.3g}.",
                        answers.statics->backward_error));
 }

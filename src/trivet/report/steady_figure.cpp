@@ -17,6 +17,7 @@
 #include "trivet/report/html_table.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/results/steady_changes_text.h"
+#include "trivet/results/steady_kinds.h"
 #include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 
@@ -47,6 +48,13 @@ std::vector<const SteadyPoint*> course_of(const SteadyBranch& branch) {
   return course;
 }
 
+/// What the dashed motions are.
+std::string word_of_others(const SteadyBranch& branch) {
+  const bool any =
+      std::any_of(branch.points.begin(), branch.points.end(), [](const SteadyPoint& point) { return point.uncertain; });
+  return any ? "unstable or uncertain" : "unstable";
+}
+
 /// One result over frequency: pieces in which frequency rises or falls, stable ones solid, unstable ones dashed.
 template <typename Value>
 std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownUnits& display, const Value& value,
@@ -54,6 +62,7 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
   std::vector<PanelCurve> curves;
   const std::vector<const SteadyPoint*> course = course_of(branch);
   bool key_of_stable = true, key_of_unstable = true;
+  const std::string others = word_of_others(branch);
   for (std::size_t i = 0; i + 1 < course.size();) {
     const bool rises = branch.parameter(*course[i + 1]) > branch.parameter(*course[i]);
     // A fold belongs to both sides: the next ordinary point says whether the piece is stable.
@@ -76,7 +85,7 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
       if (!same_way || course[i + 1]->stable != stable) break;
     }
     bool& key = stable ? key_of_stable : key_of_unstable;
-    if (key) piece.key = {name + (stable ? "" : ", unstable")};
+    if (key) piece.key = {name + (stable ? "" : ", " + others)};
     key = false;
     if (!rises) {
       std::reverse(piece.x.begin(), piece.x.end());
@@ -158,7 +167,7 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const study::
   const std::vector<PanelCurve> motion = pieces(branch, display, value, "#0072B2", "stable");
   double largest = 0;
   for (PanelCurve piece : motion) {
-    if (!piece.key.empty() && piece.key.front() != "stable") piece.key.front() = "unstable";
+    if (!piece.key.empty() && piece.key.front() != "stable") piece.key.front() = word_of_others(branch);
     for (const double y : piece.y) largest = std::max(largest, y);
     row.curves.push_back(std::move(piece));
   }
@@ -305,13 +314,13 @@ std::string steady_tables(const study::Answers& answers) {
     for (const Fold& fold : branch->further[i].folds)
       if (nonlinear::jumps_at(branch->further[i], fold)) add_fold(fold, fmt::format(", curve {}", i + 1));
   const std::string about = hint(fmt::format(
-      "Periodic motions connected with {}; {}. {} harmonics, which leave out at most "
+      "Periodic motions connected with {}; {}. {} {} at most "
       "{:.2g} of the deflections. Motions are deviations from rest.{}{}",
       results::begun_words(*branch, answers.display),
       branch->search ? fmt::format("{} detached curves were found by a search",
                                    branch->further_ones(SteadyBranch::Found::detached).size())
                      : "detached ones are not sought",
-      branch->harmonics, branch->left_out,
+      branch->harmonics, results::harmonics_that_leave_out(branch->harmonics), branch->left_out,
       branch->at_phase ? fmt::format(" At each load the frequency is the one at which {} lags \"{}\" by {:.4g}°.",
                                      branch->at_phase->of, branch->at_phase->behind,
                                      360 / foundation::two_pi * branch->at_phase->lag)

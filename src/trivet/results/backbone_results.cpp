@@ -9,6 +9,7 @@
 #include "trivet/results/csv_field.h"
 #include "trivet/results/motion_numbers.h"
 #include "trivet/results/shown_numbers.h"
+#include "trivet/results/steady_kinds.h"
 #include "trivet/results/text_table.h"
 
 /// Nonlinear modes.
@@ -104,10 +105,10 @@ std::string backbone_text(const project::Case& variant, const study::Answers& an
   std::string text;
   for (const Backbone& mode : modes_of(answers)) {
     text += fmt::format(
-        "Nonlinear mode {}: {} {} about rest; {} points, {} harmonics, which leave out at most {:.2g} of the "
+        "Nonlinear mode {}: {} {} about rest; {} points, {} {} at most {:.2g} of the "
         "deflections\n",
         mode.mode + 1, number_text(shown_frequency(display, mode.angular_frequency), 6), unit, mode.points.size(),
-        mode.harmonics, mode.left_out);
+        mode.harmonics, harmonics_that_leave_out(mode.harmonics), mode.left_out);
     if (!mode.ended.empty()) text += "  " + mode.ended + "\n";
     for (const std::string& name : mode.held)
       text += fmt::format("  friction of {} sticks at every amplitude; with damped = true it slips\n", name);

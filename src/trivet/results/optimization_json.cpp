@@ -53,6 +53,7 @@ json::Json json::optimization(const Optimization& found) {
                  {"residual", found.no_slopes.empty() ? number(found.residual) : Json(nullptr)},
                  {"no_slopes", found.no_slopes},
                  {"conflicts", Json::array()},
+                 {"cut_short", found.cut_short},
                  {"starts", found.starts},
                  {"agreeing", found.agreeing},
                  {"stuck", found.stuck},

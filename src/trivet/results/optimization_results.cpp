@@ -44,7 +44,9 @@ std::string objective_words(const Optimization& found) {
     return words + (found.objective_unit.empty() ? ", as shares of their limits" : "");
   }
   if (const auto kind = found.minimized_kind; kind != project::Minimized::amplitude)
-    return (kind == project::Minimized::rms ? "rms of " : "magnitude at rest of ") +
+    return (kind == project::Minimized::rms             ? "rms of "
+                : kind == project::Minimized::isolation ? "transmissibility of "
+                                                        : "magnitude at rest of ") +
         foundation::comma_separated(minimized_names(found)) +
         (found.objective_unit.empty() ? ", as a share of its limit" : "");
   return "largest amplitude of " + foundation::comma_separated(minimized_names(found)) + " over the band" +

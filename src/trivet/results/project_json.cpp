@@ -77,6 +77,7 @@ Json model_json(const project::Case& variant) {
               {"excitations", Json::array()},
               {"gravity", d.gravity ? json::list(*d.gravity) : Json(nullptr)},
               {"damping", damping_words(d.damping)}};
+  if (!d.second_order) result["second_order"] = false;
   for (const auto& body : d.bodies) {
     if (body.is_node) continue;
     Json points = Json::object();

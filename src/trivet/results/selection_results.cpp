@@ -9,6 +9,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/price.h"
+#include "trivet/response/machinery/transmissibility.h"
 #include "trivet/results/json_parts.h"
 #include "trivet/results/text_table.h"
 
@@ -28,11 +29,34 @@ std::string governing_words(const MountDesign& design) {
   return std::isinf(design.margin) ? "nothing limits it" : design.governing;
 }
 
+/// "0.393 (−8.11 dB)", or "6.41 (+16.1 dB) AMPLIFIES".
+std::string transmitted_words(const std::optional<double>& transmissibility) {
+  if (!transmissibility) return "";
+  constexpr double round_off = 1e-9;  // a rigid machine transmits 1
+  return fmt::format("{:.3g} ({:+.3g} dB){}", *transmissibility, response::transmissibility_level(*transmissibility),
+                     *transmissibility > 1 + round_off ? " AMPLIFIES" : "");
+}
+
+/// What the first of the table is, if every requirement is met.
+std::string first_words(study::MountOrder by) {
+  switch (by) {
+    case study::MountOrder::price:
+      return "Cheapest combination of mounts with which every requirement is met";
+    case study::MountOrder::mass:
+      return "Lightest combination of mounts with which every requirement is met";
+    case study::MountOrder::isolation:
+      return "Best isolating combination of mounts with which every requirement is met";
+    case study::MountOrder::margin:
+      break;
+  }
+  return "Best combination of mounts: every requirement is met";
+}
+
 std::vector<std::string> design_header(const MountSelection& found) {
   std::vector<std::string> header = {""};
   for (const project::MountChoice& choice : found.choices) header.push_back(choice.name);
   for (const char* word :
-       {"margin", "governing", "load", "deflection", "lowest", "highest", "transmits", "price", "mass"})
+       {"margin", "governing", "load", "sag after creep", "lowest", "highest", "transmits", "price", "mass"})
     header.emplace_back(word);
   return header;
 }
@@ -51,7 +75,7 @@ std::vector<std::string> design_row(const MountSelection& found, const std::stri
   row.push_back(design.deflection ? fmt::format("{:.3g} mm", millimetres * *design.deflection) : "");
   row.push_back(in_hertz(design.lowest));
   row.push_back(in_hertz(design.highest));
-  row.push_back(design.transmissibility ? fmt::format("{:.3g}", *design.transmissibility) : "");
+  row.push_back(transmitted_words(design.transmissibility));
   row.push_back(design.price ? project::price_words(*design.price) : "");
   row.push_back(design.mass ? fmt::format("{:.4g} kg", *design.mass) : "");
   return row;
@@ -137,7 +161,7 @@ json::Json design_json(const MountSelection& found, const MountDesign& design) {
 std::string selection_text(const MountSelection& found) {
   const MountDesign& first = found.best.front();
   std::string text = first.met
-      ? "Best combination of mounts: every requirement is met, least margin " + margin_words(first) + "\n\n"
+      ? first_words(found.by) + ", least margin " + margin_words(first) + "\n\n"
       : "NO combination of mounts meets every requirement; the largest least margin is " + margin_words(first) + "\n\n";
   TextTable table(design_header(found));
   for (std::size_t i = 0; i < found.best.size(); ++i)
@@ -180,7 +204,8 @@ std::string selection_settings(const MountSelection& found) {
 
 std::string selection_json(const MountSelection& found, const foundation::Problems& warnings) {
   using json::Json;
-  Json result = {{"all_combinations", found.all_combinations},
+  Json result = {{"by", study::name(found.by)},
+                 {"all_combinations", found.all_combinations},
                  {"combinations", found.combinations},
                  {"curves", found.curves},
                  {"without_curves", found.without_curves},

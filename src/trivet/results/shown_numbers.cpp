@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "trivet/foundation/constants.h"
+#include "trivet/results/text_table.h"
 #include "trivet/study/explanation.h"
 
 namespace trivet::results {
@@ -35,6 +39,21 @@ std::string value_text(double value, const DisplayUnit& shown) {
   const double number = value * shown.factor;
   return (shown.si ? study::value_words(number, shown.unit) : fmt::format("{:.4g} {}", number, shown.unit)) +
       shown.level;
+}
+
+void LargestOfKind::add(const std::string& si_unit, double value) {
+  if (std::isfinite(value)) largest_[si_unit] = std::max(largest_[si_unit], std::abs(value));
+}
+
+double LargestOfKind::shown(const std::string& si_unit, double value) const {
+  const auto largest_of = [&](const std::string& unit) {
+    const auto found = largest_.find(unit);
+    return found == largest_.end() ? 0 : found->second;
+  };
+  double largest = largest_of(si_unit);
+  if (si_unit.starts_with("rad")) largest = std::max(largest, largest_of("m" + si_unit.substr(3)));
+  if (si_unit == "N m") largest = std::max(largest, largest_of("N"));
+  return without_round_off(value, largest);
 }
 
 std::string frequency_unit(const project::ShownUnits& display, const std::string& usual) {

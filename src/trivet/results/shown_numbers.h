@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,19 @@ struct DisplayUnit {
 [[nodiscard]] std::string sentence_note(const project::ShownUnits& display);
 /// An SI value with its shown unit; SI units get prefixes: "0.5 mm", "0.02 in p-p".
 [[nodiscard]] std::string value_text(double value, const DisplayUnit& shown);
+
+/// The largest number of each kind in one answer, with which round-off is told from data: a number below 1e-12 of the
+/// largest is shown as 0, without a prefix. Rotations and moments are also compared with translations and forces at a
+/// lever of 1 m, because a machine may have no other rotation than round-off.
+class LargestOfKind {
+ public:
+  void add(const std::string& si_unit, double value);
+  /// The value, or 0 if it is round-off.
+  [[nodiscard]] double shown(const std::string& si_unit, double value) const;
+
+ private:
+  std::map<std::string, double> largest_;
+};
 
 /// Unit of a frequency. @param usual  without one in [display]: "rad/s" or "Hz"
 [[nodiscard]] std::string frequency_unit(const project::ShownUnits& display, const std::string& usual = "Hz");

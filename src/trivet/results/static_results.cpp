@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include "trivet/results/answer_writer.h"
@@ -68,9 +67,15 @@ std::string load_sharing_text(const study::Answers& answers) {
   const std::string in_length = " [" + length.unit + "]";
   TextTable table(
       {"mount", "load [" + force.unit + "]", "share", "deflection x" + in_length, "y" + in_length, "z" + in_length});
+  LargestOfKind largest;
   for (const response::MountLoad& m : answers.load_sharing->mounts) {
-    std::vector<std::string> row = {m.element, number_text(m.bearing * force.factor), percent(m.share)};
-    for (int j = 0; j < 3; ++j) row.push_back(number_text(m.deflection(j) * length.factor, 4));
+    largest.add("N", m.bearing);
+    for (const double deflection : m.deflection) largest.add("m", deflection);
+  }
+  for (const response::MountLoad& m : answers.load_sharing->mounts) {
+    std::vector<std::string> row = {m.element, number_text(largest.shown("N", m.bearing) * force.factor),
+                                    percent(m.share)};
+    for (int j = 0; j < 3; ++j) row.push_back(number_text(largest.shown("m", m.deflection(j)) * length.factor, 4));
     table.add(row);
   }
   return "Load sharing (deflection of end K relative to N in the element's axes)\n" + table.text();
@@ -95,13 +100,11 @@ std::string states_text(const study::Answers& answers) {
 
 std::string static_text(const project::Case&, const study::Answers& answers) {
   TextTable table({"result", "value", "unit"});
-  std::map<std::string, double> largest;  // of each unit
-  for (const response::StaticValue& value : answers.statics->values)
-    largest[value.unit] = std::max(largest[value.unit], std::abs(value.value));
+  LargestOfKind largest;
+  for (const response::StaticValue& value : answers.statics->values) largest.add(value.unit, value.value);
   for (const response::StaticValue& value : answers.statics->values) {
     const DisplayUnit unit = display_unit(answers.display, value.unit);
-    table.add(
-        {value.name, number_text(without_round_off(value.value, largest[value.unit]) * unit.factor, 9), unit.unit});
+    table.add({value.name, number_text(largest.shown(value.unit, value.value) * unit.factor, 9), unit.unit});
   }
   return "Static displacements and forces\n" + table.text() +
       (answers.load_sharing ? load_sharing_text(answers) : std::string()) + states_text(answers);

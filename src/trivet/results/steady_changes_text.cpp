@@ -31,7 +31,17 @@ std::string place_text(const SteadyBranch& branch, const SteadyPoint& point, con
 
 std::ptrdiff_t unstable_points(const SteadyBranch& curve) {
   return std::count_if(curve.points.begin(), curve.points.end(),
-                       [](const SteadyPoint& point) { return !point.stable; });
+                       [](const SteadyPoint& point) { return !point.stable && !point.uncertain; });
+}
+
+std::string uncertain_words(const SteadyBranch& curve) {
+  const auto count =
+      std::count_if(curve.points.begin(), curve.points.end(), [](const SteadyPoint& point) { return point.uncertain; });
+  return count > 0 ? fmt::format(", {} of uncertain stability", count) : "";
+}
+
+const char* stability_word(const SteadyPoint& point) {
+  return point.uncertain ? "uncertain" : point.stable ? "yes" : "no";
 }
 
 namespace {
@@ -112,18 +122,21 @@ std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& di
 }
 
 std::string detached_text(const SteadyBranch& branch, const project::ShownUnits& display) {
-  if (!branch.search) return "";
   const std::vector<const SteadyBranch*> detached = branch.further_ones(SteadyBranch::Found::detached);
-  std::string text = fmt::format(
-      "  detached motions: {} found; a search, not a proof: from {} random starts at {} places{}{}{}\n",
-      detached.size(), branch.search->starts, branch.search->places,
-      branch.search->rests > 0 ? fmt::format(", from {} other positions of rest", branch.search->rests) : "",
-      branch.search->load_up_to > 0
-          ? fmt::format(", there with the load raised to {:g} times", branch.search->load_up_to)
-          : "",
-      branch.search->resonances > 0 ? fmt::format(", and along {} {} of phase resonance", branch.search->resonances,
-                                                  branch.search->resonances == 1 ? "curve" : "curves")
-                                    : "");
+  if (!branch.search && detached.empty()) return "";
+  std::string text = !branch.search
+      ? "  another curve of motions returns to the lower end of the band\n"
+      : fmt::format(
+            "  detached motions: {} found; a search, not a proof: from {} random starts at {} places{}{}{}\n",
+            detached.size(), branch.search->starts, branch.search->places,
+            branch.search->rests > 0 ? fmt::format(", from {} other positions of rest", branch.search->rests) : "",
+            branch.search->load_up_to > 0
+                ? fmt::format(", there with the load raised to {:g} times", branch.search->load_up_to)
+                : "",
+            branch.search->resonances > 0
+                ? fmt::format(", and along {} {} of phase resonance", branch.search->resonances,
+                              branch.search->resonances == 1 ? "curve" : "curves")
+                : "");
   if (detached.empty()) return text;
   TextTable table({"detached curve", "from [" + varied_unit(branch, display) + "]", "to", "points", "unstable",
                    "largest half of the range"});
@@ -157,11 +170,11 @@ std::string begins_there(const SteadyBranch& branch, const nonlinear::StabilityC
   if (!change.curve) return change.sought ? "none was found" : "not computed";
   const SteadyBranch& curve = branch.further[*change.curve];
   const auto [low, high] = ends_of(curve);
-  return fmt::format("curve {}, {}, {} to {}: {} points, {} of them unstable{}", *change.curve + 1,
+  return fmt::format("curve {}, {}, {} to {}: {} points, {} of them unstable{}{}", *change.curve + 1,
                      curve.periods == 2 ? "twice the period" : "less symmetric",
                      number_text(shown_varied(branch, low, display), 6),
                      number_text(shown_varied(branch, high, display), 6), curve.points.size(), unstable_points(curve),
-                     curve.ended.empty() ? "" : ", not whole");
+                     uncertain_words(curve), curve.ended.empty() ? "" : ", not whole");
 }
 
 }  // namespace

@@ -16,6 +16,10 @@ namespace trivet::results {
 [[nodiscard]] std::string place_text(const nonlinear::SteadyBranch& branch, const nonlinear::SteadyPoint& point,
                                      const project::ShownUnits& display, int digits);
 [[nodiscard]] std::ptrdiff_t unstable_points(const nonlinear::SteadyBranch& curve);
+/// ", 3 of uncertain stability", or nothing.
+[[nodiscard]] std::string uncertain_words(const nonlinear::SteadyBranch& curve);
+/// Is it stable: "yes", "no" or "uncertain".
+[[nodiscard]] const char* stability_word(const nonlinear::SteadyPoint& point);
 
 /// Folds of all curves, and what jumps there.
 [[nodiscard]] std::string folds_text(const nonlinear::SteadyBranch& branch, const project::ShownUnits& display);

@@ -14,6 +14,8 @@
 #include "trivet/results/motion_numbers.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/results/steady_changes_text.h"
+#include "trivet/results/steady_harmonics.h"
+#include "trivet/results/steady_kinds.h"
 #include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 #include "trivet/results/written_answers.h"
@@ -57,7 +59,7 @@ Json point(const SteadyPoint& p) {
   for (const ObservedMotion& m : p.results) motions.push_back(motion(m));
   return {{"angular_frequency", p.angular_frequency},
           {"load_factor", p.load_factor},
-          {"stable", p.stable},
+          {"stable", p.uncertain ? Json(nullptr) : Json(p.stable)},
           {"largest_multiplier", number(p.largest_multiplier())},
           {"contact", p.contact},
           {"unstable_by_winding", p.unstable_by_winding ? Json(*p.unstable_by_winding) : Json(nullptr)},
@@ -126,6 +128,7 @@ Json steady(const project::Case&, const study::Answers& answers) {
   for (std::size_t c = 0; c < branch.results.size(); ++c)
     result["results"].push_back({{"name", branch.results[c]}, {"unit", branch.units[c]}});
   result.update(followed_curve(branch));
+  if (!branch.asked_at.empty()) result["at"] = harmonics(branch);
   if (branch.search)
     result["search"] = {{"places", branch.search->places},
                         {"starts", branch.search->starts},
@@ -149,6 +152,7 @@ namespace {
 
 std::string steady_csv(const project::Case&, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
+  if (!branch.asked_at.empty()) return harmonics_csv(branch);
   std::string text = "curve,periods,angular_frequency [rad/s],load factor,stable,largest multiplier";
   for (const std::string& stop : branch.stops) text += "," + csv_field(stop + " contact");
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
@@ -162,7 +166,7 @@ std::string steady_csv(const project::Case&, const study::Answers& answers) {
   for (std::size_t number = 0; number < curves.size(); ++number)
     for (const SteadyPoint& point : curves[number]->points) {
       text += fmt::format("{},{},{},{},{},{}", number, curves[number]->periods, point.angular_frequency,
-                          point.load_factor, point.stable ? "yes" : "no", csv_number(point.largest_multiplier()));
+                          point.load_factor, stability_word(point), csv_number(point.largest_multiplier()));
       for (const double share : point.contact) append_csv_number(text, share);
       for (const ObservedMotion& motion : point.results) {
         const std::complex<double> excited = motion.harmonics(curves[number]->periods - 1);
@@ -214,14 +218,16 @@ std::string phase_text(const SteadyBranch& branch, const project::ShownUnits& di
   TextTable table(heads);
   constexpr std::size_t rows = 12;
   const std::size_t last = branch.points.size() - 1, every = std::max<std::size_t>(1, last / rows);
+  const std::vector<double> kinds = largest_of_kinds(branch);
   for (std::size_t i = 0; i <= last; i += (i < last && i + every > last) ? last - i : every) {
     const SteadyPoint& point = branch.points[i];
     std::vector<std::string> row = {number_text(point.load_factor, 5),
                                     number_text(shown_varied(over_frequency, point.angular_frequency, display), 6),
-                                    point.stable ? "yes" : "no"};
+                                    stability_word(point)};
     for (std::size_t c = 0; c < branch.results.size(); ++c)
-      row.push_back(value_text(std::max(point.results[c].largest, -point.results[c].smallest),
-                               display_unit(display, branch.units[c])));
+      row.push_back(
+          value_text(without_round_off(std::max(point.results[c].largest, -point.results[c].smallest), kinds[c]),
+                     display_unit(display, branch.units[c])));
     table.add(row);
     if (i == last) break;
   }
@@ -239,10 +245,11 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
       [&](const SteadyPoint& a, const SteadyPoint& b) { return branch.parameter(a) < branch.parameter(b); });
   std::string text = excited_at_once(branch.excitations) + orders_text(branch) +
       fmt::format("Periodic motions from {} to {} {}, connected with {}{}\n"
-                  "  {} points, {} of them unstable; {} harmonics, which leave out at most {:.2g} of the deflections\n",
+                  "  {} points, {} of them unstable{}; {} {} at most {:.2g} of the deflections\n",
                   place_text(branch, *low, display, 5), place_text(branch, *high, display, 5), unit,
                   begun_words(branch, display), branch.search ? "" : " (detached ones are not sought)",
-                  branch.points.size(), unstable_points(branch), branch.harmonics, branch.left_out);
+                  branch.points.size(), unstable_points(branch), uncertain_words(branch), branch.harmonics,
+                  harmonics_that_leave_out(branch.harmonics), branch.left_out);
   if (!branch.ended.empty()) text += "  " + branch.ended + "\n";
   for (const double corner : branch.corners)
     text += fmt::format("  corner at {} {}: the curve turns at once, and was sought beyond at a fixed {}\n",
@@ -251,15 +258,16 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
   text += detached_text(branch, display) + changes_text(branch, display) + folds_text(branch, display);
   TextTable table({"deviation from rest", "largest stable", "smallest stable", "larger of both at [" + unit + "]",
                    "mean there", "magnitude of all"});
+  if (!branch.asked_at.empty()) text = harmonics_text(branch, display) + text;
+  const std::vector<double> kinds = largest_of_kinds(branch);
   const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
   if (nonlinear::stable_points(branch).empty()) return text + "  no motion of this branch is stable\n";
   for (std::size_t c = 0; c < extremes.size(); ++c) {
     const DisplayUnit shown = display_unit(display, branch.units[c]);
     const nonlinear::ObservedMotion& top = extremes[c].at->results[c];
-    table.add({branch.results[c], value_text(extremes[c].largest, shown), value_text(extremes[c].smallest, shown),
-               place_text(branch, *extremes[c].at, display, 5),
-               value_text(without_round_off(top.mean, top.half_of_range()), shown),
-               value_text(extremes[c].farthest_of_all, shown)});
+    const auto told = [&](double value) { return value_text(without_round_off(value, kinds[c]), shown); };
+    table.add({branch.results[c], told(extremes[c].largest), told(extremes[c].smallest),
+               place_text(branch, *extremes[c].at, display, 5), told(top.mean), told(extremes[c].farthest_of_all)});
   }
   return text + table.text();
 }
@@ -284,6 +292,8 @@ void further_arrays(const SteadyBranch& branch, LabelledArrays& list) {
   list.column("further.load_factor", "1", "further_point", points,
               [](const SteadyPoint& point) { return point.load_factor; });
   list.column("further.stable", "1", "further_point", points, [](const SteadyPoint& point) { return point.stable; });
+  list.column("further.uncertain", "1", "further_point", points,
+              [](const SteadyPoint& point) { return point.uncertain; });
   for (std::size_t c = 0; c < branch.results.size(); ++c)
     list.column("further." + branch.results[c] + " half of range", branch.units[c], "further_point", points,
                 [c](const SteadyPoint& point) { return point.results[c].half_of_range(); });
@@ -298,6 +308,7 @@ void steady_arrays(const project::Case&, const study::Answers& answers, Labelled
   if (over_load) list.column(axis, "1", axis, points, &SteadyPoint::load_factor);
   list.field("angular_frequency", "rad/s", axis, points, &SteadyPoint::angular_frequency);
   list.column("stable", "1", axis, points, &SteadyPoint::stable);
+  list.column("uncertain", "1", axis, points, &SteadyPoint::uncertain);
   list.column("largest_multiplier", "1", axis, points, &SteadyPoint::largest_multiplier);
   for (std::size_t i = 0; i < branch.stops.size(); ++i) {
     std::vector<double> shares;

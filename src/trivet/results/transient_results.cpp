@@ -48,11 +48,14 @@ std::string transient_csv(const project::Case&, const study::Answers& answers) {
 std::string transient_text(const project::Case& variant, const study::Answers& answers) {
   const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
   TextTable table({"result", "largest", "at [s]", "smallest", "at [s]", "rms", "unit"});
+  LargestOfKind largest;
+  for (const response::TimeCurve& c : found.curves)
+    for (const double value : {c.largest.value, c.smallest.value}) largest.add(c.unit, value);
   for (const response::TimeCurve& c : found.curves) {
     const DisplayUnit unit = display_unit(variant.display, c.unit);
-    table.add({c.name, number_text(c.largest.value * unit.factor), number_text(c.largest.time, 5),
-               number_text(c.smallest.value * unit.factor), number_text(c.smallest.time, 5),
-               number_text(c.rms * unit.factor), unit.unit});
+    const auto shown = [&](double value) { return number_text(largest.shown(c.unit, value) * unit.factor); };
+    table.add({c.name, shown(c.largest.value), number_text(c.largest.time, 5), shown(c.smallest.value),
+               number_text(c.smallest.time, 5), shown(c.rms), unit.unit});
   }
   const Eigen::Index n = found.time.size();
   return excited_at_once(variant, "transient") +

@@ -32,6 +32,8 @@ Json transmissibility(const project::Case&, const study::Answers& answers) {
     Json one = curve(c);
     one["level_db"] = std::move(level).json();
     one["isolation_efficiency"] = t.is_share(i) ? Json() : std::move(efficiency).json();
+    one["highest_in_band"] = number(t.in_band[i].amplitude);
+    one["highest_in_band_at"] = number(t.in_band[i].angular_frequency);
     one["isolates_from"] = t.is_share(i) ? Json() : optional(t.crossovers[i].angular_frequency);
     result["results"].push_back(std::move(one));
   }
@@ -69,14 +71,16 @@ std::string transmissibility_text(const project::Case&, const study::Answers& an
   const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
   const std::string unit = " [" + frequency_unit(answers.display) + "]";
   const auto in_unit = [&](double omega) { return number_text(shown_frequency(answers.display, omega), 5); };
-  TextTable table({"result", "highest |T|", "at" + unit, "level [dB]", "isolates from" + unit, "at the end of the band",
-                   "efficiency there"});
+  TextTable table({"result", "highest |T| in the band", "at" + unit, "level [dB]", "at any frequency", "at" + unit,
+                   "isolates from" + unit, "at the end of the band", "efficiency there"});
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::CurveSummary& summary = t.peaks.curves[i];
     const Eigen::VectorXcd& values = t.curves.curves[i].value;
     const double last = std::abs(values(values.size() - 1));
-    table.add({summary.name, number_text(summary.highest), in_unit(summary.highest_at),
-               number_text(response::transmissibility_level(summary.highest), 4),
+    const design::LargestAmplitude& largest = t.in_band[i];
+    table.add({summary.name, number_text(largest.amplitude), in_unit(largest.angular_frequency),
+               number_text(response::transmissibility_level(largest.amplitude), 4), number_text(summary.highest),
+               in_unit(summary.highest_at),
                t.crossovers[i].angular_frequency && !t.is_share(i) ? in_unit(*t.crossovers[i].angular_frequency) : "–",
                number_text(last, 4), t.is_share(i) ? "–" : percent(response::isolation_efficiency(last))});
   }
@@ -96,6 +100,8 @@ void transmissibility_arrays(const project::Case&, const study::Answers& answers
   list.texts("result", "result", t.peaks.curves, &CurveSummary::name);
   list.field("result.highest", "1", "result", t.peaks.curves, &CurveSummary::highest);
   list.field("result.highest_at", "rad/s", "result", t.peaks.curves, &CurveSummary::highest_at);
+  list.field("result.highest_in_band", "1", "result", t.in_band, &design::LargestAmplitude::amplitude);
+  list.field("result.highest_in_band_at", "rad/s", "result", t.in_band, &design::LargestAmplitude::angular_frequency);
   std::vector<double> isolates_from;
   for (std::size_t i = 0; i < t.crossovers.size(); ++i)
     isolates_from.push_back(t.is_share(i) ? nothing : t.crossovers[i].angular_frequency.value_or(nothing));

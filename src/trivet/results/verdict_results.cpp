@@ -31,9 +31,11 @@ std::string table_text(const CaseVerdict& judged) {
 std::string envelope_text(const study::Envelope& envelope) {
   if (envelope.rows.empty()) return "";
   TextTable table({"at rest, over all cases", "least", "in", "largest", "in"});
+  const LargestOfKind largest = largest_of(envelope);
   for (const study::EnvelopeRow& row : envelope.rows)
-    table.add({row.name, value_text(row.least, display_unit(envelope.display, row.unit)),
-               case_of_envelope(row.least_in), value_text(row.largest, display_unit(envelope.display, row.unit)),
+    table.add({row.name, value_text(largest.shown(row.unit, row.least), display_unit(envelope.display, row.unit)),
+               case_of_envelope(row.least_in),
+               value_text(largest.shown(row.unit, row.largest), display_unit(envelope.display, row.unit)),
                case_of_envelope(row.largest_in)});
   std::string text = table.text();
   for (const auto& [name, reason] : envelope.left_out)

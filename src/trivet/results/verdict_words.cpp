@@ -7,7 +7,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "trivet/response/machinery/transmissibility.h"
 #include "trivet/results/shown_numbers.h"
+#include "trivet/results/text_table.h"
 #include "trivet/study/explanation.h"
 
 namespace trivet::results {
@@ -23,6 +25,15 @@ std::string shown_frequency_words(double omega, const project::ShownUnits& displ
 
 std::string margin_words(double margin) { return std::isinf(margin) ? "∞" : fmt::format("{:.4g}", margin); }
 
+/// "60.7 % (T = 0.393, −8.11 dB)", or "amplified: T = 6.41, +16.1 dB".
+std::string isolation_cell(double transmissibility) {
+  constexpr double percent = 100;
+  const std::string ratio =
+      fmt::format("T = {:.4g}, {:+.3g} dB", transmissibility, response::transmissibility_level(transmissibility));
+  if (transmissibility > 1) return "amplified: " + ratio;
+  return fmt::format("{:.4g} % ({})", percent * response::isolation_efficiency(transmissibility), ratio);
+}
+
 std::string value_cell(const RequirementResult& r, const project::ShownUnits& display) {
   if (!r.value) return "";
   if (std::isinf(*r.value)) return "∞";
@@ -32,6 +43,8 @@ std::string value_cell(const RequirementResult& r, const project::ShownUnits& di
     case RequirementKind::decoupling:
     case RequirementKind::no_contact:
       return fmt::format("{:.4g} %", 100 * *r.value);
+    case RequirementKind::isolation:
+      return isolation_cell(*r.value);
     case RequirementKind::no_jump:
       return fmt::format("{:g}", *r.value);
     case RequirementKind::avoided_frequencies:
@@ -44,7 +57,7 @@ std::string value_cell(const RequirementResult& r, const project::ShownUnits& di
       return fmt::format("{:.6g} {}", *r.value * requirement_unit(r, display).factor,
                          requirement_unit(r, display).unit);
     default:
-      return value_text(*r.value, requirement_unit(r, display));
+      return value_text(without_round_off(*r.value, r.allowed), requirement_unit(r, display));
   }
 }
 
@@ -71,8 +84,10 @@ DisplayUnit requirement_unit(const RequirementResult& r, const project::ShownUni
 
 std::string requirement_words(const RequirementResult& r, const project::ShownUnits& display) {
   const std::string bound = "≤ " + study::value_words(r.allowed, r.unit);
-  if (!r.words.ends_with(bound)) return r.words;
-  return r.words.substr(0, r.words.size() - bound.size()) + "≤ " + value_text(r.allowed, requirement_unit(r, display));
+  const std::size_t at = r.words.rfind(bound);
+  const std::size_t end = at + bound.size();  // a limit with its own band has this behind its bound
+  if (at == std::string::npos || (end < r.words.size() && r.words[end] != ' ')) return r.words;
+  return r.words.substr(0, at) + "≤ " + value_text(r.allowed, requirement_unit(r, display)) + r.words.substr(end);
 }
 
 std::string verdict_summary(const CaseVerdict& judged) {
@@ -112,9 +127,16 @@ std::vector<RequirementRow> requirement_rows(const CaseVerdict& judged) {
   for (const std::size_t i : order) {
     const RequirementResult& r = judged.results[i];
     rows.push_back({requirement_words(r, judged.display), value_cell(r, judged.display), place_words(r, judged.display),
-                    r.value ? margin_words(r.margin) : "", verdict_word(r), r.met()});
+                    r.value ? margin_words(r.margin) : "", verdict_word(r), r.met(), &r});
   }
   return rows;
+}
+
+LargestOfKind largest_of(const study::Envelope& envelope) {
+  LargestOfKind largest;
+  for (const study::EnvelopeRow& row : envelope.rows)
+    for (const double value : {row.least, row.largest}) largest.add(row.unit, value);
+  return largest;
 }
 
 std::string case_of_envelope(const std::string& name) { return name.empty() ? "base model" : name; }

@@ -25,12 +25,16 @@ namespace trivet::results {
 struct RequirementRow {
   std::string words, value, place, margin, verdict;
   bool met = false;
+  const study::RequirementResult* result = nullptr;  ///< of `judged`
 };
 /// Those that could not be judged first, then by ascending margin.
 [[nodiscard]] std::vector<RequirementRow> requirement_rows(const study::CaseVerdict& judged);
 
 /// Why requirements could not be judged, each reason once.
 [[nodiscard]] std::vector<std::string> reasons_words(const study::CaseVerdict& judged);
+
+/// The largest numbers of an envelope, to tell its round-off.
+[[nodiscard]] LargestOfKind largest_of(const study::Envelope& envelope);
 
 /// A case of an envelope: its name, or "base model".
 [[nodiscard]] std::string case_of_envelope(const std::string& name);

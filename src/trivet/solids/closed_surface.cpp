@@ -5,11 +5,15 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <numeric>
-#include <tuple>
+#include <set>
 
 #include "trivet/foundation/index.h"
+#include "trivet/solids/surface_edges.h"
+#include "trivet/solids/welded_surface.h"
 
 namespace trivet::solids {
 namespace {
@@ -35,59 +39,72 @@ class Connected {
   std::vector<int> parent_;
 };
 
-/// An edge between two vertices, low < high, with the number of triangles that run along it upwards and downwards.
-struct Edge {
-  int low, high, up, down;
-};
-
-std::vector<Edge> edges_of(const Eigen::Matrix3Xi& triangles) {
-  std::vector<Edge> all;
-  all.reserve(3 * to_size(triangles.cols()));
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    if (triangles(0, t) == triangles(1, t) || triangles(1, t) == triangles(2, t) || triangles(2, t) == triangles(0, t))
-      continue;  // a line at most
-    for (int j = 0; j < 3; ++j) {
-      const int from = triangles(j, t), to = triangles((j + 1) % 3, t);
-      all.push_back({std::min(from, to), std::max(from, to), from<to, from> to});
-    }
-  }
-  std::sort(all.begin(), all.end(),
-            [](const Edge& a, const Edge& b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
-  std::vector<Edge> merged;
-  for (const Edge& edge : all) {
-    if (!merged.empty() && merged.back().low == edge.low && merged.back().high == edge.high)
-      merged.back().up += edge.up, merged.back().down += edge.down;
-    else merged.push_back(edge);
-  }
-  return merged;
-}
-
 std::string point(const Eigen::Vector3d& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); }
 
-std::string place(const TriangleSurface& surface, const std::vector<Edge>& edges) {
+std::string place(const TriangleSurface& surface, const std::vector<SurfaceEdge>& edges) {
   Eigen::AlignedBox3d box;
-  for (const Edge& edge : edges) box.extend(surface.vertices.col(edge.low)).extend(surface.vertices.col(edge.high));
+  for (const SurfaceEdge& edge : edges)
+    box.extend(surface.vertices.col(edge.low)).extend(surface.vertices.col(edge.high));
   return fmt::format("around {}, from {} to {}", point(box.center()), point(box.min()), point(box.max()));
 }
 
 /// Edges in connected groups, in order of their lowest vertex.
-std::vector<std::vector<Edge>> groups(const TriangleSurface& surface, const std::vector<Edge>& edges) {
+std::vector<std::vector<SurfaceEdge>> groups(const TriangleSurface& surface, const std::vector<SurfaceEdge>& edges) {
   Connected connected(surface.vertices.cols());
-  for (const Edge& edge : edges) connected.join(edge.low, edge.high);
-  std::map<int, std::vector<Edge>> by_root;
-  for (const Edge& edge : edges) by_root[connected.root(edge.low)].push_back(edge);
-  std::vector<std::vector<Edge>> list;
+  for (const SurfaceEdge& edge : edges) connected.join(edge.low, edge.high);
+  std::map<int, std::vector<SurfaceEdge>> by_root;
+  for (const SurfaceEdge& edge : edges) by_root[connected.root(edge.low)].push_back(edge);
+  std::vector<std::vector<SurfaceEdge>> list;
   for (auto& [root, group] : by_root) list.push_back(std::move(group));
   return list;
 }
 
+/// Triangles that are there twice, facing opposite sides, where the surface is not closed: no hole. Their edges are
+/// removed from `open`.
+void report_opposed(const TriangleSurface& surface, std::vector<SurfaceEdge>& open, Problems& problems) {
+  std::set<std::pair<int, int>> open_edges;
+  for (const SurfaceEdge& edge : open) open_edges.emplace(edge.low, edge.high);
+  std::map<std::array<int, 3>, int> sides;  ///< sum of the signs of the order of the vertices
+  std::map<std::array<int, 3>, int> count;
+  for (const auto& triangle : surface.triangles.colwise()) {
+    std::array<int, 3> corners = {triangle(0), triangle(1), triangle(2)};
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    const int side = corners[1] < corners[2] ? 1 : -1;
+    std::sort(corners.begin(), corners.end());
+    if (!open_edges.contains({corners[0], corners[1]}) || !open_edges.contains({corners[1], corners[2]}) ||
+        !open_edges.contains({corners[0], corners[2]}))
+      continue;
+    sides[corners] += side;
+    ++count[corners];
+  }
+  std::vector<SurfaceEdge> of_pairs;
+  std::size_t pairs = 0;
+  for (const auto& [corners, side] : sides) {
+    if (side != 0 || count[corners] < 2) continue;
+    ++pairs;
+    const auto belongs = [&, c = corners](const SurfaceEdge& edge) {
+      return std::find(c.begin(), c.end(), edge.low) != c.end() && std::find(c.begin(), c.end(), edge.high) != c.end();
+    };
+    std::copy_if(open.begin(), open.end(), std::back_inserter(of_pairs), belongs);
+    std::erase_if(open, belongs);
+  }
+  if (pairs > 0)
+    problems.error(
+        "file",
+        fmt::format("{} there twice, facing opposite sides, {} in the file's units",
+                    pairs == 1 ? "one triangle is" : fmt::format("{} triangles are", pairs), place(surface, of_pairs)),
+        "each triangle of a closed surface is there once and faces outwards",
+        "remove the one that faces inwards in the program that made it, then export it again");
+}
+
 void check_edges(const TriangleSurface& surface, Problems& problems) {
-  std::vector<Edge> open, turned, shared;
-  for (const Edge& edge : edges_of(surface.triangles)) {
+  std::vector<SurfaceEdge> open, turned, shared;
+  for (const SurfaceEdge& edge : surface_edges(surface.triangles)) {
     if (edge.up == edge.down && edge.up > 1) shared.push_back(edge);
     if (edge.up == edge.down) continue;
     (edge.up + edge.down == 2 ? turned : open).push_back(edge);
   }
+  report_opposed(surface, open, problems);
   const auto holes = groups(surface, open);
   for (std::size_t i = 0; i < std::min(holes.size(), most_listed_holes); ++i)
     problems.error("file",
@@ -205,8 +222,10 @@ void check_shells(const std::vector<Shell>& shells, Problems& problems) {
 
 }  // namespace
 
-foundation::Expected<EnclosedVolume> enclosed_volume(const TriangleSurface& surface) {
+foundation::Expected<EnclosedVolume> enclosed_volume(const TriangleSurface& given) {
+  const TriangleSurface surface = welded_surface(given);
   EnclosedVolume enclosed;
+  enclosed.remarks = surface.remarks;
   check_edges(surface, enclosed.remarks);
   check_triangles(surface, enclosed.remarks);
   if (enclosed.remarks.has_errors()) return tl::unexpected(enclosed.remarks);

@@ -65,9 +65,8 @@ tl::unexpected<Problems> refused(const std::filesystem::path& file, const std::s
 bool finite(const Corner& c) { return std::isfinite(c[0]) && std::isfinite(c[1]) && std::isfinite(c[2]); }
 
 foundation::Expected<TriangleSurface> read_binary(const std::filesystem::path& file, std::string_view bytes,
-                                                  const foundation::Progress& progress) {
+                                                  std::size_t count, const foundation::Progress& progress) {
   Builder builder;
-  const std::size_t count = (bytes.size() - header_bytes) / triangle_bytes;
   for (std::size_t i = 0; i < count; ++i) {
     if (i % triangles_between_reports == 0)
       foundation::report_progress(progress, "reading STL", static_cast<double>(i) / static_cast<double>(count));
@@ -80,7 +79,12 @@ foundation::Expected<TriangleSurface> read_binary(const std::filesystem::path& f
       builder.add({x[0], x[1], x[2]});
     }
   }
-  return builder.surface();
+  TriangleSurface surface = builder.surface();
+  if (const std::size_t end = header_bytes + count * triangle_bytes; bytes.size() > end)
+    surface.remarks.warning("file", fmt::format("{} bytes after the last of {} triangles", bytes.size() - end, count),
+                            "the header of a binary STL file states the number of its triangles",
+                            "they are ignored; check the part if they could be triangles");
+  return surface;
 }
 
 /// Words of a text with their line numbers.
@@ -153,6 +157,12 @@ foundation::Expected<TriangleSurface> read_text(const std::filesystem::path& fil
   return builder.surface();
 }
 
+/// A text without what fills its last block: NUL, or the end mark of old systems.
+std::string_view without_filling(std::string_view bytes) {
+  while (!bytes.empty() && (bytes.back() == '\0' || bytes.back() == '\x1A')) bytes.remove_suffix(1);
+  return bytes;
+}
+
 }  // namespace
 
 foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file,
@@ -167,9 +177,12 @@ foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file
   std::uint32_t count = 0;
   if (bytes.size() >= header_bytes) std::memcpy(&count, bytes.data() + header_bytes - 4, 4);
   // Binary headers may also begin with "solid": the size decides.
-  const bool binary =
-      bytes.size() >= header_bytes && bytes.size() == header_bytes + std::size_t{count} * triangle_bytes;
-  const bool text = !binary && bytes.find('\0') == std::string::npos && Words(bytes).next() == "solid";
+  const std::size_t stated_bytes = header_bytes + std::size_t{count} * triangle_bytes;
+  const std::string_view content = without_filling(bytes);
+  const bool exact = bytes.size() >= header_bytes && bytes.size() == stated_bytes;
+  const bool text = !exact && content.find('\0') == std::string_view::npos && Words(content).next() == "solid";
+  // Some programs append colours or text, or fill the last block of the disk.
+  const bool binary = exact || (!text && count > 0 && bytes.size() > stated_bytes);
   if (!binary && !text)
     return refused(file,
                    bytes.size() < header_bytes
@@ -177,7 +190,7 @@ foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file
                        : fmt::format("{} bytes; a binary file of {} triangles, as stated in its header, has {}",
                                      bytes.size(), count, header_bytes + std::size_t{count} * triangle_bytes));
   foundation::Expected<TriangleSurface> surface =
-      binary ? read_binary(file, bytes, progress) : read_text(file, bytes, progress);
+      binary ? read_binary(file, bytes, count, progress) : read_text(file, content, progress);
   if (surface && surface->triangles.cols() == 0) return refused(file, "contains no triangle");
   return surface;
 }

@@ -13,11 +13,12 @@ namespace trivet::solids {
 /// order of first occurrence.
 struct TriangleSurface {
   Eigen::Matrix3Xd vertices;
-  Eigen::Matrix3Xi triangles;  ///< three vertex numbers from 0, counterclockwise seen from outside
+  Eigen::Matrix3Xi triangles;      ///< three vertex numbers from 0, counterclockwise seen from outside
+  foundation::Problems remarks{};  ///< warnings about the file
 };
 
-/// Reads an STL file, binary or text. Normals in the file are not used: the order of the vertices determines the
-/// outside. Problems have the subject "file".
+/// Reads an STL file, binary or text. Bytes after the last triangle of a binary file are ignored with a remark. Normals
+/// in the file are not used: the order of the vertices determines the outside. Problems have the subject "file".
 [[nodiscard]] foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file,
                                                              const foundation::Progress& progress = {});
 

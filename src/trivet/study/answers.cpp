@@ -17,6 +17,8 @@
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/nodes.h"
 #include "trivet/nonlinear/rest_position.h"
+#include "trivet/nonlinear/static_machine.h"
+#include "trivet/plausibility/overturning.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/response/steady/resonant_mode.h"
@@ -104,6 +106,8 @@ class CaseStudy {
     result.free_motions = modal::free_motions(c_.system, c_.assembled, c_.modes);
     result.notes = model::left_out_notes(c_.system.description());
     for (std::string& note : nonlinear::notes_about_rest(c_.system)) result.notes.push_back(std::move(note));
+    for (std::string& note : plausibility::first_order_notes(c_.system, c_.assembled))
+      result.notes.push_back(std::move(note));
     result.modes = c_.modes;
     const int lowest = analyses.lowest_modes;
     if (lowest > 0 && (result.modes.lowest_only || std::ssize(result.modes.list) > lowest)) {
@@ -142,9 +146,10 @@ class CaseStudy {
     if (result.response) attempt([&] { result.limits = limits_of(analyses, *result.response); });
     if (analyses.static_of)
       attempt([&] {
-        result.statics = response::static_response(
-            c_.system, c_.assembled,
-            assembly::channels(c_.system, c_.assembled, *analyses.static_of, assembly::MotionQuantity::displacement));
+        const nonlinear::StaticMachine rest = nonlinear::static_machine(c_.system, c_.assembled);
+        result.statics = response::static_response(rest.system, rest.assembled,
+                                                   assembly::channels(rest.system, rest.assembled, *analyses.static_of,
+                                                                      assembly::MotionQuantity::displacement));
         if (analyses.all_rest_states) result.rest_states = nonlinear::rest_states(c_.system);
       });
     answer_questions(analyses, attempt_question, result);
@@ -156,7 +161,8 @@ class CaseStudy {
   void answer_questions(const project::Analyses& analyses, const Attempt& attempt, Answers& result) const {
     if (analyses.load_sharing && result.statics) {
       try {
-        result.load_sharing = response::load_sharing(c_.system, c_.assembled);
+        const nonlinear::StaticMachine rest = nonlinear::static_machine(c_.system, c_.assembled);
+        result.load_sharing = response::load_sharing(rest.system, rest.assembled);
       } catch (const foundation::NotComputable&) {  // load sharing was not requested, and a model without mounts
                                                     // under its weight has none
       }

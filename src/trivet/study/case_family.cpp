@@ -13,7 +13,10 @@ CaseFamily::CaseFamily(const DesignSpace& space, const project::Case& variant, c
                        const std::vector<RequirementResult>& results)
     : packed_(variant, asked, results), reason_(packed_.reason()) {
   bool any = false;
-  for (std::size_t r = 0; r < results.size(); ++r) any = any || packed_.covers(r);
+  for (std::size_t r = 0; r < results.size(); ++r) {
+    judges_ = judges_ || packed_.covers(r);
+    any = any || packed_.gives_slopes(r);
+  }
   if (!any && reason_.empty()) reason_ = "no requirement of a kind that is judged for many designs at once";
   if (!reason_.empty()) return;
   std::vector<design::SumVariable> variables;

@@ -19,8 +19,10 @@ class CaseFamily {
 
   /// Why there is none; empty if there is one.
   [[nodiscard]] const std::string& reason() const { return reason_; }
-  /// True if a requirement is judged, and has slopes, without a model.
-  [[nodiscard]] bool covers(std::size_t result) const { return family_ && packed_.covers(result); }
+  /// True if some requirement is judged without a model.
+  [[nodiscard]] bool judges() const { return family_ && judges_; }
+  /// True if a requirement has slopes without a model.
+  [[nodiscard]] bool gives_slopes(std::size_t result) const { return family_ && packed_.gives_slopes(result); }
   [[nodiscard]] const PackedCase& packed() const { return packed_; }
   [[nodiscard]] const design::SumFamily& family() const { return *family_; }
   /// "a sum of 40 terms from 61 assembled designs, compared with 24 others: largest deviation 3e-15"
@@ -30,6 +32,7 @@ class CaseFamily {
   PackedCase packed_;
   std::optional<design::SumFamily> family_;
   std::string reason_;
+  bool judges_ = false;
 };
 
 }  // namespace trivet::study

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "trivet/model/guides.h"
+#include "trivet/model/static_stiffness.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/earthquake_question.h"
 #include "trivet/project/analyses/transmissibility_question.h"
@@ -92,13 +93,14 @@ void warn_of_frequency_dependence(const CaseContext& c, foundation::Problems& wa
   }
 }
 
-/// Warns that static answers also use one stiffness, the dynamic one.
+/// Warns that static answers of a nonlinear machine also use one stiffness, the dynamic one.
 void warn_of_stiffening(const CaseContext& c, const project::Analyses& analyses, foundation::Problems& warnings) {
-  if (!analyses.static_of) return;
+  if (!analyses.static_of || model::has_static_stiffness(c.system)) return;
   for (const model::Element& element : c.system.elements())
     if (element.stiffening != 1)
       warnings.warning("elements." + element.name, fmt::format("stiffening = {:.4g}", element.stiffening),
-                       "static results use the dynamic stiffness; under a static load the element is softer",
+                       "a machine with nonlinear parts has one stiffness, that of vibration, at rest too; under a "
+                       "static load the element is softer",
                        "run static with stiffening = 1");
 }
 

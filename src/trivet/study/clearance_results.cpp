@@ -13,7 +13,9 @@
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/static_machine.h"
 #include "trivet/project/analyses/transient_question.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/margin.h"
@@ -89,7 +91,10 @@ std::vector<Approach> approaches_of(const CaseContext& c, const project::Analyse
   const std::vector<assembly::Channel> channels =
       assembly::channels(c.system, c.assembled, approach_names(c.system), MotionQuantity::displacement);
   std::vector<Approach> approaches;
-  for (const response::StaticValue& rest : response::static_response(c.system, c.assembled, channels).values)
+  const nonlinear::StaticMachine held = nonlinear::static_machine(c.system, c.assembled);
+  const std::vector<assembly::Channel> at_rest =
+      assembly::channels(held.system, held.assembled, approach_names(c.system), MotionQuantity::displacement);
+  for (const response::StaticValue& rest : response::static_response(held.system, held.assembled, at_rest).values)
     approaches.push_back({rest.value, std::nullopt, std::nullopt});
   add_harmonic(c, analyses, channels, approaches);
   add_transient(c, analyses, approaches, warnings);

@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/response/machinery/order_loading.h"
 #include "trivet/study/nearest_to_line.h"
+#include "trivet/study/requirement_curve.h"
 
 namespace trivet::study {
 namespace {
@@ -35,24 +39,71 @@ class CurveRequirements {
 
   void add_amplitudes(const std::vector<project::AmplitudeLimit>& limits, const response::Band& band,
                       const std::vector<std::string>& excitations) {
-    if (limits.empty()) return;
+    for (const project::AmplitudeLimit& limit : limits)
+      if (limit.speed) add_under_orders(limit);
+    std::vector<project::AmplitudeLimit> harmonic;
+    std::copy_if(limits.begin(), limits.end(), std::back_inserter(harmonic),
+                 [](const project::AmplitudeLimit& limit) { return !limit.speed; });
+    if (harmonic.empty()) return;
     const std::size_t first = list_.size();
-    list_.add_bounds(c_, RequirementKind::amplitude, limits, "");
-    list_.attempt(first, [&] { set_amplitudes(first, limits, band, excitations); });
+    list_.add_bounds(c_, RequirementKind::amplitude, harmonic, "");
+    for (std::size_t i = 0; i < harmonic.size(); ++i)
+      if (!harmonic[i].has_common_scope()) list_[first + i].words += scope_words(harmonic[i]);
+    set_amplitudes(first, harmonic, band, excitations);
   }
 
+  /// One requirement for each order of the shaft.
+  void add_under_orders(const project::AmplitudeLimit& limit) {
+    const std::vector<std::string> excitations = limit.excitations.value_or(std::vector<std::string>());
+    for (const response::OrderLoading& one : response::order_loadings(c_.system, c_.assembled, excitations)) {
+      if (one.loading.vanishes()) continue;
+      const std::size_t place = list_.size();
+      list_.add_bounds(c_, RequirementKind::amplitude, {limit}, "");
+      RequirementResult& result = list_[place];
+      constexpr double rpm = foundation::rpm_per_rad_s;
+      result.words += fmt::format(" in order {:.6g} of {:.5g} … {:.5g} rpm", one.order, limit.speed->from * rpm,
+                                  limit.speed->to * rpm);
+      result.order = one.order;
+      result.band = {one.order * limit.speed->from, one.order * limit.speed->to};
+      result.excitations = excitations;
+      list_.attempt({place}, [&] { set_amplitudes_together({place}, {limit}); });
+    }
+  }
+
+  /// Those with the same drive and band together.
   void set_amplitudes(std::size_t first, const std::vector<project::AmplitudeLimit>& limits, const response::Band& band,
                       const std::vector<std::string>& excitations) {
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      RequirementResult& result = list_[first + i];
+      result.band = limits[i].band.value_or(band);
+      result.excitations = limits[i].excitations.value_or(excitations);
+    }
+    std::vector<bool> is_set(limits.size(), false);
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      std::vector<std::size_t> places;
+      std::vector<project::AmplitudeLimit> same;
+      for (std::size_t j = i; j < limits.size(); ++j) {
+        if (is_set[j] || !have_same_drive(list_[first + i], list_[first + j])) continue;
+        is_set[j] = true;
+        places.push_back(first + j);
+        same.push_back(limits[j]);
+      }
+      if (!places.empty()) list_.attempt(places, [&] { set_amplitudes_together(places, same); });
+    }
+  }
+
+  void set_amplitudes_together(const std::vector<std::size_t>& places,
+                               const std::vector<project::AmplitudeLimit>& limits) {
     std::vector<assembly::Channel> channels;
     std::vector<MotionQuantity> quantities;
     design::RuleSet set;
-    set.band = band;
+    set.band = list_[places.front()].band;
     for (const project::AmplitudeLimit& limit : limits) {
       quantities.push_back(limit.quantity);
       set.rules.push_back({design::DesignRule::Kind::amplitude, channels.size(), limit.amplitude});
       channels.push_back(assembly::channels(c_.system, c_.assembled, {limit.name}, limit.quantity).front());
     }
-    set_rule_values(first, set, channels, quantities, excitations);
+    set_rule_values(places, set, channels, quantities);
   }
 
   void add_no_peak(const project::Requirements& required) {
@@ -60,16 +111,19 @@ class CurveRequirements {
     const std::size_t first = list_.size();
     const std::vector<assembly::Channel> channels =
         assembly::channels(c_.system, c_.assembled, required.no_peak, required.quantity);
+    std::vector<std::size_t> places;
     design::RuleSet set;
     set.min_prominence = required.min_prominence;
     for (std::size_t i = 0; i < channels.size(); ++i) {
       set.rules.push_back({design::DesignRule::Kind::no_peak, i, required.peak_tolerance});
       list_.add(RequirementKind::no_peak, channels[i].name, "no peak of " + channels[i].name, "1",
                 required.peak_tolerance);
+      list_[first + i].band = {0, infinity};
+      list_[first + i].excitations = required.excitations;
+      places.push_back(first + i);
     }
-    list_.attempt(first, [&] {
-      set_rule_values(first, set, channels, std::vector(channels.size(), required.quantity), required.excitations);
-    });
+    list_.attempt(places,
+                  [&] { set_rule_values(places, set, channels, std::vector(channels.size(), required.quantity)); });
   }
 
   void add_limit_lines(const project::Requirements& required) {
@@ -77,39 +131,52 @@ class CurveRequirements {
       const auto& named = required.limit_lines;
       const bool asked =
           !analyses_.requirements || std::find(named.begin(), named.end(), line.line.name) != named.end();
-      if (!asked || !analyses_.response) continue;
+      const auto& response = analyses_.response;
+      if (!asked || !(response || required.band)) continue;
       const std::size_t first = list_.size();
       RequirementResult& result = list_.add(RequirementKind::limit_line, line.of,
                                             fmt::format("{} within \"{}\"", line.of, line.line.name), "1", 1);
       list_.attempt(first, [&] {
         const response::Band band = required.band ? *required.band
-            : analyses_.response->band            ? *analyses_.response->band
+            : response->band                      ? *response->band
                                                   : default_band(c_);
-        const LimitLineResult found = limit_line_answer(c_, {line}, analyses_.response->selection, band).front();
+        project::AnswerSelection selection{.excitations = required.excitations};
+        if (response) selection = response->selection;
+        const LimitLineResult found = limit_line_answer(c_, {line}, selection, band).front();
         result.margin = found.comparison.least_margin;
         result.value = result.margin > 0 ? 1 / result.margin : infinity;  // share of the line
         result.angular_frequency = found.comparison.least_margin_at;
         result.quantity = quantity_of(line.line);
-        result.excitations = analyses_.response->selection.excitations;
+        result.excitations = selection.excitations;
         result.candidates = maxima_below_line(result, line.line, found.comparison);
       });
     }
   }
 
  private:
-  void set_rule_values(std::size_t first, const design::RuleSet& set, const std::vector<assembly::Channel>& channels,
-                       const std::vector<MotionQuantity>& quantities, const std::vector<std::string>& excitations) {
-    const assembly::Loading loading = assembly::harmonic_loading(c_.system, c_.assembled, excitations);
+  /// " in 20 … 26 Hz under run"
+  static std::string scope_words(const project::AmplitudeLimit& limit) {
+    std::string words;
+    if (limit.band)
+      words += fmt::format(" in {:.5g} … {:.5g} Hz", limit.band->from / foundation::two_pi,
+                           limit.band->to / foundation::two_pi);
+    if (limit.excitations) words += " under " + foundation::comma_separated(*limit.excitations);
+    return words;
+  }
+
+  /// @param places  of results with the same drive
+  void set_rule_values(const std::vector<std::size_t>& places, const design::RuleSet& set,
+                       const std::vector<assembly::Channel>& channels, const std::vector<MotionQuantity>& quantities) {
+    const assembly::Loading loading = requirement_curve(c_.system, c_.assembled, list_[places.front()]).loading;
     if (loading.vanishes()) throw without_excitation("response, peaks");
     const response::Peaks found = peaks_of(channels, loading, set.band, set.min_prominence);
     const design::RuleValues values = design::rule_values(c_.assembled, channels, loading, found, set);
     for (std::size_t i = 0; i < set.rules.size(); ++i) {
-      RequirementResult& result = list_[first + i];
+      RequirementResult& result = list_[places[i]];
       result.value = values.values[i];
       result.margin = design::margin(set.rules[i], values.values[i]);
       if (std::isfinite(values.angular_frequencies[i])) result.angular_frequency = values.angular_frequencies[i];
       result.quantity = quantities[i];
-      result.excitations = excitations;
       result.candidates = set.rules[i].kind == design::DesignRule::Kind::amplitude
           ? maxima(set, i, channels, loading, found)
           : peaks_beside_minima(set.rules[i], i, found);

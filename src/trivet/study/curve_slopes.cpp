@@ -2,9 +2,11 @@
 #include "trivet/study/curve_slopes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "trivet/foundation/index.h"
 #include "trivet/study/driven_result.h"
+#include "trivet/study/requirement_curve.h"
 
 namespace trivet::study {
 namespace {
@@ -26,7 +28,8 @@ double almost_at_rest(const modal::Modes& modes) {
 Eigen::MatrixXd curve_slopes(const CaseContext& c, const DesignNeighbours& neighbours, const RequirementResult& result,
                              const std::vector<double>& frequencies) {
   const auto driven = [&](const model::System& system, const assembly::Assembled& assembled) {
-    return DrivenResult(system, assembled, result.subject, result.quantity, result.excitations);
+    RequirementCurve curve = requirement_curve(system, assembled, result);
+    return DrivenResult(assembled, std::move(curve.channel), std::move(curve.loading));
   };
   struct Solved {
     double omega;

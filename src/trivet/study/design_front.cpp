@@ -46,8 +46,8 @@ class FrontSearch {
  private:
   /// Looks over the ranges; the given design counts too.
   void look() {
-    const Eigen::MatrixXd points =
-        sobol_points(to_index(objective_.space().size()), to_size(looks_for(request_.starts)));
+    const Eigen::MatrixXd points = sobol_points(to_index(objective_.space().size()),
+                                                to_size(looks_for(request_.starts.value_or(project::usual_starts))));
     std::vector<Eigen::VectorXd> shares;
     for (Eigen::Index i = 0; i < points.rows(); ++i) shares.emplace_back(points.row(i).transpose());
     if (const auto given = objective_.space().given_shares()) shares.push_back(*given);
@@ -80,7 +80,7 @@ class FrontSearch {
   /// The least of each objective, and of those designs the one with the least of the others.
   void find_ends() {
     ends_.resize(count_);
-    const std::size_t most = to_size(std::max(1, request_.starts));
+    const std::size_t most = to_size(std::max(1, request_.starts.value_or(project::usual_starts)));
     for (std::size_t i = 0; i < count_; ++i) {
       const auto merit = [&](const FrontValues& look) { return -std::log(look.amplitudes(to_index(i))); };
       const std::vector<Eigen::VectorXd> starts = best_looks(merit, most);

@@ -15,6 +15,7 @@ namespace trivet::study {
 namespace {
 
 constexpr std::size_t look_piece = 512;  // designs; their matrices fit in the cache
+constexpr std::size_t small_piece = 32;  // of a population, for several threads
 
 /// Designs judged by the kernels of all cases.
 class Looks {
@@ -24,13 +25,8 @@ class Looks {
 
   /// Rows of `shares` by descending rank: the best `wanted` for certain, and others behind them.
   std::vector<std::size_t> best(const Eigen::MatrixXd& shares, std::size_t wanted) {
-    shares_ = &shares;
-    const auto count = to_size(shares.rows());
-    std::vector<std::size_t> all(count);
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    objectives_.assign(count, DesignObjective::most);
-    constraints_.assign(count, DesignObjective::most);
-    lower(all, &packed_quick_margins);
+    std::vector<std::size_t> all = judge_quickly(shares);
+    const std::size_t count = all.size();
     const auto by_rank = [&](std::size_t a, std::size_t b) { return rank_of(a) > rank_of(b); };
     std::stable_sort(all.begin(), all.end(), by_rank);
     // Amplitudes and peaks lower the ranks further: in this order, until what is left cannot be among the best.
@@ -47,13 +43,37 @@ class Looks {
     return judged;
   }
 
+  /// @param needed  see family_ranks
+  std::vector<double> ranks(const Eigen::MatrixXd& shares, const std::vector<double>& needed) {
+    std::vector<std::size_t> left = judge_quickly(shares);
+    const std::size_t count = left.size();
+    if (!needed.empty()) std::erase_if(left, [&](std::size_t design) { return rank_of(design) <= needed[design]; });
+    lower(left, &packed_curve_margins);
+    std::vector<double> result;
+    for (std::size_t i = 0; i < count; ++i) result.push_back(rank_of(i));
+    return result;
+  }
+
  private:
+  /// All requirements but amplitudes and peaks. @returns the numbers of all designs
+  std::vector<std::size_t> judge_quickly(const Eigen::MatrixXd& shares) {
+    shares_ = &shares;
+    const auto count = to_size(shares.rows());
+    std::vector<std::size_t> all(count);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    objectives_.assign(count, DesignObjective::most);
+    constraints_.assign(count, DesignObjective::most);
+    lower(all, &packed_quick_margins);
+    return all;
+  }
+
   [[nodiscard]] double rank_of(std::size_t design) const { return rank(objectives_[design], constraints_[design]); }
 
   /// Lowers objectives and constraints to the margins that a kernel finds.
   void lower(const std::vector<std::size_t>& which,
              Eigen::ArrayXXd (*kernel)(const PackedCase&, const Eigen::MatrixXd&)) {
-    foundation::parallel_for(which.size(), {.size = look_piece, .progress = progress_, .task = "looking"},
+    const std::size_t piece = to_size(shares_->rows()) > look_piece ? look_piece : small_piece;
+    foundation::parallel_for(which.size(), {.size = piece, .progress = progress_, .task = "looking"},
                              [&](std::size_t first, std::size_t last) {
                                Eigen::MatrixXd values(to_index(last - first), shares_->cols());
                                for (std::size_t i = first; i < last; ++i)
@@ -111,10 +131,16 @@ Eigen::MatrixXd sobol_points(Eigen::Index dimensions, std::size_t count) {
   return points;
 }
 
-DesignLooks design_looks(const DesignObjective& objective, std::size_t wanted, const foundation::Progress& progress) {
+std::vector<double> family_ranks(const DesignObjective& objective, const Eigen::MatrixXd& shares,
+                                 const std::vector<double>& needed, const foundation::Progress& progress) {
+  return Looks(objective, progress).ranks(shares, needed);
+}
+
+DesignLooks design_looks(const DesignObjective& objective, std::size_t wanted, const foundation::Progress& progress,
+                         std::size_t among) {
   const bool any = std::any_of(objective.families().begin(), objective.families().end(),
-                               [](const CaseFamily& one) { return one.reason().empty(); });
-  const std::size_t count = any ? std::max(designs_looked_at, wanted) : wanted;
+                               [](const CaseFamily& one) { return one.judges(); });
+  const std::size_t count = any ? std::max(among, wanted) : wanted;
   const Eigen::MatrixXd shares = sobol_points(to_index(objective.space().size()), count);
   DesignLooks looks;
   looks.judged = any ? count : 0;

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/steady_question.h"
 #include "trivet/study/case_context.h"
 #include "trivet/study/design_neighbours.h"
 #include "trivet/study/frequency_slopes.h"
@@ -29,6 +31,7 @@ std::size_t places_of(RequirementKind kind) {
     case RequirementKind::amplitude:
     case RequirementKind::no_peak:
     case RequirementKind::limit_line:
+    case RequirementKind::isolation:
     case RequirementKind::mount_dynamic_deflection:
     case RequirementKind::avoided_frequencies:
     case RequirementKind::separation:
@@ -62,7 +65,8 @@ std::vector<RequirementResult::Candidate> nearest(const RequirementResult& resul
 /// Sums over the chosen mounts: no parameter of a search moves them.
 bool is_constant(RequirementKind kind) { return kind == RequirementKind::price || kind == RequirementKind::mount_mass; }
 
-/// Only the requirements whose slopes are differences of their values. The clearances are those of the model.
+/// Only the requirements whose slopes are differences of their values; `no_jump`, with a margin of 0 or ∞, has none.
+/// The clearances are those of the model.
 project::Analyses differenced_alone(project::Analyses analyses, const std::vector<RequirementResult>& given,
                                     const model::System& system) {
   analyses.limits.clear();
@@ -73,7 +77,6 @@ project::Analyses differenced_alone(project::Analyses analyses, const std::vecto
   differenced.band = all.band;
   differenced.excitations = all.excitations;
   differenced.largest = all.largest;
-  differenced.no_jump = all.no_jump;
   differenced.no_contact = all.no_contact;
   differenced.steady = all.steady;
   if (RequirementSlopes::are_missing(RequirementKind::rms, system)) differenced.rms = all.rms;
@@ -106,6 +109,25 @@ bool is_of_repeated_frequency(const modal::Modes& modes, RequirementKind kind,
   if (kind != RequirementKind::avoided_frequencies && kind != RequirementKind::separation) return false;
   return is_repeated_frequency(modes, candidate.mode) ||
       (kind == RequirementKind::separation && is_repeated_frequency(modes, candidate.mode + 1));
+}
+
+/// True if another root is within the distance below which roots are one subspace (root_slopes.cpp).
+bool is_repeated_root(const modal::Roots& roots, const RequirementResult::Candidate& candidate) {
+  constexpr double one_subspace = 1e-6;
+  const std::complex<double> own = roots.list[to_size(candidate.mode - 1)].eigenvalue;
+  return std::count_if(roots.list.begin(), roots.list.end(), [&](const modal::Root& other) {
+           return std::abs(other.eigenvalue - own) <= one_subspace * std::abs(own);
+         }) > 1;
+}
+
+Eigen::MatrixXd slopes_of_roots(const PackedSlopes& of_family, const modal::Roots& roots,
+                                const std::vector<RequirementResult::Candidate>& candidates) {
+  std::vector<Eigen::RowVectorXd> rows;
+  for (const RequirementResult::Candidate& one : candidates)
+    rows.push_back(of_family.damping_ratio_slopes(roots.list[to_size(one.mode - 1)].eigenvalue));
+  Eigen::MatrixXd slopes(to_index(rows.size()), rows.front().size());
+  for (std::size_t i = 0; i < rows.size(); ++i) slopes.row(to_index(i)) = rows[i];
+  return slopes;
 }
 
 /// In some designs a mount has a load in a direction without a range: one more result, which is not judged.
@@ -141,7 +163,8 @@ void refuse_overruled_cases(const DesignSpace& space, const project::Project& pr
 
 }  // namespace
 
-DesignObjective::DesignObjective(const project::Project& project, const project::OptimizeRequest& request)
+DesignObjective::DesignObjective(const project::Project& project, const project::OptimizeRequest& request,
+                                 Effort effort)
     : space_(project, request.parameters), minimized_(request) {
   const std::vector<std::string> hold_in = cases_to_hold(project);
   for (const project::Case& variant : project.cases)
@@ -150,6 +173,7 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
   for (const project::Case* variant : cases_) {
     asked_.push_back(variant->analyses);
     minimized_.add_to(asked_.back());
+    if (asked_.back().requirements) asked_.back().requirements->connected_only = effort == Effort::quick;
   }
   for (const project::Case* variant : cases_) references_.push_back(lowest_natural_frequency(variant->system));
   for (std::size_t c = 0; c < cases_.size(); ++c) {
@@ -172,6 +196,29 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
         "optimize: neither requirements nor limits nor anything to minimise; add [requirements], or minimize = "
         "[\"BODY.x\"] in [analyses.optimize]");
   minimized_.refuse_unlike(given_.front());
+  if (!has_quick(effort)) return;
+  try {
+    quick_ = std::make_unique<const DesignObjective>(project, request, Effort::quick);
+  } catch (const foundation::NotComputable&) {  // some requirements are judged only with motions that are not connected
+  }
+}
+
+bool DesignObjective::is_expensive() const {
+  return std::any_of(asked_.begin(), asked_.end(), [](const project::Analyses& asked) {
+    return asked.requirements && asked.requirements->is_about_steady_motion();
+  });
+}
+
+bool DesignObjective::has_quick(Effort effort) const {
+  if (effort == Effort::quick) return false;
+  return std::any_of(asked_.begin(), asked_.end(), [](const project::Analyses& asked) {
+    const auto* steady = asked.find<project::SteadyQuestion>("steady");
+    return asked.requirements && asked.requirements->no_jump && !(steady && steady->all_branches);
+  });
+}
+
+std::string DesignObjective::first_failure() const {
+  return first_failure_.empty() && quick_ ? quick_->first_failure() : first_failure_;
 }
 
 const std::vector<CaseFamily>& DesignObjective::families() const {
@@ -209,6 +256,15 @@ std::vector<RequirementResult> DesignObjective::results(std::size_t result_case,
 
 void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& values, Eigen::MatrixXd* slopes,
                                const std::optional<Place>& ignored) const {
+  const bool keep = !ignored && is_expensive();
+  const std::vector<double> key(shares.begin(), shares.end());
+  if (keep && !slopes) {
+    const std::lock_guard lock(noting_);
+    if (const auto known = known_.find(key); known != known_.end()) {
+      values = known->second;
+      return;
+    }
+  }
   ++evaluations_;
   const auto count = to_index(places_.size());
   values = Eigen::VectorXd::Constant(count, unlimited);
@@ -226,6 +282,9 @@ void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& v
     const std::lock_guard lock(noting_);
     if (first_failure_.empty() || reason.what() < first_failure_) first_failure_ = reason.what();  // in any order
   }
+  if (!keep) return;
+  const std::lock_guard lock(noting_);
+  known_.emplace(key, values);
 }
 
 void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares, Eigen::Index first,
@@ -274,9 +333,11 @@ void DesignObjective::set_slopes(std::size_t c, const CaseContext& context, cons
   for (std::size_t r = 0; r < found.size(); ++r) {
     const std::vector<RequirementResult::Candidate>& candidates = smooth[r].candidates;
     if (candidates.empty() || is_constant(found[r].kind)) continue;
-    const bool by_family = families()[c].covers(r) &&
+    const bool of_roots = found[r].kind == RequirementKind::damping_ratio;
+    const bool by_family = families()[c].gives_slopes(r) &&
         std::none_of(candidates.begin(), candidates.end(), [&](const RequirementResult::Candidate& one) {
-                             return is_of_repeated_frequency(context.modes, found[r].kind, one);
+                             return of_roots ? is_repeated_root(context.roots(), one)
+                                             : is_of_repeated_frequency(context.modes, found[r].kind, one);
                            });
     if (by_family && !of_family)
       of_family.emplace(families()[c].packed(), families()[c].family().at(design),
@@ -285,8 +346,9 @@ void DesignObjective::set_slopes(std::size_t c, const CaseContext& context, cons
     differenced = differenced || is_differenced(c, r);
     if (is_differenced(c, r)) continue;
     if (!by_family && !of_models) of_models.emplace(context, *neighbours);
-    const Eigen::MatrixXd exact =
-        by_family ? of_family->slopes(r, found[r], candidates) : of_models->of(found[r], candidates);
+    const Eigen::MatrixXd exact = by_family && of_roots ? slopes_of_roots(*of_family, context.roots(), candidates)
+        : by_family                                     ? of_family->slopes(r, found[r], candidates)
+                                                        : of_models->of(found[r], candidates);
     for (std::size_t i = 0; i < smooth[r].rows.size(); ++i) slopes.row(smooth[r].rows[i]) = exact.row(to_index(i));
   }
   if (differenced) add_differences(c, found, smooth, *neighbours, slopes);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -22,9 +24,15 @@ namespace trivet::study {
 /// maximum, mode or value that may decide, each in a place of its own.
 class DesignObjective {
  public:
+  /// With how much effort requirements on steady motion are judged.
+  enum class Effort : std::uint8_t {
+    complete,
+    quick  ///< upper bounds of the margins: motions that are not connected are not sought
+  };
   /// @throws foundation::InvalidInput if there is nothing to meet or to minimise, NotComputable if a requirement cannot
   /// be judged
-  DesignObjective(const project::Project& project, const project::OptimizeRequest& request);
+  DesignObjective(const project::Project& project, const project::OptimizeRequest& request,
+                  Effort effort = Effort::complete);
 
   [[nodiscard]] const DesignSpace& space() const { return space_; }
   [[nodiscard]] const std::vector<const project::Case*>& cases() const { return cases_; }
@@ -57,12 +65,18 @@ class DesignObjective {
   /// The cases as families, in which many designs are judged without their models; fitted when first needed.
   [[nodiscard]] const std::vector<CaseFamily>& families() const;
 
-  [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
-  [[nodiscard]] std::size_t failed() const { return failed_; }
-  [[nodiscard]] std::string first_failure() const { return first_failure_; }
+  /// Is a design judged by following branches of steady motions? Then it takes long, and its slopes longer.
+  [[nodiscard]] bool is_expensive() const;
+  /// The same with upper bounds of the margins that take a small part of the time; nullptr if there are none.
+  [[nodiscard]] const DesignObjective* quick() const { return quick_.get(); }
+
+  /// Counts are those of `quick` too.
+  [[nodiscard]] std::size_t evaluations() const { return evaluations_ + (quick_ ? quick_->evaluations() : 0); }
+  [[nodiscard]] std::size_t failed() const { return failed_ + (quick_ ? quick_->failed() : 0); }
+  [[nodiscard]] std::string first_failure() const;
   /// Kinds of requirements without exact slopes, and the models solved for the differences of their values.
   [[nodiscard]] std::vector<std::string> differenced() const;
-  [[nodiscard]] std::size_t differences() const { return differences_; }
+  [[nodiscard]] std::size_t differences() const { return differences_ + (quick_ ? quick_->differences() : 0); }
 
  private:
   /// The places of one requirement that have slopes.
@@ -96,8 +110,11 @@ class DesignObjective {
   void evaluate_case(std::size_t c, const Eigen::VectorXd& shares, Eigen::Index first, Eigen::VectorXd& values,
                      Eigen::MatrixXd* slopes, const std::optional<Place>& ignored) const;
 
+  [[nodiscard]] bool has_quick(Effort effort) const;
+
   DesignSpace space_;
   MinimizedResults minimized_;
+  std::unique_ptr<const DesignObjective> quick_;
   std::vector<const project::Case*> cases_;
   std::vector<project::Analyses> asked_;                     ///< per case: requirements with the objectives
   std::vector<project::Analyses> differenced_requirements_;  ///< those without exact slopes
@@ -111,6 +128,7 @@ class DesignObjective {
   mutable std::atomic<std::size_t> evaluations_ = 0, failed_ = 0, differences_ = 0;
   mutable std::mutex noting_;
   mutable std::string first_failure_;
+  mutable std::map<std::vector<double>, Eigen::VectorXd> known_;  ///< values by shares, of designs that take long
 };
 
 }  // namespace trivet::study

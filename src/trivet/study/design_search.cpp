@@ -2,14 +2,19 @@
 #include "trivet/study/design_search.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
+#include <mutex>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/study/design_looks.h"
+#include "trivet/study/design_population.h"
+#include "trivet/study/line_search.h"
 #include "trivet/study/margin.h"
 
 namespace trivet::study {
@@ -20,6 +25,8 @@ using numerics::MaxMinProblem;
 
 /// Designs that are judged completely before climbing: so many per start, within these bounds.
 constexpr int looks_per_start = 8, fewest_looks = 64, most_looks = 4096;
+/// Climbs over designs that are judged by following branches of motions, if the file states no number.
+constexpr int starts_of_expensive_designs = 4;
 using Place = DesignObjective::Place;
 
 /// The search as asked. @param ignored  a requirement that counts as met
@@ -51,68 +58,238 @@ MaxMinProblem weighted_problem(const DesignObjective& objective) {
   return problem;
 }
 
-/// Climbs from all starts; the results in their order.
-std::vector<MaxMinPoint> climbed(const MaxMinProblem& problem, const std::vector<MaxMinPoint>& starts,
-                                 const foundation::Progress& progress) {
-  std::vector<MaxMinPoint> ends(starts.size());
-  foundation::parallel_for(starts.size(), {.progress = progress, .task = "climbing"},
-                           [&](std::size_t first, std::size_t last) {
-                             for (std::size_t i = first; i < last; ++i) ends[i] = max_min(problem, starts[i].x);
-                           });
-  return ends;
-}
+/// Notes the best point of a search, and ends it when there is enough.
+class Watch {
+ public:
+  explicit Watch(std::function<bool()> enough) : enough_(std::move(enough)) {}
+
+  /// The same problem under watch; the best point of another one is forgotten.
+  MaxMinProblem over(MaxMinProblem problem) {
+    best_.reset();
+    if (!enough_) return problem;
+    MaxMinProblem watched = problem;
+    watched.evaluate = [this, inner = std::move(problem)](const Eigen::VectorXd& x, Eigen::VectorXd& values,
+                                                          Eigen::MatrixXd* slopes) {
+      if (enough_()) {
+        has_ended_ = true;
+        throw foundation::Interrupted();
+      }
+      inner.evaluate(x, values, slopes);
+      if ((x.array() < 0).any() || (x.array() > 1).any()) return;
+      MaxMinPoint here = numerics::point_with(inner, x, values);
+      const std::lock_guard lock(noting_);
+      if (!best_ || rank(here) > rank(*best_)) best_ = std::move(here);
+    };
+    return watched;
+  }
+
+  [[nodiscard]] bool has_ended() const { return has_ended_; }
+  [[nodiscard]] const std::optional<MaxMinPoint>& best() const { return best_; }
+
+ private:
+  std::function<bool()> enough_;
+  std::atomic<bool> has_ended_ = false;
+  std::mutex noting_;
+  std::optional<MaxMinPoint> best_;
+};
 
 class Search {
  public:
-  Search(const DesignObjective& objective, int starts, const foundation::Progress& progress)
-      : objective_(objective), wanted_(starts), progress_(progress) {
+  Search(const DesignObjective& objective, const SearchOptions& options, const foundation::Progress& progress)
+      : objective_(objective),
+        searched_(objective.quick() ? *objective.quick() : objective),
+        options_(options),
+        wanted_(
+            options.starts.value_or(objective.is_expensive() ? starts_of_expensive_designs : project::usual_starts)),
+        progress_(progress),
+        watch_(options.enough) {
     result_.problem = search_problem(objective);
   }
 
   DesignSearch run() {
-    const std::vector<MaxMinPoint> chosen = starts();
-    result_.ends = climbed(result_.problem, chosen, progress_);
-    result_.best = nearest_of_the_best(result_.ends);
-    if (objective_.minimized().any() && result_.best.constraint < least_met)
-      result_.ends = climbed_to_requirements(chosen);
+    try {
+      search();
+    } catch (const foundation::Interrupted&) {
+      if (!watch_.has_ended()) throw;
+      keep_the_best_so_far();
+    }
     refuse_hopeless_search();
     return std::move(result_);
   }
 
  private:
+  void search() {
+    problem_ = watch_.over(search_problem(searched_));
+    const std::vector<MaxMinPoint> chosen = starts();
+    const bool on_a_line = objective_.is_expensive() && objective_.space().size() == 1;
+    result_.ends = on_a_line ? best_on_the_line(chosen) : climbed(chosen);
+    result_.best = nearest_of_the_best(result_.ends);
+    if (objective_.minimized().any() && result_.best.constraint < least_met)
+      result_.ends = climbed_to_requirements(chosen, on_a_line);
+    if (&searched_ != &objective_) judge_completely(on_a_line);
+    if (few_agree()) search_between();
+  }
+
+  /// Few starts reached the best end: then better ones may be left between them.
+  [[nodiscard]] bool few_agree() const {
+    constexpr std::size_t fewest_numbers = 4, one_in = 8;
+    if (objective_.is_expensive() || objective_.space().size() < fewest_numbers || result_.falls_short) return false;
+    const auto agreeing = std::count_if(result_.ends.begin(), result_.ends.end(), [&](const MaxMinPoint& end) {
+      return rank(end) >= rank(result_.best) - same_objective;
+    });
+    return to_size(agreeing) * one_in < result_.ends.size() && rank(result_.best) < DesignObjective::most;
+  }
+
+  /// A population of the ends and of looks evolves through the families; climbs start from its best designs.
+  void search_between() {
+    if (!can_evolve(objective_)) return;
+    constexpr std::size_t per_number = 10, fewest = 60, most = 160, further_climbs = 4;
+    const std::size_t wanted = std::clamp(per_number * objective_.space().size(), fewest, most);
+    std::vector<Eigen::VectorXd> first;
+    for (const MaxMinPoint& end : result_.ends)
+      if (first.size() < wanted / 2) first.push_back(end.x);
+    for (const MaxMinPoint& look : looks_)
+      if (first.size() < wanted) first.push_back(look.x);
+    const Eigen::MatrixXd others = sobol_points(to_index(objective_.space().size()), wanted);
+    for (Eigen::Index i = 0; first.size() < wanted; ++i) first.emplace_back(others.row(i).transpose());
+    std::vector<MaxMinPoint> starts;
+    for (const Eigen::VectorXd& one : evolved_designs(objective_, first, further_climbs, progress_))
+      starts.push_back(numerics::point_at(problem_, one));
+    const std::vector<MaxMinPoint> further = climbed(starts);
+    result_.ends.insert(result_.ends.end(), further.begin(), further.end());
+    result_.starts = static_cast<int>(result_.ends.size());
+    result_.best = nearest_of_the_best(result_.ends);
+  }
+
+  /// Climbs from all starts; the results in their order.
+  std::vector<MaxMinPoint> climbed(const std::vector<MaxMinPoint>& starts) const {
+    std::vector<MaxMinPoint> ends = starts;
+    foundation::parallel_for(starts.size(), {.progress = progress_, .task = "climbing"},
+                             [&](std::size_t first, std::size_t last) {
+                               for (std::size_t i = first; i < last; ++i)
+                                 if (can_climb(starts[i])) ends[i] = max_min(problem_, starts[i].x);
+                             });
+    return ends;
+  }
+
+  /// Nothing limits the design, or nothing that limits it has a slope.
+  [[nodiscard]] bool can_climb(const MaxMinPoint& start) const {
+    return !objective_.is_expensive() ||
+        (start.objective > DesignObjective::unusable && start.objective < DesignObjective::unlimited);
+  }
+
   /// No climb met the requirements: climbs to their largest least margin, and from there again if it meets them.
-  std::vector<MaxMinPoint> climbed_to_requirements(const std::vector<MaxMinPoint>& chosen) {
-    const MaxMinProblem requirements = problem_of_requirements(objective_);
-    std::vector<MaxMinPoint> ends = climbed(requirements, chosen, progress_);
+  std::vector<MaxMinPoint> climbed_to_requirements(const std::vector<MaxMinPoint>& chosen, bool on_a_line) {
+    const MaxMinProblem asked = problem_;
+    problem_ = watch_.over(problem_of_requirements(searched_));
+    std::vector<MaxMinPoint> ends = on_a_line ? best_on_the_line(chosen) : climbed(at(chosen));
     std::vector<MaxMinPoint> meeting;
     std::copy_if(ends.begin(), ends.end(), std::back_inserter(meeting),
                  [](const MaxMinPoint& end) { return end.objective >= least_met; });
     if (meeting.empty()) {
-      result_.problem = requirements;
+      result_.problem = problem_of_requirements(objective_);
       result_.falls_short = true;
     } else {
-      ends = climbed(result_.problem, meeting, progress_);
+      problem_ = asked;
+      ends = climbed(at(meeting));
     }
     result_.best = nearest_of_the_best(ends);
     return ends;
   }
 
+  /// The same designs, judged by the current problem.
+  [[nodiscard]] std::vector<MaxMinPoint> at(std::vector<MaxMinPoint> points) const {
+    if (objective_.is_expensive())
+      for (MaxMinPoint& point : points) point = numerics::point_at(problem_, point.x);
+    return points;
+  }
+
   std::vector<MaxMinPoint> starts() {
-    const int looks = looks_for(wanted_);
+    const bool expensive = objective_.is_expensive();
+    const int looks = expensive ? looks_per_start * wanted_ : looks_for(wanted_);
     const DesignLooks found = design_looks(objective_, to_size(looks), progress_);
-    const std::vector<Eigen::VectorXd>& points = found.points;
+    std::vector<Eigen::VectorXd> points = found.points;
     result_.looked_at = found.judged;
-    std::vector<MaxMinPoint> seen(points.size());
-    foundation::parallel_for(points.size(), {.progress = progress_, .task = "looking"},
-                             [&](std::size_t first, std::size_t last) {
-                               for (std::size_t i = first; i < last; ++i)
-                                 seen[i] = numerics::point_at(result_.problem, points[i]);
-                             });
-    std::vector<MaxMinPoint> chosen = chosen_starts(std::move(seen), to_size(wanted_));
-    if (const auto given = objective_.space().given_shares())
-      chosen.push_back(numerics::point_at(result_.problem, *given));
+    if (expensive && objective_.space().size() == 1) points = even_points();
+    std::vector<MaxMinPoint> chosen = chosen_starts(looked_at(points), to_size(wanted_));
+    if (const auto given = objective_.space().given_shares()) chosen.push_back(numerics::point_at(problem_, *given));
+    if (options_.also) chosen.push_back(numerics::point_at(problem_, *options_.also));
     result_.starts = static_cast<int>(chosen.size());
     return chosen;
+  }
+
+  /// These designs judged; of expensive ones the rest is left out once nothing limits one of them.
+  std::vector<MaxMinPoint> looked_at(const std::vector<Eigen::VectorXd>& points) {
+    constexpr std::size_t together = 16;
+    const std::size_t batch = objective_.is_expensive() ? together : points.size();
+    std::vector<MaxMinPoint> seen;
+    for (std::size_t from = 0; from < points.size(); from += batch) {
+      const std::size_t count = std::min(batch, points.size() - from);
+      seen.resize(from + count);
+      foundation::parallel_for(count, {.progress = progress_, .task = "looking"},
+                               [&](std::size_t first, std::size_t last) {
+                                 for (std::size_t i = first; i < last; ++i)
+                                   seen[from + i] = numerics::point_at(problem_, points[from + i]);
+                               });
+      if (std::any_of(seen.begin(), seen.end(),
+                      [](const MaxMinPoint& one) { return rank(one) >= DesignObjective::unlimited; }))
+        break;
+    }
+    looks_ = seen;
+    return seen;
+  }
+
+  /// Shares of one range, spread evenly from end to end.
+  static std::vector<Eigen::VectorXd> even_points() {
+    constexpr int steps = 16;
+    std::vector<Eigen::VectorXd> points;
+    for (int i = 0; i <= steps; ++i) points.emplace_back(Eigen::VectorXd::Constant(1, i / double{steps}));
+    return points;
+  }
+
+  /// The maxima of the current problem of one variable, near the best looks and starts.
+  std::vector<MaxMinPoint> best_on_the_line(const std::vector<MaxMinPoint>& starts) {
+    std::vector<MaxMinPoint> known = at(looks_), more = at(starts);
+    known.insert(known.end(), more.begin(), more.end());
+    std::vector<MaxMinPoint> found = maxima_on_a_line(problem_, std::move(known), to_size(wanted_), progress_);
+    result_.starts = static_cast<int>(found.size());
+    return found;
+  }
+
+  /// The designs were judged by upper bounds. In the order of falling bounds they are judged completely, until none
+  /// that is left can be better; if the best bound is not the margin, the search goes on from there.
+  void judge_completely(bool on_a_line) {
+    problem_ = watch_.over(result_.problem);
+    std::vector<MaxMinPoint> bounds = result_.ends;
+    if (!result_.falls_short) bounds.insert(bounds.end(), looks_.begin(), looks_.end());
+    std::stable_sort(bounds.begin(), bounds.end(),
+                     [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) > rank(b); });
+    std::optional<MaxMinPoint> best;
+    bool confirmed = true;
+    for (const MaxMinPoint& bound : bounds) {
+      if (best && rank(*best) >= rank(bound) - same_objective) break;
+      MaxMinPoint complete = numerics::point_at(problem_, bound.x);
+      confirmed = confirmed && rank(complete) >= rank(bound) - same_objective;
+      if (!best || rank(complete) > rank(*best)) best = std::move(complete);
+    }
+    result_.ends = at(result_.ends);
+    if (std::none_of(result_.ends.begin(), result_.ends.end(),
+                     [&](const MaxMinPoint& end) { return end.x == best->x; }))
+      result_.ends.push_back(*best);
+    if (!confirmed && can_climb(*best)) {
+      const std::vector<MaxMinPoint> further = on_a_line ? best_on_the_line({*best}) : climbed({*best});
+      result_.ends.insert(result_.ends.end(), further.begin(), further.end());
+    }
+    result_.best = nearest_of_the_best(result_.ends);
+  }
+
+  void keep_the_best_so_far() {
+    result_.cut_short = true;
+    if (!watch_.best())
+      throw foundation::NotComputable("optimize: ended before the first design was judged; give it more time");
+    result_.best = numerics::point_at(result_.problem, watch_.best()->x);
+    result_.ends = {result_.best};
+    result_.starts = 1;
   }
 
   /// Of equally good ends the one nearest to the given design.
@@ -155,8 +332,13 @@ class Search {
   }
 
   const DesignObjective& objective_;
+  const DesignObjective& searched_;  ///< `objective_`, or upper bounds of its margins
+  const SearchOptions& options_;
   int wanted_;
   const foundation::Progress& progress_;
+  Watch watch_;
+  MaxMinProblem problem_;           ///< of `searched_`, under watch
+  std::vector<MaxMinPoint> looks_;  ///< judged by `problem_` as asked
   DesignSearch result_;
 };
 
@@ -212,8 +394,9 @@ double weighted_unit(const DesignObjective& objective) {
 
 double rank(const MaxMinPoint& point) { return rank(point.objective, point.constraint); }
 
-DesignSearch design_search(const DesignObjective& objective, int starts, const foundation::Progress& progress) {
-  return Search(objective, starts, progress).run();
+DesignSearch design_search(const DesignObjective& objective, const SearchOptions& options,
+                           const foundation::Progress& progress) {
+  return Search(objective, options, progress).run();
 }
 
 }  // namespace trivet::study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -11,18 +12,27 @@
 /// Where the best designs are: looks over the ranges, climbs, and what they reached.
 namespace trivet::study {
 
+/// What a caller adds to a search.
+struct SearchOptions {
+  std::optional<int> starts = {};            ///< climbs; none: as many as are usual for the time that a design takes
+  std::optional<Eigen::VectorXd> also = {};  ///< a further start, as shares
+  /// True if the search is to end with the best design so far; called between designs, on any thread.
+  std::function<bool()> enough = {};
+};
+
 struct DesignSearch {
   numerics::MaxMinProblem problem;  ///< that was climbed last: as asked, or of the requirements alone
   numerics::MaxMinPoint best;       ///< of equally good ends the nearest one to the given design
   std::vector<numerics::MaxMinPoint> ends;
   int starts = 0;
   std::size_t looked_at = 0;  ///< designs judged by kernels before, see design_looks.h
+  bool cut_short = false;     ///< ended by `enough`
   bool falls_short = false;   ///< no end met the requirements: `problem` is their largest least margin
 };
 
 /// @param objective  used by the result
 /// @throws foundation::NotComputable if no design can be computed, or none is better than another
-[[nodiscard]] DesignSearch design_search(const DesignObjective& objective, int starts,
+[[nodiscard]] DesignSearch design_search(const DesignObjective& objective, const SearchOptions& options,
                                          const foundation::Progress& progress);
 
 /// The search as asked.

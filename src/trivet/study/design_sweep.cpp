@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 
+#include "trivet/design/design_rules.h"
 #include "trivet/design/driven_design.h"
 #include "trivet/design/plain_design.h"
 #include "trivet/design/sum_family.h"
@@ -83,32 +84,13 @@ class Sweep {
     const assembly::Loading load = loading(system, assembled);
     const response::Peaks found = response::peaks(assembled, asked, load, modes, modal::roots(system, assembled, modes),
                                                   {.search_to = search_to});
-    return largest_in_band(assembled, asked, load, found);
-  }
-
- private:
-  /// Of the peaks, and of the ends of the band.
-  [[nodiscard]] Eigen::VectorXd largest_in_band(const assembly::Assembled& assembled,
-                                                const std::vector<assembly::Channel>& asked,
-                                                const assembly::Loading& load, const response::Peaks& found) const {
-    Eigen::VectorXd largest = Eigen::VectorXd::Zero(to_index(asked.size()));
-    const response::Band& band = request_.band;
-    if (band.from == 0 && std::isinf(band.to)) {
-      for (std::size_t c = 0; c < asked.size(); ++c) largest(to_index(c)) = found.curves[c].highest;
-      return largest;
-    }
-    std::vector<double> ends = {band.from};
-    if (std::isfinite(band.to)) ends.push_back(band.to);
-    const response::FrequencyResponse at_ends = response::frequency_response(assembled, asked, load, ends);
-    for (std::size_t c = 0; c < asked.size(); ++c) {
-      largest(to_index(c)) = at_ends.curves[c].value.cwiseAbs().maxCoeff();
-      for (const response::Extremum& turning : found.turnings[c])
-        if (turning.angular_frequency >= band.from && turning.angular_frequency <= band.to)
-          largest(to_index(c)) = std::max(largest(to_index(c)), turning.amplitude);
-    }
+    Eigen::VectorXd largest(to_index(asked.size()));
+    for (std::size_t c = 0; c < asked.size(); ++c)
+      largest(to_index(c)) = design::largest_in_band(assembled, asked, load, found, c, request_.band).amplitude;
     return largest;
   }
 
+ private:
   const project::Case& case_;
   const SweepRequest& request_;
   std::vector<project::ModelNumber> numbers_;
@@ -299,7 +281,12 @@ DesignSweep design_sweep(const project::Case& variant, const SweepRequest& reque
       fitted<design::PlainDesign>(sweep, request, variant.system, design::plain_design);
   const Family<design::DrivenDesign> driven = plain.family
       ? Family<design::DrivenDesign>()
-      : fitted<design::DrivenDesign>(sweep, request, variant.system, design::driven_design);
+      : fitted<design::DrivenDesign>(
+            sweep, request, variant.system,
+            [&](const assembly::Assembled& changed, const std::vector<assembly::Channel>& channels,
+                const assembly::Loading& loading) {
+              return design::driven_design(changed, channels, loading, std::isfinite(request.band.to));
+            });
   const bool in_kernels = plain.family || driven.family;
   if (!in_kernels) found.no_kernels = driven.reason;
   foundation::parallel_for(sweep.count(),

@@ -2,6 +2,7 @@
 #include "trivet/study/driven_result.h"
 
 #include <cmath>
+#include <utility>
 
 namespace trivet::study {
 
@@ -10,6 +11,9 @@ DrivenResult::DrivenResult(const model::System& system, const assembly::Assemble
     : assembled_(assembled),
       channel_(assembly::channels(system, assembled, {name}, quantity).front()),
       load_(assembly::harmonic_loading(system, assembled, excitations)) {}
+
+DrivenResult::DrivenResult(const assembly::Assembled& assembled, assembly::Channel channel, assembly::Loading load)
+    : assembled_(assembled), channel_(std::move(channel)), load_(std::move(load)) {}
 
 response::Dynamics DrivenResult::at(double omega) const {
   return response::body_dynamics(

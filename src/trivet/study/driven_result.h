@@ -14,6 +14,7 @@ class DrivenResult {
   /// @param excitations  empty: all
   DrivenResult(const model::System& system, const assembly::Assembled& assembled, const std::string& name,
                assembly::MotionQuantity quantity, const std::vector<std::string>& excitations);
+  DrivenResult(const assembly::Assembled& assembled, assembly::Channel channel, assembly::Loading load);
 
   /// In the coordinates of the bodies.
   [[nodiscard]] response::Dynamics at(double omega) const;

@@ -8,6 +8,7 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/static_machine.h"
 #include "trivet/response/steady/mounts.h"
 
 namespace trivet::study {
@@ -44,7 +45,8 @@ void widen(EnvelopeRow& row, double value, const std::string& in) {
 
 }  // namespace
 
-std::vector<MountAtRest> mounts_at_rest(const model::System& system, const assembly::Assembled& assembled) {
+std::vector<MountAtRest> mounts_at_rest(const model::System& moving, const assembly::Assembled& assembled_moving) {
+  const auto [system, assembled] = nonlinear::static_machine(moving, assembled_moving);
   std::vector<MountAtRest> result;
   std::vector<std::string> words;
   const std::vector<std::size_t> mounts = mounts_and_rated(system);
@@ -73,11 +75,13 @@ LoadCase load_case(const std::string& name, const model::System& system, const a
                    const project::Analyses& analyses) {
   LoadCase result{name, {}, ""};
   try {
-    if (analyses.static_of)
-      result.values = response::static_response(
-                          system, assembled,
-                          assembly::channels(system, assembled, *analyses.static_of, MotionQuantity::displacement))
+    if (analyses.static_of) {
+      const nonlinear::StaticMachine held = nonlinear::static_machine(system, assembled);
+      result.values = response::static_response(held.system, held.assembled,
+                                                assembly::channels(held.system, held.assembled, *analyses.static_of,
+                                                                   MotionQuantity::displacement))
                           .values;
+    }
     for (const MountAtRest& mount : mounts_at_rest(system, assembled)) {
       result.values.push_back({mount.name + ", compression", "N", mount.compression});
       result.values.push_back({mount.name + ", force across", "N", mount.across});

@@ -2,6 +2,7 @@
 #include "trivet/study/minimized_results.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
@@ -22,6 +23,10 @@ void MinimizedResults::add_to(project::Analyses& analyses) {
     if (analyses.response) analyses.requirements->band = analyses.response->band;
   }
   project::Requirements& required = *analyses.requirements;
+  if (kind_ == project::Minimized::isolation) {  // as requirements, and again as objectives
+    required.isolation.insert(required.isolation.end(), required.isolation.begin(), required.isolation.end());
+    return;
+  }
   const bool amplitudes = kind_ == project::Minimized::amplitude;
   std::vector<project::AmplitudeLimit>& list = amplitudes ? required.limits
       : kind_ == project::Minimized::rms                  ? required.rms
@@ -31,11 +36,11 @@ void MinimizedResults::add_to(project::Analyses& analyses) {
   for (const std::string& name : names_) {
     double allowed = 0;
     for (const project::AmplitudeLimit& limit : list)
-      if (limit.name == name && limit.quantity == quantity_) allowed = limit.amplitude;
+      if (limit.name == name && limit.quantity == quantity_ && limit.has_common_scope()) allowed = limit.amplitude;
     for (const project::Limit& limit : analyses.limits)
       if (amplitudes && limit.name == name && same_quantity) allowed = limit.amplitude;
     if (allowed > 0 && !are_of_front()) ++limited;
-    list.push_back({name, quantity_, allowed > 0 && !are_of_front() ? allowed : 1});
+    list.push_back({name, quantity_, allowed > 0 && !are_of_front() ? allowed : 1, {}, {}, {}});
   }
 }
 
@@ -45,6 +50,8 @@ RequirementKind MinimizedResults::requirement_kind() const {
       return RequirementKind::amplitude;
     case project::Minimized::rms:
       return RequirementKind::rms;
+    case project::Minimized::isolation:
+      return RequirementKind::isolation;
     case project::Minimized::at_rest:
     case project::Minimized::price:  // no results
       break;
@@ -53,10 +60,24 @@ RequirementKind MinimizedResults::requirement_kind() const {
 }
 
 void MinimizedResults::find_in(const std::vector<RequirementResult>& given) {
+  if (kind_ == project::Minimized::isolation) find_isolations_in(given);
   std::size_t end = 0;
   for (std::size_t r = 0; r < given.size(); ++r)
     if (given[r].kind == requirement_kind()) end = r + 1;
   first_.push_back(end - std::min(count(), end));
+}
+
+void MinimizedResults::find_isolations_in(const std::vector<RequirementResult>& given) {
+  std::vector<std::string> names;
+  for (const RequirementResult& result : given)
+    if (result.kind == RequirementKind::isolation) names.push_back(result.subject);
+  names.resize(names.size() / 2);  // the other half are the same as requirements
+  if (!first_.empty() && names != names_)
+    throw foundation::InvalidInput(
+        "optimize: a case requires other isolations than the first one; name the forces in isolation = {force = …}, "
+        "or leave the case out of hold_in");
+  names_ = std::move(names);
+  limited_.push_back(count());
 }
 
 bool MinimizedResults::contain(const ResultPlace& place) const {
@@ -99,6 +120,7 @@ double MinimizedResults::largest(std::size_t number, const std::vector<std::vect
 }
 
 std::string MinimizedResults::words(const RequirementResult& result) const {
+  if (kind_ == project::Minimized::isolation) return "the transmissibility of " + result.subject;
   if (kind_ == project::Minimized::at_rest) return result.subject + " at rest";
   return (kind_ == project::Minimized::rms ? "the rms of " : "the largest amplitude of ") + result.subject;
 }

@@ -55,6 +55,8 @@ class MinimizedResults {
   /// Objectives of a front keep their units and have no common measure.
   [[nodiscard]] bool are_of_front() const { return separate_ && weights_.empty(); }
   [[nodiscard]] RequirementKind requirement_kind() const;
+  /// The transmissibilities of a case: all of the same forces and places as in the first one.
+  void find_isolations_in(const std::vector<RequirementResult>& given);
 
   project::Minimized kind_;
   std::vector<std::string> names_;

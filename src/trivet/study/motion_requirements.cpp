@@ -9,9 +9,11 @@
 #include <iterator>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/nonlinear/static_machine.h"
 #include "trivet/project/analyses/random_question.h"
 #include "trivet/project/analyses/transient_question.h"
 #include "trivet/response/random/random_response.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/margin.h"
 #include "trivet/study/question_answer.h"
@@ -98,8 +100,10 @@ class MotionRequirements {
     list_.attempt(first, [&] {
       std::vector<std::string> words;
       for (const project::AmplitudeLimit& limit : limits) words.push_back(limit.name);
+      const nonlinear::StaticMachine held = nonlinear::static_machine(c_.system, c_.assembled);
       const response::StaticResponse rest = response::static_response(
-          c_.system, c_.assembled, assembly::channels(c_.system, c_.assembled, words, MotionQuantity::displacement));
+          held.system, held.assembled,
+          assembly::channels(held.system, held.assembled, words, MotionQuantity::displacement));
       for (std::size_t i = 0; i < limits.size(); ++i) {
         const double creep = creep_in(c_.system, limits[i].name);
         RequirementResult& result = list_[first + i];

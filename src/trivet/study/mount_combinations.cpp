@@ -18,6 +18,7 @@
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/project/model_number.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/study/margin.h"
 
 namespace trivet::study {
@@ -38,13 +39,16 @@ struct NoSum {
 /// Inertia, stiffness and static load of one model.
 struct Assembly {
   Eigen::MatrixXd inertia, stiffness;
+  Eigen::MatrixXd rest_stiffness;  ///< of static results
   Eigen::VectorXd load;
 };
 
 Assembly assembly_of(const model::System& system, const assembly::Assembled& assembled) {
   if (assembled.frequency_dependent()) throw NoSum{"elements depend on frequency"};
   if (!assembled.matrices.symmetric) throw NoSum{"the stiffness matrix is not symmetric"};
-  return {assembled.matrices.A, assembled.matrices.K, assembly::static_load(system, assembled)};
+  const response::AtRest rest(system, assembled);
+  return {assembled.matrices.A, assembled.matrices.K, rest.assembled().matrices.K,
+          assembly::static_load(rest.system(), rest.assembled())};
 }
 
 /// Entry by entry over √(M_ii M_jj), but for round-off of the largest entry: soft modes beside stiff ones have few
@@ -77,6 +81,34 @@ void judge_frequencies(const project::Requirements& required, const Eigen::Vecto
   }
 }
 
+/// Least share of the kinetic energy in the purest coordinate over the modes of a body, from its stiffness on
+/// coordinates in which its inertia is the unit matrix; squares: its ω². Modes that nearly agree are left out: their
+/// shapes turn among themselves.
+double least_decoupling(const Eigen::MatrixXd& motion, const Eigen::MatrixXd& momentum, const Eigen::VectorXd& squares,
+                        const Eigen::MatrixXd& vectors) {
+  constexpr double apart = 1e-5;  // of the highest ω²: closer ones have shapes without digits
+  const Eigen::MatrixXd shares = (motion * vectors).cwiseProduct(momentum * vectors);
+  const Eigen::Index n = squares.size();
+  const double least_gap = apart * squares(n - 1);
+  double least = foundation::infinity;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const bool alone =
+        (k == 0 || squares(k) - squares(k - 1) > least_gap) && (k + 1 == n || squares(k + 1) - squares(k) > least_gap);
+    if (alone) least = std::min(least, shares.col(k).maxCoeff());
+  }
+  return least;
+}
+
+/// ω², ascending, and modes of a stiffness on coordinates in which the inertia is the unit matrix.
+std::pair<Eigen::VectorXd, Eigen::MatrixXd> modes_of(const Eigen::MatrixXd& stiffness) {
+  if (stiffness.rows() == 6) {  // most machines: without allocation, faster
+    const auto found = numerics::symmetric_eigen(spatial::Matrix6(stiffness));
+    return {found.values, found.vectors};
+  }
+  auto found = numerics::symmetric_eigen(stiffness);
+  return {std::move(found.values), std::move(found.vectors)};
+}
+
 /// Least margin of the loads of one mount in its ranges; 0 if a load without a range makes the design not judged.
 double bound_of_loads(const model::Rating& rating, const Eigen::Vector3d& load) {
   constexpr double surely = 1 + 1e-6;  // round-off must not bring a bound below the margin
@@ -93,9 +125,11 @@ double bound_of_loads(const model::Rating& rating, const Eigen::Vector3d& load) 
 template <typename Selected, typename Mount>
 void add_mounts(const CaseContext& context, const Eigen::MatrixXd& shapes, const Selected& selected,
                 std::vector<Mount>& mounts, double& price, double& mass) {
-  for (const model::Element& element : context.system.elements()) {
+  const response::AtRest at_rest(context.system, context.assembled);
+  for (std::size_t e = 0; e < context.system.elements().size(); ++e) {
+    const model::Element& element = context.system.elements()[e];
     if (!element.rating || !selected(element.name)) continue;
-    MountRows rows = mount_rows(context.system, context.assembled, element);
+    MountRows rows = mount_rows(at_rest.system(), at_rest.assembled(), at_rest.system().elements()[e]);
     rows.load = (rows.load * shapes).eval();
     rows.deflection = rows.deflection * shapes;
     mounts.push_back({*element.rating, std::move(rows)});
@@ -224,7 +258,7 @@ std::vector<std::size_t> MountCombinations::mounts(std::size_t combination) cons
 
 model::System MountCombinations::system_with(const project::Case& variant, std::size_t choice,
                                              std::size_t mount) const {
-  return valid(project::changed_system(variant, std::vector{change_of(choices_[choice], mount)}));
+  return valid(project::changed_system(variant, std::vector{change_of(choices_[choice], mount)}, true));
 }
 
 std::vector<project::Node> MountCombinations::changes(std::size_t combination) const {
@@ -248,6 +282,42 @@ project::Project MountCombinations::project(const project::Project& given, std::
   return result;
 }
 
+void MountCombinations::add_decoupled(const CaseContext& given, Sums& sums) {
+  const assembly::Assembled& assembled = given.assembled;
+  const auto& bodies = given.system.bodies();
+  if (assembled.layout.of_bodies() != assembled.matrices.size()) return;  // coordinates inside elements move along
+  for (const project::Requirements::Decoupling& wanted : sums.required.decoupling) {
+    const auto at =
+        std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.name == wanted.body; });
+    std::vector<Eigen::Index> rows;
+    std::vector<int> coordinates;
+    for (int j = 0; j < 6; ++j)
+      if (const Eigen::Index row = assembled.layout.row(to_size(at - bodies.begin()), j); row >= 0) {
+        rows.push_back(row);
+        coordinates.push_back(j);
+      }
+    Decoupled& one = sums.decoupled.emplace_back();
+    one.least = wanted.least;
+    one.whole = to_index(rows.size()) == assembled.matrices.size();
+    Eigen::MatrixXd at_pole;  // motions of the body, six coordinates × r
+    at_pole.setZero(6, to_index(rows.size()));
+    if (one.whole) {
+      at_pole(coordinates, Eigen::all) = sums.shapes(rows, Eigen::all);
+    } else {
+      const Eigen::MatrixXd inertia = assembled.matrices.A(rows, rows);
+      const Eigen::MatrixXd own = Eigen::MatrixXd(
+          numerics::symmetric_eigen(Eigen::MatrixXd::Identity(inertia.rows(), inertia.rows()).eval(), inertia).vectors);
+      at_pole(coordinates, Eigen::all) = own;
+      const Eigen::MatrixXd of_body = Eigen::MatrixXd(assembled.matrices.A(Eigen::all, rows)) * own;
+      one.basis = sums.shapes.transpose() * of_body;  // p = Φᵀ A q
+    }
+    const spatial::MassProperties& mass = at->mass;
+    one.motion = spatial::rigid_motion(mass.centre) * at_pole;
+    one.momentum.resize(6, one.motion.cols());
+    one.momentum << mass.mass * one.motion.topRows<3>(), mass.inertia_about_centre * one.motion.bottomRows<3>();
+  }
+}
+
 MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant) const {
   const foundation::Progress silent;
   const CaseContext given(variant.system, silent);
@@ -256,9 +326,11 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
   Sums sums;
   sums.shapes = numerics::symmetric_eigen(base.stiffness, base.inertia).vectors;
   sums.stiffness = sums.shapes.transpose() * base.stiffness * sums.shapes;
+  sums.rest_stiffness = sums.shapes.transpose() * base.rest_stiffness * sums.shapes;
   sums.load = sums.shapes.transpose() * base.load;
   sums.loaded = variant.system.description().gravity || !variant.system.description().constant_forces.empty();
   if (variant.analyses.requirements) sums.required = *variant.analyses.requirements;
+  add_decoupled(given, sums);
   const auto is_of = [](const project::MountChoice& choice, const std::string& name) {
     return std::find(choice.elements.begin(), choice.elements.end(), name) != choice.elements.end();
   };
@@ -277,6 +349,7 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
       if (!equal(assembly.inertia, base.inertia)) throw NoSum{"the mounts change the inertia"};
       Option& option = options.emplace_back();
       option.stiffness = sums.shapes.transpose() * (assembly.stiffness - base.stiffness) * sums.shapes;
+      option.rest_stiffness = sums.shapes.transpose() * (assembly.rest_stiffness - base.rest_stiffness) * sums.shapes;
       option.load = sums.shapes.transpose() * (assembly.load - base.load);
       add_mounts(
           context, sums.shapes, [&](const std::string& name) { return is_of(choices_[c], name); }, option.mounts,
@@ -286,15 +359,17 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
   return sums;
 }
 
-void MountCombinations::compare_with_assembled() const {
+void MountCombinations::compare_with_assembled() {
   for (const std::size_t combination : spread_combinations()) {
     const std::vector<std::size_t> numbers = mounts(combination);
     for (std::size_t v = 0; v < cases_.size(); ++v) {
       const model::System whole = system(*cases_[v], combination);
       const Assembly assembled = assembly_of(whole, assembly::assemble(whole));
-      const auto& [stiffness, load] = added(sums_[v], numbers);
+      const auto& [stiffness, rest_stiffness, load] = added(sums_[v], numbers);
       const Eigen::MatrixXd& shapes = sums_[v].shapes;
-      if (!equal(stiffness, Eigen::MatrixXd(shapes.transpose() * assembled.stiffness * shapes)) ||
+      if (!equal(stiffness, Eigen::MatrixXd(shapes.transpose() * assembled.stiffness * shapes)))
+        sums_[v].bounds_frequencies = false;  // forces at rest that differ by more than a sum over the mounts
+      if (!equal(rest_stiffness, Eigen::MatrixXd(shapes.transpose() * assembled.rest_stiffness * shapes)) ||
           !equal(load, Eigen::VectorXd(shapes.transpose() * assembled.load)) ||
           !equal(Eigen::MatrixXd(shapes.transpose() * assembled.inertia * shapes),
                  Eigen::MatrixXd(Eigen::MatrixXd::Identity(load.size(), load.size()))))
@@ -303,12 +378,13 @@ void MountCombinations::compare_with_assembled() const {
   }
 }
 
-std::pair<Eigen::MatrixXd, Eigen::VectorXd> MountCombinations::added(const Sums& sums,
-                                                                     const std::vector<std::size_t>& mounts) {
-  std::pair<Eigen::MatrixXd, Eigen::VectorXd> result{sums.stiffness, sums.load};
+MountCombinations::Added MountCombinations::added(const Sums& sums, const std::vector<std::size_t>& mounts) {
+  Added result{sums.stiffness, sums.rest_stiffness, sums.load};
   for (std::size_t c = 0; c < mounts.size(); ++c) {
-    result.first += sums.options[c][mounts[c]].stiffness;
-    result.second += sums.options[c][mounts[c]].load;
+    const Option& option = sums.options[c][mounts[c]];
+    result.stiffness += option.stiffness;
+    result.rest_stiffness += option.rest_stiffness;
+    result.load += option.load;
   }
   return result;
 }
@@ -327,14 +403,21 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   if (sums.required.price) judge(MountTest::price, margin_of(sums.required.price->amount, price));
   if (sums.required.mass > 0) judge(MountTest::mass, margin_of(sums.required.mass, mass));
   const bool wants_loads = sums.required.mount_load && sums.loaded;
-  const bool wants_frequencies = !sums.required.avoided.empty() || sums.required.separation > 0;
-  if (!wants_loads && !wants_frequencies) return result;
-  const auto [stiffness, load] = added(sums, mounts);
-  const Eigen::VectorXd squares = numerics::symmetric_eigenvalues(stiffness);
+  const bool wants_frequencies =
+      sums.bounds_frequencies && (!sums.required.avoided.empty() || sums.required.separation > 0);
+  const bool wants_decoupling = sums.bounds_frequencies && !sums.decoupled.empty();
+  if (!wants_loads && !wants_frequencies && !wants_decoupling) return result;
+  const auto [stiffness, rest_stiffness, load] = added(sums, mounts);
+  const bool wants_shapes = wants_decoupling &&
+      std::any_of(sums.decoupled.begin(), sums.decoupled.end(), [](const Decoupled& one) { return one.whole; });
+  const auto [squares, vectors] = wants_shapes
+      ? modes_of(stiffness)
+      : std::pair<Eigen::VectorXd, Eigen::MatrixXd>{numerics::symmetric_eigenvalues(stiffness), {}};
+  if (squares(0) < -at_rest * squares.tail<1>()(0)) return result;  // falls over: the verdict says so
   if (wants_loads) {
     if (squares(0) <= at_rest * squares.tail<1>()(0))
       return result;  // no position of rest: the verdict gives the reason
-    const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness, load);
+    const Eigen::VectorXd rest = numerics::cholesky_solution(rest_stiffness, load);
     std::vector<const Mount*> all;
     const auto add = [&](const std::vector<Mount>& list) {
       for (const Mount& mount : list) all.push_back(&mount);
@@ -355,6 +438,17 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
         judge(MountTest::deflection, margin_of(*limit, one.deflection));
   }
   if (wants_frequencies) judge_frequencies(sums.required, squares, judge);
+  if (!wants_decoupling) return result;
+  for (const Decoupled& one : sums.decoupled) {
+    double share = 0;
+    if (one.whole) {
+      share = least_decoupling(one.motion, one.momentum, squares, vectors);
+    } else {
+      const auto own = modes_of(one.basis.transpose() * stiffness * one.basis);
+      share = least_decoupling(one.motion, one.momentum, own.first, own.second);
+    }
+    judge(MountTest::decoupling, margin_of_least(one.least, share));
+  }
   return result;
 }
 

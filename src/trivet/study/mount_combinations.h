@@ -6,13 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/study/case_context.h"
 #include "trivet/study/mount_loads.h"
 
 namespace trivet::study {
 
 /// Which test of a combination of mounts fails first, in the order in which they are made.
-enum class MountTest : std::uint8_t { none, price, mass, load, deflection, natural_frequencies, curves };
-inline constexpr std::size_t mount_tests = 7;
+enum class MountTest : std::uint8_t { none, price, mass, load, deflection, natural_frequencies, decoupling, curves };
+inline constexpr std::size_t mount_tests = 8;
 
 /// More combinations than this are not all judged.
 inline constexpr std::size_t most_judged_combinations = 1000000;
@@ -22,9 +23,9 @@ inline constexpr std::size_t most_judged_combinations = 1000000;
 ///
 /// Stiffness, static load and mass of a combination are sums over the choices: M = M₀ + Σ (M_i − M₀), with M_i the
 /// model in which only one choice differs from the given design. This gives price, mass, static loads and deflections
-/// of the mounts and natural frequencies. The least margin of these requirements is that of all requirements, or above
-/// it. The sum is compared with assembled models of some combinations; where it is not exact (mounts with mass that
-/// preloads stiffen, for example), there is no bound.
+/// of the mounts, natural frequencies and the decoupling of bodies. The least margin of these requirements is that of
+/// all requirements, or above it. The sum is compared with assembled models of some combinations; where it is not exact
+/// (mounts with mass that preloads stiffen, for example), there is no bound.
 class MountCombinations {
  public:
   /// @param cases  in which the design has to hold
@@ -78,26 +79,42 @@ class MountCombinations {
   /// One mount of a choice: what it adds to the given design.
   struct Option {
     Eigen::MatrixXd stiffness;
+    Eigen::MatrixXd rest_stiffness;  ///< of static results
     Eigen::VectorXd load;
     std::vector<Mount> mounts;
     double price = 0, mass = 0;
+  };
+  /// A body that has to be decoupled, on its elements with all other bodies held: coordinates r, p = `basis` r, in
+  /// which its inertia matrix is the unit matrix.
+  struct Decoupled {
+    double least = 0;
+    bool whole = false;                ///< no other body: r = p, and `basis` is empty
+    Eigen::MatrixXd basis;             ///< coordinates p × r
+    Eigen::MatrixXd motion, momentum;  ///< of the centre of mass: 6 × r
   };
   /// A case in coordinates p, q = Φ p, in which its inertia matrix is the unit matrix.
   struct Sums {
     Eigen::MatrixXd shapes;  ///< Φ: undamped modes of the given design
     Eigen::MatrixXd stiffness;
+    Eigen::MatrixXd rest_stiffness;  ///< of static results
     Eigen::VectorXd load;
     std::vector<Mount> mounts;  ///< at places without a choice
+    std::vector<Decoupled> decoupled;
     double price = 0, mass = 0;
-    bool loaded = false;  ///< by gravity or constant forces
+    bool loaded = false;             ///< by gravity or constant forces
+    bool bounds_frequencies = true;  ///< the stiffness is a sum over the mounts
     project::Requirements required;
     std::vector<std::vector<Option>> options;  ///< per choice and mount
   };
   [[nodiscard]] Sums sums_of(const project::Case& variant) const;
-  void compare_with_assembled() const;
-  /// Stiffness and load of a combination.
-  [[nodiscard]] static std::pair<Eigen::MatrixXd, Eigen::VectorXd> added(const Sums& sums,
-                                                                         const std::vector<std::size_t>& mounts);
+  static void add_decoupled(const CaseContext& given, Sums& sums);
+  void compare_with_assembled();
+  /// Stiffnesses and load of a combination.
+  struct Added {
+    Eigen::MatrixXd stiffness, rest_stiffness;
+    Eigen::VectorXd load;
+  };
+  [[nodiscard]] static Added added(const Sums& sums, const std::vector<std::size_t>& mounts);
   [[nodiscard]] std::vector<project::Node> changes(std::size_t combination) const;
   [[nodiscard]] Bound bound(const Sums& sums, const std::vector<std::size_t>& mounts) const;
 

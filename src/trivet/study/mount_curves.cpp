@@ -49,7 +49,8 @@ void MountCurves::add_case(const project::Case& variant) {
   foundation::Problems warnings;
   std::vector<RequirementResult> results = requirement_values(context, variant.analyses, warnings);
   std::erase_if(results, [](const RequirementResult& one) {
-    return one.kind != RequirementKind::amplitude && one.kind != RequirementKind::no_peak;
+    return one.kind != RequirementKind::amplitude && one.kind != RequirementKind::no_peak &&
+        one.kind != RequirementKind::isolation;
   });
   Case one{PackedCase(variant, variant.analyses, results), {}, {}, {}};
   if (!results.empty()) {
@@ -87,21 +88,35 @@ std::string MountCurves::difference_from_assembled() const {
 
 std::vector<double> MountCurves::margins(const std::vector<std::size_t>& combinations,
                                          const foundation::Progress& progress) const {
+  return least_margins(combinations, false, progress);
+}
+
+std::vector<double> MountCurves::isolation_margins(const std::vector<std::size_t>& combinations,
+                                                   const foundation::Progress& progress) const {
+  return least_margins(combinations, true, progress);
+}
+
+std::vector<double> MountCurves::least_margins(const std::vector<std::size_t>& combinations, bool of_isolations,
+                                               const foundation::Progress& progress) const {
   std::vector<double> result(combinations.size(), foundation::infinity);
   constexpr std::size_t piece = 256;  // their matrices fit in the cache
-  foundation::parallel_for(combinations.size(), {.size = piece, .progress = progress, .task = "amplitudes and peaks"},
-                           [&](std::size_t first, std::size_t last) {
-                             for (const Case& one : cases_) {
-                               if (one.packed.results().empty()) continue;
-                               Eigen::MatrixXd entries(to_index(last - first), one.given.size());
-                               for (std::size_t i = first; i < last; ++i)
-                                 entries.row(to_index(i - first)) = sum(one, combinations[i]).transpose();
-                               const Eigen::ArrayXXd margins = packed_curve_margins(one.packed, entries);
-                               for (std::size_t i = first; i < last; ++i)
-                                 for (const double margin : margins.row(to_index(i - first)))
-                                   if (!std::isnan(margin)) result[i] = std::min(result[i], margin);
-                             }
-                           });
+  foundation::parallel_for(
+      combinations.size(), {.size = piece, .progress = progress, .task = "amplitudes and peaks"},
+      [&](std::size_t first, std::size_t last) {
+        for (const Case& one : cases_) {
+          if (one.packed.results().empty()) continue;
+          Eigen::MatrixXd entries(to_index(last - first), one.given.size());
+          for (std::size_t i = first; i < last; ++i)
+            entries.row(to_index(i - first)) = sum(one, combinations[i]).transpose();
+          const Eigen::ArrayXXd margins = packed_curve_margins(one.packed, entries);
+          for (std::size_t r = 0; r < one.packed.results().size(); ++r) {
+            const bool counts = !of_isolations || one.packed.results()[r].kind == RequirementKind::isolation;
+            for (std::size_t i = first; counts && i < last; ++i)
+              if (const double margin = margins(to_index(i - first), to_index(r)); !std::isnan(margin))
+                result[i] = std::min(result[i], margin);
+          }
+        }
+      });
   return result;
 }
 

@@ -26,6 +26,9 @@ class MountCurves {
   /// Least margin of amplitudes and peaks of each combination in all cases; infinite where nothing is proven.
   [[nodiscard]] std::vector<double> margins(const std::vector<std::size_t>& combinations,
                                             const foundation::Progress& progress) const;
+  /// The same of isolations alone.
+  [[nodiscard]] std::vector<double> isolation_margins(const std::vector<std::size_t>& combinations,
+                                                      const foundation::Progress& progress) const;
 
  private:
   struct Case {
@@ -33,6 +36,8 @@ class MountCurves {
     Eigen::VectorXd given, scales;
     std::vector<std::vector<Eigen::VectorXd>> changes;  ///< per choice and mount
   };
+  [[nodiscard]] std::vector<double> least_margins(const std::vector<std::size_t>& combinations, bool of_isolations,
+                                                  const foundation::Progress& progress) const;
   void add_case(const project::Case& variant);
   [[nodiscard]] std::string difference_from_assembled() const;
   [[nodiscard]] Eigen::VectorXd sum(const Case& one, std::size_t combination) const;

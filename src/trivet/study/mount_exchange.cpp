@@ -24,15 +24,23 @@ MountSelection MountExchange::run() {
   MountSelection result;
   add_options(result);
   result.best = std::move(best_);
-  result.combinations = seen_;
+  forget_repeated_ones();
+  result.combinations = seen_.size();
   result.judged = judged_;
   result.curves = curve_count_;
   return result;
 }
 
 MountRanking MountExchange::ranking(std::vector<std::size_t> combinations) {
-  seen_ += combinations.size();
+  seen_.insert(seen_.end(), combinations.begin(), combinations.end());
+  constexpr std::size_t many = 4000000;
+  if (seen_.size() > many) forget_repeated_ones();
   return {all_, curves_, std::move(combinations), judge_, progress_};
+}
+
+void MountExchange::forget_repeated_ones() {
+  std::sort(seen_.begin(), seen_.end());
+  seen_.erase(std::unique(seen_.begin(), seen_.end()), seen_.end());
 }
 
 std::vector<MountDesign> MountExchange::best_of(std::vector<std::size_t> combinations, std::size_t most) {

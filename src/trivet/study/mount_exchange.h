@@ -19,6 +19,7 @@ class MountExchange {
 
  private:
   [[nodiscard]] MountRanking ranking(std::vector<std::size_t> combinations);
+  void forget_repeated_ones();
   [[nodiscard]] std::vector<MountDesign> best_of(std::vector<std::size_t> combinations, std::size_t most);
   [[nodiscard]] double most_at_once() const;
   [[nodiscard]] std::vector<std::size_t> starts();
@@ -36,7 +37,8 @@ class MountExchange {
   std::size_t most_;
   const foundation::Progress& progress_;
   std::vector<MountDesign> best_;  ///< by descending margin
-  std::size_t seen_ = 0, judged_ = 0, curve_count_ = 0;
+  std::vector<std::size_t> seen_;  ///< numbers of combinations, some of them several times
+  std::size_t judged_ = 0, curve_count_ = 0;
 };
 
 }  // namespace trivet::study

@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/static_machine.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/margin.h"
@@ -108,7 +109,8 @@ double share_of_range(double load, const Eigen::Vector2d& range) {
   return end > 0 ? std::abs(load) / end : foundation::infinity;
 }
 
-MountRows mount_rows(const model::System& system, const assembly::Assembled& assembled, const model::Element& element) {
+MountRows mount_rows(const model::System& system, const assembly::Assembled& given, const model::Element& element) {
+  const assembly::Assembled& assembled = given.first_order();
   const std::vector<assembly::Channel> channels = assembly::channels(
       system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
   Eigen::Matrix<double, 3, Eigen::Dynamic> force(3, assembled.matrices.size());  // on the N side, ground axes
@@ -131,7 +133,8 @@ MountRows mount_rows(const model::System& system, const assembly::Assembled& ass
 
 MountsAtRest mounts_at_rest(const CaseContext& context) {
   try {
-    return {response::rated_loads(context.system, context.assembled), ""};
+    const nonlinear::StaticMachine held = nonlinear::static_machine(context.system, context.assembled);
+    return {response::rated_loads(held.system, held.assembled), ""};
   } catch (const foundation::NotComputable& refused) {
     return {{}, refused.what()};
   } catch (const foundation::InvalidInput& refused) {

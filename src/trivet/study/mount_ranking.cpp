@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
+#include "trivet/study/mount_order.h"
 
 namespace trivet::study {
 namespace {
@@ -103,6 +104,43 @@ std::vector<MountDesign> MountRanking::best_of(const Combinations& ordered, std:
     judge(batch);
     found.insert(found.end(), batch.begin(), batch.end());
     std::stable_sort(found.begin(), found.end(), by_margin);
+    if (found.size() > most) found.resize(most);
+  }
+  std::vector<MountDesign> designs;
+  for (const std::size_t combination : found) designs.push_back(judged_.at(combination));
+  return designs;
+}
+
+std::vector<MountDesign> MountRanking::first_that_hold(MountOrder by, std::size_t most) {
+  constexpr std::size_t judged_together = 16;
+  std::vector<double> keys = order_keys(by, all_, curves_, list_, progress_);
+  for (double& key : keys) key = nine_digits(key);
+  Combinations waiting;
+  for (const std::size_t combination : order_)
+    if (bounds_[combination] >= 1) waiting.push_back(combination);
+  std::stable_sort(waiting.begin(), waiting.end(), [&](std::size_t a, std::size_t b) {
+    return keys[a] != keys[b] ? keys[a] < keys[b] : bounds_[a] > bounds_[b];
+  });
+  const auto key_of = [&](std::size_t combination) { return nine_digits(order_key(by, judged_.at(combination))); };
+  const auto comes_first = [&](std::size_t a, std::size_t b) {
+    if (key_of(a) != key_of(b)) return key_of(a) < key_of(b);
+    const double margin_a = nine_digits(judged_.at(a).margin), margin_b = nine_digits(judged_.at(b).margin);
+    return margin_a != margin_b ? margin_a > margin_b : a < b;
+  };
+  Combinations found;
+  const auto may_be_among_them = [&](std::size_t combination) {
+    if (found.size() < most || keys[combination] < key_of(found.back())) return true;
+    return keys[combination] == key_of(found.back()) &&
+        bounds_[combination] >= judged_.at(found.back()).margin * (1 - same_margin);
+  };
+  for (std::size_t next = 0; next < waiting.size();) {
+    Combinations batch;
+    for (; next < waiting.size() && batch.size() < judged_together; ++next)
+      if (may_be_among_them(waiting[next])) batch.push_back(waiting[next]);
+    judge(batch);
+    std::copy_if(batch.begin(), batch.end(), std::back_inserter(found),
+                 [&](std::size_t combination) { return judged_.at(combination).met; });
+    std::stable_sort(found.begin(), found.end(), comes_first);
     if (found.size() > most) found.resize(most);
   }
   std::vector<MountDesign> designs;

@@ -28,6 +28,8 @@ class MountRanking {
 
   /// The best `most` of the combinations, by descending margin.
   [[nodiscard]] std::vector<MountDesign> best(std::size_t most) { return best_of(order_, most); }
+  /// The first `most` of those that meet every requirement, in another order than by margin: fewer if fewer do.
+  [[nodiscard]] std::vector<MountDesign> first_that_hold(MountOrder by, std::size_t most);
   /// The best combination with each mount of a choice.
   [[nodiscard]] std::vector<MountDesign> best_with_each(std::size_t choice);
 

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
+#include "trivet/study/design_looks.h"
 #include "trivet/study/design_search.h"
 #include "trivet/study/margin.h"
 #include "trivet/study/mount_combinations.h"
@@ -17,11 +20,20 @@
 namespace trivet::study {
 namespace {
 
-/// So many times the combinations that are optimised are judged completely with the given numbers.
+/// So many times the combinations that are optimised are judged completely with a few numbers.
 constexpr std::size_t considered_per_optimized = 4;
 constexpr std::size_t listed_others = 4;
 
+/// Numbers at which each combination is looked at: a combination that has no chance with the given ones (a margin of 0
+/// has no slope) may be the best with others. So many by a family, of which the best few are judged completely; and so
+/// many without one.
+constexpr std::size_t looks_by_family = 1024, judged_looks = 8;
+/// Combinations are ordered by their bounds at so many numbers, the given ones in addition; fewer if there are so many
+/// combinations that bounds would take longer than a few seconds.
+constexpr std::size_t numbers_for_bounds = 8, most_bounds = 2000000;
+
 using numerics::MaxMinPoint;
+using numerics::MaxMinProblem;
 
 /// A copy of the project whose only choices are those that take part.
 project::Project with_choices_of(const project::Project& project, const project::OptimizeRequest& request) {
@@ -34,8 +46,13 @@ project::Project with_choices_of(const project::Project& project, const project:
 class Combinations {
  public:
   Combinations(const project::Project& project, const project::OptimizeRequest& request,
-               const foundation::Progress& progress)
-      : project_(project), request_(request), progress_(progress), all_(project, deciding_cases(project)) {}
+               const foundation::Progress& progress, const std::function<bool()>& enough)
+      : project_(project),
+        request_(request),
+        progress_(progress),
+        enough_(enough),
+        space_(project, request.parameters),
+        all_(project, deciding_cases(project)) {}
 
   MountSearch search() {
     return request_.minimized == project::Minimized::price ? cheapest_first() : best_bounds_first();
@@ -47,6 +64,7 @@ class Combinations {
     double constraint = -foundation::infinity;  ///< ln of the least margin of what has to be met, at most 0
     double merit = -foundation::infinity;       ///< the least margin, or minus what is minimised
     double margin = 0;                          ///< least one, if the price is minimised
+    Eigen::VectorXd numbers;                    ///< as shares of their ranges
     std::string reason;                         ///< why it cannot be judged
 
     [[nodiscard]] bool meets() const { return constraint == 0; }
@@ -58,15 +76,25 @@ class Combinations {
 
   MountSearch best_bounds_first() const {
     const auto most = to_size(request_.combinations);
-    std::vector<std::size_t> order = by_bound();
+    std::vector<Bounded> order = by_bound();
     order.resize(std::min(order.size(), considered_per_optimized * most));
-    const std::vector<Reached> considered =
-        reached(order, "mounts with the given numbers", [](const DesignObjective& objective) {
-          return numerics::point_at(search_problem(objective), given_shares(objective));
-        });
     std::vector<std::size_t> promising;
-    for (const Reached& one : considered) promising.push_back(one.combination);
-    promising.resize(std::min(promising.size(), most));
+    for (const Bounded& one : order) promising.push_back(one.combination);
+    if (promising.size() > most) {
+      const std::vector<Eigen::VectorXd> tried = numbers_to_try();
+      const std::vector<Reached> considered =
+          reached(promising, "mounts with a few numbers", [&](std::size_t place, const DesignObjective& objective) {
+            const MaxMinProblem problem = search_problem(objective);
+            MaxMinPoint best = numerics::point_at(problem, given_shares(objective));
+            if (const std::size_t numbers = order[place].numbers; numbers > 0)
+              if (MaxMinPoint other = numerics::point_at(problem, tried[numbers - 1]); rank(other) > rank(best))
+                best = std::move(other);
+            return best;
+          });
+      promising.clear();
+      for (const Reached& one : considered) promising.push_back(one.combination);
+      promising.resize(most);
+    }
     const std::vector<Reached> optimized = with_best_numbers(promising);
     refuse_hopeless(optimized);
     return described(optimized, order.size());
@@ -75,7 +103,8 @@ class Combinations {
   /// The numbers of the cheapest are optimised, then those of the next, until some meet every requirement.
   MountSearch cheapest_first() {
     prices_.emplace(all_, *all_.cases().front());
-    std::vector<std::size_t> order = by_bound();
+    std::vector<std::size_t> order;
+    for (const Bounded& one : by_bound()) order.push_back(one.combination);
     std::vector<double> price(all_.count());
     for (std::size_t i = 0; i < price.size(); ++i) price[i] = prices_->of(i).amount;
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return price[a] < price[b]; });
@@ -97,23 +126,83 @@ class Combinations {
   }
 
   [[nodiscard]] std::vector<Reached> with_best_numbers(const std::vector<std::size_t>& combinations) const {
-    return reached(combinations, "numbers for each combination of mounts", [](const DesignObjective& objective) {
-      return numerics::max_min(search_problem(objective), given_shares(objective));
-    });
+    return reached(combinations, "numbers for each combination of mounts",
+                   [](std::size_t, const DesignObjective& objective) {
+                     const MaxMinProblem problem = search_problem(objective);
+                     const Eigen::VectorXd given = given_shares(objective);
+                     MaxMinPoint best = numerics::max_min(problem, given);
+                     const MaxMinPoint look = best_look(problem, objective);
+                     if (look.objective <= DesignObjective::unusable) return best;
+                     if (MaxMinPoint other = numerics::max_min(problem, look.x); rank(other) > rank(best))
+                       best = std::move(other);
+                     return best;
+                   });
   }
 
-  [[nodiscard]] std::vector<std::size_t> by_bound() const {
-    std::vector<std::size_t> order = all_.all();
-    const std::vector<MountCombinations::Bound> bounds = all_.bounds(order, progress_);
+  /// The best of a few designs of one combination, spread over the ranges of the numbers.
+  static MaxMinPoint best_look(const MaxMinProblem& problem, const DesignObjective& objective) {
+    const foundation::ThreadLimit alone(1);  // combinations are done at once
+    MaxMinPoint best;
+    for (const Eigen::VectorXd& point : design_looks(objective, judged_looks, {}, looks_by_family).points)
+      if (MaxMinPoint look = numerics::point_at(problem, point); best.x.size() == 0 || rank(look) > rank(best))
+        best = std::move(look);
+    return best;
+  }
+
+  /// A combination with its largest bound over a few numbers.
+  struct Bounded {
+    std::size_t combination = 0;
+    double margin = 0;
+    std::size_t numbers = 0;  ///< with this bound: 0 the given ones, else one more than their place in numbers_to_try()
+  };
+
+  /// All combinations by descending bound.
+  [[nodiscard]] std::vector<Bounded> by_bound() const {
+    const std::vector<std::size_t> all = all_.all();
+    std::vector<Bounded> order(all.size());
+    const auto add = [&](const MountCombinations& there, std::size_t numbers) {
+      const std::vector<MountCombinations::Bound> bounds = there.bounds(all, progress_);
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (numbers == 0 || bounds[i].margin > order[i].margin) order[i] = {all[i], bounds[i].margin, numbers};
+    };
+    add(all_, 0);
+    if (all.size() > to_size(request_.combinations)) {
+      const std::vector<Eigen::VectorXd> tried = numbers_to_try();
+      for (std::size_t k = 0; k < tried.size(); ++k)
+        if (const auto project = with_numbers(tried[k])) add({*project, deciding_cases(*project)}, k + 1);
+    }
     // Of equal bounds, or without any, not the first of the catalogue come first: an order without meaning.
     const auto scattered = [](std::size_t combination) {
       constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U;  // 2⁶⁴ times the golden section, odd
       return golden * combination;
     };
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return bounds[a].margin != bounds[b].margin ? bounds[a].margin > bounds[b].margin : scattered(a) < scattered(b);
+    std::sort(order.begin(), order.end(), [&](const Bounded& a, const Bounded& b) {
+      return a.margin != b.margin ? a.margin > b.margin : scattered(a.combination) < scattered(b.combination);
     });
     return order;
+  }
+
+  [[nodiscard]] std::vector<Eigen::VectorXd> numbers_to_try() const {
+    const Eigen::MatrixXd points = sobol_points(
+        to_index(space_.size()), std::clamp(most_bounds / all_.count(), std::size_t{1}, numbers_for_bounds));
+    std::vector<Eigen::VectorXd> shares;
+    for (Eigen::Index i = 0; i < points.rows(); ++i) shares.emplace_back(points.row(i).transpose());
+    return shares;
+  }
+
+  /// The project with other numbers; none if a model is not valid then.
+  [[nodiscard]] std::optional<project::Project> with_numbers(const Eigen::VectorXd& shares) const {
+    std::vector<project::Node> changes;
+    const Eigen::VectorXd values = space_.values(shares);
+    for (std::size_t j = 0; j < space_.size(); ++j)
+      changes.push_back(project::ModelNumber(space_.axes()[j]).change(values(to_index(j))));
+    project::Project result{project_.title, project_.source, project_.sha256, {}};
+    for (const project::Case& variant : project_.cases) {
+      auto changed = project::changed_case(variant, changes);
+      if (!changed) return std::nullopt;
+      result.cases.push_back(std::move(*changed));
+    }
+    return result;
   }
 
   static Eigen::VectorXd given_shares(const DesignObjective& objective) {
@@ -135,14 +224,19 @@ class Combinations {
         combinations.size(), {.progress = progress_, .task = task}, [&](std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i) {
             result[i].combination = combinations[i];
+            if (enough_ && enough_()) {
+              result[i].reason = "the search was ended";
+              continue;
+            }
             try {
               const project::Project here = all_.project(project_, combinations[i]);
               const DesignObjective objective(here, request_);
-              const MaxMinPoint found = point(objective);
+              const MaxMinPoint found = point(i, objective);
+              result[i].numbers = found.x;
               const double to_meet = prices_ ? found.objective : found.constraint;
               result[i].constraint = to_meet >= least_met ? 0 : to_meet;
               if (found.objective <= DesignObjective::unusable) {
-                result[i].reason = objective.first_failure().empty() ? "a margin is 0" : objective.first_failure();
+                result[i].reason = why_unusable(objective, found);
               } else if (prices_) {
                 result[i].merit = -prices_->of(combinations[i]).amount;
                 result[i].margin = reported_objective(objective, found.objective);
@@ -159,15 +253,33 @@ class Combinations {
     return result;
   }
 
-  static void refuse_hopeless(const std::vector<Reached>& optimized) {
+  /// Why a design has no margin above 0.
+  static std::string why_unusable(const DesignObjective& objective, const MaxMinPoint& found) {
+    if (!objective.first_failure().empty()) return objective.first_failure();
+    Eigen::VectorXd values;
+    search_problem(objective).evaluate(found.x, values, nullptr);
+    Eigen::Index least = 0;
+    values.minCoeff(&least);
+    return "the margin of \"" + objective.words(objective.places()[to_size(least)]) +
+        "\" is 0 with all numbers that were tried";
+  }
+
+  void refuse_hopeless(const std::vector<Reached>& optimized) const {
     const Reached& best = optimized.front();
     if (std::isfinite(best.constraint) && best.merit > -foundation::infinity) return;
-    throw foundation::NotComputable("optimize: no combination of mounts can be judged: " + best.reason);
+    std::string mounts;
+    for (std::size_t c = 0; c < all_.choices().size(); ++c)
+      mounts +=
+          (c ? ", " : "") + all_.choices()[c].name + " = " + all_.choices()[c].mounts[all_.mount(best.combination, c)];
+    throw foundation::NotComputable("optimize: no combination of mounts has a design that can be judged; with " +
+                                    mounts + ": " + best.reason +
+                                    "; widen the ranges, let other mounts take part, or change the requirement");
   }
 
   [[nodiscard]] MountSearch described(const std::vector<Reached>& optimized, std::size_t considered) const {
     MountSearch result;
     result.best = all_.project(project_, optimized.front().combination);
+    result.numbers = optimized.front().numbers;
     OptimizedMounts& found = result.found;
     found.choices = all_.choices();
     found.chosen = all_.mounts(optimized.front().combination);
@@ -188,6 +300,8 @@ class Combinations {
   const project::Project& project_;
   const project::OptimizeRequest& request_;
   const foundation::Progress& progress_;
+  const std::function<bool()>& enough_;
+  DesignSpace space_;
   MountCombinations all_;
   std::optional<MountPrices> prices_;  ///< if their sum is minimised
 };
@@ -195,10 +309,10 @@ class Combinations {
 }  // namespace
 
 std::optional<MountSearch> mount_search(const project::Project& project, const project::OptimizeRequest& request,
-                                        const foundation::Progress& progress) {
+                                        const foundation::Progress& progress, const std::function<bool()>& enough) {
   const project::Project chosen = with_choices_of(project, request);
   if (chosen.base().analyses.choices.empty()) return std::nullopt;
-  return Combinations(chosen, request, progress).search();
+  return Combinations(chosen, request, progress, enough).search();
 }
 
 }  // namespace trivet::study

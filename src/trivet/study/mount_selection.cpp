@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/mount_selection.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/project/analyses/transmissibility_question.h"
+#include "trivet/study/amplification.h"
 #include "trivet/study/mount_exchange.h"
+#include "trivet/study/mount_order.h"
 #include "trivet/study/mount_ranking.h"
 #include "trivet/study/mount_sums.h"
 #include "trivet/study/requirement_values.h"
-#include "trivet/study/transmissibility_answer.h"
 
 namespace trivet::study {
 namespace {
@@ -21,7 +24,7 @@ namespace {
 using foundation::infinity;
 
 constexpr std::array<const char*, mount_tests> test_names = {
-    "", "price", "mass", "mount_load", "deflection", "natural_frequencies", "amplitudes_and_peaks"};
+    "", "price", "mass", "mount_load", "deflection", "natural_frequencies", "decoupling", "amplitudes_and_peaks"};
 
 /// Adds what the table shows of a case: loads and deflections of the mounts.
 void add_loads(const CaseContext& context, MountDesign& design) {
@@ -39,9 +42,12 @@ void judge_case(const project::Case& variant, const model::System& system, Mount
   const CaseContext context(system, silent);
   foundation::Problems warnings;
   const std::string of_case = variant.name.empty() ? "" : "case " + variant.name + ": ";
-  for (const RequirementResult& result : requirement_values(context, variant.analyses, warnings)) {
+  const std::vector<RequirementResult> results = requirement_values(context, variant.analyses, warnings);
+  for (const RequirementResult& result : results) {
     if (!result.value && design.reason.empty()) design.reason = of_case + result.words + ": " + result.reason;
     const double margin = result.value ? result.margin : 0;
+    if (result.kind == RequirementKind::isolation && result.value)
+      design.isolation_share = std::max(design.isolation_share.value_or(0), *result.value / result.allowed);
     if (!design.governing.empty() && !(margin < design.margin * (1 - same_margin))) continue;
     design.margin = margin;
     design.governing = of_case + result.words;
@@ -53,8 +59,7 @@ void judge_case(const project::Case& variant, const model::System& system, Mount
     if (!design.lowest) design.lowest = mode.angular_frequency;
     design.highest = mode.angular_frequency;
   }
-  if (const auto* asked = variant.analyses.find<project::TransmissibilityQuestion>("transmissibility"))
-    design.transmissibility = largest_transmissibility(context, *asked);
+  design.transmissibility = operating_transmissibility(context, variant.analyses, results);
   const MountSums sums = sums_of_mounts(system);
   design.price = sums.price;
   design.mass = sums.mass;
@@ -82,10 +87,11 @@ std::vector<MountSelection::Failed> failed_tests(const MountRanking& ranking) {
 }
 
 /// The best combinations, and the best with each mount of each choice.
-MountSelection ranked(MountRanking& ranking, std::size_t choices, std::size_t most) {
+MountSelection ranked(MountRanking& ranking, std::size_t choices, std::size_t most, MountOrder by) {
   MountSelection result;
   result.failed = failed_tests(ranking);
-  result.best = ranking.best(most);
+  if (by != MountOrder::margin) result.best = ranking.first_that_hold(by, most);
+  if (result.best.empty()) result.best = ranking.best(most);
   for (std::size_t c = 0; c < choices; ++c) {
     const std::size_t first = result.options.size();
     for (MountDesign& best : ranking.best_with_each(c))
@@ -100,8 +106,8 @@ MountSelection ranked(MountRanking& ranking, std::size_t choices, std::size_t mo
 
 }  // namespace
 
-MountSelection mount_selection(const project::Project& project, std::size_t most,
-                               const foundation::Progress& progress) {
+MountSelection mount_selection(const project::Project& project, std::size_t most, const foundation::Progress& progress,
+                               MountOrder by) {
   const project::Analyses& asked = project.base().analyses;
   if (!asked.requirements && asked.limits.empty() && asked.limit_lines.empty())
     throw foundation::InvalidInput(
@@ -117,10 +123,16 @@ MountSelection mount_selection(const project::Project& project, std::size_t most
   };
   MountSelection result;
   if (all.count() > most_judged_combinations) {
+    if (by != MountOrder::margin)
+      throw foundation::InvalidInput(fmt::format(
+          "select by {}: {:.3g} combinations, more than the {} that can all be judged; let more places share one "
+          "choice, name fewer mounts in choices, or rank by margin",
+          name(by), static_cast<double>(all.count()), most_judged_combinations));
     result = MountExchange(all, curves, judged_combination, most, progress).run();
   } else {
     MountRanking ranking(all, curves, all.all(), judged_combination, progress);
-    result = ranked(ranking, all.choices().size(), most);
+    result = ranked(ranking, all.choices().size(), most, by);
+    result.by = by;
     result.combinations = all.count();
   }
   result.choices = all.choices();
@@ -131,6 +143,12 @@ MountSelection mount_selection(const project::Project& project, std::size_t most
   result.given = judged(all.cases(), [](const project::Case& variant) { return variant.system; });
   if (const std::string& reason = result.best.front().reason; !reason.empty())
     throw foundation::NotComputable("select: no combination of mounts can be judged: " + reason);
+  const foundation::Progress silent;
+  const project::Case& first = *all.cases().front();
+  std::size_t best = 0;
+  for (std::size_t c = 0; c < all.choices().size(); ++c) best = all.with(best, c, result.best.front().mounts[c]);
+  const model::System system = all.system(first, best);
+  result.warnings = amplification_warnings(CaseContext(system, silent), first.analyses);
   return result;
 }
 

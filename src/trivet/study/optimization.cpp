@@ -51,6 +51,7 @@ class Description {
         ends_(std::move(found.ends)) {
     result_.starts = found.starts;
     result_.falls_short = found.falls_short;
+    result_.cut_short = found.cut_short;
     result_.looked_at = found.looked_at;
     if (!result_.falls_short) result_.weights = objective.minimized().weights();
   }
@@ -297,14 +298,17 @@ class Description {
 
 }  // namespace
 
-Optimization optimization(const project::Project& project, const foundation::Progress& progress) {
+Optimization optimization(const project::Project& project, const foundation::Progress& progress,
+                          const std::function<bool()>& enough) {
   const project::OptimizeRequest request = project.base().analyses.optimize.value_or(project::OptimizeRequest());
   const DesignObjective given(project, request);
   for (const project::Case* variant : given.cases()) refuse_unbounded_peaks(*variant, given.space().axes());
-  std::optional<MountSearch> mounts = mount_search(project, request, progress);
+  std::optional<MountSearch> mounts = mount_search(project, request, progress, enough);
   const auto searched = [&](const DesignObjective& objective) {
+    SearchOptions options{.starts = request.starts, .enough = enough};
+    if (mounts && mounts->numbers.size() > 0) options.also = mounts->numbers;
     Optimization result =
-        Description(project, given, objective, design_search(objective, request.starts, progress)).optimization();
+        Description(project, given, objective, design_search(objective, options, progress)).optimization();
     result.minimized_kind = request.minimized;
     result.warnings = parameter_warnings(project, given.space());
     result.warnings.add(optimum_warnings(project, result));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -104,6 +105,7 @@ struct Optimization {
   double residual = 0;                      ///< of the optimality conditions, as a share of the largest slope
   std::string no_slopes;                    ///< why these conditions were not computed
   std::vector<Conflict> conflicts;          ///< if no design meets all requirements
+  bool cut_short = false;                   ///< ended by `enough`: the best design so far
   int starts = 0, agreeing = 0;             ///< `agreeing` of the starts reached the same objective
   int stuck = 0;                            ///< starts that found no usable design
   std::vector<OtherOptimum> others;         ///< the best three
@@ -118,9 +120,11 @@ struct Optimization {
 };
 
 /// Searches [analyses.optimize] of a project, or the largest least margin over all its parameters.
+/// @param enough  true if the search is to end with the best design so far; called between designs, on any thread
 /// @throws foundation::InvalidInput without parameters or requirements; NotComputable if no design can be judged, or if
 /// all results that are required to be small are zero
-[[nodiscard]] Optimization optimization(const project::Project& project, const foundation::Progress& progress = {});
+[[nodiscard]] Optimization optimization(const project::Project& project, const foundation::Progress& progress = {},
+                                        const std::function<bool()>& enough = {});
 
 /// The changes of the file that set the optimum.
 [[nodiscard]] std::vector<project::Node> optimum_changes(const Optimization& found);

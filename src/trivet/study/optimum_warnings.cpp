@@ -80,6 +80,10 @@ foundation::Problems better_given_design(const Optimization& found) {
 
 foundation::Problems optimum_warnings(const project::Project& project, const Optimization& found) {
   foundation::Problems warnings = idle_parameters(project, found);
+  if (found.cut_short)
+    warnings.warning("optimize", "the search was ended before it was complete",
+                     "this is the best design so far, and none of the climbs from it is finished",
+                     "give it more time, or fewer starts, combinations or parameters");
   warnings.add(zero_results(found));
   warnings.add(better_given_design(found));
   return warnings;

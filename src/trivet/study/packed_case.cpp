@@ -6,12 +6,16 @@
 #include <utility>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/assembly/second_order.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/model/static_stiffness.h"
 #include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/study/motion_requirements.h"
 #include "trivet/study/mount_loads.h"
+#include "trivet/study/requirement_curve.h"
 
 namespace trivet::study {
 namespace {
@@ -45,6 +49,21 @@ Eigen::VectorXd scale_of(const spatial::MassProperties& mass) {
   scale << mass.mass, Eigen::Vector3d::Constant(root.maxCoeff() / std::sqrt(mass.mass)), root.cwiseAbs2(),
       root(0) * root(1), root(0) * root(2), root(1) * root(2);
   return scale;
+}
+
+/// Entries of the lower triangle, row by row, as numerics::Designs has them.
+Eigen::VectorXd lower_triangle(const Eigen::MatrixXd& matrix) {
+  Eigen::VectorXd entries(matrix.rows() * (matrix.rows() + 1) / 2);
+  Eigen::Index at = 0;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    for (Eigen::Index j = 0; j <= i; ++j) entries(at++) = matrix(i, j);
+  return entries;
+}
+
+/// √(K_ii K_jj) of the same entries.
+Eigen::VectorXd triangle_scale(const Eigen::MatrixXd& matrix) {
+  const Eigen::VectorXd root = matrix.diagonal().cwiseAbs().cwiseSqrt();
+  return lower_triangle(root * root.transpose());
 }
 
 Eigen::Index matrix_entries(Eigen::Index n) { return 4 * (n * (n + 1) / 2); }
@@ -100,6 +119,8 @@ PackedCase::PackedCase(const project::Case& variant, const project::Analyses& as
     : results_(results), covered_(results.size(), false) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   n_ = assembled.matrices.size();
+  second_order_ = assembled.without_second_order != nullptr;
+  has_static_stiffness_ = model::has_static_stiffness(variant.system);
   plan_searches(asked);
   plan_rest(variant.system);
   plan_decoupling(variant.system, assembled);
@@ -108,6 +129,9 @@ PackedCase::PackedCase(const project::Case& variant, const project::Analyses& as
     covered_[r] = covered_[r] || results_[r].kind == RequirementKind::avoided_frequencies ||
         results_[r].kind == RequirementKind::separation;
   std::vector<design::DrivenDesign> designs;
+  has_damping_ratio_ = std::any_of(results_.begin(), results_.end(), [](const RequirementResult& one) {
+    return one.kind == RequirementKind::damping_ratio;
+  });
   reason_ = form(variant.system, assembled, designs);
   if (!reason_.empty()) {
     covered_.assign(covered_.size(), false);
@@ -123,25 +147,20 @@ PackedCase::PackedCase(const project::Case& variant, const project::Analyses& as
 }
 
 void PackedCase::plan_searches(const project::Analyses& asked) {
-  const response::Band all{0, foundation::infinity};
   const project::Requirements required = asked.requirements.value_or(project::Requirements());
   for (std::size_t r = 0; r < results_.size(); ++r) {
     const RequirementResult& result = results_[r];
     const bool peaks = result.kind == RequirementKind::no_peak;
-    if (result.kind != RequirementKind::amplitude && !peaks) continue;
+    if (result.kind != RequirementKind::amplitude && result.kind != RequirementKind::isolation && !peaks) continue;
     Search search;
     search.count_peaks = peaks;
-    search.band = peaks ? all : required.band.value_or(all);
-    if (r < asked.limits.size()) search.band = asked.response ? asked.response->band.value_or(all) : all;
+    search.band = result.band;
     if (peaks) search.min_prominence = required.min_prominence;
-    search.excitations = result.excitations;
     const auto same = std::find_if(searches_.begin(), searches_.end(), [&](const Search& other) {
-      return other.count_peaks == search.count_peaks && other.excitations == search.excitations &&
-          other.band.from == search.band.from && other.band.to == search.band.to;
+      return other.count_peaks == search.count_peaks && have_same_drive(results_[other.results.front()], result);
     });
     Search& chosen = same != searches_.end() ? *same : searches_.emplace_back(search);
     chosen.results.push_back(r);
-    chosen.quantities.push_back(result.quantity);
     covered_[r] = true;
   }
 }
@@ -180,12 +199,14 @@ std::string PackedCase::form(const model::System& system, const assembly::Assemb
                              std::vector<design::DrivenDesign>& designs) const {
   if (!numerics::is_positive_definite(assembled.matrices.K)) return "rigid-body modes or unstable motions";
   for (const Search& search : searches_) {
+    std::vector<RequirementCurve> curves;
     std::vector<assembly::Channel> channels;
-    for (std::size_t k = 0; k < search.results.size(); ++k)
-      channels.push_back(
-          assembly::channels(system, assembled, {results_[search.results[k]].subject}, search.quantities[k]).front());
-    auto found =
-        design::driven_design(assembled, channels, assembly::harmonic_loading(system, assembled, search.excitations));
+    for (const std::size_t result : search.results) {
+      curves.push_back(requirement_curve(system, assembled, results_[result]));
+      channels.push_back(curves.back().channel);
+    }
+    const bool within_band = !search.count_peaks && std::isfinite(search.band.to);
+    auto found = design::driven_design(assembled, channels, curves.front().loading, within_band);
     if (!found.design) return found.reason;
     designs.push_back(std::move(*found.design));
   }
@@ -199,7 +220,12 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
   const assembly::Assembled assembled = assembly::assemble(system);
   std::vector<design::DrivenDesign> designs;
   if (assembled.matrices.size() != n_) return {{}, "designs with more coordinates than others"};
+  if ((assembled.without_second_order != nullptr) != second_order_)
+    return {{}, "designs with and without an effect of the forces at rest"};
   if (const std::string reason = form(system, assembled, designs); !reason.empty()) return {{}, reason};
+  // Forces at rest are no polynomials of the numbers of a design; the stiffness that they are found with is.
+  const assembly::Assembled& first = assembled.first_order();
+  for (design::DrivenDesign& one : designs) one.K = first.matrices.K;
   for (std::size_t s = 0; s < searches_.size(); ++s)
     if (const std::string reason = design::reason_for_separate_families(searches_[s].first, designs[s]);
         !reason.empty())
@@ -209,13 +235,27 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
   list.add(packed(designs.front()).head(matrices), scales(designs.front()).head(matrices));
   for (std::size_t s = 0; s < searches_.size(); ++s)
     list.add(packed(designs[s]).tail(searches_[s].size), scales(designs[s]).tail(searches_[s].size));
-  if (!at_rest_.empty()) {
+  if (loads()) {
+    if (!has_static_stiffness_ && model::has_static_stiffness(system))
+      return {{}, "some designs have a static stiffness of their own"};
+    const response::AtRest at_rest(system, assembled);
+    const Eigen::MatrixXd& stiffness = at_rest.assembled().matrices.K;
     const Eigen::VectorXd root_of_mass = assembled.matrices.A.diagonal().cwiseAbs().cwiseSqrt();
-    const Eigen::VectorXd load = assembly::static_load(system, assembled);
+    const Eigen::VectorXd load = assembly::static_load(at_rest.system(), at_rest.assembled());
     list.add(load, scale_of(load, root_of_mass));
-    const Eigen::VectorXd rest = numerics::cholesky_solution(assembled.matrices.K, load);
+    if (has_static_stiffness_) list.add(lower_triangle(stiffness), triangle_scale(stiffness));
+    const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness, load);
+    if (second_order_) {
+      const assembly::SecondOrderForms forms = assembly::second_order_forms(system, first);
+      const Eigen::VectorXd scale = triangle_scale(first.matrices.K);
+      constexpr double least = 1e-12;  // of a machine whose preloads carry it [m √kg]
+      const double largest = std::max(least, rest.cwiseProduct(root_of_mass).cwiseAbs().maxCoeff());
+      list.add(lower_triangle(forms.constant), scale);
+      for (Eigen::Index k = 0; k < n_; ++k)
+        list.add(lower_triangle(forms.per_coordinate[to_size(k)]), scale * root_of_mass(k) / largest);
+    }
     for (const RestValue& value : at_rest_) {
-      const auto row = rest_row(system, assembled, results_[value.result]);
+      const auto row = rest_row(at_rest.system(), at_rest.assembled(), results_[value.result]);
       list.add(row.first, scale_of(row.first, root_of_mass));
       const double size = row.first.cwiseAbs().dot(rest.cwiseAbs()) + std::abs(row.second);
       list.add(Eigen::VectorXd::Constant(1, row.second), Eigen::VectorXd::Constant(1, size));
@@ -228,12 +268,16 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
   return {list.list(), ""};
 }
 
-PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const {
+PackedCase::Unpacked PackedCase::parted(const Eigen::MatrixXd& entries) const {
   Unpacked designs;
   const Eigen::Index matrices = matrix_entries(n_), triangle = matrices / 4;
   designs.free.A = entries.leftCols(triangle).array();
   designs.free.K = entries.middleCols(2 * triangle, triangle).array();
   designs.free.load = Eigen::ArrayXXd::Zero(1, n_);
+  if (has_damping_ratio_) {
+    designs.damping = entries.middleCols(triangle, triangle).array();
+    designs.loss = entries.middleCols(3 * triangle, triangle).array();
+  }
   Eigen::Index at = matrices;
   for (const Search& search : searches_) {
     Eigen::MatrixXd own(entries.rows(), matrices + search.size);
@@ -245,10 +289,54 @@ PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const 
     at += columns;
     return entries.middleCols(at - columns, columns);
   };
-  if (!at_rest_.empty()) designs.load = next(n_);
+  designs.rest_K = designs.rest_stiffness = designs.free.K;
+  if (loads()) designs.load = next(n_);
+  if (loads() && has_static_stiffness_) designs.rest_stiffness = next(triangle).array();
+  if (second_order_) designs.constant = next(triangle);
+  for (Eigen::Index k = 0; second_order_ && k < n_; ++k) designs.per_coordinate.push_back(next(triangle));
   for (std::size_t i = 0; i < at_rest_.size(); ++i) designs.rows.push_back(next(n_ + 1));
   for (std::size_t i = 0; i < decoupled_.size(); ++i) designs.bodies.push_back(next(mass_entries));
   return designs;
+}
+
+PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const {
+  Unpacked designs = parted(entries);
+  designs.falls.assign(to_size(entries.rows()), false);
+  if (!second_order_) return designs;
+  for (Eigen::Index d = 0; d < entries.rows(); ++d) {
+    const Eigen::VectorXd load = designs.load.row(d).transpose(),
+                          rest = numerics::cholesky_solution(numerics::unpacked(designs.rest_K, d), load);
+    Eigen::ArrayXd stiffness = designs.rest_K.row(d).transpose() + designs.constant.row(d).transpose().array();
+    for (Eigen::Index k = 0; k < n_; ++k)
+      stiffness += rest(k) * designs.per_coordinate[to_size(k)].row(d).transpose().array();
+    designs.free.K.row(d) = stiffness.transpose();
+    if (!numerics::is_positive_definite(numerics::unpacked(designs.free.K, d))) {
+      designs.falls[to_size(d)] = true;
+      designs.free.K.row(d) = designs.rest_K.row(d);
+    }
+  }
+  for (numerics::DrivenDesigns& searched : designs.searched) searched.K = designs.free.K;
+  return designs;
+}
+
+PackedCase::Unpacked PackedCase::changes(const Unpacked& here, const Eigen::MatrixXd& slopes) const {
+  Unpacked changes = parted(slopes);
+  if (!second_order_) return changes;
+  const Eigen::MatrixXd stiffness = numerics::unpacked(here.rest_K, 0);
+  const Eigen::VectorXd load = here.load.row(0).transpose(), rest = numerics::cholesky_solution(stiffness, load);
+  for (Eigen::Index j = 0; j < slopes.rows(); ++j) {
+    const Eigen::VectorXd pull = changes.load.row(j).transpose() - numerics::unpacked(changes.rest_K, j) * rest,
+                          moved = numerics::cholesky_solution(stiffness, pull);
+    Eigen::ArrayXd change = changes.rest_K.row(j).transpose() + changes.constant.row(j).transpose().array();
+    for (Eigen::Index k = 0; k < n_; ++k)
+      change +=
+          (moved(k) * here.per_coordinate[to_size(k)].row(0) + rest(k) * changes.per_coordinate[to_size(k)].row(j))
+              .transpose()
+              .array();
+    changes.free.K.row(j) = change.transpose();
+  }
+  for (numerics::DrivenDesigns& searched : changes.searched) searched.K = changes.free.K;
+  return changes;
 }
 
 }  // namespace trivet::study

@@ -17,9 +17,9 @@ namespace trivet::study {
 /// the loss of K, loads and rows of results, the static load and what is computed from it, mass properties of bodies.
 /// A family of designs interpolates these lists.
 ///
-/// Requirements with kernels: amplitudes and peaks of constant symmetric matrices of at most twelve coordinates,
-/// avoided natural frequencies and their separation, decoupling, values at rest, loads and deflections of mounts. The
-/// others, and all of them if the case has no such form, are judged one design at a time.
+/// Requirements with kernels: amplitudes, peaks and transmissibilities of constant symmetric matrices of at most twelve
+/// coordinates, avoided natural frequencies and their separation, decoupling, values at rest, loads and deflections of
+/// mounts. The others, and all of them if the case has no such form, are judged one design at a time.
 class PackedCase {
  public:
   /// @param asked  requirements of the case  @param results  what they are and how they are judged as given
@@ -30,6 +30,10 @@ class PackedCase {
   [[nodiscard]] const std::string& reason() const { return reason_; }
   /// True if a requirement is judged by a kernel.
   [[nodiscard]] bool covers(std::size_t result) const { return covered_[result]; }
+  /// True if a requirement has slopes without models: those that are covered, and damping ratios.
+  [[nodiscard]] bool gives_slopes(std::size_t result) const {
+    return covered_[result] || (reason_.empty() && results_[result].kind == RequirementKind::damping_ratio);
+  }
   [[nodiscard]] const std::vector<RequirementResult>& results() const { return results_; }
 
   /// The numbers of a changed model, or why it has another form.
@@ -37,12 +41,10 @@ class PackedCase {
 
   /// Results that are searched together.
   struct Search {
-    response::Band band;
+    response::Band band;  ///< from = to: one frequency
     bool count_peaks = false;
     double min_prominence = 1e-6;
-    std::vector<std::string> excitations;
     std::vector<std::size_t> results;
-    std::vector<assembly::MotionQuantity> quantities;
     design::DrivenDesign first;  ///< of the given model
     Eigen::Index at = 0;         ///< where its loads and rows begin in a list
     Eigen::Index size = 0;
@@ -66,15 +68,27 @@ class PackedCase {
   /// One or more lists as designs, one design per row of `entries`.
   struct Unpacked {
     numerics::Designs free;                         ///< A and K alone
+    Eigen::ArrayXXd damping, loss;                  ///< B and D, designs × n(n+1)/2; empty without damping ratios
     std::vector<numerics::DrivenDesigns> searched;  ///< per search
+    Eigen::ArrayXXd rest_K;                         ///< of the first order, of vibration
+    Eigen::MatrixXd constant;                       ///< what forces at rest add to it, without displacements
+    std::vector<Eigen::MatrixXd> per_coordinate;    ///< and per displacement at rest
+    std::vector<bool> falls;                        ///< designs whose weight makes them unstable; K is rest_K
     Eigen::MatrixXd load;                           ///< designs × n, at rest
+    Eigen::ArrayXXd rest_stiffness;                 ///< K of static results, packed as in `free`
     std::vector<Eigen::MatrixXd> rows;              ///< per value at rest: designs × (n + 1), with its constant
     std::vector<Eigen::MatrixXd> bodies;            ///< per decoupled body: designs × 10, see mass_numbers
   };
   [[nodiscard]] Unpacked unpacked(const Eigen::MatrixXd& entries) const;
+  /// Changes of one design, from changes of its list, one per row.
+  [[nodiscard]] Unpacked changes(const Unpacked& here, const Eigen::MatrixXd& slopes) const;
   [[nodiscard]] Eigen::Index coordinates() const { return n_; }
 
  private:
+  /// With the stiffness of the first order.
+  [[nodiscard]] Unpacked parted(const Eigen::MatrixXd& entries) const;
+  /// Do designs contain their loads at rest?
+  [[nodiscard]] bool loads() const { return second_order_ || !at_rest_.empty(); }
   void plan_searches(const project::Analyses& asked);
   void plan_rest(const model::System& system);
   void plan_decoupling(const model::System& system, const assembly::Assembled& assembled);
@@ -83,11 +97,14 @@ class PackedCase {
 
   std::vector<RequirementResult> results_;
   std::vector<bool> covered_;
+  bool has_damping_ratio_ = false;
   std::vector<Search> searches_;
   std::vector<RestValue> at_rest_;
   std::vector<Decoupled> decoupled_;
   std::vector<response::Band> avoided_;
   std::string reason_;
+  bool has_static_stiffness_ = false;  ///< of rubber: it is another one than that of vibration
+  bool second_order_ = false;          ///< the forces at rest are part of K, and not of that of static results
   Eigen::Index n_ = 0;
 };
 

@@ -15,6 +15,7 @@
 #include "trivet/study/free_motion.h"
 #include "trivet/study/margin.h"
 #include "trivet/study/mount_loads.h"
+#include "trivet/study/packed_curve.h"
 
 namespace trivet::study {
 namespace {
@@ -26,9 +27,24 @@ Eigen::ArrayXXd unlimited(const PackedCase& of, Eigen::Index designs) {
   return Eigen::ArrayXXd::Constant(designs, to_index(of.results().size()), infinity);
 }
 
+/// Curves at one frequency.
+void set_curves_at(const PackedCase& of, const numerics::DrivenDesigns& designs, const PackedCase::Search& search,
+                   Eigen::ArrayXXd& margins) {
+  for (std::size_t k = 0; k < search.results.size(); ++k)
+    for (Eigen::Index d = 0; d < margins.rows(); ++d) {
+      const double value = packed_magnitude(designs, d, k, search.band.from);
+      margins(d, to_index(search.results[k])) =
+          std::isnan(value) ? unknown : margin_of(of.results()[search.results[k]].allowed, value);
+    }
+}
+
 void set_curves(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
   for (std::size_t s = 0; s < of.searches().size(); ++s) {
     const PackedCase::Search& search = of.searches()[s];
+    if (search.band.from == search.band.to) {
+      set_curves_at(of, designs.searched[s], search, margins);
+      continue;
+    }
     const numerics::DesignPeaks found = numerics::driven_peaks(designs.searched[s],
                                                                {.from = search.band.from,
                                                                 .to = search.band.to,
@@ -111,7 +127,7 @@ void set_rest(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::
   const Eigen::Index n = of.coordinates();
   for (Eigen::Index d = 0; d < margins.rows(); ++d) {
     const Eigen::VectorXd load = designs.load.row(d).transpose();
-    const Eigen::VectorXd rest = numerics::cholesky_solution(numerics::unpacked(designs.free.K, d), load);
+    const Eigen::VectorXd rest = numerics::cholesky_solution(numerics::unpacked(designs.rest_stiffness, d), load);
     for (std::size_t i = 0; i < of.at_rest().size(); ++i) {
       const PackedCase::RestValue& value = of.at_rest()[i];
       const double at = designs.rows[i].row(d).head(n).dot(rest) + designs.rows[i](d, n);
@@ -120,6 +136,12 @@ void set_rest(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::
                                                           : margin_of(of.results()[value.result].allowed, at);
     }
   }
+}
+
+/// Machines that fall over are left to the model itself, which says so.
+void leave_falling(const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+  for (Eigen::Index d = 0; d < margins.rows(); ++d)
+    if (designs.falls[to_size(d)]) margins.row(d) = unknown;
 }
 
 }  // namespace
@@ -147,18 +169,23 @@ Eigen::ArrayXXd packed_quick_margins(const PackedCase& of, const Eigen::MatrixXd
   set_frequencies(of, designs, margins);
   set_decoupling(of, designs, margins);
   set_rest(of, designs, margins);
+  leave_falling(designs, margins);
   return margins;
 }
 
 Eigen::ArrayXXd packed_curve_margins(const PackedCase& of, const Eigen::MatrixXd& entries) {
   Eigen::ArrayXXd margins = unlimited(of, entries.rows());
-  set_curves(of, of.unpacked(entries), margins);
+  const PackedCase::Unpacked designs = of.unpacked(entries);
+  set_curves(of, designs, margins);
+  leave_falling(designs, margins);
   return margins;
 }
 
 Eigen::ArrayXXd packed_margins(const PackedCase& of, const Eigen::MatrixXd& entries) {
   Eigen::ArrayXXd margins = packed_quick_margins(of, entries);
-  set_curves(of, of.unpacked(entries), margins);
+  const PackedCase::Unpacked designs = of.unpacked(entries);
+  set_curves(of, designs, margins);
+  leave_falling(designs, margins);
   return margins;
 }
 

@@ -8,48 +8,20 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/modal/null_vectors.h"
 #include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/roots/design_modes.h"
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/mount_loads.h"
+#include "trivet/study/packed_curve.h"
 #include "trivet/study/packed_margins.h"
 
 namespace trivet::study {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// Z, h, c and the constant of one curve of one design at s = iω.
-struct CurveAt {
-  Eigen::MatrixXcd stiffness;
-  Eigen::VectorXcd load, row;
-  Complex constant;
-};
-
-Eigen::VectorXcd sum_of(const std::vector<numerics::DesignTerm>& terms, Eigen::Index design, Eigen::Index n,
-                        Complex s) {
-  Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(n);
-  for (const numerics::DesignTerm& term : terms) {
-    const Complex power = std::pow(s, term.power);
-    for (Eigen::Index i = 0; i < n; ++i) sum(i) += power * Complex(term.re(design, i), term.im(design, i));
-  }
-  return sum;
-}
-
-CurveAt curve_at(const numerics::DrivenDesigns& designs, Eigen::Index design, std::size_t curve, double omega) {
-  const Complex s(0, omega);
-  const numerics::DesignCurve& one = designs.curves[curve];
-  const Eigen::MatrixXd K = numerics::unpacked(designs.K, design), D = numerics::unpacked(designs.D, design),
-                        B = numerics::unpacked(designs.B, design), A = numerics::unpacked(designs.A, design);
-  CurveAt at;
-  at.stiffness = (K - omega * omega * A).cast<Complex>();
-  at.stiffness.imag() = D + omega * B;
-  at.load = sum_of(designs.loads[one.load], design, K.rows(), s);
-  at.row = sum_of(one.rows, design, K.rows(), s);
-  at.constant = {one.constant_re(design, 0), one.constant_im(design, 0)};
-  return at;
-}
 
 /// Σ a_i b_i, without conjugation.
 Complex with(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) { return a.cwiseProduct(b).sum(); }
@@ -59,7 +31,7 @@ Complex with(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) { return a.cw
 PackedSlopes::PackedSlopes(const PackedCase& of, const Eigen::VectorXd& entries, const Eigen::MatrixXd& slopes)
     : of_(of),
       here_(of.unpacked(entries.transpose())),
-      change_(of.unpacked(slopes.transpose())),
+      change_(of.changes(here_, slopes.transpose())),
       parameters_(slopes.cols()),
       of_decoupled_(of.decoupled().size()) {}
 
@@ -72,12 +44,12 @@ Eigen::MatrixXd PackedSlopes::height_slopes(std::size_t result, const std::vecto
     Eigen::MatrixXd slopes(to_index(frequencies.size()), parameters_);
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
       const double omega = std::max(frequencies[i], almost_at_rest());
-      const CurveAt here = curve_at(here_.searched[s], 0, curve, omega);
+      const PackedCurve here = packed_curve(here_.searched[s], 0, curve, omega);
       const numerics::PivotedLu<Complex> solver(here.stiffness);
       const Eigen::VectorXcd q = solver.solve(here.load), adjoint = solver.solve(here.row);
       const Complex y = with(here.row, q) + here.constant;
       for (Eigen::Index j = 0; j < parameters_; ++j) {
-        const CurveAt change = curve_at(change_.searched[s], j, curve, omega);
+        const PackedCurve change = packed_curve(change_.searched[s], j, curve, omega);
         const Complex dy = with(adjoint, change.load - change.stiffness * q) + with(change.row, q) + change.constant;
         slopes(to_index(i), j) = (std::conj(y) * dy).real() / std::norm(y);
       }
@@ -127,14 +99,14 @@ Eigen::RowVectorXd PackedSlopes::rest_slopes(std::size_t result) const {
   const auto& rows = here_.rows[to_size(found - values.begin())];
   const auto& moved = change_.rows[to_size(found - values.begin())];
   const Eigen::Index n = of_.coordinates();
-  const Eigen::MatrixXd K = numerics::unpacked(here_.free.K, 0);
+  const Eigen::MatrixXd K = numerics::unpacked(here_.rest_stiffness, 0);
   const Eigen::VectorXd load = here_.load.row(0).transpose(), row = rows.row(0).head(n).transpose();
   const Eigen::VectorXd rest = numerics::cholesky_solution(K, load), adjoint = numerics::cholesky_solution(K, row);
   const double value = row.dot(rest) + rows(0, n);
   const bool grows = found->range && is_near_lower_end(value, *found->range);
   Eigen::RowVectorXd slopes(parameters_);
   for (Eigen::Index j = 0; j < parameters_; ++j) {
-    const Eigen::VectorXd pull = change_.load.row(j).transpose() - numerics::unpacked(change_.free.K, j) * rest;
+    const Eigen::VectorXd pull = change_.load.row(j).transpose() - numerics::unpacked(change_.rest_stiffness, j) * rest;
     const double change = adjoint.dot(pull) + moved.row(j).head(n).dot(rest) + moved(j, n);
     slopes(j) = (grows ? 1 : -1) * change / value;
   }
@@ -185,12 +157,34 @@ Eigen::RowVectorXd PackedSlopes::decoupling_slopes(std::size_t result, int mode)
   return slopes;
 }
 
+Eigen::RowVectorXd PackedSlopes::damping_ratio_slopes(Complex root) const {
+  const Complex lambda =
+      root.imag() < 0 ? std::conj(root) : root;  // the same damping ratio; loss factors are for ω > 0
+  const auto matrices = [](const PackedCase::Unpacked& of, Eigen::Index design) {
+    return numerics::DynamicMatrices{numerics::unpacked(of.free.A, design), numerics::unpacked(of.damping, design),
+                                     numerics::unpacked(of.free.K, design), numerics::unpacked(of.loss, design)};
+  };
+  const auto stiffness = [&](const numerics::DynamicMatrices& m) -> Eigen::MatrixXcd {
+    return m.complex_stiffness() + lambda * m.B.cast<Complex>() + lambda * lambda * m.A.cast<Complex>();
+  };
+  const numerics::DynamicMatrices here = matrices(here_, 0);
+  const Eigen::VectorXcd v = modal::null_vectors(stiffness(here), numerics::unit_scale(here), 1).right.col(0);
+  const Complex rate = with(v, (2.0 * lambda * here.A.cast<Complex>() + here.B.cast<Complex>()) * v);
+  Eigen::RowVectorXd slopes(parameters_);
+  for (Eigen::Index j = 0; j < parameters_; ++j) {
+    const Complex change = -with(v, stiffness(matrices(change_, j)) * v) / rate;
+    slopes(j) = change.real() / lambda.real() - (std::conj(lambda) * change).real() / std::norm(lambda);
+  }
+  return slopes;
+}
+
 Eigen::MatrixXd PackedSlopes::slopes(std::size_t result, const RequirementResult& found,
                                      const std::vector<RequirementResult::Candidate>& candidates) const {
   const auto rows = to_index(candidates.size());
   std::vector<double> places;
   for (const RequirementResult::Candidate& one : candidates) places.push_back(one.angular_frequency);
-  if (found.kind == RequirementKind::amplitude) return -height_slopes(result, places);
+  if (found.kind == RequirementKind::amplitude || found.kind == RequirementKind::isolation)
+    return -height_slopes(result, places);
   if (found.kind == RequirementKind::no_peak) {
     for (const RequirementResult::Candidate& one : candidates) places.push_back(one.minimum_at);
     const Eigen::MatrixXd both = height_slopes(result, places);

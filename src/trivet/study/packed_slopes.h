@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <complex>
+
 #include "trivet/study/packed_case.h"
 
 namespace trivet::study {
@@ -17,6 +19,8 @@ class PackedSlopes {
   /// d ln(margin) of candidates of a covered requirement: candidates × parameters.
   [[nodiscard]] Eigen::MatrixXd slopes(std::size_t result, const RequirementResult& found,
                                        const std::vector<RequirementResult::Candidate>& candidates) const;
+  /// d ln ζ of a simple oscillating root λ, ζ = −Re λ/|λ|: dλ = −vᵀ dZ(λ) v / vᵀ (2λA + B) v with Zv = 0.
+  [[nodiscard]] Eigen::RowVectorXd damping_ratio_slopes(std::complex<double> root) const;
 
  private:
   [[nodiscard]] Eigen::MatrixXd height_slopes(std::size_t result, const std::vector<double>& frequencies) const;

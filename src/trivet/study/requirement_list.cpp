@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <numeric>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/study/explanation.h"
@@ -36,6 +37,12 @@ void RequirementList::append(std::vector<RequirementResult> judged) {
 }
 
 void RequirementList::attempt(std::size_t first, const std::function<void()>& compute) {
+  std::vector<std::size_t> places(results_.size() - first);
+  std::iota(places.begin(), places.end(), first);
+  attempt(places, compute);
+}
+
+void RequirementList::attempt(const std::vector<std::size_t>& places, const std::function<void()>& compute) {
   std::string reason;
   try {
     compute();
@@ -45,7 +52,7 @@ void RequirementList::attempt(std::size_t first, const std::function<void()>& co
   } catch (const foundation::InvalidInput& refused) {
     reason = refused.what();
   }
-  for (std::size_t i = first; i < results_.size(); ++i) {
+  for (const std::size_t i : places) {
     results_[i].value.reset();
     results_[i].margin = 0;
     results_[i].reason = reason;

@@ -23,6 +23,8 @@ class RequirementList {
 
   /// Computes values of results from `first` on; if that is impossible, these have the reason.
   void attempt(std::size_t first, const std::function<void()>& compute);
+  /// The same for results at some places.
+  void attempt(const std::vector<std::size_t>& places, const std::function<void()>& compute);
 
   [[nodiscard]] std::size_t size() const { return results_.size(); }
   [[nodiscard]] RequirementResult& operator[](std::size_t i) { return results_[i]; }

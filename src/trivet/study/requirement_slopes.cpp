@@ -55,7 +55,8 @@ bool RequirementSlopes::are_missing(RequirementKind kind, const model::System& s
 
 Eigen::MatrixXd RequirementSlopes::of(const RequirementResult& result, const Candidates& candidates) const {
   const bool of_a_curve = result.kind == RequirementKind::amplitude || result.kind == RequirementKind::no_peak ||
-      result.kind == RequirementKind::limit_line || result.kind == RequirementKind::mount_dynamic_deflection;
+      result.kind == RequirementKind::limit_line || result.kind == RequirementKind::isolation ||
+      result.kind == RequirementKind::mount_dynamic_deflection;
   Eigen::MatrixXd slopes(to_index(candidates.size()), to_index(neighbours_.parameters()));
   if (of_a_curve) slopes = of_curve(result, candidates);
   else if (result.kind == RequirementKind::decoupling) slopes = of_decoupling(result, candidates);

@@ -4,6 +4,7 @@
 #include "trivet/study/clearance_results.h"
 #include "trivet/study/curve_requirements.h"
 #include "trivet/study/frequency_requirements.h"
+#include "trivet/study/isolation_requirements.h"
 #include "trivet/study/motion_requirements.h"
 #include "trivet/study/mount_requirements.h"
 #include "trivet/study/mount_sums.h"
@@ -19,6 +20,7 @@ std::vector<RequirementResult> requirement_values(const CaseContext& context, co
   RequirementList list;
   add_curve_requirements(context, analyses, list);
   add_frequency_requirements(context, required, list);
+  add_isolation_requirements(context, required, list);
   add_motion_requirements(context, analyses, warnings, list);
   add_steady_requirements(context, analyses, list);
   if (required.mount_load) add_mount_requirements(context, analyses, warnings, list);

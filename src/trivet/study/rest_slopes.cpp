@@ -3,6 +3,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/response/steady/at_rest.h"
 
 namespace trivet::study {
 namespace {
@@ -21,10 +22,11 @@ Eigen::VectorXd solution_at_rest(const Eigen::MatrixXd& stiffness, const Eigen::
 }  // namespace
 
 Eigen::RowVectorXd rest_slopes(const CaseContext& c, const DesignNeighbours& neighbours, const RestRowOf& row_of) {
-  const Eigen::MatrixXd& stiffness = c.assembled.matrices.K;
+  const response::AtRest at_rest(c.system, c.assembled);
+  const Eigen::MatrixXd& stiffness = at_rest.assembled().matrices.K;
   const Eigen::VectorXd scale = numerics::unit_scale(c.assembled.matrices);
-  const response::RestRow here = row_of(c.system, c.assembled);
-  const Eigen::VectorXd load = assembly::static_load(c.system, c.assembled),
+  const response::RestRow here = row_of(at_rest.system(), at_rest.assembled());
+  const Eigen::VectorXd load = assembly::static_load(at_rest.system(), at_rest.assembled()),
                         q = solution_at_rest(stiffness, scale, load),
                         adjoint = solution_at_rest(stiffness.transpose(), scale, here.row.transpose());
   const double value = here.row.dot(q) + here.at_rest;
@@ -32,9 +34,10 @@ Eigen::RowVectorXd rest_slopes(const CaseContext& c, const DesignNeighbours& nei
   for (std::size_t j = 0; j < neighbours.parameters(); ++j) {
     double change = 0;
     for (const response::WeightedModel& model : neighbours.along(j)) {
-      const response::RestRow there = row_of(*model.system, *model.assembled);
+      const response::AtRest near(*model.system, *model.assembled);
+      const response::RestRow there = row_of(near.system(), near.assembled());
       const Eigen::VectorXd more =
-          assembly::static_load(*model.system, *model.assembled) - load - (model.assembled->matrices.K - stiffness) * q;
+          assembly::static_load(near.system(), near.assembled()) - load - (near.assembled().matrices.K - stiffness) * q;
       change += model.weight * (adjoint.dot(more) + (there.row - here.row).dot(q) + there.at_rest - here.at_rest);
     }
     slopes(to_index(j)) = change / value;

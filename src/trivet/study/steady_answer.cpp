@@ -9,6 +9,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/study/question_answer.h"
 
@@ -34,9 +35,24 @@ response::Band usual_band(const CaseContext& c, const std::vector<std::string>& 
   return {0.1 * low / last, 1.5 * high / first};
 }
 
+/// Within the band; on its lower end the curve begins, so a little above it.
+std::vector<double> places_asked_for(const project::SteadyQuestion& asked, const nonlinear::SteadyOptions& options) {
+  constexpr double beside = 1e-12;
+  std::vector<double> places;
+  for (const double place : asked.harmonics_at) {
+    if (!(place >= options.from * (1 - beside) && place <= options.to * (1 + beside)))
+      throw foundation::InvalidInput(fmt::format(
+          "steady: --at {:.6g} Hz is outside the band {:.6g} … {:.6g} Hz; give one inside, or another band in the file",
+          place / foundation::two_pi, options.from / foundation::two_pi, options.to / foundation::two_pi));
+    places.push_back(std::clamp(place, options.from * (1 + beside), options.to));
+  }
+  return places;
+}
+
 }  // namespace
 
-nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::SteadyQuestion& asked) {
+nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::SteadyQuestion& asked,
+                                       const std::vector<assembly::MotionQuantity>& quantities) {
   if (!nonlinear::is_nonlinear(c.system))
     throw foundation::InvalidInput(
         "steady: the machine is linear; take response, or give an element laws or a stop (docs/nonlinear.md)");
@@ -55,6 +71,8 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
   options.excitations = asked.selection.excitations;
   options.of = asked.selection.of;
   options.quantity = asked.selection.quantity;
+  options.quantities = quantities;
+  options.at = places_asked_for(asked, options);
   options.harmonics = asked.harmonics;
   options.tolerance = asked.tolerance;
   options.detached = asked.all_branches;
@@ -64,19 +82,35 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
 
 namespace {
 
+std::string place_words(const nonlinear::SteadyBranch& branch, const nonlinear::SteadyPoint& point) {
+  return branch.over == nonlinear::Parameter::load_factor
+      ? fmt::format("{:.6g} times the load", point.load_factor)
+      : fmt::format("{:.6g} Hz", point.angular_frequency / foundation::two_pi);
+}
+
+/// "12 harmonics leave out 0.002"
+std::string left_out_words(const nonlinear::SteadyBranch& branch) {
+  return fmt::format("{} {} out {:.2g}", branch.harmonics,
+                     branch.harmonics == 1 ? "harmonic leaves" : "harmonics leave", branch.left_out);
+}
+
 /// Multipliers that are not accurate enough, and motions that creep.
 /// @param of  "", or "further curve 2: "
 void warn_of_multipliers(const std::string& of, const nonlinear::SteadyBranch& branch, foundation::Problems& warnings) {
-  constexpr double accurate = 1e-5, slow = 0.999, real_axis = 1e-9, free = 1 - 1e-7;  // a free body has 1
-  int left_at_once = 0, uncertain = 0, stable = 0, creep = 0;
+  constexpr double slow = 0.999, real_axis = 1e-9, free = 1 - 1e-7;  // a free body has 1
+  int inaccurate = 0, uncertain = 0, stable = 0, creep = 0;
   double worst = 0, slowest = 0;
+  const nonlinear::SteadyPoint* first = nullptr;
   for (const nonlinear::SteadyPoint& point : branch.points) {
-    if (std::isinf(point.multiplier_uncertainty)) {
-      ++left_at_once;
+    if (point.uncertain) {
+      ++uncertain;
+      if (!first) first = &point;
+    }
+    if (!point.multipliers_hold) {
+      ++inaccurate;
+      worst = std::max(worst, point.multiplier_uncertainty);
       continue;
     }
-    if (point.multiplier_uncertainty > accurate) ++uncertain;
-    worst = std::max(worst, point.multiplier_uncertainty);
     if (!point.stable) continue;
     ++stable;
     double largest = 0;
@@ -88,18 +122,22 @@ void warn_of_multipliers(const std::string& of, const nonlinear::SteadyBranch& b
       slowest = std::max(slowest, largest);
     }
   }
-  if (left_at_once > 0)
-    warnings.warning("analyses.steady",
-                     fmt::format("{}{} of {} motions have no multipliers that can be computed", of, left_at_once,
-                                 branch.points.size()),
-                     "deviations grow beyond the largest number within a period, so these motions count as unstable",
-                     "check the signs of the laws and the stiffness of friction");
+  if (inaccurate > 0)
+    warnings.warning(
+        "analyses.steady",
+        fmt::format("{}the multipliers of {} of {} motions are uncertain", of, inaccurate, branch.points.size()),
+        std::isfinite(worst) && worst > 0
+            ? fmt::format("the shortest steps still change the transition over a period by up to {:.1g}", worst)
+            : "deviations grow so far within a period, or their product is so far from Liouville's formula, that the "
+              "numbers do not hold",
+        "where the second verdict (the winding number) can be computed, it decides");
   if (uncertain > 0)
     warnings.warning(
         "analyses.steady",
-        fmt::format("{}the multipliers of {} of {} motions are uncertain", of, uncertain, branch.points.size()),
-        fmt::format("the shortest steps still change the transition over a period by up to {:.1g}", worst),
-        "do not trust a stability that is close; compare the second verdict (--deep)");
+        fmt::format("{}the stability of {} of {} motions is uncertain", of, uncertain, branch.points.size()),
+        fmt::format("the first at {}; two verdicts differ, or the only one does not hold", place_words(branch, *first)),
+        "they count neither as stable nor as unstable, and the largest values leave them out; take more "
+        "harmonics, or a lower tolerance");
   if (2 * creep > stable)
     warnings.warning(
         "analyses.steady",
@@ -126,10 +164,7 @@ void warn_of_folds(const std::string& of, const nonlinear::SteadyBranch& branch,
   if (!worst) return;
   warnings.warning("analyses.steady",
                    fmt::format("{}no multiplier is 1 at the fold at {}: the nearest is {:.2g} away", of,
-                               branch.over == nonlinear::Parameter::load_factor
-                                   ? fmt::format("{:.6g} times the load", worst->point.load_factor)
-                                   : fmt::format("{:.6g} Hz", worst->point.angular_frequency / foundation::two_pi),
-                               farthest),
+                               place_words(branch, worst->point), farthest),
                    "a stop is just touched there, or the harmonics are too few for verdicts beside it: stability is "
                    "lost at the fold, and changes near it may be false",
                    "take a lower tolerance, or more harmonics; if the number stays, a stop is touched");
@@ -165,31 +200,33 @@ void warn_of_motions(const CaseContext& c, const project::SteadyQuestion& asked,
                          "harmonic excitations and orders have no common period, and the harmonic ones are taken",
                          "name it in excitations of steady to have the motion under its orders");
   if (branch.left_out > asked.tolerance)
-    warnings.warning("analyses.steady",
-                     fmt::format("{} harmonics leave out {:.2g} of the deflections", branch.harmonics, branch.left_out),
+    warnings.warning("analyses.steady", fmt::format("{} of the deflections", left_out_words(branch)),
                      fmt::format("the tolerance is {:.2g}", asked.tolerance),
-                     asked.harmonics > 0 ? "take more, or leave their number to the tolerance"
-                                         : "near grazing contact no number of harmonics is enough");
+                     asked.harmonics > 0        ? "take more, or leave their number to the tolerance"
+                         : branch.stops.empty() ? "give their number, above 60: harmonics = 120"
+                                                : "near grazing contact no number of harmonics is enough");
   warn_of_verdicts("", branch, warnings);
   for (std::size_t i = 0; i < branch.further.size(); ++i) {
     const nonlinear::SteadyBranch& curve = branch.further[i];
     if (curve.left_out > asked.tolerance)
       warnings.warning("analyses.steady",
-                       fmt::format("further curve {}: {} harmonics leave out {:.2g} of the deflections", i + 1,
-                                   curve.harmonics, curve.left_out),
+                       fmt::format("further curve {}: {} of the deflections", i + 1, left_out_words(curve)),
                        fmt::format("the tolerance is {:.2g}", asked.tolerance), "take more harmonics");
     if (!curve.ended.empty())
       warnings.warning("analyses.steady", fmt::format("further curve {} is not whole", i + 1), curve.ended,
                        "what lies beyond is not computed");
     warn_of_verdicts(fmt::format("further curve {}: ", i + 1), curve, warnings);
   }
-  for (const std::string& name : branch.lost_means)
-    warnings.warning("analyses.steady", name + ": smooth friction bears a part of the load at rest, and none in motion",
+  if (!branch.lost_means.empty())
+    warnings.warning("analyses.steady",
+                     foundation::comma_separated(branch.lost_means) +
+                         ": smooth friction bears a part of the load at rest, and none in motion",
                      "the mean of the motion contains this shift, however small the excitation",
                      "compare the half of the range, or leave the load to other elements");
-  for (const std::string& name : branch.sticking)
+  if (!branch.sticking.empty())
     warnings.warning(
-        "analyses.steady", name + ": friction sticks all the time at some frequencies",
+        "analyses.steady",
+        foundation::comma_separated(branch.sticking) + ": friction sticks all the time at some frequencies",
         "the mean of its force then depends on what happened before; here a slider has stuck since rest, and "
         "a stop that rubs where it is farthest from slip",
         "take such means as one of many");

@@ -9,7 +9,9 @@ namespace trivet::study {
 
 /// The motions that a question asks for, with as many harmonics as it needs.
 /// @throws foundation::InvalidInput for a linear machine, foundation::NotComputable if there is no motion to begin with
-[[nodiscard]] nonlinear::SteadyBranch steady_motions(const CaseContext& context, const project::SteadyQuestion& asked);
+/// @param quantities  of points, one per result asked for; empty: the one of the question
+[[nodiscard]] nonlinear::SteadyBranch steady_motions(const CaseContext& context, const project::SteadyQuestion& asked,
+                                                     const std::vector<assembly::MotionQuantity>& quantities = {});
 
 /// What may be wrong about such motions.
 void warn_of_motions(const CaseContext& context, const project::SteadyQuestion& asked,

@@ -92,7 +92,6 @@ project::SteadyQuestion question_of(const project::Analyses& analyses) {
   if (has_band) asked.band = required.band;
   if (!required.excitations.empty()) asked.selection.excitations = required.excitations;
   asked.selection.of.clear();
-  asked.selection.quantity = assembly::MotionQuantity::displacement;  // that of the limits, whatever the curves show
   return asked;
 }
 
@@ -119,8 +118,8 @@ void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, st
 }
 
 void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
-  const bool always_stable =
-      std::all_of(branch.points.begin(), branch.points.end(), [](const SteadyPoint& point) { return point.stable; });
+  const bool always_stable = std::all_of(branch.points.begin(), branch.points.end(),
+                                         [](const SteadyPoint& point) { return point.stable || point.uncertain; });
   std::size_t jumps = std::max<std::size_t>(branch.folds.size() + branch.changes.size(), always_stable ? 0 : 1);
   const std::vector<const SteadyBranch*> detached = branch.further_ones(SteadyBranch::Found::detached);
   for (const SteadyBranch* curve : detached)
@@ -150,6 +149,10 @@ void add_limits(const SteadyBranch& branch, const foundation::Problems& doubts, 
   };
   std::vector<std::string> gaps;  // in what is known
   if (!branch.ended.empty()) gaps.push_back("steady motion: " + branch.ended);
+  if (const auto uncertain = std::count_if(branch.points.begin(), branch.points.end(),
+                                           [](const SteadyPoint& point) { return point.uncertain; });
+      uncertain > 0)
+    gaps.push_back(fmt::format("the stability of {} of {} motions is uncertain", uncertain, branch.points.size()));
   if (const auto without = nonlinear::without_stable_motion(branch); !without.empty())
     gaps.push_back(fmt::format(
         "no periodic motion is known to be stable from {} Hz; what happens there is not computed", in_hertz(without)));
@@ -183,9 +186,13 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
   list.add_bounds(context, RequirementKind::steady, required.steady, "steady ");
   list.attempt(first, [&] {
     project::SteadyQuestion asked = question_of(analyses);
-    for (const project::AmplitudeLimit& limit : required.steady) asked.selection.of.push_back(limit.name);
-    asked.all_branches = asked.all_branches || required.no_jump;
-    const SteadyBranch branch = steady_motions(context, asked);
+    std::vector<assembly::MotionQuantity> quantities;
+    for (const project::AmplitudeLimit& limit : required.steady) {
+      asked.selection.of.push_back(limit.name);
+      quantities.push_back(limit.quantity);
+    }
+    asked.all_branches = asked.all_branches || (required.no_jump && !required.connected_only);
+    const SteadyBranch branch = steady_motions(context, asked, quantities);
     foundation::Problems doubts;
     warn_of_motions(context, asked, branch, doubts);
     if (required.no_jump) set_jumps(branch, list[first]);

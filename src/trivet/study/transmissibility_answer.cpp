@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "trivet/design/design_rules.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
 #include "trivet/response/steady/resonant_mode.h"
@@ -48,6 +47,9 @@ TransmissibilityResult answer_transmissibility(const CaseContext& c, const proje
                        : "motion over a motion of the ground " + direction_words(asked.direction);
   result.band = band_of(c, asked);
   result.peaks = peaks_of(c, transmission, result.band);
+  for (std::size_t i = 0; i < transmission.channels.size(); ++i)
+    result.in_band.push_back(design::largest_in_band(c.assembled, transmission.channels, transmission.loading,
+                                                     result.peaks, i, result.band));
   response::set_nearest_modes(c.assembled, transmission.channels, transmission.loading, c.modes, result.peaks);
   result.curves = response::frequency_response(
       c.assembled, transmission.channels, transmission.loading,

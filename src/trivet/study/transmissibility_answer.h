@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/design/design_rules.h"
 #include "trivet/project/analyses/transmissibility_question.h"
 #include "trivet/response/machinery/transmissibility.h"
 #include "trivet/response/steady/frequency_grid.h"
@@ -19,6 +20,7 @@ struct TransmissibilityResult {
   response::Peaks peaks;
   std::vector<response::Crossover> crossovers;
   response::Band band;
+  std::vector<design::LargestAmplitude> in_band;  ///< per curve
   bool of_force = false;  ///< forces on the ground, in total and of each mount; otherwise motions
 
   /// True for the force of one of several mounts over the whole exciting force: a share, not a measure of isolation.

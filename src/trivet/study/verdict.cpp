@@ -7,22 +7,25 @@
 #include <array>
 #include <cmath>
 
+#include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/study/amplification.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/requirement_values.h"
 
 namespace trivet::study {
 namespace {
 
-/// The result that governs: violated ones and ties in their order.
+/// The judged result that governs, by the rule of maps: violated ones before met ones, ties in their order.
 std::optional<std::size_t> least_margin(const std::vector<RequirementResult>& results) {
-  constexpr double tie = 1e-6;  // round-off does not choose
-  std::optional<std::size_t> least;
+  std::vector<std::size_t> judged;
+  std::vector<double> margins;
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (results[i].value && (!least || results[i].margin < results[*least].margin * (1 - tie))) least = i;
-  return least;
+    if (results[i].value) judged.push_back(i), margins.push_back(results[i].margin);
+  if (judged.empty()) return std::nullopt;
+  return judged[design::governing(margins).rule];
 }
 
 /// What causes a governing amplitude or peak, in words; empty if it is no peak.
@@ -30,7 +33,7 @@ std::string cause_of(const project::Case& variant, const RequirementResult& resu
   const bool clearance = result.kind == RequirementKind::clearance,
              explained =
                  clearance || result.kind == RequirementKind::amplitude || result.kind == RequirementKind::no_peak;
-  if (!explained || !result.angular_frequency) return "";
+  if (!explained || !result.angular_frequency || result.order > 0) return "";
   constexpr double same = 1e-6;
   constexpr int all = 1000;
   try {
@@ -64,6 +67,7 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   result.warnings = variant.warnings;
   result.warnings.add(context.modes.warnings);
   result.results = requirement_values(context, variant.analyses, result.warnings);
+  result.warnings.add(amplification_warnings(context, variant.analyses));
   result.load_case = load_case(variant.name, context.system, context.assembled, variant.analyses);
   for (const RequirementResult& one : result.results)
     if (one.kind == RequirementKind::clearance && one.value && std::isfinite(*one.value))
@@ -82,6 +86,7 @@ const char* name(RequirementKind kind) {
                                        "separation",
                                        "damping_ratio",
                                        "decoupling",
+                                       "isolation",
                                        "rms",
                                        "largest",
                                        "no_jump",

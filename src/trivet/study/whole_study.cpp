@@ -10,9 +10,10 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/nodes.h"
+#include "trivet/model/point_mass.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
-#include "trivet/plausibility/suspicion.h"
+#include "trivet/plausibility/overturning.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/study/case_context.h"
 #include "trivet/study/design_front.h"
@@ -130,7 +131,7 @@ std::vector<CheckLine> check_lines(const project::Case& variant) {
     if (body.is_node) continue;
     const std::string subject = "body " + body.name;
     lines.push_back({subject, "mass is positive", fmt::format("{:.6g} kg", body.mass.mass), body.mass.mass > 0});
-    if (!body.has_inertia) continue;
+    if (!body.has_inertia || model::is_point_mass(body)) continue;
     const Eigen::Vector3d j = spatial::principal_inertia(body.mass).moments;
     const Eigen::VectorXd a = numerics::symmetric_eigenvalues(Eigen::MatrixXd(spatial::mass_matrix(body.mass)));
     lines.push_back({subject, "principal central moments are those of a real body",
@@ -180,8 +181,11 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
     if (cases.empty()) of_base = found.mounts;
     found.free_motions = modal::free_motions(variant.system, assembled, modes);
     found.notes = model::left_out_notes(variant.system.description());
+    for (std::string& note : plausibility::first_order_notes(variant.system, assembled))
+      found.notes.push_back(std::move(note));
     if (cases.empty())
-      for (std::string& note : plausibility::overturning_notes(variant.system)) found.notes.push_back(std::move(note));
+      for (std::string& note : plausibility::overturning_notes(variant.system, assembled))
+        found.notes.push_back(std::move(note));
     if (deep) found.deep = deep_check(variant);
     cases.push_back(std::move(found));
   }

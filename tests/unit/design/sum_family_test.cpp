@@ -42,6 +42,18 @@ TEST(SumFamily, HasATermForEachProductThatActsAndForNoOther) {
   EXPECT_EQ(family->terms(), 9u);
 }
 
+/// The coupling of two mounts at ± x with equal ranges of their stiffness: it cancels where both have the same.
+TEST(SumFamily, HasTheTermsThatCancelInASymmetricDesign) {
+  const auto coupling = [](const Eigen::VectorXd& v) {
+    Eigen::VectorXd entries(2);
+    entries << (v(0) - v(1)) * v(2), (v(0) + v(1)) * v(2) * v(2);
+    return design::PackedOrReason{design::PackedDesign{entries, Eigen::VectorXd::Constant(2, 10)}, ""};
+  };
+  const auto found = SumFamily::fitted(coupling, {{0.3, 4, "left"}, {0.3, 4, "right"}, {0.2, 0.6, "x"}});
+  ASSERT_TRUE(found.family) << found.reason;
+  EXPECT_NEAR(found.family->at(Eigen::Vector3d(4, 0.3, 0.6))(0), 3.7 * 0.6, 10 * round_off);
+}
+
 TEST(SumFamily, GivesTheSameDesignsManyAtATime) {
   const auto family = SumFamily::fitted(packed, ranges).family;
   ASSERT_TRUE(family);

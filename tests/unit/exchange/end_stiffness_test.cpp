@@ -6,8 +6,10 @@
 
 #include "support/matchers.h"
 #include "support/matrix_files.h"
+#include "trivet/elements/law.h"
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/exchange/file_bytes.h"
+#include "trivet/exchange/fixed_components.h"
 #include "trivet/exchange/matrix_market.h"
 #include "trivet/exchange/numpy_array.h"
 #include "trivet/foundation/index.h"
@@ -122,6 +124,27 @@ TEST(EndStiffness, ExcludesEmptyRowsWithAWarning) {
   ASSERT_EQ(ends->warnings.list().size(), 1u);
   EXPECT_THAT(message(ends->warnings.list()[0]),
               HasSubstr("2 rows hold only zeros, the first one is node 20, component 4"));
+}
+
+TEST(FixedComponents, AreCompletedByTheRigidMotions) {
+  const exchange::Matrix12 whole = bernoulli();
+  const auto motions = elements::rigid_motions({0, 0, Bar{}.length}, Eigen::Matrix3d::Identity());
+  for (const std::vector<int>& fixed : {std::vector<int>{0, 1, 2, 3, 4, 5}, std::vector<int>{6, 7, 8},
+                                        std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}}) {
+    exchange::Matrix12 marked = whole;
+    for (const int row : fixed) marked(row, row) = 1e36;
+    EXPECT_EQ(exchange::fixed_components(marked), fixed);
+    EXPECT_THAT(exchange::completed_by_rigid_motion(marked, fixed, motions),
+                NearInUnits(whole, entry_scale(whole), condensed_round_off));
+  }
+  EXPECT_TRUE(exchange::fixed_components(whole).empty());
+}
+
+TEST(FixedComponents, OfTheInteriorAreAnError) {
+  NamedMatrix fixed = chain();
+  fixed.values(14, 14) = 1e36;  // node 13, component 3
+  EXPECT_THAT(complaint(exchange::reduce_to_ends(fixed, exchange::NodeEnd{11}, exchange::NodeEnd{15})),
+              HasSubstr("1e+36 on the diagonal of node 13, component 3"));
 }
 
 TEST(EndStiffness, NamesUnconnectedParts) {

@@ -84,6 +84,22 @@ TEST(CsvMatrix, WarnsAboutALineReadAsHeading) {
   EXPECT_THAT(message(read->warnings.list()[0]), HasSubstr("f:1: warning: heading"));
 }
 
+TEST(CsvMatrix, OfASpreadsheetOrADataFrameIsReadWithoutItsFrame) {
+  const Eigen::MatrixXd wanted = (Eigen::MatrixXd(2, 2) << 1, 2, 3, 4).finished();
+  const std::pair<const char*, std::size_t> cases[] = {{"0,1\n1,2\n3,4\n", 1},         {"1;2\r\n1;2\r\n3;4\r\n", 1},
+                                                       {",0,1\n0,1,2\n1,3,4\n", 2},    {",ux,uy\nux,1,2\nuy,3,4\n", 2},
+                                                       {"\"0\",\"1\"\n1,2\n3,4\n", 1}, {"1,2,\n3,4,\n", 0},
+                                                       {"ux,uy,,\n1,2,,\n3,4,,\n", 1}};
+  for (const auto& [text, warnings] : cases) {
+    const auto read = exchange::read_csv_matrix(text, "f");
+    ASSERT_TRUE(read) << text << complaint(read);
+    EXPECT_EQ(read->values, wanted) << text;
+    EXPECT_EQ(read->warnings.list().size(), warnings) << text;
+  }
+  EXPECT_FALSE(exchange::read_csv_matrix("5,6\n1,2\n3,4\n", "f"));  // not a heading
+  EXPECT_EQ(exchange::read_csv_matrix("0,1\n1,0\n", "f")->values, (Eigen::MatrixXd(2, 2) << 0, 1, 1, 0).finished());
+}
+
 struct Bad {
   const char* text;
   const char* complaint;

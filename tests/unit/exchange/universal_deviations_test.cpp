@@ -145,7 +145,7 @@ TEST(UniversalSets, OfGeometryMayDeviateHarmlessly) {
   const std::string glued =
       universal_set(15, "         1         0         0         1-1.00000E-010-2.00000E-010-3.00000E-010\n");
   EXPECT_EQ(content(glued).nodes.at(0).position, Eigen::Vector3d(-1e-10, -2e-10, -3e-10));
-  EXPECT_THAT(warnings(universal_set(15, "  5  3  0  0  1. 2. 3.\n")), HasSubstr("node 5 is in system 3"));
+  EXPECT_FALSE(content(universal_set(15, "  5  3  0  0  1. 2. 3.\n")).nodes.at(0).position_known);
 }
 
 /// Set 58b with the four numbers in double precision, and what follows them.
@@ -179,6 +179,11 @@ TEST(UniversalBinary, MayEndInSeveralWays) {
     EXPECT_THAT(warnings(binary(binary_type(1, 2, 32), end, bytes)), HasSubstr("delimiter"));
   }
   for (const char* end : {"    -1", "", "\r\n"}) expect_four_numbers(binary(binary_type(1, 2, 32), end, bytes));
+  // The head ends its lines with LF; the end mark stands between CRLF.
+  for (const char* end : {"\r\n    -1\r\n", "    -1\r\n"})
+    EXPECT_EQ(content(binary(binary_type(1, 2, 32), end, bytes) + next).functions.size(), 2u);
+  // A lost byte of CRLF, or of the values, is noticed.
+  EXPECT_FALSE(read_text(binary(binary_type(1, 2, 32), "\r\n    -1\r\n", bytes.substr(1))));
   EXPECT_THAT(warnings(binary(binary_type(1, 2, 32), "", bytes)), HasSubstr("no closing line with -1"));
 }
 

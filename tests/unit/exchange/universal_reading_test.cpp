@@ -244,20 +244,51 @@ TEST(UniversalUnits, LeaveFrequenciesInHertz) {
   EXPECT_EQ(over_displacement.abscissa_axis.unit, "m");
 }
 
-TEST(UniversalUnits, ComparesTheLabelWithTheUnits) {
-  const std::string in_g = universal({.numerator = "        12    0    0    0 Acceleration         g"});
-  EXPECT_THAT(warnings(in_g),
-              HasSubstr("unit of the numerator: \"g\"; by set 164, or without it, one unit is 1 in SI, "
-                        "and by this label 9.80665"));
-  EXPECT_EQ(warnings(universal({.numerator = "        12    0    0    0 Acceleration         m/s^2"})), "");
-  EXPECT_EQ(warnings(units_set(5, 1e3, 1e3) +
-                     universal({.numerator = "        12    0    0    0 Acceleration         mm/s²"})),
-            "");
-  EXPECT_THAT(warnings(universal({.abscissa = "        18    0    0    0 Frequency            rad/s"})),
-              HasSubstr("unit of the abscissa"));
-  EXPECT_EQ(exchange::unit_value_of_label(UniversalQuantity::excitation_force, "mN"), 1e-3);
-  EXPECT_EQ(exchange::unit_value_of_label(UniversalQuantity::excitation_force, "MN"), 1e6);
-  EXPECT_EQ(exchange::unit_value_of_label(UniversalQuantity::acceleration, "furlong"), std::nullopt);
+TEST(UniversalUnits, AreThoseOfTheLabelsWithoutSet164) {
+  const std::string in_g = "        12    0    0    0 Acceleration         g",
+                    per_pound = "        13    0    0    0 Force                lbf";
+  const UniversalFunction accelerance = function_of(universal({.numerator = in_g, .denominator = per_pound}));
+  constexpr double unit = 9.80665 / 4.4482216152605;
+  expect_near(accelerance.values[0], unit * Complex(1e-6, -2e-6), round_off);
+  EXPECT_EQ(accelerance.numerator.stated.by_label, 9.80665);
+  EXPECT_EQ(accelerance.numerator.stated.by_set, std::nullopt);
+  EXPECT_EQ(accelerance.numerator.stated.label, "g");
+  EXPECT_EQ(accelerance.numerator.unit, "m/s2");
+  const auto read = read_text(universal({.numerator = in_g, .denominator = per_pound}));
+  EXPECT_TRUE(read->warnings.list().empty());  // nothing is missing
+  EXPECT_THAT(
+      abscissa_values(function_of(universal({.abscissa = "        18    0    0    0 Speed                rpm"}))),
+      ElementsAre(DoubleEq(5.0 / 60), DoubleEq(5.5 / 60)));
+}
+
+TEST(UniversalUnits, AreThoseOfSet164AndTheLabelIsNoted) {
+  const UniversalFunction function = function_of(
+      units_set(5, 1e3, 1e3) + universal({.numerator = "        12    0    0    0 Acceleration         g"}));
+  expect_near(function.values[0], {1e-6, -2e-6}, round_off);  // mm/s² per mN
+  EXPECT_THAT(function.numerator.stated.by_set, testing::Optional(DoubleEq(1e-3)));
+  EXPECT_EQ(function.numerator.stated.by_label, 9.80665);
+}
+
+TEST(UniversalUnits, HaveLabelsOfMotionsAndLoads) {
+  using exchange::unit_of_label;
+  using exchange::UniversalMotion;
+  const auto value = [](UniversalQuantity quantity, UniversalMotion motion, const char* label) {
+    const auto unit = unit_of_label(quantity, motion, label);
+    return unit ? unit->value : 0;
+  };
+  constexpr auto translation = UniversalMotion::translation, rotation = UniversalMotion::rotation,
+                 scalar = UniversalMotion::scalar;
+  EXPECT_EQ(value(UniversalQuantity::excitation_force, translation, "mN"), 1e-3);
+  EXPECT_EQ(value(UniversalQuantity::excitation_force, translation, "MN"), 1e6);
+  EXPECT_EQ(value(UniversalQuantity::excitation_force, translation, "N m"), 0);
+  EXPECT_EQ(value(UniversalQuantity::reaction_force, rotation, "N*mm"), 1e-3);
+  EXPECT_EQ(value(UniversalQuantity::reaction_force, rotation, "N"), 0);
+  EXPECT_TRUE(unit_of_label(UniversalQuantity::reaction_force, scalar, "N m")->turns);
+  EXPECT_FALSE(unit_of_label(UniversalQuantity::reaction_force, scalar, "N")->turns);
+  EXPECT_EQ(value(UniversalQuantity::velocity, translation, "(in/sec)"), inch);
+  EXPECT_EQ(value(UniversalQuantity::acceleration, translation, "m/s**2"), 1);
+  EXPECT_EQ(value(UniversalQuantity::acceleration, rotation, "rad/s²"), 1);
+  EXPECT_EQ(value(UniversalQuantity::acceleration, translation, "furlong"), 0);
 }
 
 TEST(UniversalUnits, MustAgreeWithTheirCode) {
@@ -267,8 +298,10 @@ TEST(UniversalUnits, MustAgreeWithTheirCode) {
   const auto read = read_text(universal({}));
   ASSERT_TRUE(read);
   ASSERT_EQ(read->warnings.list().size(), 1u);
-  EXPECT_EQ(message(read->warnings.list()[0]),
-            "f: warning: units: no set 164; set 164 states the units of the numbers; the numbers are read as SI");
+  EXPECT_EQ(
+      message(read->warnings.list()[0]),
+      "f: warning: units: no set 164; set 164 states the units of the numbers; numbers without the label of a known "
+      "unit are read as SI");
 }
 
 }  // namespace universal_reading_test

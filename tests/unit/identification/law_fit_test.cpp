@@ -108,6 +108,23 @@ TEST(FittedLaws, FewPointsExcludeLawsWithManyConstants) {
   EXPECT_THAT(foundation::message(fitted_laws(data).error().list().front()), HasSubstr("2 points"));
 }
 
+TEST(FittedLaw, IsDeterminedByAsManyFrequenciesAsItsConstantsNeed) {
+  const double w = 2 * std::numbers::pi * 5;
+  const LawFit one = fitted_law("hysteretic", {{w, {4.8e5, 0.18 * 4.8e5}}}).value();
+  EXPECT_THAT(one.stiffness, test::RelativelyNear(4.8e5, fit_error));
+  EXPECT_THAT(one.loss_factor.value(), test::RelativelyNear(0.18, fit_error));
+  EXPECT_EQ(one.parameters[1].low, 0);  // without more points, no interval
+  EXPECT_TRUE(std::isnan(one.akaike));
+  const LawFit viscous = fitted_law("viscous (Kelvin–Voigt)", {{w, {4.8e5, 0.18 * 4.8e5}}}).value();
+  EXPECT_THAT(std::get<elements::KelvinVoigt>(*viscous.viscoelastic).time, test::RelativelyNear(0.18 / w, fit_error));
+  const auto zener = [](double at) { return 1e5 * elements::relative_modulus(elements::Zener{0.8, 0.01}, {at}); };
+  const LawFit two = fitted_law("Zener", {{w, zener(w)}, {5 * w, zener(5 * w)}}).value();
+  EXPECT_THAT(std::get<elements::Zener>(*two.viscoelastic).ratio, test::RelativelyNear(0.8, 1e-6));
+  const auto refused = fitted_law("Zener", {{w, zener(w)}, {w, zener(w)}});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_THAT(foundation::message(refused.error().list().front()), HasSubstr("at least 2 frequencies"));
+}
+
 TEST(FittedLaws, UnusablePointsAreNamed) {
   auto data = points(constant_loss, 0.01);
   data[1].angular_frequency = 0;

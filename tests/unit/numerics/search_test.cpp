@@ -73,6 +73,15 @@ TEST(MinimumBetween, FindsPlaceToTheRootOfRoundOffAndValueToRoundOff) {
   EXPECT_LE(cosine.count, most_values);
 }
 
+TEST(MinimumBetween, TakesFewerValuesForFewerBits) {
+  constexpr int bits = 12, most_values = 14;
+  Counted cosine{[](double x) { return std::cos(x); }};
+  const numerics::Minimum found = minimum_between(2, 5, std::ref(cosine), bits);
+  EXPECT_NEAR(found.at, std::numbers::pi, 1.5 * std::exp2(1 - bits));
+  EXPECT_EQ(found.value, std::cos(found.at));
+  EXPECT_LE(cosine.count, most_values);
+}
+
 TEST(MinimumBetween, ResolvesANarrowRangeFarFromZero) {
   constexpr double centre = 1e4, half = 1e-5, root = 3e-8;
   const auto valley = [&](double x) { return 1 + std::pow((x - centre) / half - 0.25, 2); };

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "support/projects.h"
+#include "trivet/assembly/assembled.h"
+#include "trivet/plausibility/overturning.h"
 #include "trivet/plausibility/unit_slips.h"
 #include "trivet/project/suspicions.h"
 
@@ -64,6 +66,17 @@ TEST(Plausibility, FeaturesOfACubeAgreeWithClosedForms) {
   // Σ k r² about three axes: 4 k (y² + z²), 4 k (x² + z²), 4 k (x² + y²)
   EXPECT_NEAR(*found.lever, std::sqrt(4 * 1.5 / 2 / 4) / 0.5, round_off);
   EXPECT_FALSE(found.damping_ratio.has_value());
+}
+
+/// All mounts are at the centre of mass, so that an element of rotations alone holds the cube against rotation: √(k/J).
+TEST(Plausibility, AnElementOfRotationsAloneHoldsABody) {
+  Cube cube;
+  cube.centre = cube.places = 0;
+  cube.more =
+      "[elements.bar]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [0, 0, 0]\n"
+      "rotation = [1e5, 2e5, 3e5]\n";
+  const plausibility::Features found = plausibility::features(picture(test::project(cube.text())), {});
+  EXPECT_NEAR(*found.lowest, std::sqrt(1e5 / cube.inertia) / (2 * pi), round_off);
 }
 
 TEST(Plausibility, ACorrectedSlipGivesTheFeaturesOfTheIntendedMachine) {
@@ -232,6 +245,11 @@ TEST(Plausibility, DetectsEndsTypedInTheFrameOfTheBody) {
   EXPECT_THAT(kinds(text + end(1.15)), testing::Not(testing::Contains("places")));
 }
 
+std::vector<std::string> overturning_notes(const std::string& text) {
+  const project::Project project = test::project(text);
+  return plausibility::overturning_notes(project.base().system, assembly::assemble(project.base().system));
+}
+
 TEST(Plausibility, DetectsAMachineThatFallsOver) {
   // Four springs of 20 N/mm at ±0.2 m: k = 4 · 20e3 · 0.2² = 3200 N m/rad against m g h.
   const auto rack = [](double h) {
@@ -245,15 +263,16 @@ TEST(Plausibility, DetectsAMachineThatFallsOver) {
         text += fmt::format(
             "[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, 0]\ntranslation = [2e4, 2e4, 2e4]\n",
             ++number, x, y);
-    return plausibility::overturning_notes(test::project(text).base().system);
+    return text;
   };
-  EXPECT_THAT(rack(0.27), IsEmpty());  // 24.8 %
-  EXPECT_THAT(rack(0.28), ElementsAre(testing::HasSubstr("26 % of the stiffness is lost")));
-  EXPECT_THAT(rack(1.08), ElementsAre(testing::HasSubstr("99 % of the stiffness is lost")));
-  EXPECT_THAT(
-      rack(1.09),
-      ElementsAre(testing::HasSubstr("of 3208 N m/rad, its mounts a restoring moment of 3200 N m/rad: it falls over")));
-  EXPECT_THAT(rack(-1), IsEmpty());
+  EXPECT_THAT(overturning_notes(rack(0.27)), IsEmpty());  // 24.8 %
+  EXPECT_THAT(overturning_notes(rack(0.28)), ElementsAre(testing::HasSubstr("26 % of the stiffness is lost")));
+  EXPECT_THAT(overturning_notes(rack(1.08)), ElementsAre(testing::HasSubstr("99 % of the stiffness is lost")));
+  const auto refused = project::project_from_text(rack(1.09), "rack.toml", {}, "");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().list().front().finding,
+              testing::HasSubstr("of 3207.9 N m/rad, the elements a restoring moment of 3200 N m/rad"));
+  EXPECT_THAT(overturning_notes(rack(-1)), IsEmpty());
 }
 
 TEST(Plausibility, MeasuresTheHeightAboveTheMountsThatCarryWeight) {
@@ -273,7 +292,7 @@ TEST(Plausibility, MeasuresTheHeightAboveTheMountsThatCarryWeight) {
         "[elements.guide]\ntype = \"bushing\"\non = \"rack\"\nat = [0, 0, {}]\ntranslation = [1e6, 1e6, 0]\nrotation = "
         "[0, 0, 1e4]\n",
         guide);
-    return plausibility::overturning_notes(test::project(text).base().system);
+    return overturning_notes(text);
   };
   EXPECT_THAT(guided(0, -1.2), IsEmpty());
   EXPECT_THAT(guided(-1.2, 0.3), ElementsAre(testing::HasSubstr("overturning moment of 3532 N m/rad")));  // m g · 1.2 m
@@ -294,7 +313,7 @@ TEST(Plausibility, FindsTheWorstAxisOfTilting) {
             ++number, along * std::cos(angle) - across * std::sin(angle),
             along * std::sin(angle) + across * std::cos(angle));
     EXPECT_THAT(
-        plausibility::overturning_notes(test::project(text).base().system),
+        overturning_notes(text),
         ElementsAre(testing::HasSubstr("of 2649 N m/rad, its mounts a restoring moment of 3200 N m/rad: 83 %")));
   }
 }
@@ -319,6 +338,18 @@ TEST(Plausibility, DetectsQuestionsThatMissTheMachine) {
   EXPECT_THAT(
       kinds(Cube{.more = shock + "transient = {to = \"1 s\"}\n", .damping = "damping = {proportional = 0.003}"}.text()),
       IsEmpty());
+}
+
+/// The lowest natural frequency is 2.5 Hz, and none is below. A window of [2, 3] in rad/s is met by the slip alone.
+TEST(Plausibility, DetectsWindowsAndBandsOfRequirementsInHertzWithoutTheUnit) {
+  const auto of_windows = [](const std::string& windows) {
+    return kinds(Cube{.more = "[requirements]\nnatural_frequencies = {avoid = " + windows + "}\n"}.text());
+  };
+  EXPECT_THAT(of_windows("[[2, 3]]"), ElementsAre("band"));
+  EXPECT_THAT(of_windows("[[\"2 rad/s\", \"3 rad/s\"]]"), IsEmpty());
+  EXPECT_THAT(of_windows("[[\"2 Hz\", \"3 Hz\"]]"), IsEmpty());
+  EXPECT_THAT(of_windows("[[0.1, 0.2]]"), IsEmpty());  // met in hertz too
+  EXPECT_THAT(kinds(Cube{.more = "[requirements]\nband = [1, 2]\ndamping_ratio = 0.01\n"}.text()), ElementsAre("band"));
 }
 
 TEST(Plausibility, DetectsProductsOfInertiaAboutThePoleWithTheOtherSign) {

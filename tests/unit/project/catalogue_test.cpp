@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/elements/catalogue.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "support/matchers.h"
 #include "support/matrix_files.h"
 #include "trivet/elements/rubber_layer.h"
+#include "trivet/project/project.h"
 
 namespace trivet::test {
 namespace catalogue_test {
@@ -93,6 +99,27 @@ TEST(Catalogue, WarnsAboutInconsistentValues) {
   EXPECT_THAT(message(read->warnings.list()[0]), HasSubstr("c.toml:5: warning: mounts.M 20.loss_factor: 8;"));
   EXPECT_THAT(message(read->warnings.list()[1]),
               HasSubstr("the highest load deflects the mount by 0.1 m; its limit is 0.002 m"));
+}
+
+/// Warnings belong to the catalogue, not to each of the elements that read it.
+TEST(Catalogue, IsWarnedAboutOnceForAllItsElements) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / fmt::format("trivet-catalogue-{}", ::getpid());
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder / "c.toml") << head + "translation = [1e3, 1e3, 1e3]\nloss_factor = 8\n";
+  std::string text = "trivet = 1\n[bodies.m]\nmass = 10\nfree = [\"z\"]\n";
+  for (const char* name : {"a", "b", "c"})
+    text += fmt::format(
+        "[elements.{}]\ntype = \"catalogue:M 20\"\ncatalogue = \"c.toml\"\non = \"m\"\nat = [0, 0, 0]\naxis = \"z\"\n",
+        name);
+  std::ofstream(folder / "m.toml") << text;
+  const auto project = project::read_project(folder / "m.toml");
+  std::filesystem::remove_all(folder);
+  ASSERT_TRUE(project.has_value()) << foundation::message(project.error().list().front());
+  const auto& warnings = project->base().warnings.list();
+  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
+                          [](const auto& w) { return w.subject == "mounts.M 20.loss_factor"; }),
+            1);
 }
 
 TEST(Catalogue, ProposesTheNearestName) {

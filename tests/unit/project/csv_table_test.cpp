@@ -68,6 +68,46 @@ TEST(CsvTable, BadRowsAreNamedByLineAllAtOnce) {
   EXPECT_THAT(foundation::message(list[5]), HasSubstr("y = \"0x10\""));
 }
 
+TEST(CsvTable, OfASpreadsheetOrADataFrameIsReadWithoutItsFrame) {
+  const std::pair<const char*, std::size_t> cases[] = {{"x,y,\n1,2,\n3,4,\n,,\n", 0},
+                                                       {"x;y;;\r\n1;2\r\n3;4;;\r\n", 0},
+                                                       {",x,y\n0,1,2\n1,3,4\n", 1},
+                                                       {"x y\n1 2\n 3  4\n", 0}};
+  for (const auto& [text, warnings] : cases) {
+    const auto table = csv_table(text, "rig.csv");
+    ASSERT_TRUE(table.has_value()) << text << foundation::message(table.error().list().front());
+    EXPECT_THAT(table->columns, ElementsAre("x", "y")) << text;
+    EXPECT_EQ(table->values, (Eigen::MatrixXd(2, 2) << 1, 2, 3, 4).finished()) << text;
+    EXPECT_THAT(table->warnings.list(), SizeIs(warnings)) << text;
+  }
+  EXPECT_THAT(first_message(",x,y\n7,1,2\n9,3,4\n"), HasSubstr("column 1 has no name"));
+}
+
+TEST(CsvTable, WithoutAHeaderIsReadIfItsColumnsAreKnown) {
+  const std::vector<std::string> bare = {"time", "value"};
+  const std::pair<const char*, double> cases[] = {{"0.00 5.0\n0.02 6.0\n", 0},
+                                                  {"0,5\n1,6\n", 0},
+                                                  {"0,1\n0.0,5.0\n0.1,6.0\n", 0},
+                                                  {",0,1\n0,0.0,5.0\n1,0.1,6.0\n", 0},
+                                                  {"-1\t5\n2\t6\n", -1}};
+  for (const auto& [text, first] : cases) {
+    const auto table = csv_table(text, "a.txt", 10, bare);
+    ASSERT_TRUE(table.has_value()) << text << foundation::message(table.error().list().front());
+    EXPECT_THAT(table->columns, ElementsAre("time", "value"));
+    EXPECT_EQ(table->values.rows(), 2) << text;
+    EXPECT_EQ(table->lines.size(), 2u) << text;
+    EXPECT_EQ(table->values(0, 0), first) << text;
+    EXPECT_EQ(table->values(1, 1), 6) << text;
+    EXPECT_FALSE(table->warnings.list().empty()) << text;
+  }
+  for (const char* text : {"1,2\n0,3\n", "1,2,3\n4,5,6\n", "0,1\n0.5,2.5\n1.5,3.5\n"}) {
+    const auto table = csv_table(text, "a.txt", 10, bare);
+    ASSERT_FALSE(table.has_value()) << text;
+    EXPECT_THAT(foundation::message(table.error().list().front()), HasSubstr("first row")) << text;
+    EXPECT_THAT(foundation::message(table.error().list().front()), HasSubstr("time, value")) << text;
+  }
+}
+
 TEST(CsvTable, NeedsAHeaderAndARow) {
   EXPECT_THAT(first_message(""), HasSubstr("the table is empty"));
   EXPECT_THAT(first_message("\xEF\xBB\xBF\n# only a comment\n"), HasSubstr("the table is empty"));

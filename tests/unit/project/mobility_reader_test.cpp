@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "trivet/exchange/universal_writing.h"
 #include "trivet/foundation/constants.h"
@@ -41,21 +42,25 @@ exchange::UniversalFunction function(int node, int reference, double share, doub
 /// Messages about a machine on the points that nodes 11 and 12 of a file are.
 std::vector<std::string> messages(const std::vector<exchange::UniversalFunction>& functions,
                                   const std::string& nodes = R"({"11" = "left", "12" = "right"})",
-                                  const std::vector<exchange::UniversalNode>& geometry = {}) {
+                                  const std::vector<exchange::UniversalNode>& geometry = {},
+                                  const std::string& keys = "",
+                                  const std::function<std::string(std::string)>& edited = {}) {
   exchange::UniversalFile file;
   file.nodes = geometry;
   file.functions = functions;
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / fmt::format("trivet-mobility-messages-{}.uff", ::getpid());
-  std::ofstream(path, std::ios::binary) << exchange::universal_text(file, exchange::FunctionForm::binary);
+  std::string bytes = exchange::universal_text(file, exchange::FunctionForm::binary);
+  if (edited) bytes = edited(std::move(bytes));
+  std::ofstream(path, std::ios::binary) << bytes;
   const auto project = project::project_from_text(
       fmt::format(
           "trivet = 1\n[bodies.m]\nmass = 100\nfree = [\"z\"]\n"
           "[elements.left]\ntype = \"three_springs\"\non = \"m\"\nat = [1, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\n"
           "foundation = \"deck\"\n[elements.right]\ntype = \"three_springs\"\non = \"m\"\nat = [-1, 0, 0]\n"
           "translation = [1e5, 1e5, 1e5]\nfoundation = \"deck\"\n"
-          "[foundations.deck]\ntype = \"mobility\"\nfile = \"{}\"\nnodes = {}\n",
-          path.string(), nodes),
+          "[foundations.deck]\ntype = \"mobility\"\nfile = \"{}\"\nnodes = {}\n{}",
+          path.string(), nodes, keys),
       "machine.toml");
   std::filesystem::remove(path);
   std::vector<std::string> result;
@@ -122,6 +127,35 @@ TEST(MobilityReader, WarnsOfDirectionsInACoordinateSystem) {
   std::vector<exchange::UniversalNode> nodes = {{.label = 11, .displacement_system = 3}, {.label = 12}};
   EXPECT_THAT(messages(complete, R"({"11" = "left", "12" = "right"})", nodes),
               Contains(HasSubstr("displacements of the nodes 11 in a coordinate system not 0")));
+}
+
+/// The file without its set 164, and with a label of the numerators.
+std::string labelled(std::string bytes, const std::string& label, bool with_units) {
+  if (!with_units)
+    if (const std::size_t at = bytes.find("    -1\n   164"); at != std::string::npos)
+      bytes.erase(at, bytes.find("    -1\n", at + 7) + 7 - at);
+  const std::string none = "        11    0    0    0 NONE                 NONE                ";
+  for (std::size_t at = bytes.find(none); at != std::string::npos; at = bytes.find(none, at))
+    bytes.replace(at, none.size(), fmt::format("        11    0    0    0 {:<20} {:<20}", "Velocity", label));
+  return bytes;
+}
+
+TEST(MobilityReader, NamesUnitsThatContradictEachOther) {
+  const std::string nodes = R"({"11" = "left", "12" = "right"})";
+  const auto with_label = [](const char* label, bool with_units) {
+    return [=](std::string bytes) { return labelled(std::move(bytes), label, with_units); };
+  };
+  EXPECT_THAT(messages(complete, nodes, {}, "", with_label("mm/s", true)),
+              Contains(testing::AllOf(HasSubstr("set 164"), HasSubstr("the label \"mm/s\" of the numerator"))));
+  EXPECT_THAT(messages(complete, nodes, {}, "unit = \"(in/s)/N\"\n", with_label("mm/s", false)),
+              Contains(testing::AllOf(HasSubstr("unit = \"(in/s)/N\""), HasSubstr("the label \"mm/s\""))));
+  EXPECT_THAT(messages(complete, nodes, {}, "unit = \"g/N\"\n"), Contains(HasSubstr("the numerator has the type 11")));
+  EXPECT_THAT(messages(complete, nodes, {}, "", with_label("furlong", false)),
+              Contains(HasSubstr("the label \"furlong\" of the numerator is not a known unit")));
+  for (const char* unit : {"(mm/s)/N", "(m/s)/N"})  // the project decides between set 164 and the label
+    for (const std::string& message :
+         messages(complete, nodes, {}, fmt::format("unit = \"{}\"\n", unit), with_label("mm/s", true)))
+      EXPECT_THAT(message, Not(HasSubstr("error"))) << message;
 }
 
 TEST(MobilityReader, RejectsTransmissibilities) {

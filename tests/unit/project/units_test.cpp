@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "support/matchers.h"
+#include "trivet/project/text/derived_units.h"
 #include "trivet/project/text/units.h"
 
 namespace units_test {
@@ -61,6 +62,80 @@ TEST(Units, ConvertWhatEngineersWrite) {
     const double tolerance = std::string(c.text).find("lbf") == std::string::npos ? round_off : printed_digits;
     EXPECT_THAT(*found, trivet::test::RelativelyNear(c.si, tolerance)) << c.text;
   }
+}
+
+TEST(Units, ReadTheSpellingsOfDataSheets) {
+  constexpr double round_off = 1e-12;
+  for (const Conversion& c : {Conversion{"1500 1/min", Quantity::angular_frequency, 50 * pi},
+                              {"1500 min⁻¹", Quantity::angular_frequency, 50 * pi},
+                              {"1500 min^-1", Quantity::angular_frequency, 50 * pi},
+                              {"1500 U/min", Quantity::angular_frequency, 50 * pi},
+                              {"7 \u00b5m", Quantity::length, 7e-6},  // the micro sign
+                              {"7 \u03bcm", Quantity::length, 7e-6},  // the Greek letter
+                              {"7 um", Quantity::length, 7e-6},
+                              {"3 m·s⁻²", Quantity::acceleration, 3},
+                              {"0.5 g", Quantity::acceleration, 0.5 * 9.80665},
+                              {"2 short ton", Quantity::mass, 4000 * 0.45359237},
+                              {"2 long ton", Quantity::mass, 4480 * 0.45359237},
+                              {"2 t", Quantity::mass, 2000},
+                              {"2 metric ton", Quantity::mass, 2000},
+                              {"5 kNs/m", Quantity::damping_force_per_length, 5000},
+                              {"60 bar", Quantity::pressure, 6e6},
+                              {"3 lbs", Quantity::mass, 3 * 0.45359237}}) {
+    const auto found = to_si(c.text, c.quantity);
+    ASSERT_TRUE(found.has_value()) << c.text << ": " << found.error();
+    EXPECT_THAT(*found, trivet::test::RelativelyNear(c.si, round_off)) << c.text;
+  }
+}
+
+/// A unit that can be meant in only one way is rejected with the text to write instead, and that text is right.
+TEST(Units, RejectWhatIsAmbiguousWithTheUnitToWrite) {
+  struct Offer {
+    const char* text;
+    Quantity quantity;
+    const char* offered;
+  };
+  for (const Offer& one : {Offer{"100 lb/in", Quantity::force_per_length, "lbf/in"},
+                           {"100 lbs/in", Quantity::force_per_length, "lbf/in"},
+                           {"5 kg/mm", Quantity::force_per_length, "kgf/mm"},
+                           {"500 lb", Quantity::force, "lbf"},
+                           {"20 ft lb", Quantity::moment, "ft lbf"},
+                           {"3 kg/cm^2", Quantity::pressure, "kgf/cm^2"},
+                           {"2 ton", Quantity::mass, "t"},
+                           {"2 tons", Quantity::mass, "short ton"},
+                           {"25 1/s", Quantity::angular_frequency, "Hz"}}) {
+    const auto found = to_si(one.text, one.quantity);
+    ASSERT_FALSE(found.has_value()) << one.text;
+    EXPECT_THAT(found.error(), testing::HasSubstr("\"" + std::string(one.offered) + "\"")) << one.text;
+    EXPECT_TRUE(to_si(std::string("1 ") + one.offered, one.quantity).has_value()) << one.offered;
+  }
+}
+
+TEST(Units, ReadSpectralDensitiesPerHertz) {
+  using trivet::project::to_density;
+  constexpr double round_off = 1e-12, g = 9.80665;
+  for (const Conversion& c : {Conversion{"0.04 g^2/Hz", Quantity::acceleration, 0.04 * g * g},
+                              {"0.04 g²/Hz", Quantity::acceleration, 0.04 * g * g},
+                              {"2 (m/s^2)^2/Hz", Quantity::acceleration, 2},
+                              {"2 m²/s⁴/Hz", Quantity::acceleration, 2},
+                              {"3 mm^2/Hz", Quantity::length, 3e-6},
+                              {"1 m^2/(rad/s)", Quantity::length, 2 * pi},
+                              {"5 kN^2/Hz", Quantity::force, 5e6}}) {
+    const auto found = to_density(c.text, c.quantity);
+    ASSERT_TRUE(found.has_value()) << c.text << ": " << found.error();
+    EXPECT_THAT(*found, trivet::test::RelativelyNear(c.si, round_off)) << c.text;
+  }
+  EXPECT_FALSE(to_density("0.04 g/Hz", Quantity::acceleration).has_value());
+  EXPECT_FALSE(to_density("0.04 g^2/Hz", Quantity::length).has_value());
+}
+
+TEST(Units, CompareTwoUnits) {
+  using trivet::project::unit_ratio;
+  constexpr double round_off = 1e-12;
+  EXPECT_THAT(unit_ratio("kN/mm", "N/mm").value(), trivet::test::RelativelyNear(1000, round_off));
+  EXPECT_THAT(unit_ratio("m/s^2", "g").value(), trivet::test::RelativelyNear(1 / 9.80665, round_off));
+  EXPECT_FALSE(unit_ratio("m", "s").has_value());
+  EXPECT_FALSE(unit_ratio("m", "").has_value());
 }
 
 /// SI prefixes before customary units are slips: "mmi" is no thousandth of a mile.

@@ -54,6 +54,15 @@ std::string warnings(const response::TransientResponse& r) {
   return all;
 }
 
+/// A half sine is 0 at both of its ends, up to the round-off of sin π, which is no jump.
+TEST(InputCourse, RoundOffAtTheEndOfAHalfSineIsNoJump) {
+  const excitation::Signal half_sine = excitation::half_sine(55, 0.0787), box = excitation::rectangular(55, 0.0787),
+                           versed_sine = excitation::versed_sine(55, 0.0787);
+  EXPECT_EQ(response::InputCourse(half_sine, 0).smoothness(), 1);
+  EXPECT_EQ(response::InputCourse(box, 0).smoothness(), 0);
+  EXPECT_EQ(response::InputCourse(versed_sine, 0).smoothness(), 2);
+}
+
 TEST(ExponentialStep, TurnsAnOscillatorByItsAngleOnEveryLevel) {
   Eigen::Matrix2d F;
   F << 0, 7, -7, 0;

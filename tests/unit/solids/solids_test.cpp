@@ -188,6 +188,91 @@ TEST(ClosedSurface, BoxesThatTouchInAnEdgeGiveARemarkAndAddUp) {
   EXPECT_THAT(solid->remarks.list(), SizeIs(1));
 }
 
+// ---- rounding and repeated triangles
+
+/// A box whose vertices at x = 0 are at −`noise` in every second triangle.
+test::Triangles noisy_box(double noise, const Eigen::Vector3d& low = {0, 0, 0},
+                          const Eigen::Vector3d& high = {10, 10, 20}) {
+  test::Triangles box = test::box_triangles(low, high);
+  for (std::size_t i = 0; i < box.size(); i += 2)
+    for (Eigen::Vector3d& corner : box[i])
+      if (corner.x() == low.x()) corner.x() -= noise;
+  return box;
+}
+
+TEST(WeldedSurface, CoordinatesThatDifferByRoundingAreEqual) {
+  for (const double noise : {3.06162e-17, 1e-7, 1e-4}) {  // 1e-4: the sixth digit of 20
+    const auto solid = stl_solid(noisy_box(noise));
+    ASSERT_TRUE(solid) << noise << messages(solid);
+    EXPECT_THAT(solid->parts[0].volume, test::RelativelyNear(2000e-9, std::max(round_off, noise)));
+    ASSERT_THAT(solid->remarks.list(), SizeIs(1)) << noise;
+    EXPECT_THAT(message(solid->remarks.list()[0]), HasSubstr("vertices differ by rounding from another"));
+  }
+}
+
+TEST(WeldedSurface, AGapBeyondRoundingIsAHole) {
+  EXPECT_THAT(messages(stl_solid(noisy_box(2e-3))), HasSubstr("open edges"));
+  // Far from the origin six digits are coarse: at most 10⁻⁴ of the size counts as rounding.
+  EXPECT_THAT(messages(stl_solid(noisy_box(0.01, {5e3, 0, 0}, {5010, 10, 20}))), HasSubstr("open edges"));
+}
+
+/// A box with one triangle of its top divided: around a small triangle with this edge, which is left out.
+test::Triangles box_with_small_hole(double edge) {
+  test::Triangles box = test::box_triangles({0, 0, 0}, {10, 10, 20});
+  const test::Triangle top = box.back();
+  box.pop_back();
+  const Eigen::Vector3d middle = (top[0] + top[1] + top[2]) / 3;
+  test::Triangle small;
+  for (std::size_t i = 0; i < 3; ++i) small[i] = middle + edge / 10 * (top[i] - middle);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t next = (i + 1) % 3;
+    box.push_back({top[i], top[next], small[next]});
+    box.push_back({top[i], small[next], small[i]});
+  }
+  return box;
+}
+
+TEST(WeldedSurface, AMissingTriangleIsAHoleHoweverSmall) {
+  for (const double edge : {1.0, 1e-2, 2e-4, 4e-5})  // 4e-5: a tenth of the distance that counts as rounding
+    EXPECT_THAT(messages(stl_solid(box_with_small_hole(edge))), HasSubstr("3 open edges")) << edge;
+}
+
+TEST(WeldedSurface, ATriangleThatIsWrittenTwiceCountsOnce) {
+  test::Triangles box = test::box_triangles({0, 0, 0}, {10, 10, 20});
+  box.push_back({box[3][1], box[3][2], box[3][0]});
+  const auto solid = stl_solid(box);
+  ASSERT_TRUE(solid) << messages(solid);
+  EXPECT_THAT(solid->parts[0].volume, test::RelativelyNear(2000e-9, round_off));
+  ASSERT_THAT(solid->remarks.list(), SizeIs(1));
+  EXPECT_THAT(message(solid->remarks.list()[0]), HasSubstr("1 triangle is written twice"));
+  // Facing the other way, it is no repetition.
+  box.back() = {box[3][0], box[3][2], box[3][1]};
+  const std::string said = messages(stl_solid(box));
+  EXPECT_THAT(said, HasSubstr("one triangle is there twice, facing opposite sides"));
+  EXPECT_THAT(said, testing::Not(HasSubstr("hole")));
+}
+
+TEST(WeldedSurface, AnInvertedTriangleIsStillRejected) {
+  test::Triangles box = noisy_box(1e-9);
+  std::swap(box[5][0], box[5][1]);
+  EXPECT_THAT(messages(stl_solid(box)), HasSubstr("face opposite sides"));
+}
+
+TEST(StlFile, BytesAfterTheLastTriangleAreIgnored) {
+  const foundation::TemporaryFolder folder;
+  const test::Triangles box = test::box_triangles({0, 0, 0}, {1, 2, 3});
+  const std::pair<std::string, std::size_t> files[] = {{test::stl_binary(box) + "COLOR=", 1},
+                                                       {test::stl_text(box) + std::string(100, '\0'), 0},
+                                                       {test::stl_text(box) + "\x1A", 0}};
+  for (const auto& [bytes, remarks] : files) {
+    test::write_file(folder.path() / "part.stl", bytes);
+    const auto solid = rigid_solid({{"part", StlSolid{folder.path() / "part.stl", mm}, 1000}});
+    ASSERT_TRUE(solid) << messages(solid);
+    EXPECT_THAT(solid->parts[0].volume, test::RelativelyNear(6e-9, round_off));
+    EXPECT_THAT(solid->remarks.list(), SizeIs(remarks));
+  }
+}
+
 // ---- invalid files
 
 TEST(StlFile, ReportsWhatIsWrong) {

@@ -91,6 +91,43 @@ TEST(DesignSweep, FindsThePeakOfEachMassAndNamesMassesThatCannotBe) {
   EXPECT_THAT(found.first_failure, testing::HasSubstr("mass"));
 }
 
+/// Two masses that only a spring and a dashpot join. Under a pair of opposite forces the rigid-body mode does not move,
+/// and a moves by m_b/(m_a + m_b) of the relative motion of the reduced mass; under one force it drifts without bound.
+TEST(DesignSweep, TreatsRigidBodyModesAsTheRequirementsDo) {
+  const std::string head = R"(trivet = 1
+[bodies.a]
+mass = 4
+free = ["z"]
+[bodies.b]
+mass = 12
+free = ["z"]
+[elements.spring]
+type = "bushing"
+on = "b"
+at = [0, 0, 0]
+from = "a"
+from_at = [0, 0, 0]
+translation = [1, 1, 1e4]
+damping = {translation = [0, 0, 30]}
+[excitations.push]
+type = "harmonic"
+on = "a"
+at = [0, 0, 0]
+force = [0, 0, 7]
+)",
+                    pull = "[excitations.pull]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [0, 0, -7]\n";
+  const study::SweepRequest request{
+      .numbers = {{"bodies.a.mass", {4, 6}}}, .of = {"a.z"}, .band = response::Band{0, 200}};
+  const study::DesignSweep found = study::design_sweep(test::project(head + pull).base(), request);
+  for (const auto& [row, mass] : {std::pair{0, 4.0}, {1, 6.0}}) {
+    const double reduced = mass * 12 / (mass + 12), ratio = b / (2 * std::sqrt(k * reduced)),
+                 peak = force / k / (2 * ratio * std::sqrt(1 - ratio * ratio)) * 12 / (mass + 12);
+    EXPECT_NEAR(found.highest(row, 0), peak, 1e-9 * peak);
+  }
+  const study::DesignSweep drifting = study::design_sweep(test::project(head).base(), request);
+  EXPECT_TRUE(std::isinf(drifting.highest(0, 0)));
+}
+
 TEST(DesignSweep, RejectsAnEmptySweep) {
   const project::Project project = test::project(oscillator());
   EXPECT_THROW(static_cast<void>(study::design_sweep(project.base(), {})), foundation::InvalidInput);

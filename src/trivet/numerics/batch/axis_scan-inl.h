@@ -150,10 +150,22 @@ HWY_NOINLINE LaneMask bound_slope(const ScannedPack<Size>& pack, const PanelPowe
   });
   // The slope at centre + t half, |t| ≤ 1, is Σ cᵢ tⁱ plus a remainder.
   const Pack square = hn::Mul(half, half);
-  const Pack c0 = hn::Sub(curve.f.slope, s0), p1 = hn::Add(s1, s1), p2 = hn::Mul(all(-3.0), s2), c1 = hn::Mul(half, p1),
-             c2 = hn::Mul(square, p2);
-  const Pack c3 = hn::Mul(hn::Mul(square, half), hn::Mul(all(4.0), s3)),
-             c4 = hn::Mul(hn::Mul(square, square), hn::Mul(all(-5.0), s4));
+  Pack c0 = hn::Sub(curve.f.slope, s0), p1 = hn::Add(s1, s1), p2 = hn::Mul(all(-3.0), s2), c1 = hn::Mul(half, p1),
+       c2 = hn::Mul(square, p2);
+  Pack c3 = hn::Mul(hn::Mul(square, half), hn::Mul(all(4.0), s3));
+  if (curve.f.grows) {
+    const Pack* g = curve.f.growth;
+    const Pack bend = growth_bend_at(g, centre), third = growth_third_at(g, centre);
+    value = hn::Add(value, growth_at(g, centre));
+    c0 = hn::Add(c0, growth_slope_at(g, centre));
+    p1 = hn::MulAdd(all(2.0), bend, p1);
+    c1 = hn::Mul(half, p1);
+    p2 = hn::MulAdd(all(3.0), third, p2);
+    c2 = hn::Mul(square, p2);
+    c3 = hn::MulAdd(hn::Mul(square, half), hn::Mul(all(4.0), g[2]), c3);
+    rest = hn::MulAdd(all(round_off_of<Size>), growth_slope_at(curve.f.growth_parts, hn::Add(centre, half)), rest);
+  }
+  const Pack c4 = hn::Mul(hn::Mul(square, square), hn::Mul(all(-5.0), s4));
   // Bernstein coefficients: they bound the polynomial, and twice their differences bound its derivative.
   const Pack even = hn::Add(c0, c4), odd = hn::Add(c1, c3), middle = hn::Mul(all(0.5), hn::Sub(c1, c3)),
              ends = hn::Add(even, c2), inner = hn::Sub(c0, c4);
@@ -248,6 +260,7 @@ HWY_NOINLINE LaneMask stays_below(const ScannedPack<Size>& pack, const ScannedCu
   for (int c = 0; c < channels && !hn::AllFalse(Lanes(), below); ++c) {
     const SquaredResponse<Size::most>& f = curves[c].f;
     Pack value = hn::MulAdd(hn::Abs(f.slope), stop, hn::Abs(f.constant));
+    if (f.grows) value = hn::Add(value, growth_at(f.growth_parts, stop));
     each(poles.count, [&](int k) TRIVET_LANES {
       value =
           hn::MulAdd(hn::Abs(f.C[k].first), most[k].first, hn::MulAdd(hn::Abs(f.C[k].second), most[k].second, value));

@@ -45,6 +45,7 @@ HWY_NOINLINE void update_maxima(const ScannedPack<Size>& pack, const Pack& x, Sc
   each(pack.poles.count, [&](int k) TRIVET_LANES { w[k] = inverse_distance(pack.poles, k, x); });
   for (int c = 0; c < channels; ++c) {
     values[c] = hn::MulAdd(curves[c].f.slope, x, curves[c].f.constant);
+    if (curves[c].f.grows) values[c] = hn::Add(values[c], growth_at(curves[c].f.growth, x));
     each(pack.poles.count, [&](int k) TRIVET_LANES { values[c] = sum_of(curves[c].f.C[k], w[k], values[c]); });
     curves[c].best = hn::Max(curves[c].best, values[c]);
   }

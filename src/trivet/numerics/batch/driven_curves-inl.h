@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // |y|² of the curves of DrivenDesigns as partial fractions in x = ω, one design per lane. With poles p = −iλ and
 // y = c + Σ ρ_k/(ω − p_k), ρ = −i residue, |y|² is |c|² + 2 Re Σ C_k/(ω − p_k) at real ω, C_k = ρ_k ȳ(p_k),
-// ȳ(ω) = c̄ + Σ ρ̄_l/(ω − p̄_l).
+// ȳ(ω) = c̄ + Σ ρ̄_l/(ω − p̄_l). Where powers of s add up to 3 or 4, c is a polynomial of ω, and |y|² has also
+// |c|² and 2 Re Σ ρ_k (c̄(ω) − c̄(p_k))/(ω − p_k), a polynomial too.
 #if defined(TRIVET_NUMERICS_DRIVEN_CURVES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_DRIVEN_CURVES_INL_H_
 #undef TRIVET_NUMERICS_DRIVEN_CURVES_INL_H_
@@ -110,7 +111,12 @@ template <typename Size, typename Poles>
 class DrivenCurves {
  public:
   DrivenCurves(Size n, const DrivenDesigns& designs, Eigen::Index first)
-      : n_(n), designs_(designs), first_(first), poles_(new DrivenPoles<Size>), inverses_(new Inverses) {}
+      : n_(n),
+        designs_(designs),
+        first_(first),
+        poles_(new DrivenPoles<Size>),
+        modal_(new LossyModalPack<Size>),
+        inverses_(new Inverses) {}
 
   /// Poles and |y|² of all curves.
   HWY_NOINLINE void form(FormedCurves<Poles>& formed) {
@@ -142,9 +148,8 @@ class DrivenCurves {
       if (lossy) d[entry] = column_of(designs_.D, entry, first_);
     }
     const LaneMask definite = modes_of_pack<true>(n_, a, k, modes_);
-    LossyModalPack<Size> modal;
-    lossy_modal_pack(n_, modes_, b, lossy ? d : nullptr, modal);
-    driven_poles(n_, modal, *poles_);
+    lossy_modal_pack(n_, modes_, b, lossy ? d : nullptr, *modal_);
+    driven_poles(n_, *modal_, *poles_);
     Pack stiffest = all(0.0);
     for (int j = 0; j < n_; ++j) stiffest = hn::Max(stiffest, modes_.lambda[j]);
     // Smaller λ may be round-off of no stiffness: 64 n ε, eight times the limit of definiteness.
@@ -188,20 +193,75 @@ class DrivenCurves {
     Pack moduli;
   };
 
-  /// c: of a prescribed motion, and rowᵀA⁻¹h of terms whose powers of s add up to 2; 0 if it is round-off of its terms.
-  Constant constant_of(const DesignCurve& curve, const PackList<ModalTerm<Size>>& rows) const {
-    ComplexPack sum = {column_of(curve.constant_re, 0, first_), column_of(curve.constant_im, 0, first_)};
-    Pack moduli = one_norm(sum);
+  /// c = c₀ + c₁ω + c₂ω²
+  struct Polynomial {
+    Constant of[3];
+    bool grows = false;  ///< c₁ or c₂ may differ from 0
+  };
+
+  /// Adds the product of a row and a vector.
+  void add(const ComplexPack* row, const ComplexPack* vector, Constant& to) const {
+    each(n_, [&](int j) TRIVET_LANES {
+      const ComplexPack part = row[j] * vector[j];
+      to.value = to.value + part;
+      to.moduli = hn::Add(to.moduli, one_norm(part));
+    });
+  }
+
+  /// −ΦᵀBΦ times a vector.
+  void damped(const ComplexPack* vector, ComplexPack* image) const {
+    each(n_, [&](int i) TRIVET_LANES {
+      image[i] = zero();
+      for (int j = 0; j < n_; ++j) {
+        const Pack entry = hn::Neg(modal_->b[packed_of(i, j)]);
+        image[i] = image[i] + ComplexPack{hn::Mul(entry, vector[j].re), hn::Mul(entry, vector[j].im)};
+      }
+    });
+  }
+
+  /// Adds −(Ω² + iΦᵀDΦ) times a vector.
+  void add_restored(const ComplexPack* vector, ComplexPack* image) const {
+    each(n_, [&](int i) TRIVET_LANES {
+      const Pack square = hn::Neg(modes_.lambda[i]);
+      image[i] = image[i] + ComplexPack{hn::Mul(square, vector[i].re), hn::Mul(square, vector[i].im)};
+      for (int j = 0; modal_->lossy && j < n_; ++j) {
+        const Pack entry = modal_->d[packed_of(i, j)];
+        image[i] = image[i] + ComplexPack{hn::Mul(entry, vector[j].im), hn::Neg(hn::Mul(entry, vector[j].re))};
+      }
+    });
+  }
+
+  /// c: of a prescribed motion, and the powers of s that are left of terms whose powers add up to 2 or more, from
+  /// Z⁻¹ = s⁻² − B s⁻³ + (B² − Ω² − iD) s⁻⁴ … of modes; 0 if it is round-off of its terms.
+  Polynomial constants_of(const DesignCurve& curve, const PackList<ModalTerm<Size>>& rows) const {
+    Polynomial c;
+    for (Constant& one : c.of) one = {zero(), hn::Zero(Lanes())};
+    c.of[0].value = {column_of(curve.constant_re, 0, first_), column_of(curve.constant_im, 0, first_)};
+    c.of[0].moduli = one_norm(c.of[0].value);
     for (const ModalTerm<Size>& row : rows)
-      for (const ModalTerm<Size>& value : loads_[curve.load].terms)
-        if (row.power + value.power == most_power)
-          each(n_, [&](int j) TRIVET_LANES {
-            const ComplexPack part = row.value[j] * value.value[j];
-            sum = sum + part;
-            moduli = hn::Add(moduli, one_norm(part));
-          });
-    const LaneMask seen = hn::Gt(one_norm(sum), hn::Mul(all(vanishing_share), moduli));
-    return {{hn::IfThenElseZero(seen, sum.re), hn::IfThenElseZero(seen, sum.im)}, hn::IfThenElseZero(seen, moduli)};
+      for (const ModalTerm<Size>& value : loads_[curve.load].terms) {
+        const int beyond = row.power + value.power - most_power;
+        if (beyond < 0) continue;
+        add(row.value, value.value, c.of[beyond]);
+        if (beyond == 0) continue;
+        c.grows = true;
+        ComplexPack second[Size::most], third[Size::most];
+        damped(value.value, second);
+        add(row.value, second, c.of[beyond - 1]);
+        if (beyond == 1) continue;
+        damped(second, third);
+        add_restored(value.value, third);
+        add(row.value, third, c.of[0]);
+      }
+    for (Constant& one : c.of) {
+      const LaneMask seen = hn::Gt(one_norm(one.value), hn::Mul(all(vanishing_share), one.moduli));
+      one = {{hn::IfThenElseZero(seen, one.value.re), hn::IfThenElseZero(seen, one.value.im)},
+             hn::IfThenElseZero(seen, one.moduli)};
+    }
+    // s = iω
+    c.of[1].value = {hn::Neg(c.of[1].value.im), c.of[1].value.re};
+    c.of[2].value = {hn::Neg(c.of[2].value.re), hn::Neg(c.of[2].value.im)};
+    return c;
   }
 
   /// (Σ |λ|^power ‖Φᵀrow‖)² at root p.
@@ -257,13 +317,20 @@ class DrivenCurves {
   }
 
   /// C_k = ρ_k ȳ(p_k), with the moduli of its terms.
-  void form_fractions(const PairPack* r, const Constant& constant, SquaredResponse<Poles::most>& f) const {
+  void form_fractions(const PairPack* r, const Polynomial& c, SquaredResponse<Poles::most>& f) const {
     const int count = 2 * n_;
+    const Constant& constant = c.of[0];
     Pack size[Poles::most];
     for (int k = 0; k < count; ++k) size[k] = hn::Sqrt(squared_size(r[k]));
     for (int k = 0; k < count; ++k) {
       ComplexPack y = conjugate(constant.value);
       Pack moduli = constant.moduli;
+      if (c.grows) {
+        const ComplexPack at = pole(k);
+        const Pack modulus = hn::Sqrt(squared_modulus(at));
+        y = y + at * (conjugate(c.of[1].value) + at * conjugate(c.of[2].value));
+        moduli = hn::MulAdd(modulus, hn::MulAdd(modulus, c.of[2].moduli, c.of[1].moduli), moduli);
+      }
       for (int l = 0; l < count; ++l) {
         y = add_product(y, ComplexPack{r[l].first, hn::Neg(r[l].second)}, inverses_->of[k][l]);
         moduli = hn::MulAdd(size[l], inverses_->modulus[k][l], moduli);
@@ -276,6 +343,36 @@ class DrivenCurves {
     f.constant = hn::Mul(all(0.5), hn::Mul(modulus, modulus));
     f.constant_parts = hn::Mul(modulus, constant.moduli);
     f.slope = f.slope_parts = hn::Zero(Lanes());
+    f.grows = c.grows;
+    if (c.grows) add_growth(r, size, c, f);
+  }
+
+  /// −iλ
+  [[nodiscard]] ComplexPack pole(int k) const { return {poles_->lambda[k].im, hn::Neg(poles_->lambda[k].re)}; }
+
+  /// Half of |c|² without |c₀|², and Re Σ ρ_k (c̄(ω) − c̄(p_k))/(ω − p_k) = Re Σ ρ_k (c̄₁ + c̄₂ (ω + p_k)).
+  void add_growth(const PairPack* r, const Pack* size, const Polynomial& c, SquaredResponse<Poles::most>& f) const {
+    ComplexPack sum = zero(), first = zero();
+    Pack sum_parts = hn::Zero(Lanes()), first_parts = sum_parts;
+    for (int k = 0; k < 2 * n_; ++k) {
+      const ComplexPack rho = {r[k].first, r[k].second};
+      sum = sum + rho;
+      first = first + rho * pole(k);
+      sum_parts = hn::Add(sum_parts, size[k]);
+      first_parts = hn::MulAdd(size[k], hn::Sqrt(squared_modulus(pole(k))), first_parts);
+    }
+    const ComplexPack q0 = conjugate(c.of[0].value), q1 = conjugate(c.of[1].value), q2 = conjugate(c.of[2].value);
+    const Pack m0 = c.of[0].moduli, m1 = c.of[1].moduli, m2 = c.of[2].moduli, half = all(0.5);
+    f.constant = hn::Add(f.constant, (q1 * sum + q2 * first).re);
+    f.constant_parts = hn::MulAdd(m1, sum_parts, hn::MulAdd(m2, first_parts, f.constant_parts));
+    f.slope = (q0 * c.of[1].value + q2 * sum).re;
+    f.slope_parts = hn::MulAdd(m0, m1, hn::Mul(m2, sum_parts));
+    f.growth[0] = hn::MulAdd(half, squared_modulus(q1), (q0 * c.of[2].value).re);
+    f.growth_parts[0] = hn::MulAdd(hn::Mul(half, m1), m1, hn::Mul(m0, m2));
+    f.growth[1] = (q1 * c.of[2].value).re;
+    f.growth_parts[1] = hn::Mul(m1, m2);
+    f.growth[2] = hn::Mul(half, squared_modulus(q2));
+    f.growth_parts[2] = hn::Mul(hn::Mul(half, m2), m2);
   }
 
   /// @return lanes in which the residues are accurate
@@ -284,7 +381,7 @@ class DrivenCurves {
     PackList<ModalTerm<Size>> rows(curve.rows.size());
     for (std::size_t t = 0; t < rows.size(); ++t) in_modes_of_term(n_, modes_, curve.rows[t], first_, rows[t]);
     const DrivenLoad<Size>& load = loads_[curve.load];
-    const Constant constant = constant_of(curve, rows);
+    const Polynomial c = constants_of(curve, rows);
     PairPack r[Poles::most];
     Pack weight[Poles::most];
     for (int p = 0; p < count; ++p) {
@@ -292,10 +389,11 @@ class DrivenCurves {
       r[p] = {residue.im, hn::Neg(residue.re)};
       weight[p] = weight_of(rows, p);
     }
-    const LaneMask still = hn::Eq(one_norm(constant.value), hn::Zero(Lanes()));
-    const LaneMask known = hn::Or(drop_round_off(Poles{count}, still, load.visible, load.possible, weight, r),
-                                  hidden_by(constant.value, load, weight));
-    form_fractions(r, constant, f);
+    const Pack constants = hn::Add(one_norm(c.of[0].value), hn::Add(one_norm(c.of[1].value), one_norm(c.of[2].value)));
+    const LaneMask still = hn::Eq(constants, hn::Zero(Lanes()));
+    LaneMask known = drop_round_off(Poles{count}, still, load.visible, load.possible, weight, r);
+    if (!c.grows) known = hn::Or(known, hidden_by(c.of[0].value, load, weight));
+    form_fractions(r, c, f);
     return hn::And(known, sees_every_root(rows, load));
   }
 
@@ -304,6 +402,7 @@ class DrivenCurves {
   Eigen::Index first_;
   PackOfModes<Size> modes_;
   std::unique_ptr<DrivenPoles<Size>> poles_;
+  std::unique_ptr<LossyModalPack<Size>> modal_;
   std::unique_ptr<Inverses> inverses_;
   PackList<DrivenLoad<Size>> loads_;
 };

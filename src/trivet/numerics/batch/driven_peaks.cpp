@@ -4,6 +4,7 @@
 #include <hwy/foreach_target.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -53,24 +54,26 @@ static_assert(most_driven_coordinates == most_pairs);
 
 /// Sums of the powers of a row of a curve and of its load.
 struct SumsOfPowers {
-  int least = most_power, most = least_power;
+  int least = most_power_in_band, most = least_power;
 };
 
-SumsOfPowers sums_of_powers(const DrivenDesigns& designs, const DesignCurve& curve) {
+SumsOfPowers sums_of_powers(const DrivenDesigns& designs, const DesignCurve& curve, bool in_band) {
   SumsOfPowers sums;
   for (const DesignTerm& row : curve.rows)
     for (const DesignTerm& value : designs.loads.at(curve.load)) {
       const int sum = row.power + value.power;
-      if (sum < least_power || sum > most_power) reject("the powers of s of a row and a load must add up to 0, 1 or 2");
+      if (sum < least_power || sum > (in_band ? most_power_in_band : most_power))
+        reject(
+            "the powers of s of a row and a load must add up to 0, 1 or 2, or up to 4 without peaks in a finite band");
       sums = {std::min(sums.least, sum), std::max(sums.most, sum)};
     }
   return sums;
 }
 
-CurveEnds ends_of(const DrivenDesigns& designs, const DesignCurve& curve, double from) {
-  const SumsOfPowers sums = sums_of_powers(designs, curve);
+CurveEnds ends_of(const DrivenDesigns& designs, const DesignCurve& curve, const DrivenPeakOptions& options) {
+  const SumsOfPowers sums = sums_of_powers(designs, curve, !options.count_peaks && std::isfinite(options.to));
   const bool constant = (curve.constant_re != 0).any() || (curve.constant_im != 0).any();
-  return {.zero_at_start = !constant && from == 0 && sums.least > 0,
+  return {.zero_at_start = !constant && options.from == 0 && sums.least > 0,
           .flat_at_infinity = !constant && sums.most < most_power};
 }
 
@@ -104,7 +107,7 @@ DesignPeaks driven_peaks(const DrivenDesigns& designs, const DrivenPeakOptions& 
   const auto n = static_cast<int>(checked_coordinates(designs, options));
   const SearchedBand band{options.from, options.to, options.count_peaks, options.min_prominence, false};
   std::vector<CurveEnds> ends;
-  for (const DesignCurve& curve : designs.curves) ends.push_back(ends_of(designs, curve, options.from));
+  for (const DesignCurve& curve : designs.curves) ends.push_back(ends_of(designs, curve, options));
   const Eigen::Index count = designs.count(), channels = to_index(ends.size());
   DesignPeaks result{Eigen::ArrayXXd::Zero(count, channels),
                      Eigen::ArrayXXd::Zero(count, channels),

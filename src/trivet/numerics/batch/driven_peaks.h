@@ -21,7 +21,7 @@ struct DrivenPeakOptions {
 /// (docs/decisions/peaks-of-designs.md). The status is `proven`, or `undecided` where poles or bounds are not good
 /// enough: no values. On one thread.
 /// @throws foundation::InvalidInput for sizes that do not match, products of powers outside `least_power` …
-/// `most_power`, a band that is empty or negative
+/// `most_power` (`most_power_in_band` without peaks in a finite band), a band that is empty or negative
 [[nodiscard]] DesignPeaks driven_peaks(const DrivenDesigns& designs, const DrivenPeakOptions& options = {});
 
 }  // namespace trivet::numerics

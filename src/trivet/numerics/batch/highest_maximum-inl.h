@@ -66,6 +66,7 @@ HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResp
   });
   bend = hn::Mul(all(nearer), sum);
   range = hn::Div(all(share), nearest);
+  if (f.grows) bend = hn::Add(bend, growth_bend_at(f.growth_parts, hn::Add(x, range)));
 }
 
 /// @param above_poles  value of the curve at the centre of each pole (any low value for real poles)
@@ -148,6 +149,7 @@ HWY_NOINLINE void open_zones(ScannedPack<Size>& pack, const Top* tops, ScannedCu
     const Pack highest = hn::Mul(all(1 - 1e-13), curve.best);
     each(zones.count, [&](int m) TRIVET_LANES {
       Pack one = hn::MulAdd(hn::Max(f.slope, zero), zones.to[m], f.constant), other = zero;
+      if (f.grows) one = hn::Add(one, growth_at(f.growth_parts, zones.to[m]));
       each(poles.count, [&](int k) TRIVET_LANES {
         if (k == m) return;
         one = hn::MulAdd(hn::IfThenElse(zone[m].right[k], up[k], down[k]), zone[m].most[k].first, one);

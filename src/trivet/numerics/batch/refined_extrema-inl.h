@@ -33,7 +33,8 @@ class LaneStore {
             const Pack& of_sums)
       : count_(poles.count),
         differentiated_(std::any_of(ends.begin(), ends.end(), [](const CurveEnds& of) { return of.powers_of_x > 0; })),
-        of_channel_(to_size(3 * poles.count + 4 + (differentiated_ ? 3 * poles.count + 1 : 0))),
+        grows_(std::any_of(curves, curves + ends.size(), [](const ScannedCurve<Size>& of) { return of.f.grows; })),
+        of_channel_(to_size(3 * poles.count + 4 + (grows_ ? 6 : 0) + (differentiated_ ? 3 * poles.count + 1 : 0))),
         C_(ends.size() * of_channel_ * table_lanes) {
     hn::StoreU(of_sums, Lanes(), round_off_);
     for (int k = 0; k < count_; ++k) {
@@ -56,6 +57,10 @@ class LaneStore {
       keep(curves[c].f.slope);
       keep(curves[c].f.constant_parts);
       keep(curves[c].f.slope_parts);
+      for (int m = 0; grows_ && m < 3; ++m) {
+        keep(curves[c].f.grows ? curves[c].f.growth[m] : hn::Zero(Lanes()));
+        keep(curves[c].f.grows ? curves[c].f.growth_parts[m] : hn::Zero(Lanes()));
+      }
       if (!differentiated_) continue;
       const int derivative = ends[c].powers_of_x;
       keep(all(derivative));
@@ -101,8 +106,13 @@ class LaneStore {
     f.slope = number(3 * pairs + 1);
     f.constant_parts = number(3 * pairs + 2);
     f.slope_parts = number(3 * pairs + 3);
+    f.grows = grows_;
+    for (std::size_t m = 0; grows_ && m < 3; ++m) {
+      f.growth[m] = number(3 * pairs + 4 + 2 * m);
+      f.growth_parts[m] = number(3 * pairs + 5 + 2 * m);
+    }
     if (!differentiated_) return;
-    const std::size_t from = 3 * pairs + 4;
+    const std::size_t from = 3 * pairs + (grows_ ? 10 : 4);
     curve_of.derivative = number(from);
     for (std::size_t k = 0; k < pairs; ++k) {
       plain.C[k] = {number(from + 1 + 3 * k), number(from + 2 + 3 * k)};
@@ -114,7 +124,7 @@ class LaneStore {
 
  private:
   Size count_;
-  bool differentiated_;
+  bool differentiated_, grows_;
   std::size_t of_channel_;
   alignas(64) double z_[Size::most][2][table_lanes], real_[Size::most][table_lanes], round_off_[table_lanes];
   std::vector<double> C_;  ///< [channel][pairs with parts, constant and slope, their parts; if anything is

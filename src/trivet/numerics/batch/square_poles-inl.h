@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // |y|² of several designs, one per lane, as a function of x (ω² or ω): half of it is Σ_k C_k · 1/(x − z_k) + constant +
-// slope x. Values at a pair of poles form one number a + b j: j² = −1 for two conjugates a ± bi, j² = 1 for two real
-// poles a ± b; so the same operations serve both kinds.
+// slope x (+ growth, squared_response-inl.h). Values at a pair of poles form one number a + b j: j² = −1 for two
+// conjugates a ± bi, j² = 1 for two real poles a ± b; so the same operations serve both kinds.
 #if defined(TRIVET_NUMERICS_SQUARE_POLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_SQUARE_POLES_INL_H_
 #undef TRIVET_NUMERICS_SQUARE_POLES_INL_H_
@@ -73,6 +73,7 @@ HWY_INLINE Pack sum_of(const PairPack& C, const PairPack& w, const Pack& others)
 template <typename Size>
 HWY_INLINE Pack sum_of_moduli(const SquarePoles<Size>& poles, const SquaredResponse<Size::most>& f, const Pack& x) {
   Pack sum = hn::MulAdd(f.slope_parts, x, f.constant_parts);
+  if (f.grows) sum = hn::Add(sum, growth_at(f.growth_parts, x));
   each(poles.count,
        [&](int k) TRIVET_LANES { sum = hn::MulAdd(f.parts[k], sum_of_parts(inverse_distance(poles, k, x)), sum); });
   return sum;
@@ -95,7 +96,14 @@ HWY_INLINE Slopes slopes_at(const SquarePoles<Size>& poles, const SquaredRespons
     s2 = sum_of(C, w3, s2);
     s3 = sum_of(C, w4, s3);
   });
-  return {value, hn::Sub(f.slope, s1), hn::Add(s2, s2), hn::Mul(all(-6.0), s3)};
+  Slopes slopes{value, hn::Sub(f.slope, s1), hn::Add(s2, s2), hn::Mul(all(-6.0), s3)};
+  if (f.grows) {
+    slopes.value = hn::Add(slopes.value, growth_at(f.growth, x));
+    slopes.first = hn::Add(slopes.first, growth_slope_at(f.growth, x));
+    slopes.second = hn::MulAdd(all(2.0), growth_bend_at(f.growth, x), slopes.second);
+    slopes.third = hn::MulAdd(all(6.0), growth_third_at(f.growth, x), slopes.third);
+  }
+  return slopes;
 }
 
 /// Halley's step towards f' = 0.

@@ -71,14 +71,32 @@ struct PolePairs {
 };
 
 /// Half of |y|² of several designs: Σ_k first · first + second · second of C_k and 1/(x − z_k) as numbers a + b j
-/// (square_poles-inl.h), plus constant + slope x.
+/// (square_poles-inl.h), plus constant + slope x, and if it grows faster, plus growth · (x², x³, x⁴).
 template <int most>
 struct SquaredResponse {
   PairPack C[most];
   Pack parts[most];  ///< sums of the moduli of the terms of C_k, which may cancel
   Pack constant, slope;
   Pack constant_parts, slope_parts;  ///< sums of the moduli of their terms
+  bool grows = false;                ///< faster than x: only for x ≥ 0 in a finite band
+  Pack growth[3], growth_parts[3];
 };
+
+/// Σ g x^m, m = 2 … 4.
+HWY_INLINE Pack growth_at(const Pack* g, const Pack& x) {
+  return hn::Mul(hn::Mul(x, x), hn::MulAdd(x, hn::MulAdd(x, g[2], g[1]), g[0]));
+}
+/// Its derivative.
+HWY_INLINE Pack growth_slope_at(const Pack* g, const Pack& x) {
+  return hn::Mul(x,
+                 hn::MulAdd(x, hn::MulAdd(x, hn::Mul(all(4.0), g[2]), hn::Mul(all(3.0), g[1])), hn::Add(g[0], g[0])));
+}
+/// Half of its second derivative.
+HWY_INLINE Pack growth_bend_at(const Pack* g, const Pack& x) {
+  return hn::MulAdd(x, hn::MulAdd(x, hn::Mul(all(6.0), g[2]), hn::Mul(all(3.0), g[1])), g[0]);
+}
+/// A sixth of its third derivative.
+HWY_INLINE Pack growth_third_at(const Pack* g, const Pack& x) { return hn::MulAdd(x, hn::Mul(all(4.0), g[2]), g[1]); }
 
 /// Poles in x = ω².
 HWY_INLINE PairPack pole_in_square(const LaneMask& real, const PairPack& lambda) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/numerics/linalg/lane_lu.h"
+#include "trivet/numerics/linalg/reduced_lu.h"
 
 namespace trivet::numerics {
 namespace {
@@ -54,9 +54,11 @@ VectorXd Branch::scale(const VectorXd& unknowns) const {
 
 namespace {
 
+ReducedLu factored(const MatrixXd& bordered) { return {bordered, ReducedLu::Border::last_row}; }
+
 /// The direction of the branch at a point, by the factors of its bordered matrix with columns times `scale`. They are
 /// those of the last Newton step, which changed the point by less than its tolerance.
-bool set_direction(BranchPoint& point, const LaneLu& factors, const VectorXd& scale) {
+bool set_direction(BranchPoint& point, const ReducedLu& factors, const VectorXd& scale) {
   VectorXd right = VectorXd::Zero(scale.size());
   right(right.size() - 1) = 1;
   const VectorXd tangent = factors.solve(right).cwiseProduct(scale).cwiseQuotient(point.scale);
@@ -84,7 +86,7 @@ std::optional<BranchPoint> Branch::start(const VectorXd& guess, double parameter
   for (double last = 1; !done; ++point.iterations) {
     if (point.iterations == options_.most_iterations) return std::nullopt;
     evaluate_(point.unknowns, parameter, equations);
-    const VectorXd change = LaneLu(equations.by_unknowns).solve(equations.value);
+    const VectorXd change = ReducedLu(equations.by_unknowns, ReducedLu::Border::none).solve(equations.value);
     if (!change.allFinite()) return std::nullopt;
     point.unknowns -= change;
     point.scale = scale(point.unknowns);
@@ -95,7 +97,7 @@ std::optional<BranchPoint> Branch::start(const VectorXd& guess, double parameter
   VectorXd along = VectorXd::Zero(guess.size() + 1);
   along(guess.size()) = downwards ? -1 : 1;
   evaluate_(point.unknowns, parameter, equations);
-  if (!set_direction(point, LaneLu(bordered(equations, point.scale, along)), point.scale)) return std::nullopt;
+  if (!set_direction(point, factored(bordered(equations, point.scale, along)), point.scale)) return std::nullopt;
   return point;
 }
 
@@ -112,14 +114,14 @@ std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step, b
   if (from.bend.size() > 0) place += step * step / 2 * from.bend.cwiseProduct(from.scale);
   Equations equations;
   BranchPoint point;
-  std::optional<LaneLu> factors;
+  std::optional<ReducedLu> factors;
   bool done = false;
   for (double last = 1; !done; ++point.iterations) {
     if (point.iterations == options_.most_iterations) return std::nullopt;
     evaluate_(place.head(n), place(n), equations);
     VectorXd right = VectorXd::Zero(n + 1);
     right.head(n) = equations.value;  // the predictor already has the length `step` along the tangent
-    factors.emplace(bordered(equations, from.scale, from.tangent));
+    factors.emplace(bordered(equations, from.scale, from.tangent), ReducedLu::Border::last_row);
     const VectorXd change = factors->solve(right);
     if (!change.allFinite() || change.norm() > farthest) return std::nullopt;
     place -= change.cwiseProduct(from.scale);
@@ -198,7 +200,7 @@ std::optional<Branch::Advance> Branch::beyond_kink(const BranchPoint& from, doub
 int Branch::orientation(const BranchPoint& point) const {
   Equations equations;
   evaluate_(point.unknowns, point.parameter, equations);
-  return LaneLu(bordered(equations, point.scale, point.tangent)).determinant_sign();
+  return factored(bordered(equations, point.scale, point.tangent)).determinant_sign();
 }
 
 double Branch::length(const BranchPoint& from, const BranchPoint& to) {

@@ -40,7 +40,7 @@ LinearFlow::LinearFlow(const MatrixXd& F) {
     i += pair ? 2 : 1;
   }
   const PivotedLu<double> lu(to_states_);
-  constexpr double dependent = 1e-11;
+  constexpr double dependent = 1e-9;
   if (!(lu.reciprocal_condition() > dependent)) return;
   from_states_ = lu.solve(MatrixXd(MatrixXd::Identity(n, n)));
   regular_ = true;

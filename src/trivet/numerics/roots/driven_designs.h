@@ -32,8 +32,9 @@ struct DrivenDesigns {
 };
 
 /// Powers of s that a product of a row and a load may have: without negative powers the curve is bounded at rest, and
-/// with 2, the order of the inertia, it tends to a constant for ω → ∞.
-inline constexpr int least_power = 0, most_power = 2;
+/// with 2, the order of the inertia, it tends to a constant for ω → ∞. With more, as the velocity and the acceleration
+/// under an unbalance have, it grows like ω² at most: possible for the highest values in a finite band.
+inline constexpr int least_power = 0, most_power = 2, most_power_in_band = 4;
 
 inline constexpr int most_driven_coordinates = 12;
 

@@ -42,15 +42,6 @@ Eigen::VectorXd least_of_groups(const MaxMinProblem& problem, const Eigen::Vecto
   return least;
 }
 
-MaxMinPoint point_with(const MaxMinProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& values) {
-  MaxMinPoint point{x, 0, foundation::infinity};
-  for (Eigen::Index i = 0; i < values.size(); ++i)
-    if (!problem.is_objective[to_size(i)]) point.constraint = std::min(point.constraint, values(i));
-  const Eigen::VectorXd least = least_of_groups(problem, values);
-  for (Eigen::Index g = 0; g < least.size(); ++g) point.objective += problem.weight(to_size(g)) * least(g);
-  return point;
-}
-
 constexpr double slack_tolerance = 1e-11;
 
 /// The problem with its bounds t as last variables, for the callbacks of NLopt. The values do not depend on them, with
@@ -132,6 +123,15 @@ class Bounded {
 constexpr double flat = 1e-2;
 
 }  // namespace
+
+MaxMinPoint point_with(const MaxMinProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& values) {
+  MaxMinPoint point{x, 0, foundation::infinity};
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    if (!problem.is_objective[to_size(i)]) point.constraint = std::min(point.constraint, values(i));
+  const Eigen::VectorXd least = least_of_groups(problem, values);
+  for (Eigen::Index g = 0; g < least.size(); ++g) point.objective += problem.weight(to_size(g)) * least(g);
+  return point;
+}
 
 MaxMinPoint point_at(const MaxMinProblem& problem, const Eigen::VectorXd& x) {
   Eigen::VectorXd values;

@@ -30,6 +30,9 @@ struct MaxMinPoint {
 };
 
 [[nodiscard]] MaxMinPoint point_at(const MaxMinProblem& problem, const Eigen::VectorXd& x);
+/// The same from values that are known.
+[[nodiscard]] MaxMinPoint point_with(const MaxMinProblem& problem, const Eigen::VectorXd& x,
+                                     const Eigen::VectorXd& values);
 
 /// The largest t near a start, by sequential quadratic programming (NLopt's SLSQP), started again from its own end
 /// until it gains nothing. If the first steps lead to nothing better, shorter ones are tried.

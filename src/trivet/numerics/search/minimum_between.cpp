@@ -13,8 +13,7 @@
 
 namespace trivet::numerics {
 
-Minimum minimum_between(double from, double to, const std::function<double(double)>& function) {
-  constexpr int bits = 26;                     // of 53: a step of 2⁻²⁶ changes a parabola by round-off
+Minimum minimum_between(double from, double to, const std::function<double(double)>& function, int bits) {
   constexpr std::uintmax_t most_values = 200;  // golden sections alone need 40
   constexpr double largest = 1e300;            // stands for infinity, so that parabolas remain computable
   if (!(std::isfinite(to - from) && from < to))
@@ -30,9 +29,9 @@ Minimum minimum_between(double from, double to, const std::function<double(doubl
   };
   // Brent's tolerance is relative to the place: in shares of half the range, narrow ranges far from 0 are resolved.
   std::uintmax_t values = most_values;
-  const double at = place(boost::math::tools::brent_find_minima(value, -1.0, 1.0, bits, values).first);
+  const auto [share, least] = boost::math::tools::brent_find_minima(value, -1.0, 1.0, bits, values);
   assert(values < most_values);
-  return {at, function(at)};
+  return {place(share), std::abs(least) < largest ? least : function(place(share))};
 }
 
 }  // namespace trivet::numerics

@@ -10,12 +10,18 @@ struct Minimum {
   double value = 0;
 };
 
+/// Bits of the place of a minimum beyond which values differ by round-off only: a step of 2⁻²⁶ changes a parabola by
+/// 2⁻⁵².
+inline constexpr int bits_of_minimum = 26;
+
 /// Minimum of a function with one minimum between two ends, by Brent's method (parabolas and golden sections). Its
-/// place is known to 3e-8 of half the range, about the root of round-off, which limits every search by values; an error
-/// of the value is then round-off. With several minima it is one of them.
+/// place is known to 2^(1−bits) of half the range: with 26 to 3e-8, about the root of round-off, which limits every
+/// search by values; an error of the value is then round-off. With several minima it is one of them.
 /// @param function  may be infinite
+/// @param bits      fewer for a function that takes long
 /// @throws foundation::InvalidInput if the ends are not finite or not ascending, foundation::NotComputable if a value
 /// is not a number
-[[nodiscard]] Minimum minimum_between(double from, double to, const std::function<double(double)>& function);
+[[nodiscard]] Minimum minimum_between(double from, double to, const std::function<double(double)>& function,
+                                      int bits = bits_of_minimum);
 
 }  // namespace trivet::numerics

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/band_reader.h"
 #include "trivet/project/text/model_path.h"
 
 namespace trivet::project {
@@ -15,14 +16,15 @@ constexpr std::array motion_quantities = {assembly::MotionQuantity::displacement
                                           assembly::MotionQuantity::acceleration};
 
 /// Reads a number, or a text with a unit that distinguishes displacement, velocity and acceleration.
-void read_limit(TableReader& reader, const std::string& name, const Node& value, const ResultNames& names,
-                assembly::MotionQuantity usual, std::vector<AmplitudeLimit>& limits) {
+/// @param key  of the value, for messages
+void read_limit(TableReader& reader, const std::string& key, const Node& value, const ResultNames& names,
+                assembly::MotionQuantity usual, std::vector<AmplitudeLimit>& limits, const std::string& name) {
   if (value.kind == Node::Kind::text)
     for (const assembly::MotionQuantity quantity : motion_quantities) {
       const auto si = to_si(value.text, *names.component(name, quantity));
       if (!si) continue;
-      if (!(*si > 0)) reader.error(name, value_text(value), "a limit is > 0", "change it");
-      limits.push_back({name, quantity, *si});
+      if (!(*si > 0)) reader.error(key, value_text(value), "a limit is > 0", "change it");
+      limits.push_back({name, quantity, *si, {}, {}, {}});
       return;
     }
   if (value.kind == Node::Kind::text && written_number(value)) {
@@ -31,15 +33,45 @@ void read_limit(TableReader& reader, const std::string& name, const Node& value,
       const std::string unit = si_unit(*names.component(name, quantity));
       if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : " or ") + unit;
     }
-    reader.error(name, value_text(value), "the limit of this result needs a unit of its kind",
+    reader.error(key, value_text(value), "the limit of this result needs a unit of its kind",
                  "give " + units + ", or a multiple");
     return;
   }
-  const auto amplitude = reader.scalar(value, reader.path() + "." + name, *names.component(name, usual));
+  const auto amplitude = reader.scalar(value, reader.path() + "." + key, *names.component(name, usual));
   if (amplitude && !(*amplitude > 0))
-    reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0",
+    reader.error(key, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0",
                  "change it");
-  if (amplitude) limits.push_back({name, usual, *amplitude});
+  if (amplitude) limits.push_back({name, usual, *amplitude, {}, {}, {}});
+}
+
+/// {limit = "4.5 mm/s", band = ["20 Hz", "26 Hz"], excitations = ["run"]}: a limit in a band, and under excitations, of
+/// its own.
+void read_scoped_limit(TableReader& reader, const std::string& name, const Node& table, const ResultNames& names,
+                       assembly::MotionQuantity usual, const NamesInFile& in_file,
+                       std::vector<AmplitudeLimit>& limits) {
+  TableReader inside(table, reader.path() + "." + name, reader.problems());
+  const std::size_t before = limits.size();
+  if (const Node* limit = inside.node("limit")) read_limit(inside, "limit", *limit, names, usual, limits, name);
+  else inside.missing("limit", "give the largest amplitude: {limit = \"4.5 mm/s\", band = [\"20 Hz\", \"26 Hz\"]}");
+  const auto band = read_band(inside, "band");
+  std::optional<std::vector<std::string>> excitations;
+  const auto speed = read_band(inside, "speed");
+  if (band && inside.has("speed"))
+    inside.error("speed", "band and speed",
+                 "a limit is that of harmonic excitations in a band, or of orders over speeds",
+                 "keep one; a list of limits has both");
+  if (inside.has("speed") && in_file.order_excitations.empty())
+    inside.error("speed", "no orders in the model", "this limit judges the motion under each order of a shaft",
+                 "add [excitations.NAME] with type = \"orders\" or \"unbalance\", or give a band");
+  if (inside.has("excitations"))
+    excitations = inside.has("speed") ? read_selected(inside, in_file.order_excitations, "orders")
+                                      : read_selected_harmonic(inside, in_file);
+  inside.finish();
+  for (std::size_t i = before; i < limits.size(); ++i) {
+    limits[i].band = band;
+    limits[i].excitations = excitations;
+    limits[i].speed = speed;
+  }
 }
 
 /// Reports two limits of one quantity: the larger one has no effect.
@@ -47,7 +79,9 @@ void check_limits_differ(TableReader& reader, const std::string& name, const Nod
                          const std::vector<AmplitudeLimit>& limits) {
   for (std::size_t i = 0; i < limits.size(); ++i)
     for (std::size_t j = i + 1; j < limits.size(); ++j)
-      if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity)
+      if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity &&
+          limits[i].band == limits[j].band && limits[i].excitations == limits[j].excitations &&
+          limits[i].speed == limits[j].speed)
         return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()),
                                               "the larger of two limits of one quantity has no effect",
                                               "keep the smaller"));
@@ -56,11 +90,16 @@ void check_limits_differ(TableReader& reader, const std::string& name, const Nod
 }  // namespace
 
 std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std::string& key, const ResultNames& names,
-                                                  assembly::MotionQuantity usual) {
+                                                  assembly::MotionQuantity usual, const NamesInFile* scoped) {
   std::vector<AmplitudeLimit> limits;
   const Node* table = owner.table(key);
   if (!table) return limits;
   TableReader reader(*table, owner.path() + "." + key, owner.problems());
+  const auto read_one = [&](const std::string& name, const Node& value) {
+    if (scoped && value.kind == Node::Kind::table)
+      read_scoped_limit(reader, name, value, names, usual, *scoped, limits);
+    else read_limit(reader, name, value, names, usual, limits, name);
+  };
   for (std::size_t i = 0; i < table->keys.size(); ++i) {
     const std::string& name = table->keys[i];
     const Node& value = *reader.node(name);
@@ -69,10 +108,10 @@ std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std:
     } else if (value.kind == Node::Kind::array && value.items.empty()) {
       reader.error(name, "an empty list", "a list of limits has at least one", "write one, or remove the line");
     } else if (value.kind == Node::Kind::array) {
-      for (const Node& item : value.items) read_limit(reader, name, item, names, usual, limits);
+      for (const Node& item : value.items) read_one(name, item);
       check_limits_differ(reader, name, value, limits);
     } else {
-      read_limit(reader, name, value, names, usual, limits);
+      read_one(name, value);
     }
   }
   reader.finish();

@@ -8,9 +8,11 @@ namespace trivet::project {
 
 /// The table `key`: an amplitude, or several of different quantities, for each named result. The unit of a text tells
 /// displacement, velocity and acceleration apart; a bare number is of the `usual` quantity.
+/// @param scoped  the names for `excitations`, if a limit may be a table {limit, band, excitations}
 [[nodiscard]] std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std::string& key,
                                                                 const ResultNames& names,
-                                                                assembly::MotionQuantity usual);
+                                                                assembly::MotionQuantity usual,
+                                                                const NamesInFile* scoped = nullptr);
 
 /// `no_peak`: results that must have no resonance peak.
 [[nodiscard]] std::vector<std::string> read_no_peak(TableReader& owner, const ResultNames& names,

@@ -12,6 +12,7 @@
 #include "trivet/project/analyses/mount_choice.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/default_number.h"
+#include "trivet/project/text/derived_units.h"
 #include "trivet/project/text/model_path.h"
 
 namespace trivet::project {
@@ -160,14 +161,15 @@ void read_range(TableReader& reader, DesignAxis& axis) {
   axis.logarithmic = reader.choice("spacing", {"linear", "logarithmic"}) == "logarithmic";
   const auto from = end_of_range(reader, "from"), to = end_of_range(reader, "to");
   if (!from || !to) return;
-  if (from->unit != to->unit) {
+  const auto of_to = from->unit == to->unit ? std::optional(1.0) : unit_ratio(to->unit, from->unit);
+  if (!of_to) {
     reader.error("to",
                  fmt::format("from = {}, to = {}", value_text(*reader.node("from")), value_text(*reader.node("to"))),
-                 "both ends of a range have the same unit, or neither has one", "give both the same unit");
+                 "both ends of a range have units of the same quantity, or neither has one", "give both the same unit");
     return;
   }
   axis.from = from->value;
-  axis.to = to->value;
+  axis.to = *of_to * to->value;
   axis.unit = from->unit;
   if (!(axis.from < axis.to))
     reader.error("to", fmt::format("from {:.6g} to {:.6g}", axis.from, axis.to),

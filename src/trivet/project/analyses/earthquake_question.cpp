@@ -27,13 +27,16 @@ std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames
   asked->direction = reader.direction("direction").value_or(Eigen::Vector3d::UnitX());
   const double damping = reader.number("damping", Quantity::pure).value_or(0.05);
   const bool over_period = reader.choice("over", {"period", "frequency"}).value_or("period") == "period";
+  const ColumnQuantity place = over_period ? ColumnQuantity(Quantity::time) : in_hertz(),
+                       acceleration = read_bare_unit(reader, Quantity::acceleration);
   const auto rows = reader.has("rows")
-      ? read_pairs(reader, "rows")
-      : read_pairs_of_file(reader, over_period ? "period" : "frequency_hz", "acceleration");
+      ? read_pairs(reader, "rows", place, acceleration)
+      : read_pairs_of_file(reader, over_period ? "period" : "frequency_hz", "acceleration", place, acceleration);
   if (!rows) return asked;
   const std::string source = reader.has("rows") ? "rows" : "file";
   std::vector<double> places(rows->col(0).begin(), rows->col(0).end()),
       accelerations(rows->col(1).begin(), rows->col(1).end());
+  for (double& one : accelerations) one *= acceleration.bare;
   if (std::any_of(places.begin(), places.end(), [](double x) { return !(x > 0); })) {
     reader.error(source, "a period or frequency that is not > 0", "a spectrum on logarithmic axes begins above 0",
                  "give the peak ground acceleration at a short period, 0.01 s for instance");
@@ -62,7 +65,8 @@ const QuestionReader earthquake_question = {.read = read_earthquake, .keys = R"j
    "damping": {"$ref": "#/$defs/number"},
    "over": {"enum": ["period", "frequency"]},
    "rows": {"type": "array", "minItems": 2, "items": {"type": "array", "minItems": 2, "maxItems": 2,
-     "items": {"$ref": "#/$defs/number"}}, "description": "period in s (or frequency in Hz) and S_a in m/s2"},
+     "items": {"$ref": "#/$defs/number"}}, "description": "period in s (or frequency in Hz) and S_a in m/s2, or with units"},
+   "unit": {"type": "string", "description": "of S_a without a unit: \"g\" (default: SI)"},
    "file": {"type": "string"},
    "period": {"type": "string"},
    "frequency_hz": {"type": "string"},

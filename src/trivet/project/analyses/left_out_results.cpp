@@ -6,6 +6,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/model/point_mass.h"
 
 namespace trivet::project {
 namespace {
@@ -53,7 +54,8 @@ bool names_left_out(const std::string& word, const model::RelativeMotion& motion
 }  // namespace
 
 void refuse_left_out_results(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
-  if (std::none_of(system.bodies().begin(), system.bodies().end(), [](const model::Body& b) { return b.is_node; }))
+  if (std::none_of(system.bodies().begin(), system.bodies().end(),
+                   [](const model::Body& b) { return model::turns_without_mass(b); }))
     return;
   for (const auto& [path, words] : requested(asked))
     for (const std::string& word : words) {
@@ -65,7 +67,8 @@ void refuse_left_out_results(const model::System& system, const Analyses& asked,
       for (const model::Body& node : system.bodies())
         if (names_left_out(word, node))
           problems.error(path, foundation::quoted(word),
-                         "no element holds this direction of node \"" + node.name + "\", so it is left out",
+                         std::string("no element holds this direction of ") +
+                             (node.is_node ? "node \"" : "point mass \"") + node.name + "\", so it is left out",
                          "remove it, or add an element that holds it");
     }
 }

@@ -13,8 +13,10 @@ namespace trivet::project {
 void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result) {
   const Node* table = root.table("limit_lines");
   if (!table) return;
-  if (!result.response)
-    root.error("limit_lines", "no response to compare with", "limit lines apply to the band of analyses.response",
+  const Node* requirements = root.has("requirements") ? root.node("requirements") : nullptr;
+  if (!result.response && !(requirements && requirements->find("limit_lines") && requirements->find("band")))
+    root.error("limit_lines", "no response to compare with",
+               "limit lines apply to the band of analyses.response, or to that of the requirements that name them",
                "add response = {…} to [analyses]");
   TableReader all(*table, "limit_lines", root.problems());
   for (const std::string& name : table->keys) {
@@ -44,12 +46,13 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
       request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")
                                 : (turns ? turning : units)[static_cast<std::size_t>(motion_quantity)];
     }
-    const auto rows =
-        reader.has("rows") ? read_pairs(reader, "rows") : read_pairs_of_file(reader, "frequency_hz", "limit");
+    const ColumnQuantity level = read_bare_unit(reader, measured.value_or(Quantity::pure));
+    const auto rows = reader.has("rows") ? read_pairs(reader, "rows", in_hertz(), level)
+                                         : read_pairs_of_file(reader, "frequency_hz", "limit", in_hertz(), level);
     reader.finish();
     if (!rows || !measured) continue;
     for (const double hertz : rows->col(0)) request.line.angular_frequency.push_back(2 * std::numbers::pi * hertz);
-    request.line.limit.assign(rows->col(1).begin(), rows->col(1).end());
+    for (const double limit : rows->col(1)) request.line.limit.push_back(level.bare * limit);
     const foundation::Problems findings = response::check(request.line, reader.has("rows") ? "rows" : "file");
     reader.add(findings);
     if (!findings.has_errors()) result.limit_lines.push_back(std::move(request));

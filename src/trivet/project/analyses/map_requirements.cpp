@@ -31,8 +31,10 @@ void use_requirements(Analyses& analyses) {
   if (!map.limits_of_file) {
     rest.limits.clear();
   } else if (same_load && map.band == rest.band) {
-    map.limits.insert(map.limits.end(), rest.limits.begin(), rest.limits.end());
-    rest.limits.clear();
+    const auto own = std::stable_partition(rest.limits.begin(), rest.limits.end(),
+                                           [](const AmplitudeLimit& limit) { return limit.has_common_scope(); });
+    map.limits.insert(map.limits.end(), rest.limits.begin(), own);  // limits with their own band are judged separately
+    rest.limits.erase(rest.limits.begin(), own);
   }
   if (map.own_no_peak) {
     rest.no_peak.clear();

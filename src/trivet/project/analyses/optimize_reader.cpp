@@ -54,12 +54,24 @@ void read_price(TableReader& reader, const std::vector<std::string>& choices, Op
                  "add [parameters.NAME] with path = 'elements.NAME.type' and catalogue = \"FILE\"");
 }
 
+/// The transmissibilities of the requirements.
+void read_isolation_objective(TableReader& root, TableReader& reader, OptimizeRequest& request) {
+  request.minimized = Minimized::isolation;
+  request.minimize = {"isolation"};
+  const Node* requirements = root.has("requirements") ? root.node("requirements") : nullptr;
+  if (!requirements || !requirements->find("isolation"))
+    reader.error("minimize", "\"isolation\"", "no isolation is required, so it is not known of what and where",
+                 "add isolation = {at = \"1480 rpm\", least = \"80 %\"} to [requirements]");
+}
+
 /// Results to minimise; "margin" alone stands for none, as "price" does.
-void read_objective(TableReader& reader, const ResultNames& names, const NamesInFile& in_file,
+void read_objective(TableReader& root, TableReader& reader, const ResultNames& names, const NamesInFile& in_file,
                     const std::vector<std::string>& choices, OptimizeRequest& request) {
-  const auto words = reader.texts("minimize", R"("margin", "price", or ["BODY.POINT.z", "ground.force.z"])");
+  const auto words =
+      reader.texts("minimize", R"("margin", "price", "isolation", or ["BODY.POINT.z", "ground.force.z"])");
   if (!words || (words->size() == 1 && words->front() == "margin")) return;
   if (words->size() == 1 && words->front() == "price") return read_price(reader, choices, request);
+  if (words->size() == 1 && words->front() == "isolation") return read_isolation_objective(root, reader, request);
   if (words->empty())
     reader.error("minimize", "an empty list", "at least one result is minimised",
                  "minimize = \"margin\", or a list of results");
@@ -170,9 +182,9 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
                  "write [parameters.NAME] with path, from and to");
   if (const Node* minimize = reader.node("minimize"); minimize && minimize->kind == Node::Kind::table)
     read_other_objective(reader, *minimize, names, in_file, request);
-  else read_objective(reader, names, in_file, names_of_choices(root), request);
+  else read_objective(root, reader, names, in_file, names_of_choices(root), request);
   read_front(reader, names, in_file, request);
-  request.starts = read_count(reader, "starts", 1, most_starts, "32 is usual").value_or(request.starts);
+  request.starts = read_count(reader, "starts", 1, most_starts, "32 is usual");
   request.combinations =
       read_count(reader, "combinations", 1, most_combinations, "1000 is usual").value_or(request.combinations);
   reader.finish();

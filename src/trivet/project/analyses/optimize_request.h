@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,10 @@ namespace trivet::project {
 
 /// What of the results of `minimize` is made small: the largest amplitude over the band, the root mean square under the
 /// random excitations, or the magnitude under gravity and constant forces. Or, instead of results, the price of the
-/// chosen mounts.
-enum class Minimized { amplitude, rms, at_rest, price };
+/// chosen mounts, or the largest transmissibility of the required isolations as a share of the allowed one.
+enum class Minimized { amplitude, rms, at_rest, price, isolation };
+
+inline constexpr int usual_starts = 32;
 
 /// The search for the best design: [analyses.optimize].
 struct OptimizeRequest {
@@ -24,8 +27,8 @@ struct OptimizeRequest {
   std::vector<double> weights;     ///< of these, for a sum of amplitudes; empty: the largest counts
   std::vector<std::string> front;  ///< two or three results between whose amplitudes the front is searched
   int points = 11;                 ///< of a front of two
-  int starts = 32;
-  int combinations = 1000;  ///< most combinations of mounts whose numbers are optimised
+  std::optional<int> starts;       ///< climbs; none: `usual_starts`, or fewer of designs that take long
+  int combinations = 1000;         ///< most combinations of mounts whose numbers are optimised
 
   /// True if a parameter of this name is varied.
   [[nodiscard]] bool varies(const std::string& parameter) const {

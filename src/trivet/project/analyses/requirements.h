@@ -7,6 +7,7 @@
 
 #include "trivet/model/system.h"
 #include "trivet/project/analyses/question.h"
+#include "trivet/response/machinery/transmissibility.h"
 
 namespace trivet::project {
 
@@ -15,7 +16,26 @@ struct AmplitudeLimit {
   std::string name;
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   double amplitude = 0;
+  std::optional<response::Band> band;                   ///< of its own, if it has one
+  std::optional<std::vector<std::string>> excitations;  ///< of its own, if it has them
+  std::optional<response::Band> speed;                  ///< of a shaft, whose orders then drive it one by one
+
+  /// True if it is judged in the band and under the excitations of all limits.
+  [[nodiscard]] bool has_common_scope() const { return !band && !excitations && !speed; }
   bool operator==(const AmplitudeLimit&) const = default;
+};
+
+/// How little of a force reaches the ground, or of a motion of the ground a place: an entry of `isolation`.
+struct Isolation {
+  std::vector<std::string> forces;  ///< harmonic ones on bodies; empty without `of`: all
+  std::vector<std::string> of;      ///< bodies and points that a motion of the ground reaches; empty: forces
+  response::Direction base;         ///< of that motion
+  std::vector<response::Band> at;   ///< from = to: one frequency [rad/s]; empty: the service speeds of the forces
+  double transmitted = 1;           ///< largest allowed transmissibility, > 0
+  bool in_decibels = false;         ///< it was given as a level
+
+  [[nodiscard]] bool is_of_base() const { return !of.empty(); }
+  bool operator==(const Isolation&) const = default;
 };
 
 /// What a design has to meet: the table [requirements]. Formulas: docs/design.md.
@@ -37,12 +57,16 @@ struct Requirements {
     bool operator==(const Decoupling&) const = default;
   };
   std::vector<Decoupling> decoupling;
-  std::vector<AmplitudeLimit> rms;          ///< under the random excitations
-  std::vector<AmplitudeLimit> largest;      ///< magnitude over the transient
-  std::vector<AmplitudeLimit> statics;      ///< magnitude under gravity and the constant forces
-  bool no_jump = false;                     ///< one stable steady motion at every frequency of the band
+  std::vector<AmplitudeLimit> rms;      ///< under the random excitations
+  std::vector<AmplitudeLimit> largest;  ///< magnitude over the transient
+  std::vector<AmplitudeLimit> statics;  ///< magnitude under gravity and the constant forces
+  bool no_jump = false;                 ///< one stable steady motion at every frequency of the band
+  /// Not of the file: a search first judges steady motions without seeking those that are not connected, which takes
+  /// most of the time of `no_jump` and can only lower its margins.
+  bool connected_only = false;
   bool no_contact = false;                  ///< no steady motion closes a gap
   std::vector<AmplitudeLimit> steady;       ///< magnitude over all stable steady motions
+  std::vector<Isolation> isolation;         ///< of forces from the ground, or of places from its motion
   bool mount_load = false;                  ///< every catalogue mount within its load and deflection
   std::optional<model::Price> price;        ///< largest sum over the catalogue mounts
   double mass = 0;                          ///< largest sum over them [kg]; 0: not required
@@ -53,8 +77,8 @@ struct Requirements {
   /// True if nothing is required.
   [[nodiscard]] bool is_empty() const {
     return limits.empty() && no_peak.empty() && limit_lines.empty() && avoided.empty() && separation == 0 &&
-        damping_ratio == 0 && decoupling.empty() && rms.empty() && largest.empty() && statics.empty() && !mount_load &&
-        !price && mass == 0 && !is_about_steady_motion();
+        damping_ratio == 0 && decoupling.empty() && rms.empty() && largest.empty() && statics.empty() &&
+        isolation.empty() && !mount_load && !price && mass == 0 && !is_about_steady_motion();
   }
   bool operator==(const Requirements&) const = default;
 };

@@ -11,6 +11,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/amplitude_limits.h"
 #include "trivet/project/analyses/harmonics_reader.h"
+#include "trivet/project/analyses/isolation_reader.h"
 #include "trivet/project/text/price.h"
 
 namespace trivet::project {
@@ -34,7 +35,7 @@ void refuse_doubled(TableReader& root, TableReader& reader, const Analyses& anal
   const Node* here = reader.node("limits");
   for (const AmplitudeLimit& limit : found.limits) {
     const Node* other = of_file ? of_file->find(limit.name) : nullptr;
-    if (!other || limit.quantity != usual) continue;
+    if (!other || limit.quantity != usual || !limit.has_common_scope()) continue;
     reader
         .error(
             "limits",
@@ -206,7 +207,6 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   if (reader.has("excitations")) found.excitations = read_selected_harmonic(reader, in_file);
   if (const auto quantity = read_quantity(reader)) found.quantity = *quantity;
   const bool harmonic = !in_file.harmonic_excitations.empty();
-  need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
   need(reader, "no_peak", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
   for (const char* key : {"no_jump", "no_contact", "steady"})
     need(reader, key, harmonic || !in_file.order_excitations.empty(), "harmonic or order excitation",
@@ -219,7 +219,10 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   const bool loaded = root.has("gravity") || !in_file.constant_excitations.empty();
   for (const char* key : {"static", "mount_load"})
     need(reader, key, loaded, "gravity and no constant force", "gravity = [0, 0, -9.80665]");
-  found.limits = read_amplitude_limits(reader, "limits", names, found.quantity);
+  found.limits = read_amplitude_limits(reader, "limits", names, found.quantity, &in_file);
+  const auto by_orders = [](const AmplitudeLimit& limit) { return limit.speed.has_value(); };
+  if (found.limits.empty() || !std::all_of(found.limits.begin(), found.limits.end(), by_orders))
+    need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
   refuse_doubled(root, reader, result, found);
   found.no_peak = read_no_peak(reader, names, found.quantity);
   read_peak_shares(reader, found.min_prominence, found.peak_tolerance);
@@ -235,14 +238,11 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   found.no_contact = reader.boolean("no_contact").value_or(false);
   found.steady = read_amplitude_limits(reader, "steady", names, assembly::MotionQuantity::displacement);
   found.statics = read_amplitude_limits(reader, "static", names, assembly::MotionQuantity::displacement);
-  for (const AmplitudeLimit& limit : found.steady)
-    if (limit.quantity != assembly::MotionQuantity::displacement)
-      reader.error("steady", foundation::quoted(limit.name) + " as a velocity or an acceleration",
-                   "steady motions are judged by displacements and forces", "give a length, an angle or a force");
   for (const AmplitudeLimit& limit : found.statics)
     if (limit.quantity != assembly::MotionQuantity::displacement)
       reader.error("static", foundation::quoted(limit.name) + " as a velocity or an acceleration",
                    "at rest a point has a displacement only", "give a length or an angle");
+  found.isolation = read_isolation(reader, in_file);
   found.mount_load = reader.choice("mount_load", {"catalogue"}).has_value();
   found.price = read_price(reader);
   if (const auto mass = reader.number("mass", Quantity::mass)) {
@@ -280,6 +280,7 @@ void check_stops(const Requirements& required, const model::System& system, foun
 void check_requirements(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
   if (!asked.requirements) return;
   const Requirements& required = *asked.requirements;
+  check_isolation(required.isolation, system, problems);
   if (required.is_about_steady_motion()) check_stops(required, system, problems);
   if (required.is_about_steady_motion())
     require_nonlinear("requirements", "remove no_jump, no_contact and steady, or give an element laws or a stop",

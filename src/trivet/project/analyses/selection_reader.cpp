@@ -214,8 +214,10 @@ std::vector<std::string> read_selected_harmonic(TableReader& reader, const Names
 void read_results(TableReader& reader, const ResultNames& result_names, AnswerSelection& selection) {
   read_of(reader, result_names, selection.of);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
-  if (quantity == "velocity") selection.quantity = assembly::MotionQuantity::velocity;
-  if (quantity == "acceleration") selection.quantity = assembly::MotionQuantity::acceleration;
+  if (quantity)  // also "displacement": the selection may begin as a copy of another one
+    selection.quantity = *quantity == "velocity" ? assembly::MotionQuantity::velocity
+        : *quantity == "acceleration"            ? assembly::MotionQuantity::acceleration
+                                                 : assembly::MotionQuantity::displacement;
   if (quantity && reader.has("of") &&
       std::all_of(selection.of.begin(), selection.of.end(),
                   [&](const std::string& name) { return result_names.is_force(name); }))

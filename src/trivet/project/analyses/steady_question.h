@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "trivet/project/analyses/question.h"
 
 namespace trivet::project {
@@ -15,7 +18,8 @@ struct SteadyQuestion : BandQuestion {
   int harmonics = 0;          ///< 0: as many as `tolerance` needs
   bool all_branches = false;  ///< seek detached motions too
   bool deep = false;          ///< judge the stability of every point in two ways
-  double tolerance = 1e-3;    ///< share of the deflections that harmonics beyond the last one may add
+  std::vector<double> harmonics_at = {};  ///< tell the harmonics of all motions there [rad/s]
+  double tolerance = 1e-3;                ///< share of the deflections that harmonics beyond the last one may add
 };
 
 }  // namespace trivet::project

@@ -110,6 +110,7 @@ ElementLength read_beam(TableReader& reader, model::Element& element) {
   if (reader.errors() > before) return std::nullopt;
   const elements::Beam beam{*metal, *section, length};
   element.law.nominal_stiffness = elements::beam_stiffness(beam);
+  element.law.per_tension = elements::beam_stiffness_per_tension(beam);
   if (level == "with_mass") {
     element.law.inertia = elements::Inertia{elements::beam_mass(beam), Eigen::MatrixXd(12, 0), Eigen::VectorXd(0)};
     element.facts.push_back({"own mass", fmt::format("{:.6g} kg", metal->density * section->area * length)});
@@ -129,6 +130,7 @@ ElementLength read_link(TableReader& reader, model::Element& element) {
   reader.add(elements::check(link), {{"axial_stiffness", "stiffness"}});
   if (reader.errors() > before) return std::nullopt;
   element.law.nominal_stiffness = elements::link_stiffness(link);
+  element.law.per_tension = elements::link_stiffness_per_tension(link.length);
   if (link.tension != 0) element.law.preload = elements::link_preload(link);
   element.facts.push_back({"found by", "a rod between two ball joints"});
   return link.length;

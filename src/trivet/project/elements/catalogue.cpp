@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/load_ranges.h"
 #include "trivet/project/text/embedded_text.h"
 #include "trivet/project/text/price.h"
@@ -122,6 +123,7 @@ Mount read_mount(const Node& table, const std::string& name, const std::string& 
   mount.translation = stiffness(reader, "translation", Quantity::force_per_length);
   mount.rotation = stiffness(reader, "rotation", Quantity::moment_per_angle);
   mount.loss_factor = at_least_zero(reader, "loss_factor", Quantity::pure);
+  mount.stiffening = stiffening_of(reader);
   mount.rating = read_rating(reader, name);
   mount.creep = read_creep(reader);
   mount.temperature = read_temperature(reader);

@@ -20,6 +20,7 @@ struct Mount {
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();     ///< [N m/rad], about the middle
   std::optional<double> loss_factor;
   model::Rating rating;                        ///< what it may carry, its mass and price
+  double stiffening = 1;                       ///< stiffness in vibration over the static one
   double creep = 1;                            ///< static deflection after years over that at once
   std::optional<Eigen::Vector2d> temperature;  ///< in which it may be used [K]
   std::optional<double> height;                ///< along e3 without load [m]

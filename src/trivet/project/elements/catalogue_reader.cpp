@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
@@ -38,6 +40,16 @@ void add_facts(const Mount& mount, std::vector<model::Fact>& facts) {
   if (rating.price) add("price", price_words(*rating.price));
 }
 
+/// Adds warnings about a catalogue, which all elements that read it share.
+void add_once(const foundation::Problems& of_catalogue, foundation::Problems& all) {
+  for (const foundation::Problem& problem : of_catalogue.list())
+    if (std::none_of(all.list().begin(), all.list().end(), [&](const foundation::Problem& known) {
+          return known.origin.source == problem.origin.source && known.origin.line == problem.origin.line &&
+              known.subject == problem.subject && known.finding == problem.finding;
+        }))
+      all.add(problem);
+}
+
 void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& element) {
   const std::string name = element.type.substr(element.type.find(':') + 1);
   std::vector<Catalogue> catalogues;
@@ -49,7 +61,7 @@ void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& 
       reader.add_of_file("catalogue", given.error());
       return;
     }
-    reader.add_of_file("catalogue", given->warnings);
+    add_once(given->warnings, reader.problems());
     catalogues.push_back(std::move(*given));
   }
   catalogues.push_back(generic_catalogue());
@@ -71,6 +83,7 @@ void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& 
   element.facts.push_back({"mount", mount->name + (mount->maker.empty() ? "" : ", " + mount->maker)});
   element.rating = mount->rating;
   element.creep = mount->creep;
+  stiffen(mount->stiffening, element);
   add_facts(*mount, element.facts);
   element.facts.push_back({"source", mount->source});
 }

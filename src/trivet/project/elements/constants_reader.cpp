@@ -38,6 +38,7 @@ void read_springs_at_center(TableReader& reader, Placement& ends, bool with_rota
       read_constants(reader, Quantity::force_per_length, Quantity::moment_per_angle, with_rotation);
   element.law.nominal_stiffness =
       elements::in_end_axes(elements::constants_at_point(k, ends.span.arm, center), ends.span.n_from_k);
+  stiffen(stiffening_of(reader), element);
 }
 
 void read_bushing(TableReader& reader, Placement& ends, model::Element& element) {
@@ -79,14 +80,16 @@ const ElementLaw matrix_law = {.type = "matrix", .placed = read_matrix, .keys = 
 
 const ElementLaw bushing_law = {.type = "bushing", .placed = read_bushing, .keys = R"json({"properties": {
    "center": {"$ref": "#/$defs/number", "description": "elastic centre as a fraction of the length from N, 0 to 1"},
-   "translation": {"$ref": "#/$defs/vector", "description": "N/m along the local axes"},
-   "rotation": {"$ref": "#/$defs/vector", "description": "N m/rad"}},
+   "translation": {"$ref": "#/$defs/vector", "description": "N/m along the local axes, static"},
+   "rotation": {"$ref": "#/$defs/vector", "description": "N m/rad, static"},
+   "stiffening": {"$ref": "#/$defs/number", "description": "stiffness in vibration over the static one (default: 1)"}},
   "required": ["translation"]})json"};
 
 const ElementLaw three_springs_law = {
     .type = "three_springs", .placed = read_three_springs, .keys = R"json({"properties": {
    "center": {"$ref": "#/$defs/number", "description": "elastic centre as a fraction of the length from N, 0 to 1"},
-   "translation": {"$ref": "#/$defs/vector", "description": "N/m along the local axes"}},
+   "translation": {"$ref": "#/$defs/vector", "description": "N/m along the local axes, static"},
+   "stiffening": {"$ref": "#/$defs/number", "description": "stiffness in vibration over the static one (default: 1)"}},
   "required": ["translation"]})json"};
 
 const ElementLaw damper_law = {

@@ -21,7 +21,7 @@ std::optional<CurvePoints> read_curve_points(TableReader& reader, const char* x_
   }
   const char* source = reader.has("rows") ? "rows" : "file";
   const auto pairs =
-      reader.has("rows") ? read_pairs(reader, "rows", x, y) : read_pairs_of_file(reader, x_column, y_column);
+      reader.has("rows") ? read_pairs(reader, "rows", x, y) : read_pairs_of_file(reader, x_column, y_column, x, y);
   if (!pairs) return std::nullopt;
   CurvePoints points;
   double largest = 0;

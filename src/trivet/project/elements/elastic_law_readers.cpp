@@ -10,10 +10,11 @@
 
 namespace trivet::project {
 
+/// Of zero coefficients too, so that they can be parameters that begin at 0.
 std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bool is_rotation) {
-  if (!reader.has("quadratic") && !reader.has("cubic") && !reader.has("polynomial")) return std::nullopt;
   elements::PolynomialForce law;
   law.coefficients = reader.numbers("polynomial", Quantity::pure).value_or(std::vector<double>());
+  if (!reader.has("quadratic") && !reader.has("cubic") && law.coefficients.empty()) return std::nullopt;
   if (law.coefficients.size() < 3) law.coefficients.resize(3, 0.0);
   law.coefficients[1] +=
       reader.number("quadratic", is_rotation ? Quantity::moment_per_angle_squared : Quantity::force_per_length_squared)
@@ -21,12 +22,12 @@ std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bo
   law.coefficients[2] +=
       reader.number("cubic", is_rotation ? Quantity::moment_per_angle_cubed : Quantity::force_per_length_cubed)
           .value_or(0);
-  while (!law.coefficients.empty() && law.coefficients.back() == 0) law.coefficients.pop_back();
+  while (law.coefficients.size() > 1 && law.coefficients.back() == 0) law.coefficients.pop_back();
   constexpr std::size_t highest = 12;
   if (law.coefficients.size() > highest)
     reader.error("polynomial", fmt::format("degree {}", law.coefficients.size()),
                  fmt::format("at most degree {}", highest), "such a polynomial oscillates between its points");
-  return law.coefficients.empty() ? std::nullopt : std::optional(law);
+  return law;
 }
 
 namespace {

@@ -60,6 +60,7 @@ class ElementReader {
     if (law_ && !law_->takes_laws && reader_.has("scale"))
       reader_.error("scale", "scale of a " + element_.type, "its laws are not scaled", "change their numbers");
     if (law_ && law_->takes_laws) read_laws(reader_, ends_.span, element_);
+    check_stiffening(reader_, element_);
     if (law_) read_element_adjustments(reader_, element_, reader_.errors() == before, in_file_);
     if (law_) reader_.finish();
     else report_tables_inside(node_);  // the valid keys depend on the type

@@ -34,6 +34,14 @@ using ElementLength = std::optional<double>;
 [[nodiscard]] ElementLength read_step_mount(TableReader& reader,
                                             model::Element& element);  ///< a solid_mount from a STEP file
 
+/// `stiffening` of an element or mount with static constants: its stiffness in vibration over the static one, 1 by
+/// default.
+[[nodiscard]] double stiffening_of(TableReader& reader);
+/// The law of static constants becomes that of vibration.
+void stiffen(double stiffening, model::Element& element);
+/// Reports stiffening together with what already states the stiffness over frequency or deflection.
+void check_stiffening(TableReader& reader, const model::Element& element);
+
 /// Multiplies the deformation stiffness of an element, computed with static moduli, by `material.stiffening`: rubber is
 /// stiffer in vibration than at rest. The effect of a preload in a rigid motion is unchanged. Returns `length`.
 [[nodiscard]] ElementLength stiffened(TableReader& reader, ElementLength length, model::Element& element);

@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "trivet/exchange/end_stiffness.h"
+#include "trivet/exchange/fixed_components.h"
 #include "trivet/exchange/matrix_file.h"
+#include "trivet/foundation/index.h"
+#include "trivet/model/system.h"
 #include "trivet/project/elements/complex_stiffness.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
@@ -60,6 +63,20 @@ foundation::Expected<exchange::EndMatrix> reduced(TableReader& reader, const exc
   return exchange::reduce_to_rows(matrix, rows);
 }
 
+void warn_of_fixed_components(TableReader& reader, const exchange::Matrix12& values, const std::vector<int>& fixed) {
+  std::string names;
+  for (const int row : fixed)
+    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", row < 6 ? "N" : "K",
+                         model::coordinate_names[to_size(row % 6)]);
+  foundation::Problems found;
+  found.warning(
+      "", fmt::format("{:.3g} on the diagonal for the components {}", values(fixed.front(), fixed.front()), names),
+      "such a number stands for a component that a boundary condition fixes, as Abaqus writes it (1e36)",
+      "replaced by the stiffness with which a rigid motion needs no force; write the matrix without boundary "
+      "conditions to be independent of it");
+  reader.add_of_file("file", found);
+}
+
 void read_imported(TableReader& reader, Placement& placement, model::Element& element) {
   const auto file = read_file_name(reader, "file");
   exchange::MatrixFileOptions options;
@@ -88,7 +105,12 @@ void read_imported(TableReader& reader, Placement& placement, model::Element& el
     return;
   }
   reader.add(ends->warnings, names);
-  const elements::Matrix12 stiffness = exchange::in_si(ends->values, length_unit, force_unit);
+  elements::Matrix12 stiffness = exchange::in_si(ends->values, length_unit, force_unit);
+  if (const std::vector<int> fixed = exchange::fixed_components(ends->values); !fixed.empty()) {
+    stiffness = exchange::completed_by_rigid_motion(
+        stiffness, fixed, elements::rigid_motions(placement.span.arm, Eigen::Matrix3d::Identity()));
+    warn_of_fixed_components(reader, ends->values, fixed);
+  }
   element.law.nominal_stiffness = elements::in_end_axes(stiffness, placement.span.n_from_k);
   if (ends->imaginary)
     set_loss(reader,

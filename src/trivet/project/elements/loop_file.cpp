@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/column_units.h"
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
 
@@ -60,11 +61,24 @@ std::optional<std::vector<LoopFit>> read_loop_file(TableReader& reader) {
   for (const auto& [key, unit] : {std::pair{"length_unit", length_unit}, std::pair{"force_unit", force_unit}})
     if (!(unit > 0)) reader.error(key, fmt::format("{:.6g}", unit), "a unit is > 0", "write \"1 mm\", \"1 kN\"");
   if (!file || reader.errors() > before) return std::nullopt;
-  const auto table = read_csv_table(*file);
+  auto table = read_csv_table(*file);
   if (!table) {
     reader.add_of_file("loops", table.error());
     return std::nullopt;
   }
+  reader.add_of_file("loops", table->warnings);
+  foundation::Problems wrong_units;
+  convert_columns(
+      *table,
+      [&](const std::string& name) -> std::optional<ColumnQuantity> {
+        if (name == "displacement") return ColumnQuantity(Quantity::length, length_unit, "");
+        if (name == "force") return ColumnQuantity(Quantity::force, force_unit, "");
+        if (name == "time") return Quantity::time;
+        if (name == "frequency_hz") return in_hertz();
+        return std::nullopt;
+      },
+      wrong_units);
+  reader.add_of_file("loops", wrong_units);
   for (const std::string& name : table->columns)
     if (name != "loop" && name != "displacement" && name != "force" && name != "time" && name != "frequency_hz")
       reader.error("loops", "column " + foundation::quoted(name),

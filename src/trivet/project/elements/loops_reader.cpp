@@ -31,15 +31,34 @@ void add_facts(const std::vector<LoopFit>& loops, const identification::LawRanki
   for (const LoopFit& loop : loops)
     element.facts.push_back(
         {loop.name,
-         fmt::format("{:.5g} Hz, amplitude {:.4g} m: stiffness {} N/m, loss factor {}, loss energy {} J{}",
-                     loop.angular_frequency.value_or(std::numeric_limits<double>::quiet_NaN()) / (2 * std::numbers::pi),
-                     loop.amplitude.value, interval(loop.stiffness), interval(loop.loss_factor),
-                     interval(loop.loss_energy),
-                     loop.viscous_coefficient ? ", c = " + interval(*loop.viscous_coefficient) + " N s/m" : "")});
+         fmt::format(
+             "{}amplitude {:.4g} m: stiffness {} N/m, loss factor {}, loss energy {} J{}",
+             loop.angular_frequency ? fmt::format("{:.5g} Hz, ", *loop.angular_frequency / (2 * std::numbers::pi))
+                                    : std::string(),
+             loop.amplitude.value, interval(loop.stiffness), interval(loop.loss_factor), interval(loop.loss_energy),
+             loop.viscous_coefficient ? ", c = " + interval(*loop.viscous_coefficient) + " N s/m" : "")});
   for (const LawFit& law : ranking.laws)
-    element.facts.push_back({law.law + (&law == &taken ? " (taken)" : ""),
-                             fmt::format("deviates from the loops by {:.3g} % rms, AICc {:.3g} above the best",
-                                         100 * law.relative_rms, law.akaike_difference)});
+    element.facts.push_back(
+        {law.law + (&law == &taken ? " (taken)" : ""),
+         fmt::format("deviates from the loops by {:.3g} % rms{}", 100 * law.relative_rms,
+                     std::isnan(law.akaike) ? ", too few loops to compare it with other laws"
+                                            : fmt::format(", AICc {:.3g} above the best", law.akaike_difference))});
+}
+
+/// The hysteretic law does not depend on frequency: loops without one determine it, too.
+std::vector<LoopFit> with_any_frequency(std::vector<LoopFit> loops) {
+  for (LoopFit& loop : loops) loop.angular_frequency = loop.angular_frequency.value_or(1);
+  return loops;
+}
+
+/// A law that the project names, for too few loops to compare laws.
+foundation::Expected<identification::LawRanking> only_law(const std::string& law,
+                                                          const std::vector<identification::StiffnessPoint>& points) {
+  auto fit = identification::fitted_law(law, points);
+  if (!fit) return tl::make_unexpected(fit.error());
+  identification::LawRanking ranking;
+  ranking.laws.push_back(*std::move(fit));
+  return ranking;
 }
 
 }  // namespace
@@ -50,9 +69,11 @@ void read_loops(TableReader& damping, model::Element& element) {
   const auto loops = read_loop_file(damping);
   if (!loops) return;
   foundation::Problems remarks;
-  const std::vector<identification::StiffnessPoint> points = identification::stiffness_points(*loops, false, remarks);
+  const std::vector<identification::StiffnessPoint> points =
+      identification::stiffness_points(wanted == "hysteretic" ? with_any_frequency(*loops) : *loops, false, remarks);
   add_loop_problems(damping, remarks);
-  const auto ranking = identification::fitted_laws(points);
+  const bool alone = wanted != "best" && points.size() < identification::fewest_ranked_points;
+  const auto ranking = alone ? only_law(law_names.at(wanted), points) : identification::fitted_laws(points);
   if (!ranking) {
     add_loop_problems(damping, ranking.error());
     return;

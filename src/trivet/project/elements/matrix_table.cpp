@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <numbers>
 #include <utility>
 
@@ -23,20 +22,6 @@ constexpr std::string_view loss_ending = "_loss";
 constexpr const char* column_rule =
     "columns are frequency_hz and, per entry of a matrix, k_I_J and k_I_J_loss with I, J from 1 to 6 (of the moved "
     "end) or 12 (N, then K)";
-
-/// (I, J) of "k_I_J" or "k_I_J_loss", from 1.
-std::optional<std::pair<int, int>> entry_of(std::string_view column) {
-  if (column.ends_with(loss_ending)) column.remove_suffix(loss_ending.size());
-  if (!column.starts_with("k_")) return std::nullopt;
-  column.remove_prefix(2);
-  std::pair<int, int> entry;
-  const char* end = column.end();
-  const auto first = std::from_chars(column.begin(), end, entry.first);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != '_') return std::nullopt;
-  const auto second = std::from_chars(first.ptr + 1, end, entry.second);
-  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
-  return entry;
-}
 
 /// Entries over frequency, mirrored if the element is symmetric.
 struct MatrixTable {
@@ -81,7 +66,7 @@ std::optional<MatrixTable> table_of(TableReader& reader, const CsvTable& csv, mo
   table.symmetric = element.symmetric;
   for (const std::string& column : csv.columns) {
     if (column == "frequency_hz") continue;
-    const auto entry = entry_of(column);
+    const auto entry = matrix_entry_of(column);
     const std::string name = entry ? fmt::format("k_{}_{}", entry->first, entry->second) : column,
                       loss = name + std::string(loss_ending);
     if (column == loss && std::find(csv.columns.begin(), csv.columns.end(), name) != csv.columns.end())
@@ -140,7 +125,7 @@ void check_passive(TableReader& reader, const MatrixTable& table, const model::S
 
 bool is_matrix_table(const CsvTable& csv) {
   return std::any_of(csv.columns.begin(), csv.columns.end(),
-                     [](const std::string& column) { return entry_of(column).has_value(); });
+                     [](const std::string& column) { return matrix_entry_of(column).has_value(); });
 }
 
 void read_matrix_table(TableReader& reader, const CsvTable& csv, const model::Span& span, model::Element& element) {

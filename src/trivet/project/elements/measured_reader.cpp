@@ -10,6 +10,7 @@
 #include "trivet/identification/stiffness_fit.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
+#include "trivet/project/text/column_units.h"
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
 
@@ -26,6 +27,21 @@ constexpr std::array<const char*, 6> motions = {"x", "y", "z", "rx", "ry", "rz"}
 struct RigUnits {
   double length = 1, angle = 1, force = 1;
 };
+
+/// What the columns x … rz and fx … mz measure, also with the prefix "n_".
+std::optional<ColumnQuantity> rig_quantity(std::string_view name, const RigUnits& units) {
+  if (name.starts_with("n_")) name.remove_prefix(2);
+  for (std::size_t j = 0; j < 6; ++j) {
+    const bool turns = j >= 3;
+    if (name == motions[j])
+      return turns ? ColumnQuantity(Quantity::angle, units.angle, "")
+                   : ColumnQuantity(Quantity::length, units.length, "");
+    if (name == loads[j])
+      return turns ? ColumnQuantity(Quantity::moment, units.force * units.length, "")
+                   : ColumnQuantity(Quantity::force, units.force, "");
+  }
+  return std::nullopt;
+}
 
 void add_problems(TableReader& reader, const foundation::Problems& problems, const char* key) {
   for (foundation::Problem problem : problems.list()) {
@@ -126,9 +142,16 @@ void read_measured(TableReader& reader, Placement& ends, model::Element& element
     return;
   }
   if (!file) return;
-  const auto table = read_csv_table(*file);
+  auto table = read_csv_table(*file);
   if (!table) {
     reader.add_of_file("load_cases", table.error());
+    return;
+  }
+  reader.add_of_file("load_cases", table->warnings);
+  foundation::Problems wrong_units;
+  convert_columns(*table, [&](const std::string& name) { return rig_quantity(name, units); }, wrong_units);
+  if (wrong_units.has_errors()) {
+    reader.add_of_file("load_cases", wrong_units);
     return;
   }
   const auto cases = load_cases(reader, *table, units);

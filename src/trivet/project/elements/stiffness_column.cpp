@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <numbers>
 #include <vector>
 
@@ -10,6 +11,41 @@
 #include "trivet/identification/causality.h"
 
 namespace trivet::project {
+
+namespace {
+
+constexpr std::string_view ending_of_loss = "_loss";
+
+}  // namespace
+
+std::optional<std::pair<int, int>> matrix_entry_of(std::string_view column) {
+  if (column.ends_with(ending_of_loss)) column.remove_suffix(ending_of_loss.size());
+  if (!column.starts_with("k_")) return std::nullopt;
+  column.remove_prefix(2);
+  std::pair<int, int> entry;
+  const char* end = column.end();
+  const auto first = std::from_chars(column.begin(), end, entry.first);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != '_') return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, entry.second);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  return entry;
+}
+
+std::optional<ColumnQuantity> stiffness_column_quantity(const std::string& name) {
+  if (name == "frequency_hz") return in_hertz();
+  if (const auto entry = matrix_entry_of(name)) {
+    const bool moment = (entry->first - 1) % 6 >= 3, turn = (entry->second - 1) % 6 >= 3;
+    if (moment) return turn ? Quantity::moment_per_angle : Quantity::moment_per_length;
+    return turn ? Quantity::force_per_angle : Quantity::force_per_length;
+  }
+  std::string_view direction = name;
+  if (direction.ends_with(ending_of_loss)) direction.remove_suffix(ending_of_loss.size());
+  for (const char* axis : {"x", "y", "z"}) {
+    if (direction == std::string("k_") + axis) return Quantity::force_per_length;
+    if (direction == std::string("k_r") + axis) return Quantity::moment_per_angle;
+  }
+  return std::nullopt;
+}
 
 std::optional<elements::StiffnessTable> checked_table(TableReader& reader, const std::string& name,
                                                       const Eigen::MatrixXd& values,

@@ -39,9 +39,16 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
     reader.error("center", fmt::format("{:.6g}", centre), "the elastic centre is between the ends: 0 (N) … 1 (K)",
                  "give a fraction of the length");
   if (!file) return;
-  const auto csv = read_csv_table(*file, most_rows_over_frequency);
+  auto csv = read_csv_table(*file, most_rows_over_frequency);
   if (!csv) {
     reader.add_of_file("file", csv.error());
+    return;
+  }
+  reader.add_of_file("file", csv->warnings);
+  foundation::Problems wrong_units;
+  convert_columns(*csv, stiffness_column_quantity, wrong_units);
+  if (wrong_units.has_errors()) {
+    reader.add_of_file("file", wrong_units);
     return;
   }
   if (is_matrix_table(*csv)) {

@@ -86,8 +86,8 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
   else if (type == "orders") in_file.order_excitations.push_back(name);
   else in_file.harmonic_excitations.push_back(name);  // an unreadable type too: selecting it is not a second problem
   if (type == "unbalance") in_file.order_excitations.push_back(name);
-  const auto add = [&](const std::optional<model::Action>& action, model::Course course) {
-    if (action) description.excitations.push_back({name, *action, std::move(course)});
+  const auto add = [&](const std::optional<model::Action>& action, model::Course course, double service_speed = 0) {
+    if (action) description.excitations.push_back({name, *action, std::move(course), service_speed});
   };
   if (!type) {  // the valid keys depend on the type
     static_cast<void>(read_place(reader, description, in_file));
@@ -100,8 +100,8 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
   if (type == "unbalance") {
     auto action = read_place(reader, description, in_file);
     model::Action numbers = action.value_or(model::Action{});
-    read_unbalance(reader, numbers);
-    if (action) add(numbers, model::Harmonic{2});
+    const double service_speed = read_unbalance(reader, numbers);
+    if (action) add(numbers, model::Harmonic{2}, service_speed);
   }
   if (type == "orders") {
     const auto action = read_place(reader, description, in_file);
@@ -130,6 +130,11 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
 
 void read_excitations(TableReader& root, model::Description& description, NamesInFile& in_file) {
   description.gravity = root.vector("gravity", Quantity::acceleration);
+  description.second_order = root.boolean("second_order").value_or(true);
+  if (!description.second_order && !description.gravity && !root.has("cases"))
+    warn_of_idle_key(root, "second_order", "second_order = false without gravity",
+                     "it leaves out what the forces at rest under gravity add to the stiffness",
+                     "give gravity, or remove it");
   const Node* table = root.table("excitations");
   if (!table) return;
   for (std::size_t i = 0; i < table->keys.size(); ++i) {

@@ -40,6 +40,7 @@ enum class ActionNumbers { amplitudes, factors };
 [[nodiscard]] std::optional<model::Orders> read_orders(TableReader& reader);
 
 /// The unbalance of a rotor: mass_eccentricity, or grade with rotor_mass and service_speed; axis, direction, phase.
-void read_unbalance(TableReader& reader, model::Action& action);
+/// @returns the service speed [rad/s]; 0: not given
+double read_unbalance(TableReader& reader, model::Action& action);
 
 }  // namespace trivet::project

@@ -15,8 +15,6 @@
 namespace trivet::project {
 namespace {
 
-using foundation::standard_gravity;
-
 /// Reads the numbers of one pulse: a missing one without a default is a problem.
 struct PulseReader {
   TableReader& table;
@@ -112,19 +110,16 @@ std::optional<excitation::Signal> signal_from_rows(TableReader& reader, const st
   }
 }
 
-/// A file or rows: bare values in SI, or accelerations in g.
+/// A file or rows: bare values in SI, or in `unit`.
 std::optional<excitation::Signal> read_samples(TableReader& history, Quantity measured) {
-  double scale = history.number("scale", Quantity::pure).value_or(1);
-  if (history.choice("unit", {"SI", "g"}) == "g") {
-    if (measured != Quantity::acceleration)
-      history.error("unit", "g", "only a translational acceleration has this unit",
-                    "add quantity = \"acceleration\" to the excitation, or use SI units");
-    scale *= standard_gravity;
-  }
+  const double scale = history.number("scale", Quantity::pure).value_or(1);
+  const ColumnQuantity value = read_bare_unit(history, measured);
   const bool hold = history.choice("after", {"hold", "zero"}).value_or("hold") == "hold";
-  const auto rows = history.has("rows") ? read_pairs(history, "rows")
-                                        : read_pairs_of_file(history, "time", "value", most_rows_over_time);
-  return rows ? signal_from_rows(history, history.has("rows") ? "rows" : "file", *rows, scale, hold) : std::nullopt;
+  const auto rows = history.has("rows")
+      ? read_pairs(history, "rows", Quantity::time, value)
+      : read_pairs_of_file(history, "time", "value", Quantity::time, value, most_rows_over_time);
+  return rows ? signal_from_rows(history, history.has("rows") ? "rows" : "file", *rows, scale * value.bare, hold)
+              : std::nullopt;
 }
 
 }  // namespace

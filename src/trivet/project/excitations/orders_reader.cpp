@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -81,6 +82,19 @@ excitation::EngineLayout read_layout(TableReader& engine) {
   return layout;
 }
 
+/// A cylinder reaches at least some ten times the pressure of the atmosphere; less than a fifth of it is a trace in bar
+/// or MPa that is read as Pa.
+void warn_of_small_pressures(TableReader& pressure, const std::vector<double>& trace) {
+  constexpr double smallest = 2e4;
+  const double largest = trace.empty() ? 0 : *std::max_element(trace.begin(), trace.end());
+  if (!(largest > 0 && largest < smallest)) return;
+  foundation::Problems doubts;
+  doubts.warning("file", fmt::format("a largest pressure of {:.4g} Pa", largest),
+                 "a cylinder reaches 10 to 200 bar, 1e6 to 2e7 Pa",
+                 "write unit = \"bar\" if the column is in bar, or the unit in its heading: pressure [bar]");
+  pressure.add(doubts);
+}
+
 /// `gas_torque = [[order, amplitude, phase], …]` per cylinder, or `pressure = {file, …}` with the bore.
 std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const excitation::Engine& data, double highest) {
   if (engine.has("gas_torque")) {
@@ -116,12 +130,15 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
   const double bore = pressure.required_number("bore", Quantity::length);
   if (pressure.has("bore") && !(bore > 0))
     pressure.error("bore", fmt::format("{:.6g} m", bore), "a bore is > 0", "correct it");
-  const auto rows = read_pairs_of_file(pressure, "crank_angle_deg", "pressure");
+  const ColumnQuantity angle(Quantity::angle, std::numbers::pi / 180, "deg"),
+      value = read_bare_unit(pressure, Quantity::pressure);
+  const auto rows = read_pairs_of_file(pressure, "crank_angle_deg", "pressure", angle, value);
   pressure.finish();
   if (!rows || !(bore > 0)) return {};
   excitation::PressureTrace trace;
-  for (const double degrees : rows->col(0)) trace.angles.push_back(degrees * std::numbers::pi / 180);
-  trace.pressures.assign(rows->col(1).begin(), rows->col(1).end());
+  for (const double degrees : rows->col(0)) trace.angles.push_back(degrees * angle.bare);
+  for (const double one : rows->col(1)) trace.pressures.push_back(one * value.bare);
+  warn_of_small_pressures(pressure, trace.pressures);
   const foundation::Problems findings = excitation::check(trace, data.cycle(), "file");
   pressure.add(findings);
   return findings.has_errors() || pressure.errors() > 0 ? std::vector<excitation::TorqueHarmonic>{}
@@ -233,12 +250,12 @@ std::optional<model::Orders> read_orders(TableReader& reader) {
   return reader.errors() > before ? std::nullopt : std::optional(orders);
 }
 
-void read_unbalance(TableReader& reader, model::Action& action) {
+double read_unbalance(TableReader& reader, model::Action& action) {
   const auto axis = reader.direction("axis");
   if (!reader.has("axis")) reader.missing("axis", "give the axis of the rotor: axis = \"x\"");
   const bool backward = reader.choice("direction", {"forward", "backward"}) == "backward";
   const double phase = reader.number("phase", Quantity::angle).value_or(0);
-  double mass_eccentricity = 0;
+  double mass_eccentricity = 0, service_speed = 0;
   const bool part_of_grade = reader.has("rotor_mass") || reader.has("service_speed");
   if (reader.has("grade") || (part_of_grade && !reader.has("mass_eccentricity"))) {
     const std::size_t before = reader.errors();
@@ -250,6 +267,7 @@ void read_unbalance(TableReader& reader, model::Action& action) {
       if (reader.errors() == before && reader.has(key) && !(value > 0))
         reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "give a positive number");
     if (grade > 0 && mass > 0 && speed > 0) mass_eccentricity = excitation::permissible_unbalance(grade, mass, speed);
+    service_speed = std::max(speed, 0.0);
   } else {
     const bool called_unbalance = !reader.has("mass_eccentricity") && reader.has("unbalance");
     if (called_unbalance) {
@@ -263,15 +281,21 @@ void read_unbalance(TableReader& reader, model::Action& action) {
     if (mass_eccentricity < 0)
       reader.error("mass_eccentricity", fmt::format("{:.6g} kg m", mass_eccentricity), "it is ≥ 0",
                    "shift the phase by half a turn instead");
+    if (const auto speed = reader.number("service_speed", Quantity::angular_frequency)) {
+      if (!(*speed > 0))
+        reader.error("service_speed", fmt::format("{:.6g} rad/s", *speed), "it must be > 0", "give a positive number");
+      service_speed = std::max(*speed, 0.0);
+    }
   }
   static_cast<void>(reader.node("mass_eccentricity"));
-  if (!axis) return;
+  if (!axis) return 0;
   // Forward: from e1 to e2, counter-clockwise seen against the axis; Re((e1 − i e2) e^{iωt}) = e1 cos ωt + e2 sin ωt.
   const Eigen::Matrix3d axes = spatial::axes_along(*axis);
   const std::complex<double> turn = mass_eccentricity * std::exp(std::complex<double>(0, phase));
   action.amplitude.head<3>() = turn *
       (axes.col(0).cast<std::complex<double>>() +
        std::complex<double>(0, backward ? 1 : -1) * axes.col(1).cast<std::complex<double>>());
+  return service_speed;
 }
 
 }  // namespace trivet::project

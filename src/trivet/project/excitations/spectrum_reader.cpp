@@ -9,20 +9,15 @@
 #include "trivet/project/excitations/excitation_table_readers.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/band_reader.h"
+#include "trivet/project/text/derived_units.h"
 #include "trivet/project/text/pairs_reader.h"
 
 namespace trivet::project {
 namespace {
 
-using foundation::standard_gravity;
-
-/// Bare densities are in SI per hertz; accelerations may be in g.
-double density_unit(TableReader& psd, const model::Action& action) {
-  if (psd.choice("unit", {"SI", "g^2/Hz"}).value_or("SI") == "SI") return 1;
-  if (course_quantity(action) != Quantity::acceleration)
-    psd.error("unit", "g^2/Hz", "only the spectrum of a translational acceleration has this unit",
-              "add quantity = \"acceleration\" to the excitation, or use SI units");
-  return standard_gravity * standard_gravity;
+/// Bare densities are in SI per hertz, or in `unit`.
+ColumnQuantity read_density_unit(TableReader& psd, const model::Action& action) {
+  return read_bare_unit(psd, density_of(course_quantity(action)));
 }
 
 std::optional<excitation::Spectrum> spectrum_from_rows(TableReader& reader, const std::string& key,
@@ -69,17 +64,21 @@ std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Act
   return speed > 0 && psd.errors() == 0 ? std::optional(excitation::road_spectrum(road, speed)) : std::nullopt;
 }
 
-std::optional<excitation::Spectrum> read_flat(TableReader& psd, double unit) {
+std::optional<excitation::Spectrum> read_flat(TableReader& psd, const ColumnQuantity& unit) {
   const std::size_t before = psd.errors();
-  const double density = psd.required_number("flat", Quantity::pure);
+  const Node* given = psd.node("flat");
+  double density = 0;
+  if (given->kind != Node::Kind::text) density = unit.bare * psd.required_number("flat", Quantity::pure);
+  else if (const auto value = to_density(given->text, unit.quantity)) density = *value;
+  else psd.error("flat", value_text(*given), value.error(), "give a number in " + unit.unit() + ", or one with a unit");
   const bool is_number = psd.errors() == before;
   const std::optional<response::Band> band = read_band(psd, "band");
   if (!psd.has("band")) psd.missing("band", "give the band: band = [\"5 Hz\", \"500 Hz\"]");
   if (is_number && !(density > 0))
     psd.error("flat", fmt::format("{:.6g}", density), "a spectral density is > 0",
-              "give it in SI units squared per hertz");
+              "give it in " + unit.unit() + ", or with a unit");
   if (!band || !(density > 0)) return std::nullopt;
-  return excitation::flat_spectrum(unit * density / (2 * std::numbers::pi), band->from, band->to);
+  return excitation::flat_spectrum(density / (2 * std::numbers::pi), band->from, band->to);
 }
 
 }  // namespace
@@ -94,7 +93,7 @@ std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std
     return std::nullopt;
   }
   if (node->kind == Node::Kind::array) {
-    const auto rows = read_pairs(reader, key);
+    const auto rows = read_pairs(reader, key, in_hertz(), density_of(course_quantity(action)));
     return rows ? spectrum_from_rows(reader, key, *rows, 1, false) : std::nullopt;
   }
   const Node* table = reader.table(key);
@@ -104,12 +103,13 @@ std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std
   if (psd.has("road")) {
     spectrum = read_road(psd, action);
   } else if (psd.has("flat")) {
-    spectrum = read_flat(psd, density_unit(psd, action));
+    spectrum = read_flat(psd, read_density_unit(psd, action));
   } else {
     const bool linear = psd.choice("interpolation", {"logarithmic", "linear"}) == "linear";
-    const double unit = density_unit(psd, action);
-    const auto rows = psd.has("rows") ? read_pairs(psd, "rows") : read_pairs_of_file(psd, "frequency_hz", "psd");
-    if (rows) spectrum = spectrum_from_rows(psd, psd.has("rows") ? "rows" : "file", *rows, unit, linear);
+    const ColumnQuantity unit = read_density_unit(psd, action);
+    const auto rows = psd.has("rows") ? read_pairs(psd, "rows", in_hertz(), unit)
+                                      : read_pairs_of_file(psd, "frequency_hz", "psd", in_hertz(), unit);
+    if (rows) spectrum = spectrum_from_rows(psd, psd.has("rows") ? "rows" : "file", *rows, unit.bare, linear);
   }
   psd.finish();
   return spectrum;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -33,8 +34,22 @@ std::string_view without_blanks(std::string_view text) {
                                          : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+constexpr char blanks = ' ';  ///< separator: runs of blanks
+
+/// The words of a line.
+std::vector<std::string> words(std::string_view line) {
+  std::vector<std::string> result;
+  for (std::size_t at = line.find_first_not_of(" \t\r"); at < line.size(); at = line.find_first_not_of(" \t\r", at)) {
+    const std::size_t end = std::min(line.find_first_of(" \t\r", at), line.size());
+    result.emplace_back(line.substr(at, end - at));
+    at = end;
+  }
+  return result;
+}
+
 /// Cells of a line; a cell in quotes may contain the separator, and "" is one quote. None if a quote is not closed.
 std::optional<std::vector<std::string>> cells(std::string_view line, char separator) {
+  if (separator == blanks) return words(line);
   std::vector<std::string> result;
   for (std::size_t at = 0; at <= line.size();) {
     while (at < line.size() && line[at] == ' ') ++at;
@@ -75,7 +90,22 @@ std::string rule_of_cell(std::string_view cell) {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (end == cell.data() + cell.size() && error == std::errc{} && std::isfinite(value))
     if (const auto broken = outside_range(value, Quantity::pure)) return *broken;
-  return "a cell is a finite number with a decimal point, or empty if not measured";
+  const bool number_and_more = error == std::errc{} && end != cell.data() + cell.size() && *end != ',' && *end != '.';
+  return number_and_more ? "a cell is a number alone; its unit is in the heading: NAME [unit]"
+                         : "a cell is a finite number with a decimal point, or empty if not measured";
+}
+
+/// Spreadsheets save empty cells right of a table, and empty rows below it.
+void drop_empty_end(std::size_t columns, std::vector<std::string>& row) {
+  while (row.size() > columns && row.back().empty()) row.pop_back();
+}
+
+bool is_empty(const std::vector<std::string>& row) {
+  return row.size() > 1 && std::all_of(row.begin(), row.end(), [](const std::string& cell) { return cell.empty(); });
+}
+
+bool all_numbers(const std::vector<std::string>& row) {
+  return std::all_of(row.begin(), row.end(), [](const std::string& cell) { return number(cell).has_value(); });
 }
 
 /// Separator of a header: the first of tab, semicolon, comma in it.
@@ -83,12 +113,38 @@ char separator_of(std::string_view header) {
   return header.find('\t') != std::string_view::npos ? '\t' : header.find(';') != std::string_view::npos ? ';' : ',';
 }
 
+/// The first two lines that are neither empty nor comments.
+std::array<std::string_view, 2> first_lines(std::string_view text) {
+  std::array<std::string_view, 2> found;
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size() && count < found.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view content = without_blanks(text.substr(at, end - at));
+    if (!content.empty() && content.front() != '#') found[count++] = content;
+    at = end + 1;
+  }
+  return found;
+}
+
+/// Separator of a table: that of its header, or blanks if it has none and its rows are numbers between blanks.
+char separator_of_table(std::string_view text) {
+  const auto [header, row] = first_lines(text);
+  if (header.find_first_of("\t;,") != std::string_view::npos || row.find_first_of("\t;,") != std::string_view::npos)
+    return separator_of(header);
+  const auto names = words(header), numbers = words(row.empty() ? header : row);
+  return numbers.size() > 1 && names.size() == numbers.size() && all_numbers(numbers) ? blanks : ',';
+}
+
 class Reader {
  public:
-  Reader(const std::string& source, std::size_t most_rows) : most_rows_(most_rows) { table_.source = source; }
+  Reader(const std::string& source, std::size_t most_rows, const std::vector<std::string>& bare)
+      : bare_(bare), most_rows_(most_rows) {
+    table_.source = source;
+  }
 
   foundation::Expected<CsvTable> read(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    separator_ = separator_of_table(text);
     int line = 0;
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -109,6 +165,9 @@ class Reader {
     const auto rows = to_index(table_.lines.size()), count = to_index(table_.columns.size());
     table_.values = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
         values_.data(), rows, count);
+    if (counts_rows_) drop_row_numbers();
+    if (bare_header_line_ > 0) judge_bare_rows();
+    if (problems_.has_errors()) return tl::make_unexpected(std::move(problems_));
     return std::move(table_);
   }
 
@@ -118,13 +177,70 @@ class Reader {
                                                                                                  0};
   }
 
+  void warning(int line, std::string finding, std::string rule, std::string remedy) {
+    table_.warnings.warning("", std::move(finding), std::move(rule), std::move(remedy)).origin = {table_.source, line,
+                                                                                                  0};
+  }
+
+  /// Removes a first column without a name, if it counts the rows.
+  void drop_row_numbers() {
+    const Eigen::Index rows = table_.values.rows();
+    const double first = rows > 0 ? table_.values(0, 0) : 0;
+    bool counts = first == 0 || first == 1;
+    for (Eigen::Index i = 0; i < rows; ++i) counts = counts && table_.values(i, 0) == first + static_cast<double>(i);
+    if (!counts) return problem(header_line_, "column 1 has no name", "every column has a name", "name it");
+    warning(header_line_, "the first column has no name and counts the rows", "every column has a name",
+            "it is ignored; write the table without its row numbers");
+    table_.values = table_.values.rightCols(table_.values.cols() - 1).eval();
+    table_.columns.erase(table_.columns.begin());
+  }
+
+  /// A table without a header whose first row may be a header that counts the columns: 0, 1.
+  void judge_bare_rows() {
+    const auto increases_from = [&](Eigen::Index first) {
+      for (Eigen::Index i = first + 1; i < table_.values.rows(); ++i)
+        if (!(table_.values(i, 0) > table_.values(i - 1, 0))) return false;
+      return table_.values.rows() - first > 1;
+    };
+    const std::string as = foundation::comma_separated(table_.columns);
+    const bool numbered = counts_columns_ && increases_from(1);
+    if (numbered && increases_from(0) && !whole_below_)
+      return problem(bare_header_line_, "the first row counts the columns, or is the first of the numbers",
+                     "a table has a header row that names the columns",
+                     "write the header " + as + " in its place, or above it");
+    if (!increases_from(0) && !numbered)
+      return problem(bare_header_line_, "the first row holds numbers, and the first column does not increase",
+                     "the first row names the columns", "add a header row: " + as);
+    if (numbered && !increases_from(0)) {
+      warning(bare_header_line_, "the header counts the columns", "a header names the columns: " + as,
+              "its columns are read in this order");
+      table_.values = table_.values.bottomRows(table_.values.rows() - 1).eval();
+      table_.lines.erase(table_.lines.begin());
+      return;
+    }
+    warning(bare_header_line_, "no header row", "a header names the columns: " + as,
+            "its columns are read in this order, in the units of such a column");
+  }
+
   void read_header(std::string_view line, int number_of_line) {
-    separator_ = separator_of(line);
-    const auto names = cells(line, separator_);
+    auto names = cells(line, separator_);
     if (!names) return problem(number_of_line, "a quote is not closed", std::string(table_rule), "close it");
-    if (std::all_of(names->begin(), names->end(), [](const std::string& name) { return number(name).has_value(); }))
-      return problem(number_of_line, "the first row holds numbers", "the first row names the columns",
-                     "add a header row");
+    drop_empty_end(1, *names);
+    header_line_ = number_of_line;
+    counts_rows_ = names->size() > 1 && names->front().empty();
+    if (all_numbers(*names)) {
+      const std::size_t before = counts_rows_ ? 1 : 0;
+      if (names->size() != bare_.size() + before || bare_.empty())
+        return problem(number_of_line, "the first row holds numbers", "the first row names the columns",
+                       bare_.empty() ? "add a header row" : "add a header row: " + foundation::comma_separated(bare_));
+      bare_header_line_ = number_of_line;
+      counts_columns_ = true;
+      const std::string first = (*names)[before];
+      for (std::size_t i = 0; i < bare_.size(); ++i)
+        counts_columns_ = counts_columns_ && (first == "0" || first == "1") &&
+            (*names)[before + i] == std::to_string(i + (first == "1"));
+      std::copy(bare_.begin(), bare_.end(), names->begin() + static_cast<std::ptrdiff_t>(before));
+    }
     if (names->size() > most_columns)
       return problem(number_of_line, fmt::format("{} columns", names->size()),
                      fmt::format("a table has at most {} columns", most_columns),
@@ -138,10 +254,10 @@ class Reader {
       if (const auto found = foundation::unprintable(name))
         problem(number_of_line, "a column name holds " + *found, "names are printable UTF-8 on one line",
                 "rename the column, or save the file as UTF-8");
-      if (name.empty())
+      if (name.empty() && (!counts_rows_ || &name != names->data()))
         problem(number_of_line, fmt::format("column {} has no name", table_.columns.size() + 1),
                 "every column has a name", "name it");
-      if (count[name] > 1) {
+      if (count[name] > 1 && !name.empty()) {
         count[name] = 1;  // reported once
         problem(number_of_line, "the column " + foundation::shortened(name) + " appears twice",
                 "every column has a different name", "rename one");
@@ -149,10 +265,14 @@ class Reader {
       if (name == name_column) texts_at_ = &name - names->data();
       else table_.columns.push_back(name);
     }
+    // A bare first row is data; that of a data frame with row numbers counts the columns.
+    if (bare_header_line_ > 0 && !counts_rows_) read_row(line, number_of_line);
   }
 
   void read_row(std::string_view line, int number_of_line) {
-    const auto row = cells(line, separator_);
+    auto row = cells(line, separator_);
+    if (row) drop_empty_end(width_, *row);
+    if (row && is_empty(*row)) return;
     if (!row || row->size() != width_) {
       if (ragged_++ < most_listed)
         problem(number_of_line, row ? fmt::format("{} cells", row->size()) : "a quote is not closed",
@@ -167,6 +287,10 @@ class Reader {
                      "take every tenth row, or the part that is needed");
     }
     table_.lines.push_back(number_of_line);
+    if (bare_header_line_ > 0 && number_of_line > bare_header_line_)
+      whole_below_ = whole_below_ || std::any_of(row->begin(), row->end(), [](const std::string& cell) {
+                       return cell.find_first_of(".eE") == std::string::npos;
+                     });
     for (std::size_t i = 0; i < width_; ++i) {
       if (static_cast<std::ptrdiff_t>(i) == texts_at_) {
         if (const auto found = foundation::unprintable((*row)[i]); found && wrong_cells_++ < most_listed)
@@ -186,7 +310,12 @@ class Reader {
 
   CsvTable table_;
   foundation::Problems problems_;
-  std::vector<double> values_;  // row by row
+  const std::vector<std::string>& bare_;
+  int header_line_ = 0, bare_header_line_ = 0;
+  bool counts_rows_ = false;     ///< the first column has no name
+  bool counts_columns_ = false;  ///< the bare first row is 0, 1 … or 1, 2 …
+  bool whole_below_ = false;     ///< rows below a bare first row have whole numbers, too
+  std::vector<double> values_;   // row by row
   std::size_t width_ = 0;
   std::ptrdiff_t texts_at_ = -1;
   std::vector<std::string> header_;
@@ -206,8 +335,9 @@ tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, 
 
 }  // namespace
 
-foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source, std::size_t most_rows) {
-  return Reader(source, most_rows).read(text);
+foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source, std::size_t most_rows,
+                                         const std::vector<std::string>& bare) {
+  return Reader(source, most_rows, bare).read(text);
 }
 
 namespace {
@@ -233,21 +363,13 @@ foundation::Expected<std::string> table_text(const std::filesystem::path& path) 
   return text;
 }
 
-/// Spreadsheets save empty cells right of a table, and empty rows below it.
-void drop_empty_end(std::size_t columns, std::vector<std::string>& row) {
-  while (row.size() > columns && row.back().empty()) row.pop_back();
-}
-
-bool is_empty(const std::vector<std::string>& row) {
-  return row.size() > 1 && std::all_of(row.begin(), row.end(), [](const std::string& cell) { return cell.empty(); });
-}
-
 }  // namespace
 
-foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path, std::size_t most_rows) {
+foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path, std::size_t most_rows,
+                                              const std::vector<std::string>& bare) {
   const auto text = table_text(path);
   if (!text) return tl::make_unexpected(text.error());
-  return csv_table(*text, path.string(), most_rows);
+  return csv_table(*text, path.string(), most_rows, bare);
 }
 
 foundation::Expected<TextTable> read_text_table(const std::filesystem::path& path, std::size_t most_rows) {

@@ -28,18 +28,26 @@ struct CsvTable {
   std::vector<int> lines;            ///< line of each row in the file, from 1
   Eigen::MatrixXd values;            ///< one row per row, one column per name
   std::vector<std::string> names;    ///< of the rows: the column "name" if there is one, else empty; not in `columns`
+  foundation::Problems warnings;     ///< how a deviating heading was read
 };
 
 /// Table of a text with a header row, then numbers with a decimal point. The separator is the first of tab, semicolon,
-/// comma in the header; `#` begins a comment line; a byte order mark, CRLF and quoted cells are accepted. A column
-/// "name" holds texts. Problems, all at once up to 20 of a kind, with file and line: no header, repeated or empty
+/// comma in the header, or blanks if there is none and the rows are numbers between blanks; `#` begins a comment line;
+/// a byte order mark, CRLF and quoted cells are accepted. A column "name" holds texts. Separators without a cell after
+/// them, at the ends of rows, and rows of empty cells are ignored, as spreadsheets write them. A first column without a
+/// name that counts the rows, as data frames write it, is ignored with a warning.
+/// @param bare  names of the columns of a table of as many columns that has no header, or one that counts the columns;
+///              its first column must increase. Empty: such a table is an error
+/// Problems, all at once up to 20 of a kind, with file and line: no header, repeated or empty
 /// column names, rows of another length, cells that are not a number, too many columns or rows.
 [[nodiscard]] foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source,
-                                                       std::size_t most_rows = most_rows_over_time);
+                                                       std::size_t most_rows = most_rows_over_time,
+                                                       const std::vector<std::string>& bare = {});
 
 /// As `csv_table`, from a file; rejects unreadable, empty and binary files and those larger than `largest_csv_file`.
 [[nodiscard]] foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path,
-                                                            std::size_t most_rows = most_rows_over_time);
+                                                            std::size_t most_rows = most_rows_over_time,
+                                                            const std::vector<std::string>& bare = {});
 
 /// A table of cells as written, outer blanks and quotes removed.
 struct TextTable {

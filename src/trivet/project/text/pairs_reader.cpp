@@ -7,12 +7,51 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/admissible_range.h"
+#include "trivet/project/text/derived_units.h"
 #include "trivet/project/text/file_name.h"
 #include "trivet/project/text/idle_key.h"
 
 namespace trivet::project {
 
-std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string& key, Quantity x, Quantity y) {
+namespace {
+
+/// One cell of rows in the unit of the bare numbers of its column.
+std::optional<double> read_cell(TableReader& reader, const Node& cell, const std::string& where,
+                                const ColumnQuantity& column) {
+  const bool in_si = column.bare == 1 && !column.density;
+  if (in_si || cell.kind != Node::Kind::text)
+    return reader.scalar(cell, where, in_si ? column.quantity : Quantity::pure);
+  const auto value = in_column_unit(cell.text, column);
+  const bool in_range = value && !outside_range(*value, Quantity::pure);
+  if (!in_range)
+    reader.problems()
+        .error(where, value_text(cell), value ? *outside_range(*value, Quantity::pure) : value.error(),
+               fmt::format("give a number in {0}, or a text with a unit that converts to {0}", column.unit()))
+        .origin = cell.origin;
+  return in_range ? std::optional(*value) : std::nullopt;
+}
+
+/// Rejects a column in which only some numbers have a unit: who wrote it meant one unit, which the bare ones do not
+/// have.
+void check_mixed_units(TableReader& reader, const std::string& key, const Node& rows, std::size_t column,
+                       const ColumnQuantity& quantity) {
+  std::size_t with_unit = 0, bare = 0;
+  for (const Node& row : rows.items) {
+    const Node& cell = row.items[column];
+    with_unit += cell.kind == Node::Kind::text;
+    bare += cell.kind != Node::Kind::text && cell.number != 0;
+  }
+  if (with_unit > 0 && bare > 0)
+    reader.error(key, fmt::format("{} numbers of column {} have a unit and {} have none", with_unit, column + 1, bare),
+                 "the numbers of one column all have a unit, or none",
+                 "write each with its unit; bare ones are in " + quantity.unit());
+}
+
+}  // namespace
+
+std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string& key, const ColumnQuantity& x,
+                                          const ColumnQuantity& y) {
   const Node* value = reader.node(key);
   if (!value) return std::nullopt;
   const auto refuse = [&](const std::string& finding) {
@@ -22,33 +61,66 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
   if (value->kind != Node::Kind::array) return refuse(kind_name(value->kind));
   if (value->items.size() < 2) return refuse(fmt::format("{} rows", value->items.size()));
   Eigen::MatrixXd pairs(to_index(value->items.size()), 2);
-  bool good = true;
+  const std::size_t before = reader.errors();
   for (std::size_t i = 0; i < value->items.size(); ++i) {
     const Node& row = value->items[i];
     if (row.kind != Node::Kind::array || row.items.size() != 2)
       return refuse(fmt::format(
           "row {} is {}", i + 1,
           row.kind == Node::Kind::array ? fmt::format("of {} numbers", row.items.size()) : kind_name(row.kind)));
-    for (std::size_t j = 0; j < 2; ++j) {
-      const auto entry =
-          reader.scalar(row.items[j], fmt::format("{}.{}[{}][{}]", reader.path(), key, i, j), j == 0 ? x : y);
-      good = good && entry;
-      pairs(to_index(i), to_index(j)) = entry.value_or(0);
-    }
+    for (std::size_t j = 0; j < 2; ++j)
+      pairs(to_index(i), to_index(j)) =
+          read_cell(reader, row.items[j], fmt::format("{}.{}[{}][{}]", reader.path(), key, i, j), j == 0 ? x : y)
+              .value_or(0);
   }
-  return good ? std::optional(pairs) : std::nullopt;
+  if (reader.errors() == before)
+    for (const std::size_t j : {0, 1}) check_mixed_units(reader, key, *value, j, j == 0 ? x : y);
+  return reader.errors() == before ? std::optional(pairs) : std::nullopt;
+}
+
+ColumnQuantity read_bare_unit(TableReader& reader, ColumnQuantity column) {
+  const auto unit = reader.text("unit");
+  if (!unit || *unit == "SI") return column;
+  const auto one = in_column_unit("1 " + *unit, column);
+  if (!one) {
+    const ColumnQuantity acceleration(Quantity::acceleration, 1, "", column.density);
+    const bool is_of_acceleration = in_column_unit("1 " + *unit, acceleration).has_value();
+    reader.error(
+        "unit", foundation::quoted(*unit), one.error(),
+        std::string(is_of_acceleration ? "add quantity = \"acceleration\" if accelerations are meant, or " : "") +
+            "name a unit that converts to " + column.unit() + ", or leave it out for SI");
+    return column;
+  }
+  column.bare *= *one;
+  column.bare_unit = *unit;
+  return column;
 }
 
 std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std::string& x, const std::string& y,
+                                                  const ColumnQuantity& x_quantity, const ColumnQuantity& y_quantity,
                                                   std::size_t most_rows) {
   const auto file = read_file_name(reader, "file");
-  const std::string x_name = reader.text(x).value_or(x), y_name = reader.text(y).value_or(y);
+  std::string x_name = reader.text(x).value_or(x), y_name = reader.text(y).value_or(y);
   if (!file) return std::nullopt;
-  const auto csv = read_csv_table(*file, most_rows);
-  if (!csv) {
-    reader.add_of_file("file", csv.error());
-    return std::nullopt;
+  auto csv = read_csv_table(*file, most_rows, {x_name, y_name});
+  reader.add_of_file("file", csv ? csv->warnings : csv.error());
+  if (!csv) return std::nullopt;
+  for (std::string* name : {&x_name, &y_name}) {
+    const UnitHeading heading = unit_heading(*name);
+    if (!heading.unit.empty() && unit_ratio(heading.unit, heading.unit)) *name = heading.name;
   }
+  foundation::Problems wrong_units;
+  const std::set<std::string> with_units = convert_columns(
+      *csv,
+      [&](const std::string& name) {
+        return name == x_name ? std::optional(x_quantity) : name == y_name ? std::optional(y_quantity) : std::nullopt;
+      },
+      wrong_units);
+  reader.add_of_file("file", wrong_units);
+  if (wrong_units.has_errors()) return std::nullopt;
+  if (reader.has("unit") && with_units.contains(y_name))
+    warn_of_idle_key(reader, "unit", "of a column that has its unit in the heading", "the unit in the heading holds",
+                     "remove one of them");
   const auto values = columns(*csv, {x_name, y_name});
   if (!values) {
     reader.add_of_file("file", values.error());

@@ -3,6 +3,8 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/derived_units.h"
+#include "trivet/project/text/unit_spellings.h"
 
 #include <udunits2.h>
 
@@ -131,6 +133,10 @@ class UnitSystem {
     const Unit hour(parsed("hour"));
     name("mile_per_hour", "mph", Unit(ut_divide(mile.get(), hour.get())).get());
     name("revolution_per_second", "rps", hertz.get());
+    name("kilopond", "kp", Unit(parsed("kgf")).get());
+    for (const char* word : {"lbs", "lbm"}) name(word, word, pound.get());
+    name("newton_second", "Ns", Unit(parsed("N s")).get());
+    name("newton_millimeter", "Nmm", Unit(parsed("N mm")).get());
     name("nautical_mile", "nmi", Unit(ut_scale(1852, Unit(parsed("m")).get())).get());
   }
   ~UnitSystem() { ut_free_system(system_); }
@@ -192,11 +198,11 @@ bool is_plain_unit(std::string_view text) {
 
 /// True if an SI prefix may stand before the unit: before units of the SI, and those usual with prefixes.
 bool takes_prefix(std::string_view unit) {
-  static constexpr std::array<std::string_view, 38> known = {
+  static constexpr std::array<std::string_view, 40> known = {
       "m",      "g",      "s",      "N",      "Pa",     "J",     "W",    "Hz",    "rad",    "K",
       "rpm",    "deg",    "bar",    "t",      "l",      "L",     "eV",   "Nm",    "metre",  "meter",
       "gram",   "gramme", "second", "newton", "pascal", "joule", "watt", "hertz", "radian", "degree",
-      "kelvin", "tonne",  "liter",  "litre",  "bars",   "°",     "psi",  "lbf"};
+      "kelvin", "tonne",  "liter",  "litre",  "bars",   "°",     "psi",  "lbf",   "Ns",     "Nmm"};
   if (std::find(known.begin(), known.end(), unit) != known.end()) return true;
   return unit.ends_with('s') && unit.size() > 3 && takes_prefix(unit.substr(0, unit.size() - 1));
 }
@@ -248,20 +254,39 @@ struct Conversion {
   std::string reason;
 };
 
-Conversion new_conversion(const std::string& from, const std::string& to) {
+/// Why a unit of another quantity is rejected. Where a word of mass stands for a force, as in the "lb/in" and "kg/mm"
+/// of catalogues, the reason has the unit to write.
+std::string reason_against_other_quantity(const std::string& from, const ut_unit* target) {
+  for (const MassForForce& word : masses_for_forces()) {
+    const std::string meant = with_word_replaced(from, word.mass, word.force);
+    if (meant == from) continue;
+    const Unit unit(unit_system().parsed(meant));
+    if (unit && ut_are_convertible(unit.get(), target) != 0)
+      return foundation::quoted(from) + " has a mass where a force is expected; write \"" + meant + "\"";
+  }
+  return foundation::quoted(from) + " measures another quantity";
+}
+
+Conversion new_conversion(const std::string& given, const std::string& to) {
+  const bool acceleration = to == si_unit(Quantity::acceleration) || to == density_unit(Quantity::acceleration);
+  const std::string spelled = database_spelling(given, to),
+                    from = acceleration ? with_word_replaced(spelled, "g", "standard_free_fall") : spelled;
+  if (std::string reason = reason_against_ambiguous(from, to); !reason.empty()) return {nullptr, std::move(reason)};
   const Unit unit(unit_system().parsed(from));
-  if (!unit) return {nullptr, "\"" + from + "\" is not a unit"};
+  if (!unit) return {nullptr, foundation::quoted(given) + " is not a unit"};
   if (const std::string word = word_with_odd_prefix(from); !word.empty())
     return {nullptr, "\"" + word + "\" is no unit; SI prefixes stand before units of the SI only"};
   const Unit target(unit_system().parsed(to));
-  if (!ut_are_convertible(unit.get(), target.get())) return {nullptr, "\"" + from + "\" measures another quantity"};
+  if (!target) return {nullptr, foundation::quoted(to) + " is not a unit"};
+  if (!ut_are_convertible(unit.get(), target.get()))
+    return {nullptr, reason_against_other_quantity(given, target.get())};
   const std::shared_ptr<cv_converter> converter(ut_get_converter(unit.get(), target.get()), cv_free);
   const double zero = cv_convert_double(converter.get(), 0), one = cv_convert_double(converter.get(), 1),
                two = cv_convert_double(converter.get(), 2);
   const bool is_linear = std::abs(two - 2 * one + zero) <= 1e-12 * std::abs(two);
   const bool may_have_offset = to == si_unit(Quantity::temperature);
   if (!is_linear || (zero != 0 && !may_have_offset))
-    return {nullptr, "\"" + from + "\" has an offset or is logarithmic"};
+    return {nullptr, foundation::quoted(given) + " has an offset or is logarithmic"};
   return {converter, ""};
 }
 
@@ -367,7 +392,10 @@ std::string printed_si_unit(Quantity quantity) {
   return printed;
 }
 
-tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity) {
+namespace {
+
+/// A number and its unit in this SI unit.
+tl::expected<double, std::string> converted(std::string_view text, const std::string& expected) {
   text = trimmed(text);
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
@@ -375,17 +403,39 @@ tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity
   if (error != std::errc() || !std::isfinite(value))
     return tl::make_unexpected("it does not start with a finite number");
   const std::string_view unit_text = trimmed(text.substr(to_size(end - text.data())));
-  if (unit_text == "g" && quantity == Quantity::acceleration) return value * standard_gravity;  // not a gram
-  const std::string expected = si_unit(quantity);
   if (unit_text.empty())
-    return tl::make_unexpected(quantity == Quantity::pure ? "a number in quotes without a unit"
-                                                          : "the unit is missing");
+    return tl::make_unexpected(expected == "1" ? "a number in quotes without a unit" : "the unit is missing");
   if (unit_text.starts_with(',')) return tl::make_unexpected("write a decimal point, not a comma");
   if (!is_plain_unit(unit_text)) return tl::make_unexpected(foundation::quoted(unit_text) + " is not a unit");
+  if (unit_text == "g" && expected == si_unit(Quantity::acceleration)) return value * standard_gravity;
   if (unit_text == expected) return value;  // SI needs no database; reading it takes longer than a small question
   const Conversion found = conversion(std::string(unit_text), expected);
   if (!found.converter) return tl::make_unexpected(found.reason);
   return cv_convert_double(found.converter.get(), value);
+}
+
+}  // namespace
+
+tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity) {
+  return converted(text, si_unit(quantity));
+}
+
+std::string density_unit(Quantity quantity) { return "(" + std::string(si_unit(quantity)) + ")2/Hz"; }
+
+tl::expected<double, std::string> to_density(std::string_view text, Quantity quantity) {
+  return converted(text, density_unit(quantity));
+}
+
+std::optional<double> unit_ratio(const std::string& unit, const std::string& other) {
+  if (!is_plain_unit(unit) || !is_plain_unit(other) || unit.empty() || other.empty()) return std::nullopt;
+  if (unit == "g" || other == "g")  // beside an acceleration it is the standard gravity
+    if (const auto above = to_si("1 " + unit, Quantity::acceleration),
+        below = to_si("1 " + other, Quantity::acceleration);
+        above && below)
+      return *above / *below;
+  const Conversion found = conversion(unit, other);
+  if (!found.converter) return std::nullopt;
+  return cv_convert_double(found.converter.get(), 1);
 }
 
 void use_unit_database(const std::string& file) { unit_database = file; }

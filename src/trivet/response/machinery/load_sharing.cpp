@@ -5,6 +5,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/mounts.h"
 #include "trivet/response/steady/static_response.h"
 
@@ -15,6 +16,7 @@ LoadSharing load_sharing(const model::System& system, const assembly::Assembled&
   if (!gravity || gravity->isZero(0))
     throw foundation::NotComputable(
         "load sharing: the direction of gravity is missing; give gravity = [0, 0, -9.80665]");
+  const AtRest at_rest(system, assembled);
   LoadSharing result;
   std::vector<std::string> words;
   for (const std::size_t e : mounts(system)) {
@@ -22,7 +24,8 @@ LoadSharing load_sharing(const model::System& system, const assembly::Assembled&
     words.insert(words.end(), {result.mounts.back().element, result.mounts.back().element + ".deflection"});
   }
   const StaticResponse rest = static_response(
-      system, assembled, assembly::channels(system, assembled, words, assembly::MotionQuantity::displacement));
+      at_rest.system(), at_rest.assembled(),
+      assembly::channels(at_rest.system(), at_rest.assembled(), words, assembly::MotionQuantity::displacement));
   const Eigen::Vector3d down = gravity->normalized();
   // Per mount: six components of the wrench, then six of the deflection.
   double largest = 0;

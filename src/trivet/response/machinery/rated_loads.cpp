@@ -6,6 +6,7 @@
 #include <string>
 
 #include "trivet/foundation/index.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/static_solution.h"
 
 namespace trivet::response {
@@ -14,16 +15,20 @@ Eigen::Matrix3d mount_axes(const model::System& system, const model::Element& el
   return model::end_in_ground(system.bodies(), element.n).rotation;
 }
 
-std::vector<RatedLoad> rated_loads(const model::System& system, const assembly::Assembled& assembled) {
+std::vector<RatedLoad> rated_loads(const model::System& moving, const assembly::Assembled& assembled_moving) {
   std::vector<RatedLoad> result;
-  for (std::size_t e = 0; e < system.elements().size(); ++e)
-    if (system.elements()[e].rating) result.push_back({e});
+  for (std::size_t e = 0; e < moving.elements().size(); ++e)
+    if (moving.elements()[e].rating) result.push_back({e});
   if (result.empty()) return result;
+  const AtRest at_rest(moving, assembled_moving);
+  const model::System& system = at_rest.system();
+  const assembly::Assembled& assembled = at_rest.assembled();
   const StaticSolution rest = static_solution(system, assembled);
   for (RatedLoad& one : result) {  // one after another: the rows of all mounts of a large system take gigabytes
     const model::Element& element = system.elements()[one.element];
-    const std::vector<assembly::Channel> channels = assembly::channels(
-        system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
+    const std::vector<assembly::Channel> channels =
+        assembly::channels(system, assembled.first_order(), {element.name, element.name + ".deflection"},
+                           assembly::MotionQuantity::displacement);
     Eigen::Vector3d force;  // on the N side, ground axes
     for (std::size_t j = 0; j < 3; ++j) force(to_index(j)) = value_at_rest(channels[j], assembled, rest);
     one.load = -(mount_axes(system, element).transpose() * force);

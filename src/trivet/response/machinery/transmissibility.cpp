@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/mounts.h"
+#include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::response {
 namespace {
@@ -94,6 +96,56 @@ const model::Body& body_of(const model::System& system, const std::string& word)
   throw foundation::InvalidInput("transmissibility: \"" + word + "\" is not a body or BODY.POINT of this model");
 }
 
+/// The harmonic force, or the moment, of an excitation: exactly one of them, in body axes.
+struct HarmonicForce {
+  const model::Action& action;
+  Eigen::Vector3cd vector;
+  bool rotation = false;
+};
+
+HarmonicForce harmonic_force(const model::System& system, const std::string& excitation) {
+  const auto& all = system.description().excitations;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const model::Excitation& e) { return e.name == excitation; });
+  if (found == all.end() || !std::holds_alternative<model::Harmonic>(found->course))
+    throw foundation::InvalidInput("transmissibility: \"" + excitation +
+                                   "\" is not a harmonic excitation of this model");
+  const model::Action& action = found->action;
+  if (!action.body)
+    throw foundation::InvalidInput("transmissibility: \"" + excitation +
+                                   "\" moves the ground; force transmissibility needs a force on a body");
+  const Eigen::Vector3cd force = action.amplitude.head<3>(), moment = action.amplitude.tail<3>();
+  if (force.isZero(0) == moment.isZero(0))
+    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" has " +
+                                   (force.isZero(0) ? "neither force nor moment" : "a force and a moment") +
+                                   "; it needs exactly one of them");
+  return {action, force.isZero(0) ? moment : force, force.isZero(0)};
+}
+
+/// Components of other phases below this share of a force are round-off.
+constexpr double phase_round_off = 1e-12;
+
+/// A vector times the factor e^{−iφ} that makes its largest component real.
+Eigen::Vector3cd in_phase_with_largest(const Eigen::Vector3cd& vector) {
+  Eigen::Index largest = 0;
+  vector.cwiseAbs().maxCoeff(&largest);
+  return vector * std::conj(vector(largest)) / std::abs(vector(largest));
+}
+
+/// Unit vectors along the axes of the ellipse Re(vector e^{iωt}), the larger one first; of a circle, see
+/// spatial::axes_along.
+std::vector<Eigen::Vector3d> axes_of_ellipse(const Eigen::Vector3cd& vector) {
+  const Complex square = (vector.array() * vector.array()).sum();
+  constexpr double round = 1e-9;  // of a circle, whose axes are arbitrary
+  if (std::abs(square) > round * vector.squaredNorm()) {
+    const Eigen::Vector3cd turned = vector * std::exp(Complex(0, -0.5 * std::arg(square)));
+    return {turned.real().normalized(), turned.imag().normalized()};
+  }
+  const Eigen::Vector3d real = vector.real(), imaginary = vector.imag();
+  const Eigen::Matrix3d axes = spatial::axes_along(real.cross(imaginary));
+  return {axes.col(0), axes.col(1)};
+}
+
 /// |T| this close to 1 counts as 1: at ω = 0, and for ω → ∞ where a relative motion tends to 1.
 constexpr double like_one = 1e-9;
 
@@ -111,32 +163,23 @@ double root_between(double above, double below, const Size& size) {
 
 }  // namespace
 
+std::string reason_without_transmission(const model::System& system, const std::string& excitation) {
+  try {
+    static_cast<void>(harmonic_force(system, excitation));
+    return "";
+  } catch (const foundation::InvalidInput& reason) {
+    return reason.what();
+  }
+}
+
 AppliedForce applied_force(const model::System& system, const std::string& excitation) {
-  const auto& all = system.description().excitations;
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const model::Excitation& e) { return e.name == excitation; });
-  if (found == all.end() || !std::holds_alternative<model::Harmonic>(found->course))
-    throw foundation::InvalidInput("transmissibility: \"" + excitation +
-                                   "\" is not a harmonic excitation of this model");
-  const model::Action& action = found->action;
-  if (!action.body)
-    throw foundation::InvalidInput("transmissibility: \"" + excitation +
-                                   "\" moves the ground; force transmissibility needs a force on a body");
-  const Eigen::Vector3cd force = action.amplitude.head<3>(), moment = action.amplitude.tail<3>();
-  if (force.isZero(0) == moment.isZero(0))
-    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" has " +
-                                   (force.isZero(0) ? "neither force nor moment" : "a force and a moment") +
-                                   "; it needs exactly one of them");
-  const bool rotation = force.isZero(0);
-  const Eigen::Vector3cd vector = rotation ? moment : force;
-  Eigen::Index largest = 0;
-  vector.cwiseAbs().maxCoeff(&largest);
-  const Eigen::Vector3cd in_phase = vector * std::conj(vector(largest)) / std::abs(vector(largest));
-  constexpr double round_off = 1e-12;
-  if (in_phase.imag().norm() > round_off * vector.norm())
+  const HarmonicForce force = harmonic_force(system, excitation);
+  const Eigen::Vector3cd in_phase = in_phase_with_largest(force.vector);
+  if (in_phase.imag().norm() > phase_round_off * force.vector.norm())
     throw foundation::InvalidInput("transmissibility: the components of \"" + excitation +
                                    "\" differ in phase, so its direction is not constant; give them the same phase");
-  return {*action.body, action.at, {system.bodies()[*action.body].pose.rotation * in_phase.real(), rotation}};
+  const model::Action& action = force.action;
+  return {*action.body, action.at, {system.bodies()[*action.body].pose.rotation * in_phase.real(), force.rotation}};
 }
 
 Transmission force_transmission(const model::System& system, const assembly::Assembled& assembled,
@@ -155,6 +198,36 @@ Transmission force_transmission(const model::System& system, const assembly::Ass
     result.channels.push_back(
         combined(assembly::channels(system, assembled, {word}, assembly::MotionQuantity::displacement),
                  unit_six(out, Eigen::Matrix3d::Identity()), word));
+  return result;
+}
+
+ExcitationTransmission excitation_transmission(const model::System& system, const assembly::Assembled& assembled,
+                                               const std::string& excitation) {
+  const HarmonicForce force = harmonic_force(system, excitation);
+  const Eigen::Vector3cd in_phase = in_phase_with_largest(force.vector);
+  const Eigen::Matrix3d& to_ground = system.bodies()[*force.action.body].pose.rotation;
+  const bool rotates = in_phase.imag().norm() > phase_round_off * force.vector.norm();
+  std::vector<Eigen::Vector3d> axes = {(to_ground * in_phase.real()).normalized()};
+  if (rotates) axes = axes_of_ellipse(to_ground.cast<Complex>() * force.vector);
+  double largest = 0;  // magnitude over a period
+  for (Eigen::Vector3d& axis : axes) {
+    Eigen::Index at = 0;
+    axis.cwiseAbs().maxCoeff(&at);
+    if (axis(at) < 0) axis = -axis;
+    largest =
+        std::max(largest, std::abs((to_ground.transpose() * axis).cast<Complex>().cwiseProduct(force.vector).sum()));
+  }
+  model::Action action;
+  action.body = force.action.body;
+  action.at = force.action.at;
+  action.amplitude.segment<3>(force.rotation ? 3 : 0) = force.vector / largest;
+  ExcitationTransmission result{{assembly::loading(assembled, action), {}}, {}};
+  const auto ground = assembly::channels(system, assembled, {"ground"}, assembly::MotionQuantity::displacement);
+  for (const Eigen::Vector3d& axis : axes) {
+    result.directions.push_back({axis, force.rotation});
+    result.channels.push_back(
+        combined(ground, unit_six(result.directions.back(), Eigen::Matrix3d::Identity()), "ground"));
+  }
   return result;
 }
 

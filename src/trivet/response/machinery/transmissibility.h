@@ -14,6 +14,7 @@ namespace trivet::response {
 struct Direction {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< any length > 0
   bool rotation = false;  ///< moment or rotation about the axis instead of force or translation along it
+  bool operator==(const Direction&) const = default;
 };
 
 /// Force (or moment) applied to determine force transmissibility.
@@ -27,6 +28,9 @@ struct AppliedForce {
 /// @throws foundation::InvalidInput if there is no such excitation, or if it moves the ground, has both force and
 /// moment, or components of different phase (a rotating force)
 [[nodiscard]] AppliedForce applied_force(const model::System& system, const std::string& excitation);
+
+/// Why there is no `excitation_transmission` of an excitation; empty if there is one.
+[[nodiscard]] std::string reason_without_transmission(const model::System& system, const std::string& excitation);
 
 /// Transmissibilities: a unit load and the channels to compute, unit "1".
 struct Transmission {
@@ -42,6 +46,18 @@ struct Transmission {
 [[nodiscard]] Transmission force_transmission(const model::System& system, const assembly::Assembled& assembled,
                                               const AppliedForce& applied,
                                               const std::optional<Direction>& transmitted = {});
+
+/// Total force on the ground per unit of a harmonic force excitation of the model, whatever its course over frequency.
+/// A force along one direction has one channel, along it. A rotating force (an unbalance) has two: along the axes of
+/// the ellipse that it describes, or of the plane of its circle (spatial::axes_along its normal), both over its largest
+/// magnitude.
+/// @throws foundation::InvalidInput as `applied_force`, except for rotating forces
+struct ExcitationTransmission : Transmission {
+  std::vector<Direction> directions;  ///< of the channels
+};
+[[nodiscard]] ExcitationTransmission excitation_transmission(const model::System& system,
+                                                             const assembly::Assembled& assembled,
+                                                             const std::string& excitation);
 
 /// Absolute motion of bodies (at their poles) and of their points per unit rigid motion of the whole ground about
 /// `base_at` (ground frame).

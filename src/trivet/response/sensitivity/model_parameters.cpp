@@ -8,6 +8,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/model/point_mass.h"
 #include "trivet/response/sensitivity/adjustments.h"
 #include "trivet/response/steady/element_directions.h"
 
@@ -87,7 +88,7 @@ class List {
     const bool turns = body.free[3] || body.free[4] || body.free[5];
     relative(path + (turns ? ".mass_about_center" : ".mass"),
              [b](Description& d, double amount) { scale_mass(d, b, 1 + amount); });
-    if (!turns) return;
+    if (!turns || model::is_point_mass(body)) return;
     const Eigen::Matrix3d j = body.mass.inertia_about_centre;
     const double length = std::max(0.1, std::sqrt(std::abs(j.trace() / body.mass.mass)));
     for (int i = 0; i < 3; ++i)

@@ -125,12 +125,14 @@ class PeakOfModel {
   bool is_maximum_ = false;
 };
 
-/// The element jets, evaluated again for the parameter's element and for those with nonlinear parts, whose tangents
-/// follow the position of rest.
+/// The element jets, evaluated again for the parameter's element, and for all whose stiffness follows the position of
+/// rest: with nonlinear parts, or by the forces that they carry there.
 ElementJets changed_jets(const DrivenModel& driven, const PeakOfModel& peak, const Parameter& parameter) {
   ElementJets jets = peak.jets();
   for (std::size_t e = 0; e < jets.size(); ++e)
-    if (jets[e] && (parameter.law == e || driven.system.elements()[e].law.nonlinear))
+    if (jets[e] &&
+        (parameter.law == e || driven.system.elements()[e].law.nonlinear ||
+         !driven.assembled.elements[e].of_forces_at_rest.isZero(0)))
       jets[e] = element_jet(driven.assembled.elements[e], peak.place().angular_frequency);
   return jets;
 }

@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
@@ -195,7 +194,7 @@ PeakShares peak_shares(const model::System& system, const assembly::Assembled& a
     result.dissipated_power += energies.back().dissipated;
   }
   const Eigen::Index n = q.size();
-  const double geometric = 0.25 * form(q, assembly::geometric_stiffness(system, assembled.layout).topLeftCorner(n, n));
+  const double geometric = 0.25 * form(q, assembled.of_levers.topLeftCorner(n, n));
   const auto [in_foundations, by_foundations] = foundation_energy(system, assembled.layout, q, omega);
   const double by_system = system_damping_power(system, assembled, q, ground, omega);
   result.strain_energy += geometric + in_foundations;

@@ -7,7 +7,6 @@
 #include <map>
 #include <numeric>
 
-#include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/law.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/refined_solution.h"
@@ -144,13 +143,13 @@ class SecondSystem {
  public:
   SecondSystem(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
                const std::vector<std::string>& excitations)
-      : system_(system), loading_(loading), ends_(system, excitations) {
+      : system_(system), loading_(loading), ends_(system, excitations), elements_(assembled.elements) {
     const numerics::DynamicMatrices& constant =
         assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
     n_ = constant.size();
     add_elements(assembled.layout);
     add_foundations(assembled.layout);
-    // System damping (Rayleigh, modal ratios) has no second derivation here.
+    // System damping (Rayleigh, modal ratios) and the forces at rest have no second derivation here.
     if (!std::holds_alternative<std::monostate>(system.description().damping)) {
       Eigen::MatrixXd of_system = constant.B;
       for (const auto& [place, parts] : entries_)
@@ -159,8 +158,7 @@ class SecondSystem {
       driven_damping_ = system_damping_on_ground(assembled, n_).cast<ExtendedComplex>();
     }
     add_bodies(assembled.layout);
-    add(rows_from(0, n_), assembly::geometric_stiffness(system, assembled.layout).topLeftCorner(n_, n_),
-        &ConstantParts::stiffness, entries_);
+    add(rows_from(0, n_), assembled.of_levers.topLeftCorner(n_, n_), &ConstantParts::stiffness, entries_);
   }
 
   [[nodiscard]] Eigen::Index size() const { return n_; }
@@ -185,7 +183,8 @@ class SecondSystem {
     };
     for (const auto& [element, carried] : dependent_) {
       const ExtendedMatrix exact =
-          elements::dynamic_stiffness(system_.elements()[element].law, omega).cast<ExtendedComplex>();
+          elements::dynamic_stiffness(system_.elements()[element].law, omega).cast<ExtendedComplex>() +
+          elements_[element].of_forces_at_rest.cast<ExtendedComplex>();
       const ExtendedMatrix transformed = carried.of(exact);
       for (Eigen::Index j = 0; j < transformed.cols(); ++j)
         for (Eigen::Index i = 0; i < transformed.rows(); ++i) {
@@ -216,7 +215,8 @@ class SecondSystem {
         dependent_.push_back({e, carrier(layout, e, element, 0)});
         continue;
       }
-      const elements::Matrices m = elements::matrices(element.law);
+      elements::Matrices m = elements::matrices(element.law);
+      m.stiffness.topLeftCorner<12, 12>() += elements_[e].of_forces_at_rest;
       const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12);
       add(t.rows, t.of(lossy_stiffness(m)), &ConstantParts::stiffness, entries_);
       add(t.rows, t.of(m.mass.cast<ExtendedComplex>()), &ConstantParts::mass, entries_);
@@ -258,6 +258,7 @@ class SecondSystem {
   const model::System& system_;
   const assembly::Loading& loading_;
   PrescribedEnds ends_;
+  const std::vector<assembly::ElementMap>& elements_;
   Eigen::Index n_ = 0;
   Entries<ConstantParts> entries_;
   ExtendedMatrix driven_damping_;

@@ -12,7 +12,8 @@
 
 namespace trivet::response {
 
-RestRow rest_row(const assembly::Assembled& assembled, const assembly::Channel& channel) {
+RestRow rest_row(const assembly::Assembled& given, const assembly::Channel& channel) {
+  const assembly::Assembled& assembled = given.first_order();
   RestRow result{channel.on_displacement.real().head(assembled.matrices.size()).transpose(), channel.at_rest};
   for (const assembly::DynamicForce& force : channel.dynamic_forces) {
     const assembly::ElementMap& map = assembled.elements[force.element];
@@ -22,7 +23,8 @@ RestRow rest_row(const assembly::Assembled& assembled, const assembly::Channel& 
   return result;
 }
 
-StaticSolution static_solution(const model::System& system, const assembly::Assembled& assembled) {
+StaticSolution static_solution(const model::System& system, const assembly::Assembled& given) {
+  const assembly::Assembled& assembled = given.first_order();
   const bool is_nonlinear = std::any_of(system.elements().begin(), system.elements().end(),
                                         [](const model::Element& e) { return e.law.nonlinear.has_value(); });
   if (!system.description().gravity && system.description().constant_forces.empty() && !is_nonlinear)
@@ -56,7 +58,7 @@ double value_at_rest(const assembly::Channel& channel, const assembly::Assembled
                      const StaticSolution& rest) {
   double value = channel.on_displacement.real().dot(rest.coordinates) + channel.at_rest;
   for (const assembly::DynamicForce& force : channel.dynamic_forces) {
-    const assembly::ElementMap& map = assembled.elements[force.element];
+    const assembly::ElementMap& map = assembled.first_order().elements[force.element];
     value += force.row * (map.matrices.stiffness.topRows<12>() * map.coordinates(rest.coordinates));
   }
   return value;

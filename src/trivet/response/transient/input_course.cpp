@@ -25,6 +25,11 @@ struct Largest {
     rate = std::max(rate, std::abs(du));
     curvature = std::max(curvature, std::abs(ddu));
   }
+  /// Bounds within u = value + rate sin κs/κ + curvature (1 − cos κs)/κ²: a half sine is 0 at both of its ends.
+  void add_sine(const excitation::Piece& p) {
+    add(std::abs(p.value) + std::abs(p.rate) / p.kappa + 2 * std::abs(p.curvature) / (p.kappa * p.kappa),
+        std::abs(p.rate) + std::abs(p.curvature) / p.kappa, std::abs(p.curvature) + p.kappa * std::abs(p.rate));
+  }
 };
 
 }  // namespace
@@ -67,12 +72,14 @@ void InputCourse::examine_pieces() {
     const excitation::Piece& p = piece(i);
     if (kappas_.size() != 1 || p.kappa != kappas_.front()) add_kappa(i, p.kappa);
     size.add(p.value, p.rate, p.curvature);
+    if (p.kappa > 0) size.add_sine(p);
     jump.add(p.value - before.value, p.rate - before.rate, p.curvature - before.curvature);
     if (i + 1 == count()) break;
     const double step = piece(i + 1).start - p.start;
     shortest = std::min(shortest, step);
     longest = std::max(longest, step);
     before = excitation::state_on(p, step);
+    size.add(before.value, before.rate, before.curvature);
   }
   least_jump_ = {jump_round_off * size.value, jump_round_off * size.rate, jump_round_off * size.curvature};
   smoothness_ = jump.value > least_jump_[0] ? 0 : jump.rate > least_jump_[1] ? 1 : 2;

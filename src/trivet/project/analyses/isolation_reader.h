@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/project/analyses/requirements.h"
+#include "trivet/project/text/names_in_file.h"
+
+namespace trivet::project {
+
+/// `isolation` of [requirements]: one table, or a list of them.
+[[nodiscard]] std::vector<Isolation> read_isolation(TableReader& requirements, const NamesInFile& in_file);
+
+/// Forces of an entry: those named, or all harmonic ones on bodies. None of a motion of the ground.
+[[nodiscard]] std::vector<std::string> isolated_forces(const Isolation& isolation, const model::System& system);
+
+/// Frequencies of an entry for one force: those given, or the service speed of this unbalance.
+[[nodiscard]] std::vector<response::Band> isolated_at(const Isolation& isolation, const model::System& system,
+                                                      const std::string& force);
+
+/// Reports forces without a transmissibility and unbalances without a service speed.
+void check_isolation(const std::vector<Isolation>& isolation, const model::System& system,
+                     foundation::Problems& problems);
+
+}  // namespace trivet::project

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/standing_check.h"
+
+#include "trivet/assembly/assembled.h"
+#include "trivet/assembly/second_order.h"
+#include "trivet/nonlinear/deflections.h"
+#include "trivet/plausibility/overturning.h"
+
+namespace trivet::project {
+
+foundation::Problems standing_problems(const model::System& system) {
+  foundation::Problems problems;
+  if (!assembly::has_second_order(system)) return problems;
+  const auto falling = plausibility::falling_body(system, assembly::assemble(system));
+  if (!falling) return problems;
+  const std::string subject = model::path_of(system.bodies()[falling->body]),
+                    finding = plausibility::falling_words(system, *falling),
+                    rule = "a machine stands if its elements hold it against the tilting by its weight";
+  if (nonlinear::is_nonlinear(system))
+    problems.warning(subject, finding, rule, "all analyses are about this unstable position; compare with steady");
+  else
+    problems.error(subject, finding, rule,
+                   "lower the centre of mass, or take stiffer mounts or mounts farther apart; second_order = false "
+                   "leaves the effect of the weight out");
+  return problems;
+}
+
+}  // namespace trivet::project

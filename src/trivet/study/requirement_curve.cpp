@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/requirement_curve.h"
+
+#include <utility>
+
+#include "trivet/response/machinery/order_loading.h"
+
+namespace trivet::study {
+
+RequirementCurve requirement_curve(const model::System& system, const assembly::Assembled& assembled,
+                                   const RequirementResult& result) {
+  if (result.order > 0)
+    for (const response::OrderLoading& one : response::order_loadings(system, assembled, result.excitations))
+      if (one.order == result.order)
+        return {assembly::channels(system, assembled, {result.subject}, result.quantity).front(), one.loading};
+  if (!result.transmitted)
+    return {assembly::channels(system, assembled, {result.subject}, result.quantity).front(),
+            assembly::harmonic_loading(system, assembled, result.excitations)};
+  const RequirementResult::Transmitted& of = *result.transmitted;
+  if (of.force.empty()) {
+    response::Transmission moved = response::displacement_transmission(system, assembled, {of.of}, of.base);
+    return {std::move(moved.channels.front()), std::move(moved.loading)};
+  }
+  response::ExcitationTransmission forced = response::excitation_transmission(system, assembled, of.force);
+  return {std::move(forced.channels.at(of.direction)), std::move(forced.loading)};
+}
+
+bool have_same_drive(const RequirementResult& a, const RequirementResult& b) {
+  if (a.band != b.band || a.order != b.order || a.transmitted.has_value() != b.transmitted.has_value()) return false;
+  if (!a.transmitted) return a.excitations == b.excitations;
+  return a.transmitted->force == b.transmitted->force && a.transmitted->base == b.transmitted->base;
+}
+
+}  // namespace trivet::study

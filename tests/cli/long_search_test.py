@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Searches over designs that take long, and searches that end early."""
+import json
+import signal
+import subprocess
+import time
+import unittest
+
+from trivet_test import SOURCE, TRIVET, InTemporaryFolder, answer, trivet
+
+SNUBBER = SOURCE / "examples/snubber/genset.toml"
+POWERTRAIN = SOURCE / "examples/powertrain/decoupled.toml"
+
+
+class LongSearch(InTemporaryFolder):
+    def test_one_number_of_steady_motion_against_verdicts(self):
+        found = answer("optimize", SNUBBER)
+        self.assertEqual(len(found["parameters"]), 1)
+        best = found["parameters"][0]["optimum"]
+        slip = "element_types.snubber.laws.z.friction.slip"
+        for other in (0.9 * best, 0.97 * best, 1.03 * best, 1.1 * best):
+            judged = answer("verdict", SNUBBER, "--set", f"{slip}={other}")
+            self.assertGreater(found["after"], min(r["margin"] for r in judged["cases"][0]["requirements"]))
+        judged = answer("verdict", SNUBBER, "--set", f"{slip}={best:.12g}")
+        margin = min(r["margin"] for r in judged["cases"][0]["requirements"])
+        self.assertAlmostEqual(found["after"] / margin, 1, 9)
+        self.assertLess(found["designs"], 100)
+
+    def long(self, *more):
+        return [TRIVET, "optimize", str(POWERTRAIN), "--set", "analyses.optimize.starts=1000", "--json", *more]
+
+    def test_a_time_limit_keeps_the_best_design_so_far(self):
+        start = time.monotonic()
+        done = subprocess.run(self.long("--time-limit", "1 s"), capture_output=True, text=True, timeout=60)
+        self.assertLess(time.monotonic() - start, 30)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        found = json.loads(done.stdout)
+        self.assertTrue(found["cut_short"])
+        self.assertTrue(any("ended before it was complete" in str(w) for w in found["warnings"]))
+
+    def test_an_interrupt_keeps_the_best_design_so_far_and_a_second_one_ends(self):
+        for interrupts, code in ((1, 1), (2, 130)):
+            run = subprocess.Popen(self.long(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            time.sleep(1.5)
+            for _ in range(interrupts):
+                run.send_signal(signal.SIGINT)
+                time.sleep(0.02)
+            output, said = run.communicate(timeout=60)
+            self.assertEqual(run.returncode, code, said)
+            self.assertIn("best design so far", said)
+            self.assertEqual(bool(output), interrupts == 1)
+            if output:
+                self.assertTrue(json.loads(output)["cut_short"])
+
+    def test_wrong_time_limits(self):
+        for limit, words in (("10 kg", "--time-limit"), ("-1", "above 0"), ("soon", "give seconds")):
+            refused = trivet("optimize", POWERTRAIN, f"--time-limit={limit}")
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn(words, refused.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""trivet steady --at: harmonics of all motions at one frequency; notes and warnings of several elements in one line."""
+import cmath
+import csv
+import io
+import json
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+TRIVET = os.environ["TRIVET"]
+MASS, STIFFNESS, DAMPING, FORCE = 40.0, 36000.0, 48.0, 60.0
+MACHINE = f"""trivet = 1
+[bodies.m]
+mass = {MASS}
+free = ["x"]
+[elements.s]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [{STIFFNESS}, 0, 0]
+damping = {{translation = [{DAMPING}, 0, 0]}}
+laws.x = LAW
+[excitations.F]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [{FORCE}, 0, 0]
+[analyses]
+steady = {{of = ["m.x"], harmonics = 15, band = ["24 rad/s", "50 rad/s"]}}
+"""
+OPEN = "{gap_stop = {gap = 0.2, stiffness = 4e5}}"  # a linear machine
+STOP = "{gap_stop = {gap = 0.006, stiffness = 4e5}}"
+
+
+def run(law, *options, machine=MACHINE):
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "machine.toml"
+        file.write_text(machine.replace("LAW", law))
+        return subprocess.run([TRIVET, "steady", str(file), *options], capture_output=True, text=True)
+
+
+class SteadyAt(unittest.TestCase):
+    def test_a_machine_that_touches_nothing_has_the_linear_harmonic(self):
+        omega = 2 * math.pi * 4.5
+        exact = FORCE / complex(STIFFNESS - MASS * omega**2, DAMPING * omega)
+        at = json.loads(run(OPEN, "--json", "--at", "4.5 Hz").stdout)["at"]
+        self.assertEqual(len(at), 1)
+        (motion,) = at[0]["motions"]
+        self.assertTrue(motion["stable"])
+        self.assertEqual(motion["orders"][:2], [1, 2])
+        self.assertAlmostEqual(motion["results"][0]["amplitudes"][0] / abs(exact), 1, delta=1e-9)
+        self.assertAlmostEqual(motion["results"][0]["phases"][0], cmath.phase(exact), delta=1e-9)
+        self.assertLess(motion["results"][0]["amplitudes"][1], 1e-12)
+        text = run(OPEN, "--at", "4.5 Hz").stdout
+        self.assertIn("At 4.5 Hz: one motion is known", text)
+        self.assertIn(f"{abs(exact) * 1e3:.4g} mm", text)
+        self.assertIn(f"{math.degrees(cmath.phase(exact)):.1f}°", text)
+
+    def test_beyond_a_stop_all_motions_are_listed_with_harmonics_that_add_up(self):
+        found = run(STOP, "--csv", "--at", "31 rad/s,33 rad/s")
+        rows = list(csv.DictReader(io.StringIO(found.stdout)))
+        self.assertEqual({row["angular_frequency [rad/s]"] for row in rows}, {"31", "33"})
+        at = json.loads(run(STOP, "--json", "--at", "31 rad/s,33 rad/s").stdout)["at"]
+        self.assertEqual([len(one["motions"]) for one in at], [3, 3])  # between the folds
+        self.assertEqual([motion["stable"] for motion in at[0]["motions"]].count(False), 1)
+        for motion in at[0]["motions"]:
+            (result,) = motion["results"]
+            course = [
+                result["mean"]
+                + sum(
+                    a * math.cos((k + 1) * phase + phi)
+                    for k, (a, phi) in enumerate(zip(result["amplitudes"], result["phases"]))
+                )
+                for phase in (2 * math.pi * n / 4096 for n in range(4096))
+            ]
+            self.assertAlmostEqual(max(course) / result["largest"], 1, delta=1e-6)
+            self.assertAlmostEqual(min(course) / result["smallest"], 1, delta=1e-6)
+
+    def test_a_frequency_outside_the_band_is_an_error(self):
+        found = run(OPEN, "--at", "40 Hz")
+        self.assertNotEqual(found.returncode, 0)
+        self.assertIn("outside the band", found.stderr)
+
+    def test_speeds_of_a_shaft_are_orders(self):
+        machine = MACHINE.replace('type = "harmonic"', 'type = "orders"').replace(
+            f"force = [{FORCE}, 0, 0]", f"table = [{{order = 2, force = [{FORCE}, 0, 0]}}]"
+        )
+        found = run(OPEN, "--json", "--at", "150 rpm", machine=machine.replace("24 rad", "12 rad"))
+        self.assertEqual(found.returncode, 0, found.stderr)
+        omega = 2 * 2 * math.pi * 150 / 60
+        exact = FORCE / complex(STIFFNESS - MASS * omega**2, DAMPING * omega)
+        (motion,) = json.loads(found.stdout)["at"][0]["motions"]
+        self.assertEqual(motion["orders"][0], 2)
+        self.assertAlmostEqual(motion["results"][0]["amplitudes"][0] / abs(exact), 1, delta=1e-9)
+
+
+class Grouped(unittest.TestCase):
+    def test_equal_notes_and_warnings_of_several_elements_are_one_line(self):
+        element = MACHINE[MACHINE.index("[elements.s]") : MACHINE.index("[excitations.F]")]
+        machine = MACHINE.replace(element, "".join(element.replace("elements.s", f"elements.{name}") for name in "abc"))
+        text = run("{friction = {slip = 10, stiffness = 1e4}}", machine=machine).stdout
+        notes = [line for line in text.splitlines() if "its laws have" in line]
+        self.assertEqual(len(notes), 1, text)
+        self.assertIn("a, b, c", notes[0].replace(" and ", ", "))
+        self.assertLessEqual(text.count("friction sticks all the time"), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/design_judgement.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/projects.h"
+
+namespace design_judgement_test {
+
+using namespace trivet;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+using Outcome = report::Judgement::Outcome;
+
+// ω0 = 15 rad/s, ζ = 45/(2·60) = 0.375: the largest amplitude is (18/900)/(2ζ√(1 − ζ²)) = 28.766 mm at 12.7 rad/s.
+constexpr const char* machine = R"(
+trivet = 1
+[bodies.mass]
+mass = 4
+free = ["z"]
+[elements.spring]
+type = "bushing"
+on = "mass"
+at = [0, 0, 0]
+translation = [900, 900, 900]
+damping = {proportional = 0.05}
+[excitations.force]
+type = "harmonic"
+on = "mass"
+at = [0, 0, 0]
+force = [0, 0, 18]
+[analyses]
+modes = {}
+response = {band = ["0 Hz", "6 Hz"]}
+)";
+
+struct Box {
+  std::vector<report::Judgement> list;
+  std::string html;
+};
+
+Box box_of(const std::string& text) {
+  const project::Project project = test::project(text);
+  const std::vector<study::Answers> answers = study::run(project);
+  const std::vector<report::ShownCase> cases = report::shown_cases(project, answers);
+  return {report::judgements(cases), report::judgement_box(cases)};
+}
+
+double peak() { return 0.02 / (2 * 0.375 * std::sqrt(1 - 0.375 * 0.375)); }
+
+TEST(JudgementBox, IsRedOverAViolatedRequirementAndNamesTheWorstItsPlaceAndItsCase) {
+  const Box box = box_of(std::string(machine) +
+                         "[requirements]\nlimits = {\"mass.z\" = \"12 mm\"}\ndamping_ratio = 0.1\nhold_in = \"all\"\n"
+                         "[cases.soft]\nelements.spring.scale = 0.25\n");
+  EXPECT_THAT(box.html, StartsWith("<div class=\"alert\" role=\"note\"><h2>✗ VIOLATED: 2 of 4 requirements</h2>"));
+  EXPECT_THAT(box.html, HasSubstr("<strong>mass.z ≤ 12 mm</strong>: 28.77 mm at 2.0236 Hz, margin 0.4172"));
+  // A quarter of the stiffness: ω0 and ζ are halved. The softer case is worse, so it is named first.
+  EXPECT_LT(box.html.find("(soft)"), box.html.find("(Base model)"));
+  EXPECT_THAT(box.html, Not(HasSubstr("✓")));
+  constexpr double round_off = 1e-9;
+  EXPECT_NEAR(box.list.front().margin, 0.012 / peak(), round_off);
+}
+
+TEST(JudgementBox, IsGreenOnlyIfEverythingIsMetAndNamesWhatGoverns) {
+  const Box box =
+      box_of(std::string(machine) + "[requirements]\nlimits = {\"mass.z\" = \"1 m\"}\ndamping_ratio = 0.1\n");
+  EXPECT_THAT(box.html, StartsWith("<div class=\"calm\" role=\"note\"><h2>✓ MET: 2 of 2 requirements</h2>"));
+  EXPECT_THAT(box.html, HasSubstr("margin 3.75"));  // of the damping ratio, 0.375 / 0.1
+}
+
+TEST(JudgementBox, IsAmberIfARequirementCouldNotBeJudged) {
+  // The limit line begins above the band of the response.
+  const Box box = box_of(std::string(machine) +
+                         "[limit_lines.high]\nof = \"mass.z\"\nlevel = \"zero_to_peak\"\n"
+                         "rows = [[\"20 Hz\", 1], [\"30 Hz\", 1]]\n"
+                         "[requirements]\nlimit_lines = [\"high\"]\ndamping_ratio = 0.1\n");
+  EXPECT_THAT(box.html, StartsWith("<div class=\"doubt\" role=\"note\"><h2>? NOT JUDGED: 1 of 2 requirements"));
+  EXPECT_THAT(box.html, AllOf(Not(HasSubstr("✓")), Not(HasSubstr("VIOLATED"))));
+}
+
+TEST(JudgementBox, CountsALimitThatIsAlsoARequirementOnce) {
+  const std::string limits = "[limits]\n\"mass.z\" = \"12 mm\"\n";
+  EXPECT_THAT(box_of(machine + limits).html, HasSubstr("VIOLATED: 1 of 1 limit</h2>"));
+  EXPECT_THAT(box_of(machine + limits + "[requirements]\ndamping_ratio = 0.1\n").html,
+              HasSubstr("VIOLATED: 1 of 2 requirements</h2>"));
+}
+
+TEST(JudgementBox, IsNotRedByCasesInWhichTheDesignNeedNotHold) {
+  const Box box = box_of(std::string(machine) +
+                         "[requirements]\ndamping_ratio = 0.3\nhold_in = [\"base model\"]\n"
+                         "[cases.soft]\nelements.spring.scale = 0.25\n");
+  EXPECT_THAT(box.html, StartsWith("<div class=\"calm\""));
+  EXPECT_THAT(box.html, HasSubstr("Violated in cases in which the design need not hold:"));
+}
+
+TEST(JudgementBox, DoesNotJudgeAFileWithoutRequirements) {
+  const Box box = box_of(machine);
+  EXPECT_THAT(box.list, IsEmpty());
+  EXPECT_THAT(box.html, AllOf(HasSubstr("not judged: the file has no requirements"), Not(HasSubstr("✓"))));
+}
+
+TEST(JudgementBox, IsRedByTheRulesOfAMap) {
+  const std::string map =
+      "[analyses.map]\nlimits = {\"mass.z\" = \"LIMIT\"}\n"
+      "x = {parameter = \"elements.spring.scale\", from = 0.5, to = 4, points = 5}\n"
+      "y = {parameter = \"elements.spring.damping.proportional\", from = 0.01, to = 0.3, points = 5}\n";
+  const auto with = [&](const std::string& limit) {
+    std::string text = machine + map;
+    return box_of(text.replace(text.find("LIMIT"), 5, limit)).html;
+  };
+  EXPECT_THAT(with("12 mm"), HasSubstr("VIOLATED: 1 of 1 verdict of a map"));
+  EXPECT_THAT(with("1 m"), StartsWith("<div class=\"calm\""));
+  EXPECT_THAT(with("0.1 mm"), HasSubstr("no design of the map meets every rule"));
+}
+
+}  // namespace design_judgement_test
