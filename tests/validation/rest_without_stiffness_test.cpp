@@ -280,8 +280,11 @@ TEST(RestWithoutStiffness, ABackboneBeginsWithoutAFrequency) {
   for (const double spring : {3200.0, 3200.001}) {
     SCOPED_TRACE(spring);
     const model::System system = test::project(without_stiffness_at_rest(spring)).base().system;
+    // Energies without what cancels: of both struts k (ρ − L)² with ρ = √(r² + z²), of which −3200 z²/2 takes away
+    // the spring, and with d = ρ − r the rest is k z² (2 L / 2 r) d / (2 r + d).
     const auto potential = [&](double z) {
-      return spring * z * z / 2 + 4000 * std::pow(std::hypot(0.1, z) - 0.14, 2) - 4000 * 0.04 * 0.04;
+      const double d = z * z / (std::hypot(0.1, z) + 0.1);
+      return z * z * ((spring - 3200) / 2 + 4000 * 1.4 * d / (0.2 + d));
     };
     expect_exact(nonlinear::backbone(system, {.up_to = 0.045, .harmonics = 15}), 0.045, 25, potential);
   }
