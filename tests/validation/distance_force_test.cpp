@@ -187,7 +187,7 @@ translation = [0, 0, 0.03]
 )")
                                    .base()
                                    .system;
-  nonlinear::SteadyOptions options{.from = 7, .to = 11};
+  nonlinear::SteadyOptions options{.from = 7, .to = 11, .harmonics = 5};
   options.of = {"m.x"};
   const nonlinear::SteadyBranch found = nonlinear::steady_branch(nonlinear::rest_position(system).system, options);
   ASSERT_EQ(found.changes.size(), 2u);

@@ -82,7 +82,7 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
   constexpr double accurate = 1e-5;
   result.multipliers_hold = multipliers.confirmed && multipliers.uncertainty <= accurate;
   for (const std::size_t stop : stops_) result.contact.push_back(contact(stop, balance, result));
-  if (!result.multipliers_hold && has_winding())
+  if (!result.multipliers_hold && has_winding() && !stability_.is_undamped())
     result.unstable_by_winding = winding_.unstable_exponents(unknowns, omega);
   const int unstable = result.unstable_by_winding.value_or(result.unstable_multipliers());
   result.uncertain = !result.multipliers_hold && !result.unstable_by_winding;

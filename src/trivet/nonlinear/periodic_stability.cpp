@@ -108,6 +108,14 @@ PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const
   kick_ = flow_.from_states() * force_;
   seen_ = values_ * flow_.to_states();
   seen_rates_ = rates_ * flow_.to_states();
+  // A real and an imaginary part each, which turn into each other.
+  kicked_ = kick_.cwiseAbs();
+  moved_ = seen_.cwiseAbs();
+  for (Index i = 0; i + 1 < F_.rows(); ++i) {
+    if (!(flow_.turning()(i) > 0)) continue;
+    kicked_.row(i) += kicked_.row(i + 1).eval();
+    moved_.col(i) += moved_.col(i + 1).eval();
+  }
 }
 
 MatrixXd PeriodicStability::with_constant_tangents(const LawsAlong& motion, double from, double to) const {
@@ -257,7 +265,7 @@ PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws&
   const LawsAlong motion(laws, deflections, omega);
   // Undamped, all multipliers of stable motions are on the unit circle: they must not seem outside.
   constexpr double on_circle = 1e-9;
-  if (F_.trace() == 0 && !motion.is_damped()) accurate = std::min(accurate, on_circle);
+  if (is_undamped() && !motion.is_damped()) accurate = std::min(accurate, on_circle);
   std::vector<double> corners = {0, two_pi};
   for (const LawCourse& course : motion.courses)
     for (const double phase : course.all_corners()) corners.push_back(phase);
@@ -291,9 +299,10 @@ PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws&
   const numerics::GeneralEigen found = numerics::general_eigenvalues(period);
   if (!found.converged) return {Eigen::VectorXcd::Constant(all, foundation::infinity), foundation::infinity, false};
   const double error = period.norm() * (motion.is_piecewise_linear ? exact : std::max({accurate, exact, uncertainty}));
-  constexpr double most = 1e-3;  // beyond, all but the largest multipliers are round-off
-  const bool confirmed =
-      motion.memories() > 0 ? error < most : error < most && agrees_with_liouville(found.values, logarithm, error);
+  // Beyond, all but the largest multipliers are round-off. Memories have units of their own, which the norm mixes.
+  constexpr double most = 1e-3, most_growth = 1e4;
+  const bool confirmed = motion.memories() > 0 ? found.values.cwiseAbs().maxCoeff() < most_growth
+                                               : error < most && agrees_with_liouville(found.values, logarithm, error);
   return {found.values, uncertainty, confirmed};
 }
 

@@ -26,9 +26,10 @@ struct LawsAlong;
 /// a kick by the tangents (splitting), extrapolated from smaller and smaller steps, none of which is longer than the
 /// quickest oscillation by the tangents bears. [Strang 1968; Hairer, Lubich, Wanner, Geometric Numerical Integration,
 /// II.4] Where these would be too many, as beside a very light body, steps are exponentials of the whole linear machine
-/// with its tangents, of fourth order. [Blanes, Moan, Appl. Numer. Math. 56 (2006) 1519–1537] Nodes without mass follow
-/// by their own balance of forces (static condensation with the tangents of each instant), or drift with their dampers.
-/// It keeps flows for the next motion: not for several threads at once.
+/// with its tangents, of fourth order [Blanes, Moan, Appl. Numer. Math. 56 (2006) 1519–1537], or if all that is quick
+/// decays, implicit: Radau IIA, of fifth order [Hairer, Wanner, Solving Ordinary Differential Equations II, IV.5].
+/// Nodes without mass follow by their own balance of forces (static condensation with the tangents of each instant), or
+/// drift with their dampers. It keeps flows for the next motion: not for several threads at once.
 class PeriodicStability {
  public:
   /// Loss factors, which define no motion in time, are replaced by viscous damping that is the same in every mode at
@@ -51,6 +52,8 @@ class PeriodicStability {
   [[nodiscard]] Multipliers multipliers(const MachineLaws& laws, const Eigen::VectorXd& deflections, double omega,
                                         double accurate = 1e-7) const;
 
+  /// Is the linear machine undamped? Exponents of motions that are stable then lie on the axis.
+  [[nodiscard]] bool is_undamped() const { return F_.trace() == 0; }
   /// Is it that of the machine with its loss factors replaced?
   [[nodiscard]] bool is_of_viscous_machine() const { return replaced_losses_; }
 
@@ -64,8 +67,11 @@ class PeriodicStability {
   [[nodiscard]] Transition smooth(const LawsAlong& motion, double from, double to, double accurate) const;
   [[nodiscard]] Transition split(const LawsAlong& motion, double from, double to, int fewest, double accurate) const;
   [[nodiscard]] Eigen::MatrixXd split(const LawsAlong& motion, double from, double to, int steps) const;
-  [[nodiscard]] Transition exponentials(const LawsAlong& motion, double from, double to, double accurate) const;
+  [[nodiscard]] Transition stiff(const LawsAlong& motion, double from, double to, double accurate) const;
   [[nodiscard]] Eigen::MatrixXd exponentials(const LawsAlong& motion, double from, double to, int steps) const;
+  [[nodiscard]] Eigen::MatrixXd collocated(const LawsAlong& motion, double from, double to, int steps) const;
+  [[nodiscard]] bool is_overdamped(const LawsAlong& motion, double from, double to) const;
+  [[nodiscard]] double fastest_kicked(const Eigen::MatrixXd& largest, double time) const;
   [[nodiscard]] Eigen::MatrixXd rates_of_states(const LawsAlong& motion, double phase) const;
   [[nodiscard]] double fastest(const LawsAlong& motion, double from, double to) const;
   [[nodiscard]] double trace(const LawsAlong& motion, double from, double to) const;
@@ -90,6 +96,7 @@ class PeriodicStability {
   Eigen::MatrixXd alike_;          ///< accelerations by forces, deflections in units in which the diagonal is alike
   numerics::LinearFlow flow_;
   Eigen::MatrixXd kick_, seen_, seen_rates_;  ///< `force_`, `values_` and `rates_` in the coordinates of the flow
+  Eigen::MatrixXd kicked_, moved_;  ///< sizes of `kick_` and `seen_`; of both parts of a turning mode in its first
   /// Flows with tangents that occurred: the states of contact.
   mutable std::map<std::vector<double>, numerics::LinearFlow> flows_;
   /// Rows of the Fourier basis in the middle of each step of a whole period, by the numbers of steps and harmonics.

@@ -2,11 +2,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/answers_of_laws.h"
 #include "trivet/nonlinear/periodic_stability.h"
+#include "trivet/numerics/linalg/general_eigen.h"
 #include "trivet/numerics/linalg/matrix_exponential.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
@@ -50,25 +53,41 @@ numerics::RowMatrix PeriodicStability::elastic_answers(const LawsAlong& motion, 
   return all;
 }
 
-/// The highest frequency that the tangents alone bring about, at sampled phases, or half of the highest rate of decay
+/// Highest frequency of the linear machine among the modes that the tangents turn by more than a share of a radian in a
+/// time: kicks at intervals of half its period would feed it.
+/// @param largest  sizes of the tangents, deflections × deflections
+double PeriodicStability::fastest_kicked(const MatrixXd& largest, double time) const {
+  constexpr double noticed = 0.3;
+  double fastest = 0;
+  if (!flow_.is_diagonalizable()) return fastest;
+  for (Index p = 0; p < F_.rows(); ++p)
+    if (const double turning = flow_.turning()(p);
+        turning > fastest && kicked_.row(p).dot(largest * moved_.col(p)) * time > noticed)
+      fastest = turning;
+  return fastest;
+}
+
+/// The highest frequency that the tangents bring about, at sampled phases, or half of the highest rate of decay
 /// [rad/s].
 double PeriodicStability::fastest(const LawsAlong& motion, double from, double to) const {
-  constexpr int per_period = 32, per_harmonic = 2;
-  const double share = (to - from) / two_pi;
+  constexpr int per_period = 16;
+  const double share = (to - from) / two_pi, time = (to - from) / motion.omega;
   const int samples = std::max(
-      2,
-      static_cast<int>(
-          std::ceil(share * std::max<double>(per_period, per_harmonic * static_cast<double>(motion.harmonics)))));
+      2, static_cast<int>(std::ceil(share * static_cast<double>(std::max<Index>(per_period, motion.harmonics)))));
+  const Index m = force_.cols();
   if (motion.is_elastic() && !answers_.massless && motion.bristles.empty()) {
     MatrixXd of_piece;
     const MatrixXd& rows = rows_in_steps(motion, from, to, samples, of_piece);
-    MatrixXd tangents(force_.cols(), samples);
-    for (Index j = 0; j < tangents.rows(); ++j)
+    MatrixXd tangents(m, samples);
+    for (Index j = 0; j < m; ++j)
       tangents.row(j) = motion.courses[to_size(j)].elastic_tangents(rows).cwiseAbs().transpose();
-    return std::sqrt((alike_.cwiseAbs() * tangents).maxCoeff());
+    const VectorXd largest = tangents.rowwise().maxCoeff();
+    return std::max(std::sqrt((alike_.cwiseAbs() * tangents).maxCoeff()),
+                    fastest_kicked(MatrixXd(largest.asDiagonal()), time));
   }
   double fastest = 0;
   TangentsAlong tangent;
+  MatrixXd largest_stiffness = MatrixXd::Zero(m, m);
   const auto largest = [](const MatrixXd& matrix) { return matrix.cwiseAbs().rowwise().sum().maxCoeff(); };
   const VectorXd size = accelerations_.cwiseAbs().cwiseSqrt().unaryExpr([](double one) { return one > 0 ? one : 1.0; });
   const auto in_alike_units = [&](const MatrixXd& matrix) -> MatrixXd {
@@ -87,10 +106,11 @@ double PeriodicStability::fastest(const LawsAlong& motion, double from, double t
       damping = left.solve(damping);
       fastest = std::max(fastest, largest(answers_.drifts * stiffness) / 2);
     }
+    largest_stiffness = largest_stiffness.cwiseMax(stiffness.cwiseAbs());
     fastest = std::max({fastest, std::sqrt(largest(alike_ * in_alike_units(stiffness))),
                         largest(alike_ * in_alike_units(damping)) / 2});
   }
-  return fastest;
+  return std::max(fastest, fastest_kicked(largest_stiffness, time));
 }
 
 /// ∫ of the trace of ẋ = F(t) x by time, of laws without memory: of the linear machine, and of those that depend on
@@ -208,16 +228,54 @@ MatrixXd PeriodicStability::exponentials(const LawsAlong& motion, double from, d
   return y;
 }
 
-PeriodicStability::Transition PeriodicStability::exponentials(const LawsAlong& motion, double from, double to,
-                                                              double accurate) const {
+/// The same by Radau IIA: directions that decay within a step are at zero after it.
+MatrixXd PeriodicStability::collocated(const LawsAlong& motion, double from, double to, int steps) const {
+  const double r = std::sqrt(6.0), length = (to - from) / steps, step = length / motion.omega;
+  const std::array<double, 3> places = {(4 - r) / 10, (4 + r) / 10, 1};
+  const std::array<std::array<double, 3>, 3> weights = {
+      {{(88 - 7 * r) / 360, (296 - 169 * r) / 1800, (-2 + 3 * r) / 225},
+       {(296 + 169 * r) / 1800, (88 + 7 * r) / 360, (-2 - 3 * r) / 225},
+       {(16 - r) / 36, (16 + r) / 36, 1.0 / 9}}};
+  const Index all = F_.rows() + motion.memories();
+  MatrixXd y = MatrixXd::Identity(all, all), left(3 * all, 3 * all), right(3 * all, all);
+  for (int i = 0; i < steps; ++i) {
+    left.setIdentity();
+    for (std::size_t j = 0; j < 3; ++j) {
+      constexpr double within = 1e-9;  // not beyond a corner at the end
+      const MatrixXd F = rates_of_states(motion, from + (i + places[j] - within) * length);
+      for (std::size_t k = 0; k < 3; ++k)
+        left.block(to_index(k) * all, to_index(j) * all, all, all) -= step * weights[k][j] * F;
+      right.middleRows(to_index(j) * all, all) = y;
+    }
+    y = numerics::PivotedLu<double>(left).solve(right).bottomRows(all);
+  }
+  return y;
+}
+
+/// Do all directions decay that are too quick for steps of a period?
+bool PeriodicStability::is_overdamped(const LawsAlong& motion, double from, double to) const {
+  constexpr double quick = 300, decays = 0.2;
+  const numerics::GeneralEigen found = numerics::general_eigenvalues(rates_of_states(motion, (from + to) / 2));
+  const double time = two_pi / motion.omega;
+  return found.converged && std::all_of(found.values.begin(), found.values.end(), [&](const std::complex<double>& one) {
+           return std::abs(one) * time < quick || one.real() < -decays * std::abs(one);
+         });
+}
+
+PeriodicStability::Transition PeriodicStability::stiff(const LawsAlong& motion, double from, double to,
+                                                       double accurate) const {
   constexpr int per_period = 32, most = 512;
-  constexpr double order = 15;  // 2⁴ − 1
+  const bool implicit = is_overdamped(motion, from, to);
+  const double improved = implicit ? 31 : 15;  // 2^order − 1
+  const auto over = [&](int steps) {
+    return implicit ? collocated(motion, from, to, steps) : exponentials(motion, from, to, steps);
+  };
   int steps = std::max(2, static_cast<int>(std::ceil(per_period * (to - from) / two_pi)));
-  MatrixXd before = exponentials(motion, from, to, steps);
+  MatrixXd before = over(steps);
   for (;;) {
     steps *= 2;
-    MatrixXd now = exponentials(motion, from, to, steps);
-    const double change = (now - before).norm() / order, size = now.norm();
+    MatrixXd now = over(steps);
+    const double change = (now - before).norm() / improved, size = now.norm();
     if (change <= accurate * size) return {now};
     if (steps >= most || !std::isfinite(size)) return {now, std::isfinite(size) ? change / size : foundation::infinity};
     before = std::move(now);
@@ -251,7 +309,7 @@ PeriodicStability::Transition PeriodicStability::smooth(const LawsAlong& motion,
     found = split(motion, from, to, fewest, accurate);
     if (found.uncertainty <= trusted) return found;
   }
-  Transition other = exponentials(motion, from, to, accurate);
+  Transition other = stiff(motion, from, to, accurate);
   return other.uncertainty < found.uncertainty ? other : found;
 }
 

@@ -19,6 +19,10 @@ class LinearFlow {
   [[nodiscard]] const Eigen::MatrixXd& to_states() const { return to_states_; }      ///< T
   [[nodiscard]] const Eigen::MatrixXd& from_states() const { return from_states_; }  ///< T⁻¹
 
+  /// Imaginary parts of the eigenvalues [rad/s], one per row of y: positive in the first and negative in the second row
+  /// of a block, else 0.
+  [[nodiscard]] const Eigen::VectorXd& turning() const { return turning_; }
+
   /// e^{F t}, states × states.
   [[nodiscard]] Eigen::MatrixXd at(double time) const;
 
