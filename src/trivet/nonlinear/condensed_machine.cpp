@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/condensed_machine.h"
 
-#include <algorithm>
+#include <complex>
+#include <vector>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -16,16 +17,33 @@ using Eigen::VectorXcd;
 
 namespace {
 
-bool moves_ground(const PeriodicExcitation& excitation) {
-  return std::any_of(excitation.loadings.begin(), excitation.loadings.end(),
-                     [](const assembly::Loading& loading) { return !loading.motion.vanishes(); });
+/// The deflections, over the motion of the ground by each term of the loadings instead of that of its coordinates: feet
+/// on one base move as the base does, whatever the number of ground coordinates.
+std::vector<Deflection> over_ground_terms(std::vector<Deflection> deflections, const PeriodicExcitation& excitation) {
+  const std::vector<Deflection> given = deflections;
+  for (Deflection& one : deflections) one.on_ground.resize(0);
+  for (const assembly::Loading& loading : excitation.loadings)
+    for (const numerics::LoadTerm& term : loading.motion.terms()) {
+      VectorXcd moved(to_index(given.size()));
+      for (Index j = 0; j < moved.size(); ++j)
+        moved(j) = (given[to_size(j)].on_ground.transpose().cast<std::complex<double>>() * term.value)(0);
+      const double largest = moved.size() > 0 ? moved.cwiseAbs().maxCoeff() : 0;
+      if (!(largest > 0)) continue;
+      for (Index j = 0; j < moved.size(); ++j) {
+        Eigen::VectorXd& parts = deflections[to_size(j)].on_ground;
+        parts.conservativeResize(parts.size() + 2);
+        parts.tail<2>() << moved(j).real() / largest, moved(j).imag() / largest;
+      }
+    }
+  return deflections;
 }
 
 }  // namespace
 
 CondensedMachine::CondensedMachine(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections,
                                    const PeriodicExcitation& excitation)
-    : basis_(deflection_basis(assembled, deflections, moves_ground(excitation))), excited_(excitation.harmonics) {
+    : basis_(deflection_basis(assembled, over_ground_terms(deflections, excitation), true)),
+      excited_(excitation.harmonics) {
   for (const assembly::ElementMap& map : assembled.elements)
     if (map.defined_from > 0)
       throw foundation::NotComputable(

@@ -26,7 +26,8 @@ struct Directions {
 Directions directions_of(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections,
                          bool ground_moves) {
   constexpr double round_off = 1e-13;
-  const Index coordinates = assembled.matrices.size(), ground = ground_moves ? assembled.ground.size() : 0;
+  const Index coordinates = assembled.matrices.size(),
+              ground = ground_moves && !deflections.empty() ? deflections.front().on_ground.size() : 0;
   const VectorXd scale =
       numerics::unit_scale(assembled.frequency_dependent() ? assembled.constant : assembled.matrices);
   Directions found{MatrixXd(coordinates + ground, to_index(deflections.size())),

@@ -83,7 +83,7 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
   result.multipliers_hold = multipliers.confirmed && multipliers.uncertainty <= accurate;
   for (const std::size_t stop : stops_) result.contact.push_back(contact(stop, balance, result));
   if (!result.multipliers_hold && has_winding() && !stability_.is_undamped())
-    result.unstable_by_winding = winding_.unstable_exponents(unknowns, omega);
+    result.unstable_by_winding = winding_.unstable_exponents(result.deflections, omega);
   const int unstable = result.unstable_by_winding.value_or(result.unstable_multipliers());
   result.uncertain = !result.multipliers_hold && !result.unstable_by_winding;
   result.stable = !result.uncertain && unstable == 0 && !(of_amplitude_ && is_behind_fold(balance, unknowns, driving));

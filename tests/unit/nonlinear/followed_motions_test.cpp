@@ -93,4 +93,31 @@ TEST_F(JoinedMotions, CanBeCutBackToAnExtent) {
   expect_all_at_zero();
 }
 
+/// A curve that begins upright, as one of twice the period does where it leaves another: λ changes by 1e-12 up to u
+/// = 1.
+TEST(FollowedMotions, TurnsOfRoundOffAreNoFolds) {
+  const numerics::Branch upright(
+      [](const Eigen::VectorXd& u, double parameter, numerics::Equations& equations) {
+        const double beyond = std::max(u(0) - 1, 0.0);
+        equations.value = Eigen::VectorXd::Constant(1, parameter - 1e-12 * std::sin(40 * u(0)) - std::pow(beyond, 3));
+        equations.by_unknowns = Eigen::MatrixXd::Constant(1, 1, -4e-11 * std::cos(40 * u(0)) - 3 * beyond * beyond);
+        equations.by_parameter = Eigen::VectorXd::Constant(1, 1);
+      },
+      Eigen::VectorXd::Constant(1, 1), 1);
+  const std::vector<double> wanted;
+  FollowedMotions motions(upright, wanted);
+  constexpr double first = 0.01, step = 0.03;
+  motions.begin(upright.start(Eigen::VectorXd::Constant(1, first), 1e-12 * std::sin(40 * first)).value());
+  while (motions.points().back().unknowns(0) < 1.8)
+    motions.add(upright.after(motions.points().back(), step).value(), step);
+  EXPECT_FALSE(motions.turns().empty());
+  motions.remove_turns_of_round_off();
+  EXPECT_TRUE(motions.turns().empty());
+}
+
+TEST_F(JoinedMotions, KeepTheirFolds) {
+  joined.remove_turns_of_round_off();
+  expect_all_at_zero();
+}
+
 }  // namespace followed_motions_test
