@@ -298,11 +298,12 @@ PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws&
   }
   const numerics::GeneralEigen found = numerics::general_eigenvalues(period);
   if (!found.converged) return {Eigen::VectorXcd::Constant(all, foundation::infinity), foundation::infinity, false};
-  const double error = period.norm() * (motion.is_piecewise_linear ? exact : std::max({accurate, exact, uncertainty}));
-  // Beyond, all but the largest multipliers are round-off. Memories have units of their own, which the norm mixes.
-  constexpr double most = 1e-3, most_growth = 1e4;
-  const bool confirmed = motion.memories() > 0 ? found.values.cwiseAbs().maxCoeff() < most_growth
-                                               : error < most && agrees_with_liouville(found.values, logarithm, error);
+  // Memories are forces and deflections in one matrix: its norm would depend on their units, the multipliers do not.
+  const double size = motion.memories() > 0 ? std::max(1.0, found.values.cwiseAbs().maxCoeff()) : period.norm();
+  const double error = size * (motion.is_piecewise_linear ? exact : std::max({accurate, exact, uncertainty}));
+  constexpr double most = 1e-3;  // beyond, all but the largest multipliers are round-off
+  const bool confirmed =
+      motion.memories() > 0 ? error < most : error < most && agrees_with_liouville(found.values, logarithm, error);
   return {found.values, uncertainty, confirmed};
 }
 
