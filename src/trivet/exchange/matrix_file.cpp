@@ -2,6 +2,7 @@
 #include "trivet/exchange/matrix_file.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "trivet/exchange/abaqus_matrix.h"
 #include "trivet/exchange/csv_matrix.h"
@@ -38,8 +39,9 @@ const std::vector<std::string>& matrix_formats() {
 
 foundation::Expected<NamedMatrix> read_matrix_file(const std::filesystem::path& path,
                                                    const MatrixFileOptions& options) {
-  const auto bytes = file_bytes(path);
+  auto bytes = file_bytes(path);
   if (!bytes) return tl::make_unexpected(bytes.error());
+  *bytes = with_line_feeds(std::move(*bytes));
   const std::string source = path.string();
   const std::string format = options.format.empty() ? format_of(path, *bytes) : options.format;
   if (format == "numpy") return read_numpy_array(*bytes, source);

@@ -26,6 +26,12 @@ bool Lines::next() {
   return true;
 }
 
+std::string with_line_feeds(std::string text) {
+  if (text.find('\n') == std::string::npos && text.find('\0') == std::string::npos)
+    std::replace(text.begin(), text.end(), '\r', '\n');
+  return text;
+}
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};

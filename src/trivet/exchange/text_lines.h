@@ -24,6 +24,10 @@ class Lines {
   int number_ = 0;
 };
 
+/// A text whose lines end with carriage returns alone, as old programs write them, with line feeds instead; any other
+/// text as it is.
+[[nodiscard]] std::string with_line_feeds(std::string text);
+
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 /// The parts between runs of blanks and tabs.
 [[nodiscard]] std::vector<std::string_view> blank_separated(std::string_view line);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trivet/exchange/file_bytes.h"
+#include "trivet/exchange/text_lines.h"
 #include "trivet/exchange/universal_descriptions.h"
 #include "trivet/exchange/universal_functions.h"
 #include "trivet/exchange/universal_geometry.h"
@@ -229,7 +230,7 @@ foundation::Expected<UniversalRead> read_universal_text(std::string_view bytes, 
 foundation::Expected<UniversalRead> read_universal(const std::filesystem::path& path) {
   const auto bytes = file_bytes(path, universal_file_rules);
   if (!bytes) return tl::make_unexpected(bytes.error());
-  return read_universal_text(*bytes, path.string());
+  return read_universal_text(with_line_feeds(*bytes), path.string());
 }
 
 }  // namespace trivet::exchange

@@ -8,6 +8,7 @@
 #include "trivet/exchange/file_bytes.h"
 #include "trivet/exchange/matrix_market.h"
 #include "trivet/exchange/numpy_array.h"
+#include "trivet/exchange/text_lines.h"
 
 namespace trivet::test {
 namespace matrix_files_test {
@@ -75,6 +76,11 @@ TEST(CsvMatrix, IsReadWithCommasSemicolonsTabsAndBlanks) {
     ASSERT_TRUE(read) << complaint(read);
     EXPECT_EQ(read->values, (Eigen::MatrixXd(2, 2) << 1, 2, 3, 4).finished());
   }
+}
+
+TEST(TextLines, OfOldProgramsEndWithACarriageReturn) {
+  EXPECT_EQ(exchange::with_line_feeds("1,2\r3,4\r"), "1,2\n3,4\n");
+  EXPECT_EQ(exchange::with_line_feeds("1,2\r\n3,4\r\n"), "1,2\r\n3,4\r\n");
 }
 
 TEST(CsvMatrix, WarnsAboutALineReadAsHeading) {

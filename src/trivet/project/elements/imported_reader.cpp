@@ -56,7 +56,7 @@ foundation::Expected<exchange::EndMatrix> reduced(TableReader& reader, const exc
   } else if (matrix.values.rows() != 12) {
     foundation::Problems problems;
     problems.error("file", fmt::format("{} × {}", matrix.values.rows(), matrix.values.cols()),
-                   "a larger matrix is condensed onto the two ends of the element",
+                   "an element has 12 × 12; a larger matrix is condensed onto its two ends",
                    "name them: nodes = [N, K], or rows = [six of N, six of K]");
     return tl::make_unexpected(std::move(problems));
   }

@@ -13,7 +13,9 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
+#include "trivet/exchange/text_lines.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
@@ -360,7 +362,7 @@ foundation::Expected<std::string> table_text(const std::filesystem::path& path) 
     return refused(path, "reading failed", "check the disk");
   if (text.find('\0') != std::string::npos)
     return refused(path, "the file contains NUL bytes", "it is not a text file, or is in UTF-16: save it as UTF-8");
-  return text;
+  return exchange::with_line_feeds(std::move(text));
 }
 
 }  // namespace
