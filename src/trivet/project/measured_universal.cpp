@@ -149,11 +149,10 @@ foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem
   MeasuredFile result;
   result.warnings = read->warnings;
   result.modes = read->file.modes;
-  for (const exchange::UniversalNode& node : read->file.nodes)
-    if (node.position_known && node.axes_known) {
-      result.nodes[node.label] = node.position;
-      if (!node.axes.isIdentity(0)) result.axes[node.label] = node.axes;
-    }
+  for (const exchange::UniversalNode& node : read->file.nodes) {
+    if (node.position_known && node.axes_known) result.nodes[node.label] = node.position;
+    if (node.axes_known && !node.axes.isIdentity(0)) result.axes[node.label] = node.axes;
+  }
   turn_to_ground(read->file.nodes, result.modes);
   result.nodes_in_systems = nodes_in_systems(read->file);
   std::vector<const UniversalFunction*> compared;
