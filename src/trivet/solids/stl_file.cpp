@@ -114,9 +114,30 @@ class Words {
   int line_ = 1;
 };
 
-bool read_corner(Words& words, Corner& corner) {
+/// Step of the last digit of coordinates that are printed with a fixed number of decimals: "10.001".
+class PrintedStep {
+ public:
+  void add(std::string_view number) {
+    const std::size_t point = number.find('.');
+    const bool fixed = point != std::string_view::npos && number.find_first_of("eE") == std::string_view::npos;
+    const std::size_t decimals = fixed ? number.size() - point - 1 : 0;
+    if (decimals_ == unknown) decimals_ = decimals;
+    if (decimals != decimals_) decimals_ = 0;
+  }
+  /// 0 without such a step.
+  [[nodiscard]] double value() const {
+    return decimals_ == 0 || decimals_ == unknown ? 0 : std::pow(10.0, -static_cast<double>(decimals_));
+  }
+
+ private:
+  static constexpr std::size_t unknown = std::string_view::npos;
+  std::size_t decimals_ = unknown;
+};
+
+bool read_corner(Words& words, Corner& corner, PrintedStep& step) {
   for (double& x : corner) {
     const std::string word = words.next();
+    step.add(word);
     const char* begin = word.c_str() + (word.starts_with('+') ? 1 : 0);
     const auto [end, error] = std::from_chars(begin, word.c_str() + word.size(), x);
     if (error != std::errc() || end != word.c_str() + word.size() || !std::isfinite(x)) return false;
@@ -128,6 +149,7 @@ foundation::Expected<TriangleSurface> read_text(const std::filesystem::path& fil
                                                 const foundation::Progress& progress) {
   Words words(text);
   Builder builder;
+  PrintedStep step;
   int corners = 0;
   bool in_solid = false;
   for (std::string word = words.next(); !word.empty(); word = words.next()) {
@@ -139,7 +161,7 @@ foundation::Expected<TriangleSurface> read_text(const std::filesystem::path& fil
       words.skip_line();
     } else if (word == "vertex") {
       Corner corner;
-      if (!read_corner(words, corner))
+      if (!read_corner(words, corner, step))
         return refused(file, "'vertex' is not followed by three finite numbers", words.line());
       builder.add(corner);
       ++corners;
@@ -154,7 +176,9 @@ foundation::Expected<TriangleSurface> read_text(const std::filesystem::path& fil
     }
   }
   if (in_solid || corners != 0) return refused(file, "ends without 'endsolid': it was cut off", words.line());
-  return builder.surface();
+  TriangleSurface surface = builder.surface();
+  surface.printed_step = step.value();
+  return surface;
 }
 
 /// A text without what fills its last block: NUL, or the end mark of old systems.

@@ -14,6 +14,7 @@ namespace trivet::solids {
 struct TriangleSurface {
   Eigen::Matrix3Xd vertices;
   Eigen::Matrix3Xi triangles;      ///< three vertex numbers from 0, counterclockwise seen from outside
+  double printed_step = 0;         ///< of the last digit, if all coordinates are printed with equally many decimals
   foundation::Problems remarks{};  ///< warnings about the file
 };
 

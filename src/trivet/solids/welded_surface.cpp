@@ -20,6 +20,8 @@ namespace trivet::solids {
 namespace {
 
 constexpr double of_largest_coordinate = 2e-5, of_size = 1e-4, of_single_precision = 2.4e-7;
+/// Steps of fixed decimals by which two roundings differ in three directions, and the coarsest in terms of the size.
+constexpr double printed_steps = 2, coarsest_of_size = 1e-3;
 /// Pairs per vertex within the tolerance; beyond it the surface itself is as fine as the tolerance.
 constexpr std::size_t most_pairs = 30;
 
@@ -164,7 +166,8 @@ void weld(TriangleSurface& surface) {
   if (open.empty()) return;
   const Eigen::AlignedBox3d box(surface.vertices.rowwise().minCoeff(), surface.vertices.rowwise().maxCoeff());
   const double largest = surface.vertices.cwiseAbs().maxCoeff(), size = box.diagonal().norm();
-  const double tolerance = std::min(of_largest_coordinate * largest, of_size * size);
+  const double tolerance = std::max(std::min(of_largest_coordinate * largest, of_size * size),
+                                    std::min(printed_steps * surface.printed_step, coarsest_of_size * size));
   if (!(tolerance > 0)) return;
   const auto pairs = near_pairs(surface.vertices, open, tolerance);
   if (!pairs) return;
@@ -176,7 +179,7 @@ void weld(TriangleSurface& surface) {
       fmt::format("{} {} by rounding from another, by up to {:.2g}, the first at {} in the file's units", weld.count(),
                   weld.count() == 1 ? "vertex differs" : "vertices differ", weld.widest(),
                   words_of(surface.vertices.col(weld.first()))),
-      fmt::format("vertices of neighbouring triangles are equal; six printed digits explain {:.2g}", tolerance),
+      fmt::format("vertices of neighbouring triangles are equal; the printed digits explain up to {:.2g}", tolerance),
       "they are read as one; no action is needed if the part has no detail so small");
   for (int& vertex : surface.triangles.reshaped()) vertex = weld.representative(vertex);
 }

@@ -11,7 +11,8 @@ namespace trivet::solids {
 ///
 /// Two vertices differ by rounding if they are closer than 2·10⁻⁵ of the largest coordinate: most programs print six
 /// digits, so two roundings of one coordinate differ by up to 10⁻⁵ of it, in each direction. At most 10⁻⁴ of the
-/// size, for parts far from the origin. Two vertices of one triangle are a real edge, however short, unless they are
+/// size, for parts far from the origin. If the file prints a fixed number of decimals, two steps of the last one count,
+/// up to 10⁻³ of the size. Two vertices of one triangle are a real edge, however short, unless they are
 /// as close as two roundings to single precision (2.4·10⁻⁷): so welding closes no hole of a missing triangle.
 [[nodiscard]] TriangleSurface welded_surface(TriangleSurface surface);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -208,6 +209,25 @@ TEST(WeldedSurface, CoordinatesThatDifferByRoundingAreEqual) {
     ASSERT_THAT(solid->remarks.list(), SizeIs(1)) << noise;
     EXPECT_THAT(message(solid->remarks.list()[0]), HasSubstr("vertices differ by rounding from another"));
   }
+}
+
+TEST(WeldedSurface, TheLastOfFixedDecimalsIsRounding) {
+  const foundation::TemporaryFolder folder;
+  const auto outcome = [&](double noise, int decimals) {
+    std::string text = "solid\n";
+    for (const test::Triangle& triangle : noisy_box(noise)) {
+      text += "facet normal 0 0 0\nouter loop\n";
+      for (const Eigen::Vector3d& p : triangle)
+        text += fmt::format("vertex {:.{}f} {:.{}f} {:.{}f}\n", p.x(), decimals, p.y(), decimals, p.z(), decimals);
+      text += "endloop\nendfacet\n";
+    }
+    test::write_file(folder.path() / "part.stl", text + "endsolid\n");
+    return messages(rigid_solid({{"part", StlSolid{folder.path() / "part.stl", mm}, 1000}}));
+  };
+  EXPECT_EQ(outcome(1e-3, 3), "");
+  EXPECT_EQ(outcome(1e-2, 2), "");
+  EXPECT_THAT(outcome(3e-3, 3), HasSubstr("open edges"));  // three steps
+  EXPECT_THAT(outcome(0.1, 1), HasSubstr("open edges"));   // a tenth of a millimetre of 24
 }
 
 TEST(WeldedSurface, AGapBeyondRoundingIsAHole) {
