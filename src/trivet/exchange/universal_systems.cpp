@@ -45,8 +45,8 @@ std::optional<std::vector<double>> next_numbers(Lines& lines, std::size_t count,
 }
 
 void report_wrong(const UniversalSet& set, const Lines& lines, const char* rule, SetProblems& problems) {
-  problems.error(set.line + lines.number(), "coordinate system", in_quotes(lines.line()), rule,
-                 set.closed ? "correct the set, or remove it" : "was the file cut off?");
+  problems.warning(set.line + lines.number(), "coordinate system", in_quotes(lines.line()), rule,
+                   "the rest of the set is not read; nodes in its systems have no place by their position");
 }
 
 void warn_left_out(const UniversalSet& set, int label, const std::string& finding, const char* rule,

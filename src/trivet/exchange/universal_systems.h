@@ -20,7 +20,7 @@ struct UniversalSystem {
 };
 
 /// Reads set 18: systems by origin, a point on +x and a point in the +xz plane. Systems defined in another way, or
-/// without three different points, are left out with a warning.
+/// without three different points, are left out with a warning; so is what follows a wrong line.
 [[nodiscard]] std::vector<UniversalSystem> read_universal_systems(const UniversalSet& set, const UniversalUnits& units,
                                                                   SetProblems& problems);
 

@@ -70,11 +70,26 @@ std::vector<Statement> statements(const UniversalAxis& axis, const char* name) {
   return all;
 }
 
-/// A unit per load in the label of the numerator, "g/N", or the unit of an axis of unknown type, "m/s^2".
-std::optional<MeasuredUnit> unit_in_label(const UniversalFunction& function) {
+/// A unit in the label of the numerator that is not one of the type of the axis: of a ratio, "g/N", or of another
+/// quantity.
+std::optional<MeasuredUnit> any_unit_in_label(const UniversalFunction& function) {
   const UniversalAxis& axis = function.numerator;
   if (axis.stated.label.empty() || axis.stated.by_label) return std::nullopt;
-  auto unit = measured_unit(axis.stated.label);
+  return measured_unit(axis.stated.label);
+}
+
+/// True if the label names a unit of another quantity than the type of the axis: "mm/s" of an acceleration.
+bool is_of_another_quantity(const UniversalFunction& function) {
+  const auto unit = any_unit_in_label(function);
+  const auto of_axis = quantity_of_axis(function);
+  return unit && of_axis && unit->quantity != *of_axis;
+}
+
+/// A unit per load in the label of the numerator, "g/N", or the unit of an axis of unknown type, "m/s^2".
+std::optional<MeasuredUnit> unit_in_label(const UniversalFunction& function) {
+  if (is_of_another_quantity(function)) return std::nullopt;
+  const UniversalAxis& axis = function.numerator;
+  auto unit = any_unit_in_label(function);
   if (!unit || unit->per_load) return unit;
   if (function.denominator.stated.label.empty()) return unit;
   if (const auto whole = measured_unit("(" + axis.stated.label + ")/" + function.denominator.stated.label))
@@ -170,9 +185,14 @@ std::optional<MeasuredUnit> MeasuredAxes::unit_of(const UniversalFunction& funct
                         .text = in_label->text};
   if (!of_axis || !(is_load(function.denominator.quantity) || plain)) return std::nullopt;
   if (function.in_file_units) return std::nullopt;
-  if (stated.empty() && !function.numerator.stated.label.empty()) {
-    error(function, fmt::format("{} is not a known unit", label_words("numerator", function.numerator.stated.label)),
-          "set 164 or the label states the unit of the numbers", "state it: unit = \"g/N\" or \"(m/s2)/N\"");
+  const bool other = is_of_another_quantity(function);
+  if (other || (stated.empty() && !function.numerator.stated.label.empty())) {
+    error(function,
+          fmt::format("{} is not a known unit of {}", label_words("numerator", function.numerator.stated.label),
+                      other ? fmt::format("an axis of type {}", static_cast<int>(function.numerator.quantity))
+                            : std::string("its quantity")),
+          "set 164 or the label states the unit of the numbers, the type of the axis their quantity",
+          "state it: unit = \"g/N\" or \"(m/s2)/N\"");
     return std::nullopt;
   }
   return MeasuredUnit{*of_axis, 1, is_load(function.denominator.quantity), {}};

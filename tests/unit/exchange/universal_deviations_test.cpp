@@ -91,11 +91,11 @@ TEST(UniversalText, MayHaveTextsInOtherAlphabets) {
   const UniversalFunction utf8 =
       function_of(universal({.numerator = "         8    0    0    0 Größe µm²            mm"}));
   EXPECT_EQ(utf8.numerator.label, "Größe µm²");
-  EXPECT_EQ(utf8.numerator.unit, "mm");
+  EXPECT_EQ(utf8.numerator.stated.label, "mm");
   const UniversalFunction full =
       function_of(universal({.numerator = "         8    0    0    0 Größe der Höhe x y z mm"}));
   EXPECT_EQ(full.numerator.label, "Größe der Höhe x y z");
-  EXPECT_EQ(full.numerator.unit, "mm");
+  EXPECT_EQ(full.numerator.stated.label, "mm");
   const UniversalFunction latin = function_of(universal({.ids = "Gr\xF6\xDF"
                                                                 "e\tA\nNONE\nNONE\nNONE\nNONE\n"}));
   EXPECT_EQ(latin.ids[0], "Größe A");
@@ -130,11 +130,11 @@ TEST(UniversalSets, OfOtherTypesEndWithADelimiterLikeTheirFirst) {
 }
 
 TEST(UniversalSets, OfOtherTypesAndCommentsAreIgnoredWithOneWarningEach) {
-  const std::string text = "comment\n" + universal_set(2411, "         1\n        -1\n") + universal_set(18, "x\n") +
-      universal_set(18, "") + "another\n" + universal({});
+  const std::string text = "comment\n" + universal_set(2499, "         1\n        -1\n") + universal_set(19, "x\n") +
+      universal_set(19, "") + "another\n" + universal({});
   EXPECT_EQ(content(text).functions.size(), 1u);
   EXPECT_THAT(warnings(text),
-              AllOf(HasSubstr("f: warning: sets: 18 (2×), 2411; sets 15, 55"),
+              AllOf(HasSubstr("f: warning: sets: 19 (2×), 2499; sets 15, 18"),
                     HasSubstr("f:1: warning: lines between sets: \"comment\""), Not(HasSubstr("another"))));
 }
 

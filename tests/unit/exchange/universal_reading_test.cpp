@@ -151,8 +151,8 @@ TEST(UniversalModes, AreOnlySetsWithModes) {
   const std::string other =
       "NONE\nNONE\nNONE\nNONE\nNONE\n         1         5         2         8         5         3\n"
       "         2         1         1         4\n  1.00000E+01\n";
-  const std::string said = warnings(universal_set(55, other) + universal_set(55, other) + universal_set(2411, "1\n"));
-  EXPECT_THAT(said, HasSubstr("sets: 2411, 55 with analysis type 5 (2×)"));
+  const std::string said = warnings(universal_set(55, other) + universal_set(55, other) + universal_set(2499, "1\n"));
+  EXPECT_THAT(said, HasSubstr("sets: 2499, 55 with analysis type 5 (2×)"));
 }
 
 TEST(UniversalFunctions, HaveFourTypesOfOrdinatesWithBothSpacings) {

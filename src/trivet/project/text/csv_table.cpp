@@ -227,7 +227,9 @@ class Reader {
   void read_header(std::string_view line, int number_of_line) {
     auto names = cells(line, separator_);
     if (!names) return problem(number_of_line, "a quote is not closed", std::string(table_rule), "close it");
+    const std::size_t cells_of_header = names->size();
     drop_empty_end(1, *names);
+    unnamed_ = cells_of_header - names->size();
     header_line_ = number_of_line;
     counts_rows_ = names->size() > 1 && names->front().empty();
     if (all_numbers(*names)) {
@@ -275,6 +277,11 @@ class Reader {
     auto row = cells(line, separator_);
     if (row) drop_empty_end(width_, *row);
     if (row && is_empty(*row)) return;
+    if (row && row->size() > width_ && row->size() <= width_ + unnamed_) {
+      unnamed_ = 0;
+      return problem(header_line_, fmt::format("column {} has no name", row->size()), "every column has a name",
+                     "name it");
+    }
     if (!row || row->size() != width_) {
       if (ragged_++ < most_listed)
         problem(number_of_line, row ? fmt::format("{} cells", row->size()) : "a quote is not closed",
@@ -314,6 +321,7 @@ class Reader {
   foundation::Problems problems_;
   const std::vector<std::string>& bare_;
   int header_line_ = 0, bare_header_line_ = 0;
+  std::size_t unnamed_ = 0;      ///< empty cells at the end of the header
   bool counts_rows_ = false;     ///< the first column has no name
   bool counts_columns_ = false;  ///< the bare first row is 0, 1 … or 1, 2 …
   bool whole_below_ = false;     ///< rows below a bare first row have whole numbers, too
