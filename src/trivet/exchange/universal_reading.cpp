@@ -53,7 +53,7 @@ bool needs_unit(const UniversalAxis& axis) {
 }
 
 /// True if the labels state all units, so that no set 164 is missed.
-bool has_labels(const UniversalFunction& function) {
+bool states_units_by_labels(const UniversalFunction& function) {
   for (const UniversalAxis* axis : {&function.abscissa_axis, &function.numerator, &function.denominator})
     if (needs_unit(*axis) && !axis->stated.by_label) return false;
   return true;
@@ -173,7 +173,7 @@ void UniversalReader::read_set(const UniversalSet& set) {
 void UniversalReader::warn_about_units() {
   if (file_.units_of_file || !has_quantities()) return;
   const bool labelled = file_.nodes.empty() && file_.modes.empty() &&
-      std::all_of(file_.functions.begin(), file_.functions.end(), has_labels);
+      std::all_of(file_.functions.begin(), file_.functions.end(), states_units_by_labels);
   if (!labelled)
     problems_.warning(0, "units", "no set 164", "set 164 states the units of the numbers",
                       "numbers without the label of a known unit are read as SI");
