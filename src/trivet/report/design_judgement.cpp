@@ -173,7 +173,9 @@ std::vector<Judgement> judgements(const std::vector<ShownCase>& cases) {
                       answers.optimization->feasible ? "" : "no design that was found meets every requirement",
                       std::numeric_limits<double>::infinity(), i});
     for (const std::string& failure : answers.failures)
-      list.push_back({Outcome::not_judged, "answer", "not computed", failure, 0, i});
+      if (std::none_of(list.begin(), list.end(),
+                       [&](const Judgement& one) { return one.shown_case == i && one.finding == failure; }))
+        list.push_back({Outcome::not_judged, "answer", "not computed", failure, 0, i});
   }
   return list;
 }
