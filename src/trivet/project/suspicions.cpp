@@ -81,19 +81,25 @@ void add_limit(const std::string& table, const AmplitudeLimit& limit, plausibili
                                     limit.amplitude, limit.quantity == assembly::MotionQuantity::velocity});
 }
 
-/// The band of [requirements], if it is not that of the response, and windows to avoid without units.
+/// A range of two numbers of which one that is not 0 has no unit.
+bool is_bare_range(const Node& range) {
+  return range.items.size() == 2 && std::any_of(range.items.begin(), range.items.end(), [](const Node& end) {
+           return end.kind != Node::Kind::text && end.number != 0;
+         });
+}
+
+/// Ranges of [requirements] without units. With units they are meant: an operating range without a resonance is good.
 void add_windows_of_requirements(const Case& variant, plausibility::Stated& stated) {
   const Node* table = variant.document.find("requirements");
   if (!table || !variant.analyses.requirements) return;
-  if (table->find("band") && variant.analyses.requirements->band)
-    stated.windows.push_back(
-        {"requirements.band", variant.analyses.requirements->band->from, variant.analyses.requirements->band->to});
+  const Node* band = table->find("band");
+  if (const auto& read = variant.analyses.requirements->band; band && read && is_bare_range(*band))
+    stated.windows.push_back({"requirements.band", read->from, read->to});
   const Node* natural = table->find("natural_frequencies");
   const Node* avoid = natural ? natural->find("avoid") : nullptr;
   if (!avoid) return;
   for (const Node& window : avoid->items)
-    if (window.items.size() == 2 && window.items[0].kind != Node::Kind::text &&
-        window.items[1].kind != Node::Kind::text)
+    if (is_bare_range(window) && window.items[0].kind != Node::Kind::text && window.items[1].kind != Node::Kind::text)
       stated.windows.push_back({.subject = "requirements.natural_frequencies.avoid",
                                 .from = window.items[0].number,
                                 .to = window.items[1].number,

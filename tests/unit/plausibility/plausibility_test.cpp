@@ -354,7 +354,11 @@ TEST(Plausibility, DetectsWindowsAndBandsOfRequirementsInHertzWithoutTheUnit) {
   EXPECT_THAT(of_windows("[[\"5 rad/s\", \"5.2 rad/s\"]]"), IsEmpty());
   EXPECT_THAT(of_windows("[[\"5 Hz\", \"5.2 Hz\"]]"), IsEmpty());
   EXPECT_THAT(of_windows("[[0.1, 0.2]]"), IsEmpty());  // met in hertz too
-  EXPECT_THAT(kinds(Cube{.more = "[requirements]\nband = [1, 2]\ndamping_ratio = 0.01\n"}.text()), ElementsAre("band"));
+  const auto of_band = [](const std::string& band) {
+    return kinds(Cube{.more = "[requirements]\nband = " + band + "\ndamping_ratio = 0.01\n"}.text());
+  };
+  EXPECT_THAT(of_band("[1, 2]"), ElementsAre("band"));
+  EXPECT_THAT(of_band("[\"1 Hz\", \"2 Hz\"]"), IsEmpty());  // an operating range without a resonance
 }
 
 TEST(Plausibility, DetectsProductsOfInertiaAboutThePoleWithTheOtherSign) {
