@@ -121,6 +121,13 @@ modes = {}
   EXPECT_THAT(foundation::message(turned.error().list().front()), HasSubstr("rotation about x of point mass"));
 }
 
+/// explain changes copies of the model that may be unphysical; a point mass is not.
+TEST(PointMass, IsNotUnphysicalForModalDamping) {
+  std::string text = on_a_bar("[damping]\nmodal = 0.02\n[analyses]\nmodes = {}\n");
+  text.replace(text.find("inertia ="), 0, "allow_unphysical = true\n");
+  EXPECT_EQ(answers(text).modes.list.size(), 3);
+}
+
 /// The same as a body whose inertia is far too small to matter below its own frequencies.
 TEST(PointMass, IsTheLimitOfASmallInertiaInAStep) {
   const std::string in_time =

@@ -102,7 +102,8 @@ void check_damping(const Description& description, foundation::Problems& problem
         problems.error("damping.modal", fmt::format("ratio {:.6g}", ratio),
                        "a damping ratio is at most 1000; 1 is critical", "check the number");
     for (const auto& body : description.bodies)
-      if (body.allow_unphysical && !body.is_node && !spatial::violated_bounds(body.mass).empty())
+      if (body.allow_unphysical && !body.is_node && !is_point_mass(body) &&
+          !spatial::violated_bounds(body.mass).empty())
         problems.error("damping.modal", fmt::format("body \"{}\" has an unphysical mass", body.name),
                        "modal damping ratios need a model in which every undamped mode oscillates",
                        "define the damping of the elements instead");
