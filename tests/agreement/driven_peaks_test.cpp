@@ -194,16 +194,19 @@ TEST(DrivenPeaks, WithPowersOfFrequencyAgreeWithTheSearchOnDiscs) {
 TEST(DrivenPeaks, ThatGrowBeyondTheBandAgreeWithTheSearchOnDiscs) {
   const numerics::DrivenPeakOptions from_rest{.from = 0, .to = 12, .count_peaks = false},
       above{.from = 25, .to = 400, .count_peaks = false};  // above most poles the growth decides
+  // Far below the highest poles their fractions cancel the growth, and digits are lost: such designs stay undecided.
+  const auto expect = [](const Kind& kind, const numerics::DrivenPeakOptions& options, Eigen::Index count = 48) {
+    expect_agreement(kind, options, nine_digits, count, few_are_proven);
+  };
   for (const numerics::DrivenPeakOptions& options : {highest_in_band, from_rest, above}) {
-    expect_agreement({.load_powers = {2}, .row_powers = {1}, .seed = 31}, options);
-    expect_agreement({.loss = 0, .load_powers = {2}, .row_powers = {1}, .seed = 32}, options);
-    expect_agreement({.load_powers = {2}, .row_powers = {2}, .seed = 33}, options);
-    expect_agreement({.load_powers = {0, 1, 2}, .row_powers = {2}, .seed = 34}, options);
+    expect({.load_powers = {2}, .row_powers = {1}, .seed = 31}, options);
+    expect({.loss = 0, .load_powers = {2}, .row_powers = {1}, .seed = 32}, options);
+    expect({.load_powers = {2}, .row_powers = {2}, .seed = 33}, options);
+    expect({.load_powers = {0, 1, 2}, .row_powers = {2}, .seed = 34}, options);
   }
   for (const int n : {1, 2, 12})
     for (const int power : {1, 2})
-      expect_agreement({.n = n, .load_powers = {2}, .row_powers = {power}, .seed = 35}, highest_in_band, nine_digits,
-                       16);
+      expect({.n = n, .load_powers = {2}, .row_powers = {power}, .seed = 35}, highest_in_band, 16);
 }
 
 TEST(DrivenPeaks, OfOtherNumbersOfCoordinatesAgreeWithTheSearchOnDiscs) {

@@ -93,9 +93,10 @@ class SumFit {
   /// The range of a number, from a place that differs from number to number: where all have the same share of their
   /// ranges, a symmetric machine has couplings that cancel, and terms would not be found.
   [[nodiscard]] SumFamily::Along between(std::size_t j, bool logarithmic) const {
-    constexpr double golden = 0.6180339887498949, largest = 0.1;
+    constexpr double largest = 0.1, factor = 7, first = 1.7;  // roots of these have no simple relations
     const SumFamily::Along whole{variables_[j].from, variables_[j].to, logarithmic, 0};
-    const double share = variables_.size() > 1 ? largest * std::fmod(golden * static_cast<double>(j + 1), 1.0) : 0;
+    const double root = std::sqrt(static_cast<double>(j) + first);
+    const double share = variables_.size() > 1 ? largest * std::fmod(factor * root, 1.0) : 0;
     return {whole.value(share), variables_[j].to, logarithmic, 0};
   }
 

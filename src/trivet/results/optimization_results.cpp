@@ -101,7 +101,7 @@ std::string mounts_text(const Optimization& found) {
             : "; dearer ones were not tried: allow more with combinations");
   else
     text += fmt::format(
-        "Best found of {} combinations of mounts: {} were judged with the given numbers, and the numbers of the best "
+        "Best found of {} combinations of mounts: {} were considered with a few numbers, and the numbers of the best "
         "{} optimised.\n",
         mounts.combinations, mounts.considered, mounts.optimized);
   for (const study::OptimizedMounts::Other& other : mounts.others)

@@ -285,9 +285,10 @@ class Search {
 
   void keep_the_best_so_far() {
     result_.cut_short = true;
-    if (!watch_.best())
+    const std::optional<Eigen::VectorXd> given = options_.also ? options_.also : objective_.space().given_shares();
+    if (!watch_.best() && !given)
       throw foundation::NotComputable("optimize: ended before the first design was judged; give it more time");
-    result_.best = numerics::point_at(result_.problem, watch_.best()->x);
+    result_.best = numerics::point_at(result_.problem, watch_.best() ? watch_.best()->x : *given);
     result_.ends = {result_.best};
     result_.starts = 1;
   }

@@ -168,8 +168,10 @@ class Combinations {
     add(all_, 0);
     if (all.size() > to_size(request_.combinations)) {
       const std::vector<Eigen::VectorXd> tried = numbers_to_try();
-      for (std::size_t k = 0; k < tried.size(); ++k)
-        if (const auto project = with_numbers(tried[k])) add({*project, deciding_cases(*project)}, k + 1);
+      for (std::size_t k = 0; k < tried.size(); ++k) try {
+          if (const auto project = with_numbers(tried[k])) add({*project, deciding_cases(*project)}, k + 1);
+        } catch (const foundation::InvalidInput&) {  // a mount cannot be used with these numbers
+        }
     }
     // Of equal bounds, or without any, not the first of the catalogue come first: an order without meaning.
     const auto scattered = [](std::size_t combination) {

@@ -232,7 +232,9 @@ class Description {
 
   /// Without a requirement that holds the optimum: what the others reach.
   void describe_conflict(const Place& place, const RequirementResult& result) {
-    const MaxMinPoint others = max_min(problem_of_requirements(objective_, place), best_.x);
+    const DesignObjective& searched = objective_.quick() ? *objective_.quick() : objective_;
+    MaxMinPoint others = max_min(problem_of_requirements(searched, place), best_.x);
+    if (&searched != &objective_) others = numerics::point_at(problem_of_requirements(objective_, place), others.x);
     const double factor = result.kind == RequirementKind::no_peak ? *result.value / result.allowed : 1 / result.margin;
     result_.conflicts.push_back({place.result_case, objective_.words(place), factor, whole(others.objective)});
   }

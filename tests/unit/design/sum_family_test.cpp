@@ -42,16 +42,22 @@ TEST(SumFamily, HasATermForEachProductThatActsAndForNoOther) {
   EXPECT_EQ(family->terms(), 9u);
 }
 
-/// The coupling of two mounts at ± x with equal ranges of their stiffness: it cancels where both have the same.
+/// Couplings of four equal mounts at ± x, ± y with equal ranges of their stiffness: they cancel where all have the
+/// same.
 TEST(SumFamily, HasTheTermsThatCancelInASymmetricDesign) {
-  const auto coupling = [](const Eigen::VectorXd& v) {
-    Eigen::VectorXd entries(2);
-    entries << (v(0) - v(1)) * v(2), (v(0) + v(1)) * v(2) * v(2);
-    return design::PackedOrReason{design::PackedDesign{entries, Eigen::VectorXd::Constant(2, 10)}, ""};
+  const auto couplings = [](const Eigen::VectorXd& v) {
+    Eigen::VectorXd entries(3);
+    entries << (v(0) - v(1) - v(2) + v(3)) * v(4) * v(5), (v(0) + v(1) - v(2) - v(3)) * v(4),
+        (v(0) + v(1) + v(2) + v(3)) * v(5) * v(5);
+    return design::PackedOrReason{design::PackedDesign{entries, Eigen::VectorXd::Constant(3, 10)}, ""};
   };
-  const auto found = SumFamily::fitted(coupling, {{0.3, 4, "left"}, {0.3, 4, "right"}, {0.2, 0.6, "x"}});
+  const design::SumVariable stiffness{0.3, 4, "k"};
+  const auto found =
+      SumFamily::fitted(couplings, {stiffness, stiffness, stiffness, stiffness, {0.2, 0.6, "x"}, {0.1, 0.4, "y"}});
   ASSERT_TRUE(found.family) << found.reason;
-  EXPECT_NEAR(found.family->at(Eigen::Vector3d(4, 0.3, 0.6))(0), 3.7 * 0.6, 10 * round_off);
+  Eigen::VectorXd design(6);
+  design << 4, 0.3, 0.3, 2, 0.6, 0.4;
+  EXPECT_NEAR(found.family->at(design)(0), 5.4 * 0.6 * 0.4, 10 * round_off);
 }
 
 TEST(SumFamily, GivesTheSameDesignsManyAtATime) {
