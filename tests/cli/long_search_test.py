@@ -12,6 +12,11 @@ SNUBBER = SOURCE / "examples/snubber/genset.toml"
 POWERTRAIN = SOURCE / "examples/powertrain/decoupled.toml"
 
 
+def least_margin(judged):
+    """Of the base model; JSON has null for ∞."""
+    return min(r["margin"] for r in judged["cases"][0]["requirements"] if r["margin"] is not None)
+
+
 class LongSearch(InTemporaryFolder):
     def test_one_number_of_steady_motion_against_verdicts(self):
         found = answer("optimize", SNUBBER)
@@ -20,10 +25,9 @@ class LongSearch(InTemporaryFolder):
         slip = "element_types.snubber.laws.z.friction.slip"
         for other in (0.9 * best, 0.97 * best, 1.03 * best, 1.1 * best):
             judged = answer("verdict", SNUBBER, "--set", f"{slip}={other}")
-            self.assertGreater(found["after"], min(r["margin"] for r in judged["cases"][0]["requirements"]))
+            self.assertGreater(found["after"], least_margin(judged))
         judged = answer("verdict", SNUBBER, "--set", f"{slip}={best:.12g}")
-        margin = min(r["margin"] for r in judged["cases"][0]["requirements"])
-        self.assertAlmostEqual(found["after"] / margin, 1, 9)
+        self.assertAlmostEqual(found["after"] / least_margin(judged), 1, 9)
         self.assertLess(found["designs"], 100)
 
     def long(self, *more):
