@@ -247,10 +247,10 @@ catalogue = "maker.toml"
 mount_load = "catalogue"
 """
 MOUNTS = {  # stiffness, load range, price, mass
-    "soft": (2e5, (500, 4000), 21.0, 1.5),
-    "medium": (3e5, (1000, 4500), 22.5, 1.0),
-    "firm": (8e5, (1500, 5000), 17.0, 1.25),
-    "hard": (1.3e6, (2000, 8000), 41.0, 2.0),
+    "soft": (2e5, (200, 4000), 21.0, 1.5),
+    "medium": (3e5, (200, 4500), 22.5, 1.0),
+    "firm": (8e5, (200, 5000), 17.0, 1.25),
+    "hard": (1.3e6, (200, 8000), 41.0, 2.0),
 }
 CATALOGUE = "catalogue = 1\ntitle = 'maker'\nsource = 'made up'\n" + "".join(
     f"""[mounts.{name}]

@@ -24,7 +24,8 @@ void MinimizedResults::add_to(project::Analyses& analyses) {
   }
   project::Requirements& required = *analyses.requirements;
   if (kind_ == project::Minimized::isolation) {  // as requirements, and again as objectives
-    required.isolation.insert(required.isolation.end(), required.isolation.begin(), required.isolation.end());
+    const std::vector<project::Isolation> again = required.isolation;
+    required.isolation.insert(required.isolation.end(), again.begin(), again.end());
     return;
   }
   const bool amplitudes = kind_ == project::Minimized::amplitude;

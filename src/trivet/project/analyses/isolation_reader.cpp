@@ -19,9 +19,11 @@ constexpr const char* isolation_example = R"(isolation = {at = "1480 rpm", least
 std::optional<double> decibels(const std::string& text) {
   constexpr std::string_view unit = "dB";
   const std::size_t end = text.find_last_not_of(' ');
-  if (end == std::string::npos || end + 1 < unit.size() || text.compare(end + 1 - unit.size(), unit.size(), unit) != 0)
+  if (end == std::string::npos || end < unit.size() || text.compare(end + 1 - unit.size(), unit.size(), unit) != 0)
     return std::nullopt;
-  const auto number = to_si(text.substr(0, end + 1 - unit.size()), Quantity::pure);
+  const std::size_t last = text.find_last_not_of(' ', end - unit.size());
+  if (last == std::string::npos) return std::nullopt;
+  const auto number = to_si(text.substr(0, last + 1), Quantity::pure);
   return number ? std::optional(*number) : std::nullopt;
 }
 
