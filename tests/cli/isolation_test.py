@@ -273,11 +273,18 @@ class RankedMounts(InTemporaryFolder):
 
     def test_a_load_range_alone_chooses_the_stiffest_mounts_with_a_warning(self):
         operation = '[analyses.transmissibility]\nforce = "run"\nband = ["12 Hz", "13 Hz"]\n'
-        found = answer("select", self.file(MACHINE + operation))
+        places = "[parameters.ahead]" + MACHINE.partition("[parameters.ahead]")[2].partition("[requirements]")[0]
+        both = """[parameters.mount]
+path = ["elements.front.type", "elements.rear.type"]
+catalogue = "maker.toml"
+"""
+        machine = MACHINE.replace(places, both)
+        found = answer("select", self.file(machine + operation))
+        self.assertEqual(found["best"][0]["mounts"], {"mount": "hard"})
         self.assertGreater(found["best"][0]["transmissibility"], 1)
         self.assertTrue(any("is amplified" in w for w in found["warnings"]))
-        self.assertIn("AMPLIFIES", trivet("select", self.file(MACHINE + operation)).stdout)
-        with_isolation = answer("select", self.file(MACHINE + ISOLATION + operation))
+        self.assertIn("AMPLIFIES", trivet("select", self.file(machine + operation)).stdout)
+        with_isolation = answer("select", self.file(machine + ISOLATION + operation))
         self.assertFalse(any("is amplified" in w for w in with_isolation["warnings"]))
 
     def test_the_cheapest_the_lightest_and_the_best_isolating_that_hold(self):

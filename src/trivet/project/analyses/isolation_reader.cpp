@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <system_error>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/band_reader.h"
@@ -23,8 +26,10 @@ std::optional<double> decibels(const std::string& text) {
     return std::nullopt;
   const std::size_t last = text.find_last_not_of(' ', end - unit.size());
   if (last == std::string::npos) return std::nullopt;
-  const auto number = to_si(text.substr(0, last + 1), Quantity::pure);
-  return number ? std::optional(*number) : std::nullopt;
+  double number = 0;
+  const char* const begin = text.data() + text.find_first_not_of(' ');
+  const auto [rest, error] = std::from_chars(begin, text.data() + last + 1, number);
+  return error == std::errc() && rest == text.data() + last + 1 ? std::optional(number) : std::nullopt;
 }
 
 /// `least`: a share 1 − T of 1, or a level −20 lg T.
