@@ -83,6 +83,22 @@ std::vector<Operation> judged_operations(const CaseContext& c, const project::An
   return result;
 }
 
+/// A direction as a project file has it.
+std::string direction_in_file(const Eigen::Vector3d& axis) {
+  for (int i = 0; i < 3; ++i)
+    if (axis.cwiseAbs() == Eigen::Vector3d::Unit(i)) return fmt::format("\"{}{}\"", axis(i) < 0 ? "-" : "", "xyz"[i]);
+  return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", axis(0), axis(1), axis(2));
+}
+
+/// The requirement that would judge this operation.
+std::string missing_requirement(const RequirementResult::Transmitted& transmitted, double hertz) {
+  std::string of_motion;  // without a base, forces are isolated
+  if (transmitted.force.empty())
+    of_motion = fmt::format("base = {}, {}of = [{}], ", direction_in_file(transmitted.base.axis),
+                            transmitted.base.rotation ? "rotation = true, " : "", foundation::quoted(transmitted.of));
+  return fmt::format("add isolation = {{{}at = \"{:.5g} Hz\", least = \"80 %\"}} to [requirements]", of_motion, hertz);
+}
+
 /// A requirement on the isolation, or on forces on the ground.
 bool speaks_of_the_ground(const project::Analyses& analyses) {
   const auto is_of_ground = [](const auto& limit) { return limit.name.starts_with("ground."); };
@@ -127,7 +143,7 @@ foundation::Problems amplification_warnings(const CaseContext& c, const project:
         fmt::format("{} is amplified at {:.5g} Hz, where the machine runs: transmissibility {:.4g} ({:+.3g} dB)",
                     one.words, hertz, *one.asked.value, response::transmissibility_level(*one.asked.value)),
         "these mounts do not isolate it, and no requirement speaks of that",
-        fmt::format("add isolation = {{at = \"{:.5g} Hz\", least = \"80 %\"}} to [requirements]", hertz));
+        missing_requirement(*one.asked.transmitted, hertz));
   }
   return warnings;
 }

@@ -10,6 +10,7 @@
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/response/machinery/order_loading.h"
 #include "trivet/study/nearest_to_line.h"
@@ -52,21 +53,31 @@ class CurveRequirements {
     set_amplitudes(first, harmonic, band, excitations);
   }
 
-  /// One requirement for each order of the shaft.
+  /// One requirement for each order of the shaft; one that is not judged if no order acts.
   void add_under_orders(const project::AmplitudeLimit& limit) {
     const std::vector<std::string> excitations = limit.excitations.value_or(std::vector<std::string>());
-    for (const response::OrderLoading& one : response::order_loadings(c_.system, c_.assembled, excitations)) {
-      if (one.loading.vanishes()) continue;
-      const std::size_t place = list_.size();
-      list_.add_bounds(c_, RequirementKind::amplitude, {limit}, "");
+    constexpr double rpm = foundation::rpm_per_rad_s;
+    const std::string speeds = fmt::format("{:.5g} … {:.5g} rpm", limit.speed->from * rpm, limit.speed->to * rpm);
+    const std::size_t first = list_.size();
+    list_.add_bounds(c_, RequirementKind::amplitude, {limit}, "");
+    const std::string words = list_[first].words;
+    list_[first].words += " in the orders of " + speeds;
+    list_[first].excitations = excitations;
+    std::vector<double> orders;
+    list_.attempt(first, [&] {
+      for (const response::OrderLoading& one : response::order_loadings(c_.system, c_.assembled, excitations))
+        if (!one.loading.vanishes()) orders.push_back(one.order);
+      if (orders.empty()) throw foundation::NotComputable("no order acts: every excitation by the shaft is zero");
+    });
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+      const std::size_t place = first + i;
+      if (i > 0) list_.add_bounds(c_, RequirementKind::amplitude, {limit}, "");
       RequirementResult& result = list_[place];
-      constexpr double rpm = foundation::rpm_per_rad_s;
-      result.words += fmt::format(" in order {:.6g} of {:.5g} … {:.5g} rpm", one.order, limit.speed->from * rpm,
-                                  limit.speed->to * rpm);
-      result.order = one.order;
-      result.band = {one.order * limit.speed->from, one.order * limit.speed->to};
+      result.words = words + fmt::format(" in order {:.6g} of ", orders[i]) + speeds;
+      result.order = orders[i];
+      result.band = {orders[i] * limit.speed->from, orders[i] * limit.speed->to};
       result.excitations = excitations;
-      list_.attempt({place}, [&] { set_amplitudes_together({place}, {limit}); });
+      list_.attempt(place, [&] { set_amplitudes_together({place}, {limit}); });
     }
   }
 

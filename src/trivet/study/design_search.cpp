@@ -63,9 +63,9 @@ class Watch {
  public:
   explicit Watch(std::function<bool()> enough) : enough_(std::move(enough)) {}
 
-  /// The same problem under watch; the best point of another one is forgotten.
+  /// The same problem under watch; the best point of another one is only a fallback: its rank is not comparable.
   MaxMinProblem over(MaxMinProblem problem) {
-    best_.reset();
+    if (best_) before_ = std::exchange(best_, std::nullopt);
     if (!enough_) return problem;
     MaxMinProblem watched = problem;
     watched.evaluate = [this, inner = std::move(problem)](const Eigen::VectorXd& x, Eigen::VectorXd& values,
@@ -84,13 +84,19 @@ class Watch {
   }
 
   [[nodiscard]] bool has_ended() const { return has_ended_; }
-  [[nodiscard]] const std::optional<MaxMinPoint>& best() const { return best_; }
+  /// The best points of the current problem and of the one before; none: not one is judged.
+  [[nodiscard]] std::vector<Eigen::VectorXd> best() const {
+    std::vector<Eigen::VectorXd> found;
+    if (best_) found.push_back(best_->x);
+    if (before_ && !(best_ && best_->x == before_->x)) found.push_back(before_->x);
+    return found;
+  }
 
  private:
   std::function<bool()> enough_;
   std::atomic<bool> has_ended_ = false;
   std::mutex noting_;
-  std::optional<MaxMinPoint> best_;
+  std::optional<MaxMinPoint> best_, before_;
 };
 
 class Search {
@@ -180,7 +186,6 @@ class Search {
 
   /// No climb met the requirements: climbs to their largest least margin, and from there again if it meets them.
   std::vector<MaxMinPoint> climbed_to_requirements(const std::vector<MaxMinPoint>& chosen, bool on_a_line) {
-    const MaxMinProblem asked = problem_;
     problem_ = watch_.over(problem_of_requirements(searched_));
     std::vector<MaxMinPoint> ends = on_a_line ? best_on_the_line(chosen) : climbed(at(chosen));
     std::vector<MaxMinPoint> meeting;
@@ -190,7 +195,7 @@ class Search {
       result_.problem = problem_of_requirements(objective_);
       result_.falls_short = true;
     } else {
-      problem_ = asked;
+      problem_ = watch_.over(search_problem(searched_));
       ends = climbed(at(meeting));
     }
     result_.best = nearest_of_the_best(ends);
@@ -286,9 +291,14 @@ class Search {
   void keep_the_best_so_far() {
     result_.cut_short = true;
     const std::optional<Eigen::VectorXd> given = options_.also ? options_.also : objective_.space().given_shares();
-    if (!watch_.best() && !given)
+    std::vector<Eigen::VectorXd> found = watch_.best();
+    if (found.empty() && given) found.push_back(*given);
+    if (found.empty())
       throw foundation::NotComputable("optimize: ended before the first design was judged; give it more time");
-    result_.best = numerics::point_at(result_.problem, watch_.best() ? watch_.best()->x : *given);
+    result_.best = numerics::point_at(result_.problem, found.front());
+    for (std::size_t i = 1; i < found.size(); ++i)
+      if (MaxMinPoint other = numerics::point_at(result_.problem, found[i]); rank(other) > rank(result_.best))
+        result_.best = std::move(other);
     result_.ends = {result_.best};
     result_.starts = 1;
   }

@@ -19,6 +19,7 @@
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/project/model_number.h"
 #include "trivet/response/steady/at_rest.h"
+#include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/margin.h"
 
 namespace trivet::study {
@@ -273,7 +274,7 @@ model::System MountCombinations::system(const project::Case& variant, std::size_
 }
 
 project::Project MountCombinations::project(const project::Project& given, std::size_t combination) const {
-  project::Project result{given.title, given.source, given.sha256, {}};
+  project::Project result{given.title, given.source, given.folder, given.sha256, {}};
   for (const project::Case& variant : given.cases) {
     const bool decides = std::find(cases_.begin(), cases_.end(), &variant) != cases_.end();
     if (decides || &variant == &given.base())
@@ -417,6 +418,8 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   if (wants_loads) {
     if (squares(0) <= at_rest * squares.tail<1>()(0))
       return result;  // no position of rest: the verdict gives the reason
+    if (rest_stiffness != stiffness && !numerics::is_positive_definite(rest_stiffness))
+      return result;  // no position of rest to first order
     const Eigen::VectorXd rest = numerics::cholesky_solution(rest_stiffness, load);
     std::vector<const Mount*> all;
     const auto add = [&](const std::vector<Mount>& list) {

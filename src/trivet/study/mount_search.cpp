@@ -66,6 +66,7 @@ class Combinations {
     double margin = 0;                          ///< least one, if the price is minimised
     Eigen::VectorXd numbers;                    ///< as shares of their ranges
     std::string reason;                         ///< why it cannot be judged
+    bool ended = false;                         ///< the search ended before its numbers were tried
 
     [[nodiscard]] bool meets() const { return constraint == 0; }
     [[nodiscard]] bool is_better_than(const Reached& other) const {
@@ -80,9 +81,10 @@ class Combinations {
     order.resize(std::min(order.size(), considered_per_optimized * most));
     std::vector<std::size_t> promising;
     for (const Bounded& one : order) promising.push_back(one.combination);
+    std::vector<Reached> considered;
     if (promising.size() > most) {
       const std::vector<Eigen::VectorXd> tried = numbers_to_try();
-      const std::vector<Reached> considered =
+      considered =
           reached(promising, "mounts with a few numbers", [&](std::size_t place, const DesignObjective& objective) {
             const MaxMinProblem problem = search_problem(objective);
             MaxMinPoint best = numerics::point_at(problem, given_shares(objective));
@@ -95,9 +97,24 @@ class Combinations {
       for (const Reached& one : considered) promising.push_back(one.combination);
       promising.resize(most);
     }
-    const std::vector<Reached> optimized = with_best_numbers(promising);
+    std::vector<Reached> optimized = with_best_numbers(promising);
+    keep_considered(considered, optimized);
     refuse_hopeless(optimized);
     return described(optimized, order.size());
+  }
+
+  /// Combinations whose numbers the search did not come to keep what they reached with a few numbers.
+  static void keep_considered(const std::vector<Reached>& considered, std::vector<Reached>& optimized) {
+    for (Reached& one : optimized) {
+      if (!one.ended) continue;
+      const auto before = std::find_if(considered.begin(), considered.end(),
+                                       [&](const Reached& other) { return other.combination == one.combination; });
+      if (before == considered.end()) continue;
+      one = *before;
+      one.ended = true;
+    }
+    std::stable_sort(optimized.begin(), optimized.end(),
+                     [](const Reached& a, const Reached& b) { return a.is_better_than(b); });
   }
 
   /// The numbers of the cheapest are optimised, then those of the next, until some meet every requirement.
@@ -198,7 +215,7 @@ class Combinations {
     const Eigen::VectorXd values = space_.values(shares);
     for (std::size_t j = 0; j < space_.size(); ++j)
       changes.push_back(project::ModelNumber(space_.axes()[j]).change(values(to_index(j))));
-    project::Project result{project_.title, project_.source, project_.sha256, {}};
+    project::Project result{project_.title, project_.source, project_.folder, project_.sha256, {}};
     for (const project::Case& variant : project_.cases) {
       auto changed = project::changed_case(variant, changes);
       if (!changed) return std::nullopt;
@@ -227,7 +244,7 @@ class Combinations {
           for (std::size_t i = first; i < last; ++i) {
             result[i].combination = combinations[i];
             if (enough_ && enough_()) {
-              result[i].reason = "the search was ended";
+              result[i].ended = true;
               continue;
             }
             try {
@@ -269,6 +286,10 @@ class Combinations {
   void refuse_hopeless(const std::vector<Reached>& optimized) const {
     const Reached& best = optimized.front();
     if (std::isfinite(best.constraint) && best.merit > -foundation::infinity) return;
+    if (std::any_of(optimized.begin(), optimized.end(), [](const Reached& one) { return one.ended; }))
+      throw foundation::NotComputable(
+          "optimize: ended before a combination of mounts with a design that can be judged was found; give it more "
+          "time");
     std::string mounts;
     for (std::size_t c = 0; c < all_.choices().size(); ++c)
       mounts +=
@@ -287,7 +308,8 @@ class Combinations {
     found.chosen = all_.mounts(optimized.front().combination);
     found.combinations = all_.count();
     found.considered = considered;
-    found.optimized = optimized.size();
+    found.optimized =
+        to_size(std::count_if(optimized.begin(), optimized.end(), [](const Reached& one) { return !one.ended; }));
     if (prices_) found.price = prices_->of(optimized.front().combination);
     found.some_met = prices_ && optimized.front().meets();
     for (std::size_t i = 1; i < optimized.size() && i <= listed_others; ++i) {

@@ -86,6 +86,8 @@ bool is_mount(RequirementKind kind) {
   return kind == RequirementKind::mount_load || kind == RequirementKind::mount_deflection;
 }
 
+constexpr const char* no_rest = "no position of rest to first order";
+
 /// A value at rest as a linear function of the displacements, with its constant.
 std::pair<Eigen::VectorXd, double> rest_row(const model::System& system, const assembly::Assembled& assembled,
                                             const RequirementResult& result) {
@@ -198,13 +200,18 @@ void PackedCase::plan_decoupling(const model::System& system, const assembly::As
 std::string PackedCase::form(const model::System& system, const assembly::Assembled& assembled,
                              std::vector<design::DrivenDesign>& designs) const {
   if (!numerics::is_positive_definite(assembled.matrices.K)) return "rigid-body modes or unstable motions";
+  if (second_order_ && !numerics::is_positive_definite(assembled.first_order().matrices.K)) return no_rest;
   for (const Search& search : searches_) {
     std::vector<RequirementCurve> curves;
     std::vector<assembly::Channel> channels;
-    for (const std::size_t result : search.results) {
-      curves.push_back(requirement_curve(system, assembled, results_[result]));
-      channels.push_back(curves.back().channel);
-    }
+    for (const std::size_t result : search.results) try {
+        curves.push_back(requirement_curve(system, assembled, results_[result]));
+        channels.push_back(curves.back().channel);
+      } catch (const foundation::NotComputable& refused) {
+        return refused.what();
+      } catch (const foundation::InvalidInput& refused) {
+        return refused.what();
+      }
     const bool within_band = !search.count_peaks && std::isfinite(search.band.to);
     auto found = design::driven_design(assembled, channels, curves.front().loading, within_band);
     if (!found.design) return found.reason;
@@ -240,6 +247,7 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
       return {{}, "some designs have a static stiffness of their own"};
     const response::AtRest at_rest(system, assembled);
     const Eigen::MatrixXd& stiffness = at_rest.assembled().matrices.K;
+    if (!numerics::is_positive_definite(stiffness)) return {{}, no_rest};
     const Eigen::VectorXd root_of_mass = assembled.matrices.A.diagonal().cwiseAbs().cwiseSqrt();
     const Eigen::VectorXd load = assembly::static_load(at_rest.system(), at_rest.assembled());
     list.add(load, scale_of(load, root_of_mass));
@@ -304,8 +312,12 @@ PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const 
   designs.falls.assign(to_size(entries.rows()), false);
   if (!second_order_) return designs;
   for (Eigen::Index d = 0; d < entries.rows(); ++d) {
-    const Eigen::VectorXd load = designs.load.row(d).transpose(),
-                          rest = numerics::cholesky_solution(numerics::unpacked(designs.rest_K, d), load);
+    const Eigen::MatrixXd rest_K = numerics::unpacked(designs.rest_K, d);
+    if (!numerics::is_positive_definite(rest_K)) {
+      designs.falls[to_size(d)] = true;
+      continue;
+    }
+    const Eigen::VectorXd load = designs.load.row(d).transpose(), rest = numerics::cholesky_solution(rest_K, load);
     Eigen::ArrayXd stiffness = designs.rest_K.row(d).transpose() + designs.constant.row(d).transpose().array();
     for (Eigen::Index k = 0; k < n_; ++k)
       stiffness += rest(k) * designs.per_coordinate[to_size(k)].row(d).transpose().array();
@@ -323,6 +335,7 @@ PackedCase::Unpacked PackedCase::changes(const Unpacked& here, const Eigen::Matr
   Unpacked changes = parted(slopes);
   if (!second_order_) return changes;
   const Eigen::MatrixXd stiffness = numerics::unpacked(here.rest_K, 0);
+  if (!numerics::is_positive_definite(stiffness)) return changes;  // it has no margin either
   const Eigen::VectorXd load = here.load.row(0).transpose(), rest = numerics::cholesky_solution(stiffness, load);
   for (Eigen::Index j = 0; j < slopes.rows(); ++j) {
     const Eigen::VectorXd pull = changes.load.row(j).transpose() - numerics::unpacked(changes.rest_K, j) * rest,

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/requirement_curve.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/response/machinery/order_loading.h"
 
 namespace trivet::study {
 
 RequirementCurve requirement_curve(const model::System& system, const assembly::Assembled& assembled,
                                    const RequirementResult& result) {
-  if (result.order > 0)
+  if (result.order > 0) {
     for (const response::OrderLoading& one : response::order_loadings(system, assembled, result.excitations))
       if (one.order == result.order)
         return {assembly::channels(system, assembled, {result.subject}, result.quantity).front(), one.loading};
+    throw foundation::NotComputable(fmt::format(
+        "no excitation of this model{} acts in order {:.6g} of the shaft",
+        result.excitations.empty() ? "" : " among " + foundation::comma_separated(result.excitations), result.order));
+  }
   if (!result.transmitted)
     return {assembly::channels(system, assembled, {result.subject}, result.quantity).front(),
             assembly::harmonic_loading(system, assembled, result.excitations)};
