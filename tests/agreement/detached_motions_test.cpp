@@ -232,7 +232,7 @@ at = [0, 0, 0]
 force = [{}, 0, 0]
 )",
                                        soft, damping, gap, gap, stop, force);
-  nonlinear::SteadyOptions options{.from = 28, .to = 28.5, .tolerance = 1e-4};
+  nonlinear::SteadyOptions options{.from = 28, .to = 28.5, .harmonics = 0, .tolerance = 1e-4};
   options.of = {"m.x"};
   options.detached = true;
   const nonlinear::SteadyBranch found = nonlinear::steady_branch(test::project(text).base().system, options);

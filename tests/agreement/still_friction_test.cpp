@@ -76,7 +76,7 @@ TEST(StillFriction, ChangesNothingInASymmetricMachine) {
 }
 
 /// Of m d'' + c d' + k d + F z = −m a cos ωt with dz/dd = (k₀/F) (1 − (1 + sgn(z ḋ)) |z|/2), the four mounts together,
-/// and the ground below: own integration in time (SciPy, LSODA-independent RK45, relative tolerance 1e-10) over 60
+/// and the ground below: integrated in time (the method RK45 of SciPy, relative tolerance 1e-10) over 60
 /// periods. Three harmonics leave out 1e-4 of it.
 TEST(StillFriction, HasTheMotionOfOneCoordinateInTime) {
   constexpr double left_out = 3e-4;
@@ -92,7 +92,8 @@ TEST(StillFriction, MovesWhereTheDriveHasASmallShare) {
   const nonlinear::SteadyBranch found = followed(machine(bouc_wen, true, "1e-3"), 5, 8);
   EXPECT_EQ(found.ended, "");
   ASSERT_EQ(found.at.size(), 2u);
-  EXPECT_GT(found.at[0].results[1].half_of_range(), 1e-7);
+  constexpr double above_round_off = 1e-7;  // [m]: that of motions of millimetres is below 1e-9
+  EXPECT_GT(found.at[0].results[1].half_of_range(), above_round_off);
 }
 
 }  // namespace still_friction_test

@@ -58,6 +58,7 @@ TEST(CriticalDamping, MotionBetweenStopsThatAreNotTouched) {
     nonlinear::SteadyOptions options{.from = 4 * pi, .to = 6 * pi};
     options.of = {"m.x"};
     const SteadyBranch found = nonlinear::steady_branch(between_stops(c, 1), options);
+    ASSERT_THAT(found.points, testing::Not(testing::IsEmpty()));
     for (const SteadyPoint& point : found.points) {
       const double omega = point.angular_frequency;
       const Complex expected = 5.0 / Complex(100 - omega * omega, c * omega);
@@ -78,6 +79,7 @@ TEST(CriticalDamping, MotionBetweenStopsThatAreTouched) {
     nonlinear::SteadyOptions options{.from = 4 * pi, .to = 6 * pi, .harmonics = 41};
     options.of = {"m.x"};
     const SteadyBranch found = nonlinear::steady_branch(between_stops(20 * (1 + share), 0.002), options);
+    ASSERT_THAT(found.points, testing::Not(testing::IsEmpty()));
     const double largest = found.points.front().results[0].largest;
     if (share == 0) {
       EXPECT_THAT(largest, RelativelyNear(5.895709700236869e-3, 1e-5));
@@ -124,6 +126,7 @@ force = [5, 0, 0]
     nonlinear::SteadyOptions options{.from = 6, .to = 14};
     options.of = {"a.x", "b.x"};
     const SteadyBranch found = nonlinear::steady_branch(system, options);
+    ASSERT_THAT(found.points, testing::Not(testing::IsEmpty()));
     for (const SteadyPoint& point : found.points) {
       const double omega = point.angular_frequency;
       const Eigen::Matrix2cd Z = K + Complex(0, omega) * C - omega * omega * Eigen::Matrix2cd::Identity();

@@ -136,6 +136,7 @@ void LoadPath::add_between(std::vector<VectorXd>& found) const {
 
 std::vector<VectorXd> LoadPath::all() const {
   if (linear_.size() == 0) return {};
+  if (!(across_.norm() > 0)) return {VectorXd::Zero(linear_.size())};  // no nonlinear part can move
   std::vector<VectorXd> found;
   const auto in_order = [](std::vector<VectorXd> states) {
     std::sort(states.begin(), states.end(), [](const VectorXd& a, const VectorXd& b) { return a(0) < b(0); });

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -26,16 +27,17 @@ struct Directions {
 Directions directions_of(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections,
                          bool ground_moves) {
   constexpr double round_off = 1e-13;
-  const Index coordinates = assembled.matrices.size(),
-              ground = ground_moves && !deflections.empty() ? deflections.front().on_ground.size() : 0;
+  const Index ground = ground_moves && !deflections.empty() ? deflections.front().on_ground.size() : 0;
+  // Without the inner coordinates that represent elements that depend on frequency.
   const VectorXd scale =
       numerics::unit_scale(assembled.frequency_dependent() ? assembled.constant : assembled.matrices);
+  const Index coordinates = scale.size();
   Directions found{MatrixXd(coordinates + ground, to_index(deflections.size())),
                    VectorXd(to_index(deflections.size()))};
   std::array<double, 2> longest = {0, 0};  // translations, rotations
   for (Index j = 0; j < found.lengths.size(); ++j) {
     const Deflection& one = deflections[to_size(j)];
-    found.columns.col(j) << scale.cwiseProduct(one.on_coordinates), one.on_ground.head(ground);
+    found.columns.col(j) << scale.cwiseProduct(one.on_coordinates.head(coordinates)), one.on_ground.head(ground);
     found.lengths(j) = found.columns.col(j).norm();
     longest[one.is_rotation] = std::max(longest[one.is_rotation], found.lengths(j));
   }
@@ -50,7 +52,9 @@ Directions directions_of(const assembly::Assembled& assembled, const std::vector
 }  // namespace
 
 Index DeflectionBasis::place(Index deflection) const {
-  return std::lower_bound(independent.begin(), independent.end(), deflection) - independent.begin();
+  const auto found = std::lower_bound(independent.begin(), independent.end(), deflection);
+  assert(found != independent.end() && *found == deflection);
+  return found - independent.begin();
 }
 
 /// Gram–Schmidt with the longest rest as the next pivot; the first of those that are almost as long.

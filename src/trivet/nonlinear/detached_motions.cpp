@@ -83,7 +83,7 @@ DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<cons
                              const ResonancesAtLoad& resonances, const SteadyOptions& options,
                              const std::function<std::unique_ptr<SteadyPath>()>& new_path,
                              const foundation::Progress& progress) {
-  constexpr int places = 24, starts = 16;
+  constexpr int places = 24, starts = 32;
   constexpr double same = 1e-3;  // of the motion
   DetachedPaths found{{places, places * starts, 0, static_cast<int>(rests.size()), resonances.curves,
                        options.over == Parameter::frequency ? load_of_search : 0},

@@ -36,7 +36,10 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
   add_points_between(found);
   if (observer_.has_winding() && (options_.deep || machine_.assembled.frequency_dependent()))
     judge_by_winding(found, progress);
-  for (const BranchPoint& point : motions.asked_for()) found.at.push_back(steady(point));
+  for (const BranchPoint& point : motions.asked_for()) {
+    found.at.push_back(steady(point));
+    if (observer_.has_winding() && options_.deep && !by_winding_) (void)contradicts(point, found.at.back());
+  }
   for (const FollowedMotions::Turn& turn : motions.turns())
     found.folds.push_back({steady(turn.point), turn.after, turn.upper, std::nullopt});
   add_changes(found);
@@ -138,22 +141,29 @@ void ObservedPath::judge_by_winding(SteadyBranch& found, const foundation::Progr
     }
 }
 
+/// Judges a motion by the winding number. Does it contradict multipliers that hold? Then stability is uncertain, unless
+/// both have the same verdict.
+bool ObservedPath::contradicts(const BranchPoint& point, SteadyPoint& judged) const {
+  judged.unstable_by_winding = observer_.winding().unstable_exponents(path_.balance().motion(point.unknowns),
+                                                                      path_.driving(point.parameter).omega);
+  if (!judged.unstable_by_winding || !judged.multipliers_hold ||
+      *judged.unstable_by_winding == judged.unstable_multipliers())
+    return false;
+  if ((*judged.unstable_by_winding == 0) != judged.stable) {
+    judged.uncertain = true;
+    judged.stable = false;
+  }
+  return true;
+}
+
 void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& found,
                          const foundation::Progress& progress) const {
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const BranchPoint& point = path_.motions().points()[chosen[i]];
     SteadyPoint& judged = found.points[chosen[i]];
-    judged.unstable_by_winding = observer_.winding().unstable_exponents(path_.balance().motion(point.unknowns),
-                                                                        path_.driving(point.parameter).omega);
+    if (contradicts(point, judged)) found.winding.differs_at.push_back(point.parameter);
     ++found.winding.points;
     if (!judged.unstable_by_winding) ++found.winding.undecided;
-    else if (judged.multipliers_hold && *judged.unstable_by_winding != judged.unstable_multipliers()) {
-      found.winding.differs_at.push_back(point.parameter);
-      if ((*judged.unstable_by_winding == 0) != judged.stable) {
-        judged.uncertain = true;
-        judged.stable = false;
-      }
-    }
     foundation::report_progress(progress, "stability by winding number",
                                 static_cast<double>(i) / static_cast<double>(chosen.size()));
   }

@@ -31,6 +31,7 @@ class ObservedPath {
   [[nodiscard]] bool may_be_unstable_between(const SteadyBranch& found, std::size_t step) const;
   void judge_by_winding(SteadyBranch& found, const foundation::Progress& progress);
   void judge(const std::vector<std::size_t>& chosen, SteadyBranch& found, const foundation::Progress& progress) const;
+  [[nodiscard]] bool contradicts(const numerics::BranchPoint& point, SteadyPoint& judged) const;
   [[nodiscard]] std::vector<SteadyPoint> landings(const MotionsAt& known, const numerics::BranchPoint& fold) const;
   void note_sticking(const numerics::BranchPoint& point, SteadyBranch& found) const;
   void add_changes(SteadyBranch& found) const;

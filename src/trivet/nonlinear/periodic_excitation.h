@@ -17,8 +17,8 @@ struct PeriodicExcitation {
   bool of_shaft = false;                    ///< orders of a shaft speed, not one frequency
   std::vector<Eigen::Index> harmonics;      ///< ascending
   std::vector<assembly::Loading> loadings;  ///< one per harmonic, over its own frequency
-  /// What phases are told from: the first excitation of the model at the lowest frequency, and of its force (or motion)
-  /// the first component that is not zero.
+  /// What phases are measured from: the first excitation of the model at the lowest frequency, and of its force (or
+  /// motion) the first component that is not zero.
   struct Reference {
     std::string name;
     double phase = 0;  ///< ahead of cos ωt [rad]

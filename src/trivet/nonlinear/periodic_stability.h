@@ -41,7 +41,7 @@ class PeriodicStability {
     Eigen::VectorXcd values;
     double uncertainty = 0;  ///< share of the transition that the smallest steps still change, if it is too much
     /// Does their product agree with Liouville's formula, exp(∫ tr F dt), as far as the smallest of them are known?
-    /// (With memories, which are set anew, it is zero.) Multipliers so large that the others are lost in their
+    /// (With memories, which are set again, it is zero.) Multipliers so large that the others are lost in their
     /// round-off are not confirmed either.
     bool confirmed = true;
   };

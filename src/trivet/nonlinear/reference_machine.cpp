@@ -59,13 +59,13 @@ ReferenceMachine::ReferenceMachine(const ReferenceMachine& same, TwoPeriods /*un
       excitation(halved(same.excitation)),
       condensed(assembled, deflections, excitation) {}
 
+namespace {
+
 /// The softest direction with tangents and with positive references, in coordinates in which the latter have a diagonal
 /// of 1. Stiffnesses that cancel leave round-off of their size, which a condition number does not show: that of one
 /// coordinate is 1.
-HoldAtRest hold_at_rest(const model::System& given) {
+HoldAtRest hold_of(const Eigen::MatrixXd& tangent, const Eigen::MatrixXd& positive) {
   constexpr double singular = 1e-13, round_off = 1e-12, enough = 1e-9;
-  const Eigen::MatrixXd tangent = assembly::assemble(with_references(given, tangents_at_rest(given))).matrices.K,
-                        positive = assembly::assemble(with_references(given, positive_references(given))).matrices.K;
   if (!(numerics::PivotedLu<double>(tangent).reciprocal_condition() > singular)) return {};
   const Eigen::VectorXd scale =
       positive.diagonal().unaryExpr([](double entry) { return entry == 0 ? 1.0 : 1 / std::sqrt(std::abs(entry)); });
@@ -76,6 +76,19 @@ HoldAtRest hold_at_rest(const model::System& given) {
   };
   const double share = softest(tangent) / softest(positive);
   return {share > round_off, share > enough};
+}
+
+}  // namespace
+
+HoldAtRest hold_at_rest(const model::System& given) {
+  return hold_of(assembly::assemble(with_references(given, tangents_at_rest(given))).matrices.K,
+                 assembly::assemble(with_references(given, positive_references(given))).matrices.K);
+}
+
+bool holds_static_load(const model::System& given) {
+  return hold_of(assembly::assemble_first_order(with_references(given, tangents_at_rest(given))).matrices.K,
+                 assembly::assemble_first_order(with_references(given, positive_references(given))).matrices.K)
+      .holds;
 }
 
 References references_of(const model::System& given, const HoldAtRest& hold) {

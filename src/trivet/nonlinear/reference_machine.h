@@ -37,6 +37,9 @@ struct HoldAtRest {
 };
 [[nodiscard]] HoldAtRest hold_at_rest(const model::System& given);
 
+/// Do tangents at rest hold all bodies in static results, which have no second-order effect of the weight?
+[[nodiscard]] bool holds_static_load(const model::System& given);
+
 /// Tangents at rest, or what keeps the receptance of a machine finite that they do not hold or damp.
 [[nodiscard]] References references_of(const model::System& given, const HoldAtRest& hold);
 

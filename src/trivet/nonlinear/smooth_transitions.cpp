@@ -310,7 +310,7 @@ PeriodicStability::Transition PeriodicStability::smooth(const LawsAlong& motion,
     if (found.uncertainty <= trusted) return found;
   }
   Transition other = stiff(motion, from, to, accurate);
-  return other.uncertainty < found.uncertainty ? other : found;
+  return found.states.size() == 0 || other.uncertainty < found.uncertainty ? other : found;
 }
 
 }  // namespace trivet::nonlinear

@@ -93,7 +93,7 @@ bool is_stable_at(const SteadyBranch& curve, double parameter) {
   return false;
 }
 
-/// The curves beside the connected one, in the order in which they are told.
+/// The curves beside the connected one, in the order in which they are reported.
 class Curves {
  public:
   /// @param beside  another curve that is known; null: none

@@ -26,14 +26,14 @@ class SteadyPath {
   SteadyPath& operator=(const SteadyPath&) = delete;
   ~SteadyPath() = default;
 
-  /// Follows them; if there is none at the lower end, through the first one that is found above it, to both sides.
-  /// @param known  a motion of fewer harmonics, sought before the longer ways to one; null: none
-  /// @return false, and an unfinished path, as soon as a motion leaves out more than the share given
-  /// @throws foundation::NotComputable if there is no motion at the lower end, nor at several places above it
   struct Known {
     Eigen::MatrixXd motion;  ///< Fourier coefficients × deflections
     double parameter = 0;
   };
+  /// Follows them; if there is none at the lower end, through the first one that is found above it, to both sides.
+  /// @param known  a motion of fewer harmonics, sought before the longer ways to one; null: none
+  /// @return false, and an unfinished path, as soon as a motion leaves out more than the share given
+  /// @throws foundation::NotComputable if there is no motion at the lower end, nor at several places above it
   [[nodiscard]] bool follow(double most_left_out, const Known* known, const foundation::Progress& progress);
   /// Its first motion: for more harmonics.
   [[nodiscard]] Known known() const;

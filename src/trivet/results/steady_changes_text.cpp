@@ -58,7 +58,7 @@ std::pair<double, double> ends_of(const SteadyBranch& curve) {
   return {low, high};
 }
 
-/// The result that a jump is told of: of those that move at all, the one that changes most, relative to its range.
+/// The result that describes a jump: of those that move at all, the one that changes most, relative to its range.
 std::optional<std::size_t> main_result(const SteadyBranch& branch, const Fold& fold) {
   std::optional<std::size_t> found;
   double most = -1;
@@ -83,13 +83,13 @@ std::optional<std::size_t> main_result(const SteadyBranch& branch, const Fold& f
 
 /// "machine.z from 4.12 mm to 0.31 mm"
 std::string jump_words(const Fold& fold, const SteadyBranch& branch, const project::ShownUnits& display) {
-  const std::optional<std::size_t> told = main_result(branch, fold);
-  if (!told) return "";
-  const DisplayUnit unit = display_unit(display, branch.units[*told]);
+  const std::optional<std::size_t> result = main_result(branch, fold);
+  if (!result) return "";
+  const DisplayUnit unit = display_unit(display, branch.units[*result]);
   const std::string from =
-      fmt::format("{} from {}", branch.results[*told], value_text(fold.point.results[*told].half_of_range(), unit));
+      fmt::format("{} from {}", branch.results[*result], value_text(fold.point.results[*result].half_of_range(), unit));
   return from +
-      (fold.lands ? " to " + value_text(fold.lands->results[*told].half_of_range(), unit)
+      (fold.lands ? " to " + value_text(fold.lands->results[*result].half_of_range(), unit)
                   : (fold.stable_there == 0 ? "; no other stable motion is known there"
                          : fold.stable_there == 1
                          ? "; another stable motion is known there"
@@ -127,8 +127,11 @@ std::string detached_text(const SteadyBranch& branch, const project::ShownUnits&
   std::string text = !branch.search
       ? "  another curve of motions returns to the lower end of the band\n"
       : fmt::format(
-            "  detached motions: {} found; a search, not a proof: from {} random starts at {} places{}{}{}\n",
+            "  detached motions: {} found; a search, not a proof: from {} random starts at {} places{}{}{}{}\n",
             detached.size(), branch.search->starts, branch.search->places,
+            branch.search->beside_unstable > 0
+                ? fmt::format(", from {} starts beside unstable motions", branch.search->beside_unstable)
+                : "",
             branch.search->rests > 0 ? fmt::format(", from {} other positions of rest", branch.search->rests) : "",
             branch.search->load_up_to > 0
                 ? fmt::format(", there with the load raised to {:g} times", branch.search->load_up_to)

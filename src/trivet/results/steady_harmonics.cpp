@@ -12,6 +12,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/shown_numbers.h"
+#include "trivet/results/steady_changes_text.h"
 #include "trivet/results/steady_kinds.h"
 #include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
@@ -60,6 +61,10 @@ bool is_shown(const FoundMotion& motion, Eigen::Index k) {
   return std::any_of(motion.point.results.begin(), motion.point.results.end(), [&](const ObservedMotion& result) {
     return std::abs(result.harmonics(k - 1)) > small * result.harmonics.cwiseAbs().maxCoeff();
   });
+}
+
+const char* stability_phrase(const SteadyPoint& point) {
+  return point.uncertain ? "of uncertain stability" : point.stable ? "stable" : "unstable";
 }
 
 std::string motion_text(const FoundMotion& motion, const SteadyBranch& branch, const project::ShownUnits& display) {
@@ -114,10 +119,10 @@ std::string harmonics_text(const SteadyBranch& branch, const project::ShownUnits
                             : motions.size() == 1 ? "one motion is known"
                                                   : fmt::format("{} motions are known", motions.size()));
     for (std::size_t i = 0; i < motions.size(); ++i)
-      text += fmt::format("Motion {}, {}{}: {}\n", i + 1,
-                          motions[i].curve == 0 ? "connected" : fmt::format("of curve {}", motions[i].curve),
-                          motions[i].of.periods == 2 ? ", of twice the period" : "",
-                          motions[i].point.stable ? "stable" : "unstable") +
+      text +=
+          fmt::format("Motion {}, {}{}: {}\n", i + 1,
+                      motions[i].curve == 0 ? "connected" : fmt::format("of curve {}", motions[i].curve),
+                      motions[i].of.periods == 2 ? ", of twice the period" : "", stability_phrase(motions[i].point)) +
           motion_text(motions[i], branch, display);
   }
   return text +
@@ -136,9 +141,9 @@ std::string harmonics_csv(const SteadyBranch& branch) {
     for (std::size_t i = 0; i < motions.size(); ++i)
       for (Eigen::Index k = 0; k <= motions[i].of.harmonics; ++k) {
         const auto& [curve, of, point] = motions[i];
-        text += fmt::format("{},{},{},{},{},{},{},{}", point.angular_frequency, point.load_factor, i + 1, curve,
-                            of.periods, point.stable ? "yes" : "no", static_cast<double>(k) / of.periods,
-                            order_of(motions[i], k, branch));
+        text +=
+            fmt::format("{},{},{},{},{},{},{},{}", point.angular_frequency, point.load_factor, i + 1, curve, of.periods,
+                        stability_word(point), static_cast<double>(k) / of.periods, order_of(motions[i], k, branch));
         for (const ObservedMotion& result : point.results) {
           const std::complex<double> amplitude = k == 0 ? std::complex<double>(result.mean) : result.harmonics(k - 1);
           append_csv_number(text, std::abs(amplitude));
@@ -174,7 +179,7 @@ json::Json json::harmonics(const SteadyBranch& branch) {
       for (Eigen::Index k = 1; k <= motion.of.harmonics; ++k) orders.push_back(order_of(motion, k, branch));
       one["motions"].push_back({{"curve", motion.curve},
                                 {"periods", motion.of.periods},
-                                {"stable", motion.point.stable},
+                                {"stable", motion.point.uncertain ? Json(nullptr) : Json(motion.point.stable)},
                                 {"orders", orders},
                                 {"results", std::move(results)}});
     }

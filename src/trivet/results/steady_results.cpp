@@ -132,6 +132,7 @@ Json steady(const project::Case&, const study::Answers& answers) {
   if (branch.search)
     result["search"] = {{"places", branch.search->places},
                         {"starts", branch.search->starts},
+                        {"beside_unstable", branch.search->beside_unstable},
                         {"positions_of_rest", branch.search->rests},
                         {"resonances", branch.search->resonances},
                         {"load_up_to", branch.search->load_up_to}};
@@ -265,9 +266,10 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
   for (std::size_t c = 0; c < extremes.size(); ++c) {
     const DisplayUnit shown = display_unit(display, branch.units[c]);
     const nonlinear::ObservedMotion& top = extremes[c].at->results[c];
-    const auto told = [&](double value) { return value_text(without_round_off(value, kinds[c]), shown); };
-    table.add({branch.results[c], told(extremes[c].largest), told(extremes[c].smallest),
-               place_text(branch, *extremes[c].at, display, 5), told(top.mean), told(extremes[c].farthest_of_all)});
+    const auto value_shown = [&](double value) { return value_text(without_round_off(value, kinds[c]), shown); };
+    table.add({branch.results[c], value_shown(extremes[c].largest), value_shown(extremes[c].smallest),
+               place_text(branch, *extremes[c].at, display, 5), value_shown(top.mean),
+               value_shown(extremes[c].farthest_of_all)});
   }
   return text + table.text();
 }

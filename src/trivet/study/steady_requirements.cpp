@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -117,6 +118,19 @@ void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, st
   }
 }
 
+/// "the stability of 3 of 120 motions is uncertain", those of further curves included; empty if none is.
+std::string uncertain_stability(const SteadyBranch& branch) {
+  std::ptrdiff_t uncertain = 0, all = 0;
+  const auto add = [&](const SteadyBranch& curve) {
+    uncertain += std::count_if(curve.points.begin(), curve.points.end(),
+                               [](const SteadyPoint& point) { return point.uncertain; });
+    all += std::ssize(curve.points);
+  };
+  add(branch);
+  for (const SteadyBranch& curve : branch.further) add(curve);
+  return uncertain > 0 ? fmt::format("the stability of {} of {} motions is uncertain", uncertain, all) : "";
+}
+
 void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
   const bool always_stable = std::all_of(branch.points.begin(), branch.points.end(),
                                          [](const SteadyPoint& point) { return point.stable || point.uncertain; });
@@ -131,6 +145,11 @@ void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
   result.detail = always_stable ? "" : "some motions are unstable; ";
   result.detail += detached.empty() ? "no detached motions found, which is no proof that there are none"
                                     : fmt::format("detached curves of motions: {}", detached.size());
+  if (const std::string uncertain = uncertain_stability(branch); jumps == 0 && !uncertain.empty()) {
+    result.value.reset();
+    result.margin = 0;
+    result.reason = uncertain;
+  }
 }
 
 /// What the verdict does not know: it holds for the motions that were found, and none is known in some stretches.
@@ -149,10 +168,7 @@ void add_limits(const SteadyBranch& branch, const foundation::Problems& doubts, 
   };
   std::vector<std::string> gaps;  // in what is known
   if (!branch.ended.empty()) gaps.push_back("steady motion: " + branch.ended);
-  if (const auto uncertain = std::count_if(branch.points.begin(), branch.points.end(),
-                                           [](const SteadyPoint& point) { return point.uncertain; });
-      uncertain > 0)
-    gaps.push_back(fmt::format("the stability of {} of {} motions is uncertain", uncertain, branch.points.size()));
+  if (std::string uncertain = uncertain_stability(branch); !uncertain.empty()) gaps.push_back(std::move(uncertain));
   if (const auto without = nonlinear::without_stable_motion(branch); !without.empty())
     gaps.push_back(fmt::format(
         "no periodic motion is known to be stable from {} Hz; what happens there is not computed", in_hertz(without)));

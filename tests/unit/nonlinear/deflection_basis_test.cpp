@@ -131,4 +131,31 @@ rows = [
   expect_basis(Machine(mounts + "]\n" + sea), 6);  // all feet move as one
 }
 
+TEST(DeflectionBasis, ExcludesTheInnerCoordinatesOfAMountThatDependsOnFrequency) {
+  const std::string mounts = R"(trivet = 1
+[bodies.p]
+mass = 260
+inertia = {about = "center_of_mass", xx = 12, yy = 24, zz = 22}
+[elements.rubber]
+type = "bushing"
+on = "p"
+at = [0, 0, 0]
+translation = [70e3, 70e3, 120e3]
+rotation = [20e3, 20e3, 20e3]
+damping = {fractional_zener = {ratio = 1.5, time = 1e-3, order = 0.6}}
+[elements.rope]
+type = "bushing"
+on = "p"
+at = [0.5, 0.2, 0.1]
+translation = [70e3, 70e3, 120e3]
+laws.x = {cubic = 1e9}
+laws.y = {cubic = 1e9}
+laws.z = {cubic = 1e9}
+)";
+  const Machine machine(mounts + force_on("p"));
+  ASSERT_GT(machine.assembled.matrices.size(), machine.assembled.constant.size());
+  ASSERT_EQ(machine.deflections.size(), 3u);
+  expect_basis(machine, 3);
+}
+
 }  // namespace deflection_basis_test
