@@ -140,7 +140,10 @@ std::optional<Tilting> falling_body(const model::System& system, const assembly:
     const MatrixXd first = condensed(stiffness.first(), *parts), whole = condensed(stiffness.whole(), *parts);
     const Tilting found = tilting(system, b, *parts, first, whole, numerics::symmetric_eigen(whole).vectors.col(0));
     const double energy = found.overturning - found.restoring;
-    if (!worst || energy > released) worst = found, released = energy;
+    if (!worst || energy > released) {
+      worst = found;
+      released = energy;
+    }
   }
   if (worst) return worst;
   // Several bodies fall: that with the largest mass times height.
@@ -151,7 +154,10 @@ std::optional<Tilting> falling_body(const model::System& system, const assembly:
     const MatrixXd first = parts->tilts.transpose() * stiffness.first() * parts->tilts,
                    whole = parts->tilts.transpose() * stiffness.whole() * parts->tilts;
     const Tilting found = tilting(system, b, *parts, first, whole, numerics::symmetric_eigen(whole).vectors.col(0));
-    if (const double size = system.bodies()[b].mass.mass * found.height; size > highest) worst = found, highest = size;
+    if (const double size = system.bodies()[b].mass.mass * found.height; size > highest) {
+      worst = found;
+      highest = size;
+    }
   }
   return worst;
 }
@@ -197,8 +203,9 @@ std::vector<std::string> first_order_notes(const model::System& system, const as
         "change the stiffness, except of elements with a preload");
   for (const std::size_t b : assembled.without_rest)
     notes.push_back(
-        fmt::format("body {}: nothing balances its weight, so it has no position of rest, and the weight does not "
-                    "change its stiffness",
+        fmt::format("body {}: its elements do not balance its weight and constant forces to first order, so it has no "
+                    "position of rest near that of the file: the weight does not change its stiffness, and a hung body "
+                    "has no stiffness of a pendulum; take away loads across, or hang it on a `strut`",
                     system.bodies()[b].name));
   return notes;
 }

@@ -226,7 +226,11 @@ std::optional<Case> read_changed(const Case& variant, Node document, const std::
   std::string title;
   const KnownModel known{variant.document, variant.system.description()};
   auto changed = read_case(document, variant.name, title, problems, {}, nullptr, &known);
-  if (changed && !may_fall) problems.add(standing_problems(changed->system));
+  if (changed && !may_fall) {
+    foundation::Problems standing = standing_problems(changed->system);
+    locate(standing, changed->document);
+    problems.add(standing);
+  }
   return problems.has_errors() ? std::nullopt : std::move(changed);
 }
 

@@ -3,6 +3,7 @@
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/second_order.h"
+#include "trivet/model/static_stiffness.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/plausibility/overturning.h"
 
@@ -11,7 +12,11 @@ namespace trivet::project {
 foundation::Problems standing_problems(const model::System& system) {
   foundation::Problems problems;
   if (!assembly::has_second_order(system)) return problems;
-  const auto falling = plausibility::falling_body(system, assembly::assemble(system));
+  // What stands is a question of statics: rubber resists a slow tilt with its static stiffness.
+  const bool is_softer = model::has_static_stiffness(system);
+  const auto falling = is_softer
+      ? plausibility::falling_body(system, assembly::assemble(model::with_static_stiffness(system)))
+      : plausibility::falling_body(system, assembly::assemble(system));
   if (!falling) return problems;
   const std::string subject = model::path_of(system.bodies()[falling->body]),
                     finding = plausibility::falling_words(system, *falling),

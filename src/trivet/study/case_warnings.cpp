@@ -8,6 +8,7 @@
 
 #include "trivet/model/guides.h"
 #include "trivet/model/static_stiffness.h"
+#include "trivet/plausibility/overturning.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/earthquake_question.h"
 #include "trivet/project/analyses/transmissibility_question.h"
@@ -122,10 +123,23 @@ void warn_of_massless_springs(const CaseContext& c, double search_to, foundation
 }
 }  // namespace
 
+foundation::Problems tilting_at_rest_warnings(const CaseContext& c, const project::Analyses& analyses) {
+  foundation::Problems warnings;
+  const bool judges_rest = analyses.requirements && !analyses.requirements->statics.empty();
+  if (!analyses.static_of && !judges_rest) return warnings;
+  for (const std::string& note : plausibility::overturning_notes(c.system, c.assembled))
+    warnings.warning("analyses.static", note,
+                     "static results are of the first order: they leave out what the weight takes of the stiffness, so "
+                     "that tilting by wind, thrust and other loads than the weight comes out too small",
+                     "use response at a low frequency for such loads, or a wider or stiffer support");
+  return warnings;
+}
+
 foundation::Problems case_warnings(const CaseContext& c, const project::Analyses& analyses, double search_to) {
   foundation::Problems warnings;
   warn_of_frequency_dependence(c, warnings);
   warn_of_stiffening(c, analyses, warnings);
+  warnings.add(tilting_at_rest_warnings(c, analyses));
   warn_of_guide_forces(c, analyses, warnings);
   warn_of_guided_motions(c, analyses, warnings);
   warn_of_vanishing_load(c, analyses, warnings);

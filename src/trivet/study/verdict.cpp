@@ -12,6 +12,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/study/amplification.h"
+#include "trivet/study/case_warnings.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/requirement_values.h"
 
@@ -22,8 +23,11 @@ namespace {
 std::optional<std::size_t> least_margin(const std::vector<RequirementResult>& results) {
   std::vector<std::size_t> judged;
   std::vector<double> margins;
-  for (std::size_t i = 0; i < results.size(); ++i)
-    if (results[i].value) judged.push_back(i), margins.push_back(results[i].margin);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!results[i].value) continue;
+    judged.push_back(i);
+    margins.push_back(results[i].margin);
+  }
   if (judged.empty()) return std::nullopt;
   return judged[design::governing(margins).rule];
 }
@@ -67,6 +71,7 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   result.warnings = variant.warnings;
   result.warnings.add(context.modes.warnings);
   result.results = requirement_values(context, variant.analyses, result.warnings);
+  result.warnings.add(tilting_at_rest_warnings(context, variant.analyses));
   result.warnings.add(amplification_warnings(context, variant.analyses));
   result.load_case = load_case(variant.name, context.system, context.assembled, variant.analyses);
   for (const RequirementResult& one : result.results)
