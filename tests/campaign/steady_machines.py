@@ -300,6 +300,11 @@ def state_of(point, omega):
     return np.concatenate([mean + harmonics.sum(axis=1).real, (harmonics * orders).sum(axis=1).real])
 
 
+def is_uncertain(point):
+    """The program does not state whether the motion is stable."""
+    return point["stable"] is None
+
+
 def compared(machine, point):
     """None, or what is wrong with a point of the curve."""
     omega = point["angular_frequency"]
@@ -318,17 +323,20 @@ def compared(machine, point):
                 return f"{name} of coordinate {i} at {omega:.6g} rad/s is {result[name]:.6g}, in time {value:.6g}"
     biggest = np.max(np.abs(multipliers))
     if machine.kind != "undamped":
+        if is_uncertain(point):
+            return None
         if point["stable"] != (biggest < 1) and abs(biggest - 1) > NEAR_ONE:
-            if point["largest_multiplier"] is None:
-                return None
-            return f"at {omega:.6g} rad/s stable = {point['stable']} ({point['largest_multiplier']:.4g}), in time {biggest:.6g}"
+            said = f"{point['stable']} ({point['largest_multiplier']})"
+            return f"at {omega:.6g} rad/s stable = {said}, in time {biggest:.6g}"
+        if point["largest_multiplier"] is None:
+            return None
         if abs(point["largest_multiplier"] - biggest) > MULTIPLIER * max(1, biggest):
             return f"multiplier at {omega:.6g} rad/s is {point['largest_multiplier']:.6g}, in time {biggest:.6g}"
     return None
 
 
 def judged(number, keep=None):
-    """@returns kind, verdict ("right", "no answer", "wrong"), words"""
+    """@returns kind, verdict ("right", "no answer", "wrong"), words, examined points of uncertain stability"""
     machine = Machine(number)
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(keep or folder) / f"machine_{number}.toml"
@@ -338,25 +346,26 @@ def judged(number, keep=None):
                 [TRIVET, "steady", str(file), "--json"], capture_output=True, text=True, timeout=SECONDS
             )
         except subprocess.TimeoutExpired:
-            return machine.kind, "wrong", f"no answer in {SECONDS} s"
+            return machine.kind, "wrong", f"no answer in {SECONDS} s", 0
     if done.returncode not in (0, 1, 2) or not (done.stdout.strip() or done.stderr.strip()):
-        return machine.kind, "wrong", f"exit {done.returncode} without a reason"
+        return machine.kind, "wrong", f"exit {done.returncode} without a reason", 0
     if not done.stdout.strip():
-        return machine.kind, "no answer", " ".join(done.stderr.split())[:300]
+        return machine.kind, "no answer", " ".join(done.stderr.split())[:300], 0
     answer = json.loads(done.stdout)
     points = answer["points"]
     if not points:
         reason = "; ".join([answer["ended"], *answer["warnings"]])[:300]
-        return machine.kind, "no answer" if reason else "wrong", reason or "no points and no reason"
+        return machine.kind, "no answer" if reason else "wrong", reason or "no points and no reason", 0
     if done.returncode and not answer["ended"] and not answer["warnings"]:
-        return machine.kind, "wrong", f"exit {done.returncode} without a reason"
+        return machine.kind, "wrong", f"exit {done.returncode} without a reason", 0
     chosen = machine.chance.sample(points, min(POINTS, len(points)))
+    uncertain = 0 if machine.kind in ("loss", "undamped") else sum(map(is_uncertain, chosen))
     problems = [words for words in (compared(machine, point) for point in chosen) if words]
     if problems:
-        return machine.kind, "wrong", problems[0] + (f" ({len(problems)} of {len(chosen)} points)")
+        return machine.kind, "wrong", problems[0] + (f" ({len(problems)} of {len(chosen)} points)"), uncertain
     reach = [min(p["angular_frequency"] for p in points), max(p["angular_frequency"] for p in points)]
     ended = f"; ended: {answer['ended']}" if answer["ended"] else ""
-    return machine.kind, "right", f"{len(points)} points from {reach[0]:.4g} to {reach[1]:.4g} rad/s{ended}"
+    return machine.kind, "right", f"{len(points)} points from {reach[0]:.4g} to {reach[1]:.4g} rad/s{ended}", uncertain
 
 
 def main():
@@ -367,12 +376,16 @@ def main():
     options = parser.parse_args()
     numbers = [options.only] if options.only is not None else range(options.machines)
     counts = collections.Counter()
+    points_uncertain = 0
     with concurrent.futures.ProcessPoolExecutor(max_workers=2) as pool:
-        for number, (kind, verdict, words) in zip(numbers, pool.map(judged, numbers, [options.keep] * len(numbers))):
+        verdicts = pool.map(judged, numbers, [options.keep] * len(numbers))
+        for number, (kind, verdict, words, uncertain) in zip(numbers, verdicts):
             counts[verdict] += 1
+            points_uncertain += uncertain
             if verdict != "right" or "ended" in words or options.only is not None:
                 print(f"{number:5} {kind:13} {verdict}: {words}", flush=True)
     print(", ".join(f"{count} {verdict}" for verdict, count in sorted(counts.items())))
+    print(f"{points_uncertain} examined points of uncertain stability")
     sys.exit(1 if counts["wrong"] else 0)
 
 

@@ -58,9 +58,7 @@ diameter = "60 mm"
 thickness = "25 mm"
 material = {G = "0.8 MPa", stiffening = %s}
 """
-FORCE = (
-    '[excitations.f]\ntype = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n'
-)
+FORCE = '[excitations.f]\ntype = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n'
 
 
 class DynamicStiffness(InTemporaryFolder):
@@ -75,13 +73,9 @@ class DynamicStiffness(InTemporaryFolder):
             MOUNT,
         ):
             project = self.file(BODY + element)
-            static = {
-                r["name"]: r["value"] for r in answer("static", project)["results"]
-            }
+            static = {r["name"]: r["value"] for r in answer("static", project)["results"]}
             self.assertAlmostEqual(static["m.z"] / -SAG, 1, DIGITS)
-            self.assertAlmostEqual(
-                static["s.force.z"] / (-M * G), 1, DIGITS
-            )  # equilibrium, by either stiffness
+            self.assertAlmostEqual(static["s.force.z"] / (-M * G), 1, DIGITS)  # equilibrium, by either stiffness
             self.assertAlmostEqual(
                 answer("modes", project)["modes"][0]["angular_frequency"] / NATURAL,
                 1,
@@ -99,30 +93,22 @@ class DynamicStiffness(InTemporaryFolder):
             "--set",
             "analyses.peaks.of = ['m.z']",
         )
-        self.assertAlmostEqual(
-            found["peaks"][0]["amplitude"] * 0.1 * STIFFENING * K, 1, DIGITS
-        )
+        self.assertAlmostEqual(found["peaks"][0]["amplitude"] * 0.1 * STIFFENING * K, 1, DIGITS)
 
     def test_rubber_by_its_material_sags_as_without_stiffening(self):
-        plain, stiff = (
-            self.file(BODY + DISC % s, f"{s}.toml") for s in (1, STIFFENING)
-        )
+        plain, stiff = (self.file(BODY + DISC % s, f"{s}.toml") for s in (1, STIFFENING))
         sags = [answer("static", p)["results"][0]["value"] for p in (plain, stiff)]
         self.assertAlmostEqual(sags[1] / sags[0], 1, DIGITS)
-        squares = [
-            answer("modes", p)["modes"][0]["eigenvalue_squared"] for p in (plain, stiff)
-        ]
+        squares = [answer("modes", p)["modes"][0]["eigenvalue_squared"] for p in (plain, stiff)]
         self.assertAlmostEqual(squares[1] / squares[0], STIFFENING, DIGITS)
 
     def test_verdict_and_select_judge_sag_by_the_static_stiffness(self):
-        requirements = '[requirements]\nmount_load = "catalogue"\nnatural_frequencies = {avoid = [["12.6 Hz", "13 Hz"]]}\n'
+        requirements = (
+            '[requirements]\nmount_load = "catalogue"\nnatural_frequencies = {avoid = [["12.6 Hz", "13 Hz"]]}\n'
+        )
         project = self.file(BODY + MOUNT + requirements + 'static = {"m.z" = "2 mm"}\n')
         rows = answer("verdict", project)["cases"][0]["requirements"]
-        sags = [
-            row["value"]
-            for row in rows
-            if row["kind"] in ("mount_deflection", "static")
-        ]
+        sags = [row["value"] for row in rows if row["kind"] in ("mount_deflection", "static")]
         for sag in sags:
             self.assertAlmostEqual(abs(sag) / SAG, 1, DIGITS)
         choice = '[parameters.c]\npath = "elements.s.type"\ncatalogue = "maker.toml"\n'
@@ -177,9 +163,7 @@ starts = 2
                 "relaxes",
             ),
         ):
-            text = BODY + BUSHING.replace("TYPE", "bushing").replace(
-                f"stiffening = {STIFFENING}", line
-            )
+            text = BODY + BUSHING.replace("TYPE", "bushing").replace(f"stiffening = {STIFFENING}", line)
             if "zener" in line:
                 text = text.replace("damping = {loss_factor = 0.1}\n", "")
             done = trivet("check", self.file(text))

@@ -197,7 +197,11 @@ class LoadCases(InTemporaryFolder):
         done = trivet("verdict", self.file(OSCILLATOR.replace(f"gravity = [0, 0, -{G}]", "")))
         self.assertEqual(done.returncode, 2)
         self.assertIn("clearances: static: the model has no static load", done.stderr)
-        floating = genset("[cases.afloat]\n" + "".join(f"elements.{n}.translation = [0, 0, 1]\n" for n in PLACES))
+        # With the weight to second order the case falls over, which is an error of every command.
+        first_order = genset().replace("trivet = 1", "trivet = 1\nsecond_order = false")
+        floating = first_order + (
+            "[cases.afloat]\n" + "".join(f"elements.{n}.translation = [0, 0, 1]\n" for n in PLACES)
+        )
         path = self.file(floating)
         done = trivet("verdict", path)
         self.assertEqual(done.returncode, 2)

@@ -81,10 +81,10 @@ class Observations(InTemporaryFolder):
     def near(self, found, expected, scale):
         self.assertLessEqual(abs(found - expected), CLOSE * scale, (found, expected))
 
-    def response(self, more=""):
+    def response(self, more="", top=""):
         names = ["machine", "machine.flange", "frame.flange", "coupling", "joint"]
         asked = f'[analyses.response]\nof = {json.dumps(names)}\nat = ["3 Hz", "11 Hz", "40 Hz"]\n'
-        found = answer("response", self.file(TWO_BODIES + OBSERVED + asked + more))
+        found = answer("response", self.file(top + TWO_BODIES + OBSERVED + asked + more))
         curves = {r["name"]: [complex(*z) for z in r["complex"]] for r in found["results"]}
         return found["angular_frequency"], curves
 
@@ -114,7 +114,8 @@ class Observations(InTemporaryFolder):
             self.near(curves[f"joint.{name}"], -value, scale)  # the ground less the machine
 
     def test_section_carries_the_inertia_and_the_loads_above_it(self):
-        frequencies, curves = self.response()
+        # To first order: otherwise the section also carries the moment of the weight by the displacement.
+        frequencies, curves = self.response(top="second_order = false\n")
         for i, w in enumerate(frequencies):
             q = [curves[f"machine.{c}"][i] for c in ("x", "y", "z", "rx", "ry", "rz")]
             centre, force_at = [0.05, -0.02, 0.1], [0.05, 0.1, 0.2]

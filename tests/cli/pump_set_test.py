@@ -73,19 +73,13 @@ class Set:
 
     def __init__(self, names):
         self.mounts = [(MOUNTS[name], x) for name, x in zip(names, PAIRS.values())]
-        self.static, self.moving = [[0.0] * 6 for _ in range(6)], [
-            [0j] * 6 for _ in range(6)
-        ]
+        self.static, self.moving = [[0.0] * 6 for _ in range(6)], [[0j] * 6 for _ in range(6)]
         for mount, x in self.mounts:
             k = [newton_per_metre(text) for text in mount["translation"]]
-            factor = mount["stiffening"] * complex(
-                1, number(mount["loss_factor"][:-2]) / 100
-            )
+            factor = mount["stiffening"] * complex(1, number(mount["loss_factor"][:-2]) / 100)
             for y in (0.28, -0.28):
                 add_product(self.static, at_point((x, y, 0)), k)
-                add_product(
-                    self.moving, at_point((x, y, 0)), [factor * one for one in k]
-                )
+                add_product(self.moving, at_point((x, y, 0)), [factor * one for one in k])
 
     def at_rest(self):
         weight = [-MASS * G * a for a in at_point(CENTER)[2]]
@@ -95,17 +89,12 @@ class Set:
         """Motion under a force in the plane of the unbalance, from y to z."""
         y, z = at_point((-0.25, 0, 0.42))[1:]
         load = [force * (a - 1j * b) for a, b in zip(y, z)]
-        dynamic = [
-            [k - omega**2 * m for k, m in zip(*rows)]
-            for rows in zip(self.moving, inertia())
-        ]
+        dynamic = [[k - omega**2 * m for k, m in zip(*rows)] for rows in zip(self.moving, inertia())]
         return solution(dynamic, load)
 
     def transmissibilities(self):
         q = self.turning(OMEGA, 1)
-        return [
-            abs(dot(self.moving[i], q)) for i in (1, 2)
-        ]  # the rows of forces in space
+        return [abs(dot(self.moving[i], q)) for i in (1, 2)]  # the rows of forces in space
 
     def bearing(self, omega):
         return abs(
@@ -124,18 +113,13 @@ class Set:
             load = newton_per_metre(mount["translation"][2]) * sag
             low, high = (number(text) for text in mount["static_load"])
             yield min(high / load, load / low)
-            yield 1e-3 * number(mount["static_deflection_limit"]) / (
-                mount["creep"] * sag
-            )
+            yield 1e-3 * number(mount["static_deflection_limit"]) / (mount["creep"] * sag)
 
     def amplitude_margins(self):
         """On a fine grid; a maximum between its points is higher by less than its square."""
         speeds = [rpm * 2 * math.pi / 60 for rpm in range(60, 1481, 4)]
         yield 0.08e-3 / max(self.bearing(omega) for omega in speeds)
-        yield 2.3e-3 / max(
-            omega * self.bearing(omega)
-            for omega in (1450 * math.pi / 30, 1500 * math.pi / 30)
-        )
+        yield 2.3e-3 / max(omega * self.bearing(omega) for omega in (1450 * math.pi / 30, 1500 * math.pi / 30))
 
 
 class PumpSet(unittest.TestCase):
@@ -144,31 +128,20 @@ class PumpSet(unittest.TestCase):
         # What the weight adds to the stiffness of vibration is tested elsewhere; here it changes T by less than 1 %.
         rows = answer("verdict", PROJECT, "--set", "second_order = false")["cases"][0]["requirements"]
         isolation = [row["value"] for row in rows if row["kind"] == "isolation"]
-        for found, expected in zip(
-            isolation, machine.transmissibilities(), strict=True
-        ):
+        for found, expected in zip(isolation, machine.transmissibilities(), strict=True):
             self.assertAlmostEqual(found / expected, 1, DIGITS)
         sag = next(row["value"] for row in rows if row["kind"] == "static")
-        self.assertAlmostEqual(
-            sag / abs(dot(at_point((-0.6, 0, 0.5))[2], machine.at_rest())), 1, DIGITS
-        )
+        self.assertAlmostEqual(sag / abs(dot(at_point((-0.6, 0, 0.5))[2], machine.at_rest())), 1, DIGITS)
         for row in rows:
-            if (
-                row["kind"] == "amplitude" and row["unit"] == "m"
-            ):  # at its own resonance
-                self.assertAlmostEqual(
-                    row["value"] / machine.bearing(row["angular_frequency"]), 1, DIGITS
-                )
-                self.assertLessEqual(
-                    next(machine.amplitude_margins()) * row["value"] / 0.08e-3, 1.01
-                )
+            if row["kind"] == "amplitude" and row["unit"] == "m":  # at its own resonance
+                self.assertAlmostEqual(row["value"] / machine.bearing(row["angular_frequency"]), 1, DIGITS)
+                self.assertLessEqual(next(machine.amplitude_margins()) * row["value"] / 0.08e-3, 1.01)
 
     def test_the_cheapest_mounts_that_hold(self):
         found = answer("select", PROJECT, "--by", "price", "--most", "64")
         self.assertEqual(found["without_curves"], "")
         prices = {
-            names: sum(2 * number(MOUNTS[n]["price"]) for n in names)
-            for names in itertools.product(MOUNTS, repeat=3)
+            names: sum(2 * number(MOUNTS[n]["price"]) for n in names) for names in itertools.product(MOUNTS, repeat=3)
         }
         grid_error = 0.01  # of the maxima over the grid
         holding, doubtful = [], []
@@ -177,21 +150,13 @@ class PumpSet(unittest.TestCase):
             least = min(machine.margins())
             if least >= 1:
                 peak = min(machine.amplitude_margins())
-                (
-                    doubtful
-                    if abs(peak - 1) < grid_error
-                    else holding
-                    if peak >= 1
-                    else []
-                ).append(names)
+                (doubtful if abs(peak - 1) < grid_error else holding if peak >= 1 else []).append(names)
         self.assertEqual(doubtful, [])
         listed = [tuple(d["mounts"][pair] for pair in PAIRS) for d in found["best"]]
         self.assertEqual(sorted(listed), sorted(holding))
         self.assertGreater(len(holding), 3)
         self.assertLess(len(holding), 60)
-        self.assertAlmostEqual(
-            found["best"][0]["price"], min(prices[names] for names in holding), DIGITS
-        )
+        self.assertAlmostEqual(found["best"][0]["price"], min(prices[names] for names in holding), DIGITS)
         self.assertEqual(
             [d["price"] for d in found["best"]],
             sorted(d["price"] for d in found["best"]),

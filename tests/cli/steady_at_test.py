@@ -61,10 +61,10 @@ class SteadyAt(unittest.TestCase):
         self.assertIn(f"{math.degrees(cmath.phase(exact)):.1f}°", text)
 
     def test_beyond_a_stop_all_motions_are_listed_with_harmonics_that_add_up(self):
-        found = run(STOP, "--csv", "--at", "31 rad/s,33 rad/s")
+        found = run(STOP, "--csv", "--at", "36 rad/s,40 rad/s")
         rows = list(csv.DictReader(io.StringIO(found.stdout)))
-        self.assertEqual({row["angular_frequency [rad/s]"] for row in rows}, {"31", "33"})
-        at = json.loads(run(STOP, "--json", "--at", "31 rad/s,33 rad/s").stdout)["at"]
+        self.assertEqual({row["angular_frequency [rad/s]"] for row in rows}, {"36", "40"})
+        at = json.loads(run(STOP, "--json", "--at", "36 rad/s,40 rad/s").stdout)["at"]
         self.assertEqual([len(one["motions"]) for one in at], [3, 3])  # between the folds
         self.assertEqual([motion["stable"] for motion in at[0]["motions"]].count(False), 1)
         for motion in at[0]["motions"]:

@@ -314,7 +314,9 @@ class Acceptances(InTemporaryFolder):
         def response(band, *options):
             self.machine["analyses"] = {"response": {"band": band} if band else {}}
             path = written(self.folder, self.machine)
-            return subprocess.run([TRIVET, "response", path, *options], capture_output=True, text=True, timeout=60).stdout
+            return subprocess.run(
+                [TRIVET, "response", path, *options], capture_output=True, text=True, timeout=60
+            ).stdout
 
         for found in (response([0, 0.5]), response(None, "--band", "0,0.5")):
             self.assertIn('suspicion "band": no natural frequency is in it', found)

@@ -66,7 +66,7 @@ def test_signatures_are_those_of_the_schema():
 
 def test_other_commands_have_the_options_of_their_method():
     own = {
-        "map": {"points", "case"}, "select": {"most"}, "optimize": set(), "verdict": set(), "check": {"deep"},
+        "map": {"points", "case"}, "select": {"most", "by"}, "optimize": set(), "verdict": set(), "check": {"deep"},
         "explain": {"of", "most", "case"}, "suspension": {"torques", "excitations", "case"},
         "element": {"name", "all", "case"}, "run": {"folder"},
     }  # fmt: skip

@@ -111,6 +111,17 @@ TEST(UniversalSets, MayHaveDelimitersInOtherColumns) {
                     HasSubstr("f:16: warning: set 2 (type 58), delimiter")));
 }
 
+TEST(UniversalSets, OfCoordinateSystemsMayHaveDelimitersInOtherColumns) {
+  const std::string node = universal_set(15, "  5  0  0  0  1. 2. 3.\n");
+  for (const auto& [type, lines] :
+       {std::pair{18, "         7         0         0         8         1\nS\n  0. 0. 0. 0. 0. 1.\n -1. 0. 0.\n"},
+        {2420, "         1\nPart\n         7         0         2\nS\n  1 0 0\n  0 1 0\n  0 0 1\n  0 0 0\n"}}) {
+    const std::string text = fmt::format("    -1\n{:6d}\n{}-1\n", type, lines) + node;
+    EXPECT_EQ(content(text).nodes.size(), 1u) << type;
+    EXPECT_THAT(warnings(text), HasSubstr(fmt::format("warning: set 1 (type {}), delimiter", type)));
+  }
+}
+
 TEST(UniversalSets, MayLackADelimiter) {
   const std::string one_between = universal({.end = ""}) + universal({});
   EXPECT_EQ(content(one_between).functions.size(), 2u);
@@ -124,9 +135,9 @@ TEST(UniversalSets, MayLackADelimiter) {
 }
 
 TEST(UniversalSets, OfOtherTypesEndWithADelimiterLikeTheirFirst) {
-  const std::string text = "   -1\n    18\n      -1\nx\n   -1\n" + universal({});
+  const std::string text = "   -1\n  2499\n      -1\nx\n   -1\n" + universal({});
   EXPECT_EQ(content(text).functions.size(), 1u);
-  EXPECT_THAT(warnings(text), HasSubstr("f:5: warning: set 1 (type 18), delimiter"));
+  EXPECT_THAT(warnings(text), HasSubstr("f:5: warning: set 1 (type 2499), delimiter"));
 }
 
 TEST(UniversalSets, OfOtherTypesAndCommentsAreIgnoredWithOneWarningEach) {

@@ -2,6 +2,8 @@
 // Nodes in double precision, coordinate systems and analysis data, as finite element and modal programs write them.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "unit/exchange/universal_texts.h"

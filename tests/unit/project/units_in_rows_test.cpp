@@ -94,6 +94,10 @@ TEST_F(UnitsInRows, WrongAndMixedUnitsAreErrorsThatNameTheUnitOfBareNumbers) {
   EXPECT_THAT(errors(line + "rows = [[10, 4.5], [50, 4.5]]\nunit = \"mm\"\n"), HasSubstr("limit_lines.class.unit"));
   write("wrong.csv", "frequency_hz,limit [N]\n10,4.5\n50,4.5\n");
   EXPECT_THAT(errors(line + "file = \"wrong.csv\"\n"), AllOf(HasSubstr("limit [N]"), HasSubstr("converts to m/s")));
+  write("twice.csv", "frequency_hz,limit [m/s],limit [mm/s]\n10,4.5,4.5\n50,4.5,4.5\n");
+  const std::string twice = errors(line + "file = \"twice.csv\"\n");
+  EXPECT_THAT(twice, AllOf(HasSubstr("limit [mm/s]"), HasSubstr("another column is \"limit\"")));
+  EXPECT_EQ(std::count(twice.begin(), twice.end(), '\n'), 1) << twice;
   write("cell.csv", "frequency_hz,limit\n10,4.5 mm/s\n50,4.5 mm/s\n");
   EXPECT_THAT(errors(line + "file = \"cell.csv\"\n"), HasSubstr("its unit is in the heading: NAME [unit]"));
 }
