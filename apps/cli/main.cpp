@@ -248,7 +248,7 @@ int run(int argc, char** argv) {
   app.get_subcommand("steady")
       ->add_option(
           "--at", options.at,
-          "tell the harmonics of all motions found there: \"12 Hz\" or \"750 rpm\", or several: 75,80 in rad/s")
+          "state the harmonics of all motions found there: \"12 Hz\" or \"750 rpm\", or several: 75,80 in rad/s")
       ->check(not_empty);
   app.get_subcommand("steady")->add_flag("--deep", options.deep, "judge the stability of every point in two ways");
   add_modes_options(app, options);

@@ -27,7 +27,7 @@ class Strictness {
 
  private:
   std::size_t exceeded_ = 0, violated_ = 0, infeasible_ = 0, not_judged_ = 0;
-  std::size_t unknown_ = 0;  ///< requirements that could not be judged
+  std::size_t unknown_ = 0;         ///< requirements that could not be judged
   std::set<std::string> warnings_;  ///< the same warning of several cases counts once
 };
 

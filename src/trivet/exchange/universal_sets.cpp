@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view standard_delimiter = "    -1";
 constexpr std::size_t type_width = 6;
 constexpr int largest_set_type = 99999;
-constexpr std::array read_set_types{15, 55, 58, 82, 151, 164, 2411, 2414};
+constexpr std::array read_set_types{15, 18, 55, 58, 82, 151, 164, 2411, 2414, 2420};
 
 struct SetType {
   int number = 0;

@@ -15,7 +15,6 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/static_machine.h"
 #include "trivet/project/analyses/transient_question.h"
-#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/margin.h"

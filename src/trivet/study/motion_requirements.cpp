@@ -13,7 +13,6 @@
 #include "trivet/project/analyses/random_question.h"
 #include "trivet/project/analyses/transient_question.h"
 #include "trivet/response/random/random_response.h"
-#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/margin.h"
 #include "trivet/study/question_answer.h"

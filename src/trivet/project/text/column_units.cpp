@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
@@ -58,6 +60,14 @@ std::set<std::string> convert_columns(CsvTable& table,
             .origin = {table.source, 0, 0};
       } else {
         table.values.col(to_index(i)) *= *factor;
+      }
+      // "force [N]" and "force [kN]" differ for the reader of the file, but not here.
+      if (std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end()) {
+        problems
+            .error("",
+                   "column " + foundation::quoted(table.columns[i]) + ": another column is " + foundation::quoted(name),
+                   "every column has a different name without its unit", "remove or rename one")
+            .origin = {table.source, 0, 0};
       }
       table.columns[i] = name;
       converted.insert(name);

@@ -15,7 +15,9 @@ class AtRest {
   AtRest(const model::System& system, const assembly::Assembled& assembled);
 
   [[nodiscard]] const model::System& system() const { return own_ ? own_->system : system_; }
-  [[nodiscard]] const assembly::Assembled& assembled() const { return (own_ ? own_->assembled : assembled_).first_order(); }
+  [[nodiscard]] const assembly::Assembled& assembled() const {
+    return (own_ ? own_->assembled : assembled_).first_order();
+  }
 
  private:
   struct Own {
