@@ -100,6 +100,14 @@ TEST(DesignSlopes, AgreeWithDifferencesUnderALargeWeight) {
   expect_slopes_of(text);
 }
 
+TEST(DesignSlopes, AgreeWithDifferencesUnderAThrust) {
+  std::string text = machine(11, "stiffening = 1.3\ndamping = {loss_factor = 0.1}\n") +
+      "[excitations.thrust]\ntype = \"constant\"\non = \"machine\"\nat = [0.1, 0.2, 0.5]\nforce = [900, 400, 100]\n";
+  text.replace(text.find("-9.80665"), 8, "-196");
+  text.replace(text.find("static = {"), 10, "static = {\"machine.seat.x\" = \"8 mm\", \"link.force.x\" = 500, ");
+  expect_slopes_of(text);
+}
+
 /// A mass on a spring: ln of the largest amplitude falls by ln k as −1 without damping, at rest and at resonance.
 TEST(DesignSlopes, OfAMassOnASpring) {
   const project::Project project = test::project(

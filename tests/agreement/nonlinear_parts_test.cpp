@@ -50,10 +50,7 @@ moment = [-350, 0, 0]
 std::vector<double> at_rest(const model::System& system, const std::vector<std::string>& of) {
   const assembly::Assembled assembled = assembly::assemble(system);
   std::vector<double> values;
-  for (const response::StaticValue& value :
-       response::static_response(system, assembled,
-                                 assembly::channels(system, assembled, of, assembly::MotionQuantity::displacement))
-           .values)
+  for (const response::StaticValue& value : response::static_response(system, assembled, of).values)
     values.push_back(value.value);
   return values;
 }

@@ -25,8 +25,9 @@ Eigen::VectorXd random_shares(std::mt19937& random, std::size_t count) {
   return shares;
 }
 
-void expect_agreement(const std::string& damping, const std::string& gravity = "-9.80665") {
-  std::string text = test::machine_with_twenty_numbers(damping);
+void expect_agreement(const std::string& damping, const std::string& gravity = "-9.80665",
+                      const std::string& more = "") {
+  std::string text = test::machine_with_twenty_numbers(damping) + more;
   text.replace(text.find("-9.80665"), 8, gravity);
   const project::Project project = test::project(text);
   const study::DesignObjective objective(project, {});
@@ -67,6 +68,20 @@ TEST(SumFamilyOfAMachine, IsThatOfModelsReadAgainUnderViscousDamping) {
 /// The weight takes up to a fifth of the tilting stiffness, by forces at rest that follow from all numbers together.
 TEST(SumFamilyOfAMachine, IsThatOfModelsReadAgainUnderALargeWeight) {
   expect_agreement("damping = {loss_factor = 0.08}\n", "-98");
+}
+
+/// A constant force meets the stiffness that the weight leaves.
+TEST(SumFamilyOfAMachine, IsThatOfModelsReadAgainUnderAThrust) {
+  expect_agreement("damping = {loss_factor = 0.08}\n", "-98",
+                   "[excitations.thrust]\ntype = \"constant\"\non = \"machine\"\nat = [0.3, 0.1, 0.9]\nforce = "
+                   "[4000, 2500, -900]\nmoment = [0, 300, 0]\n");
+}
+
+/// Forces at rest are shared by the static stiffness, the machine vibrates on another one.
+TEST(SumFamilyOfAMachine, IsThatOfModelsReadAgainOnRubber) {
+  expect_agreement("stiffening = 1.4\ndamping = {loss_factor = 0.08}\n", "-98",
+                   "[excitations.thrust]\ntype = \"constant\"\non = \"machine\"\nat = [0.3, 0.1, 0.9]\nforce = "
+                   "[4000, 2500, -900]\n");
 }
 
 TEST(SumFamilyOfAMachine, IsRejectedForCoordinatesWithoutMass) {

@@ -40,11 +40,7 @@ std::string strut(const std::string& name, const std::string& from, double free_
 
 double at_rest(const model::System& system, const std::string& name) {
   const nonlinear::StaticMachine held = nonlinear::static_machine(system, assembly::assemble(system));
-  return response::static_response(
-             held.system, held.assembled,
-             assembly::channels(held.system, held.assembled, {name}, assembly::MotionQuantity::displacement))
-      .values[0]
-      .value;
+  return response::static_response(held.system, held.assembled, {name}).values[0].value;
 }
 
 std::vector<double> natural_frequencies(const model::System& system) {

@@ -153,8 +153,13 @@ Eigen::VectorXd static_load(const model::System& system, const Assembled& assemb
       add_element_weight(system, e, *system.description().gravity, assembled.elements[e], load);
   for (std::size_t e = 0; e < assembled.elements.size(); ++e)
     add_preload(system.elements()[e].law, assembled.elements[e], load);
+  return load + constant_load(system, assembled);
+}
+
+Eigen::VectorXd constant_load(const model::System& system, const Assembled& assembled) {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(assembled.layout.size());
   for (const model::ConstantForce& force : system.description().constant_forces)
-    add_wrench<double>(layout, force.body, force.at, six(force.wrench), load);
+    add_wrench<double>(assembled.layout, force.body, force.at, six(force.wrench), load);
   return load;
 }
 

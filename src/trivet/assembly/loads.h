@@ -53,5 +53,7 @@ void add_frequency_dependent(const Assembled& assembled, const Loading& loading,
 /// Gravity on every body and on the mass of the elements, the preloads that balance it, the offsets of nonlinear parts,
 /// and the constant forces.
 [[nodiscard]] Eigen::VectorXd static_load(const model::System& system, const Assembled& assembled);
+/// The constant forces alone: loads on a machine that its weight has brought to rest.
+[[nodiscard]] Eigen::VectorXd constant_load(const model::System& system, const Assembled& assembled);
 
 }  // namespace trivet::assembly

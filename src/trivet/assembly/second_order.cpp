@@ -8,10 +8,12 @@
 
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/assembly/rest_coordinates.h"
 #include "trivet/elements/force_at_rest.h"
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/orthogonal.h"
+#include "trivet/model/static_stiffness.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::assembly {
 namespace {
@@ -68,22 +70,6 @@ std::vector<bool> parts_of_statics(const model::System& system, const Assembled&
   return result;
 }
 
-/// Coordinates at rest. A machine that is free to move has the smallest ones that balance its load, if there are any.
-VectorXd coordinates_at_rest(const numerics::DynamicMatrices& m, const VectorXd& load) {
-  constexpr double regular = 1e-13;
-  VectorXd scale = numerics::unit_scale(m);
-  for (Eigen::Index i = 0; i < scale.size(); ++i)  // a light part has a stiffness like others, but a high frequency
-    if (m.K(i, i) > 0) scale(i) = 1 / std::sqrt(m.K(i, i));
-  const Eigen::MatrixXd stiffness = scale.asDiagonal() * m.K * scale.asDiagonal();
-  const VectorXd scaled = scale.asDiagonal() * load;
-  const numerics::PivotedLu<double> factors(stiffness);
-  if (factors.reciprocal_condition() > regular) {
-    const VectorXd rest = factors.solve(scaled);
-    return scale.asDiagonal() * (rest + factors.solve(VectorXd(scaled - stiffness * rest)));
-  }
-  return scale.asDiagonal() * numerics::smallest_solution(stiffness, scaled);
-}
-
 /// Forces that the bodies exert on the ends of an element at rest: of its law alone, and with the weight of its mass.
 struct EndForces {
   Vector12 of_law = Vector12::Zero(), in_all = Vector12::Zero();
@@ -136,22 +122,52 @@ std::vector<bool> unbalanced(const model::System& system, const Assembled& first
   return result;
 }
 
+/// Largest angle by which parts turn in a motion, and elements across their length [rad].
+double largest_turn(const model::System& system, const Assembled& first, const VectorXd& motion) {
+  double largest = 0;
+  for (std::size_t b = 0; b < system.bodies().size(); ++b)
+    largest = std::max(largest, first.layout.of_body(b, motion).tail<3>().norm());
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    const model::Span span = model::span(system.bodies(), element.n, element.k);
+    const double length = span.arm.norm();
+    if (!(length > 0)) continue;
+    const VectorXd ends = first.elements[e].coordinates(motion);
+    const Eigen::Vector3d apart = span.n_from_k * ends.segment<3>(6) - ends.segment<3>(0),
+                          along = span.n_from_k * span.arm / length;
+    largest = std::max(largest, (apart - along * along.dot(apart)).norm() / length);
+  }
+  return largest;
+}
+
 /// The parts of a machine whose forces at rest are those of statics, under its load.
 class LoadedParts {
  public:
   LoadedParts(const model::System& system, const Assembled& first)
       : system_(system), first_(first), parts_(system), of_statics_(parts_of_statics(system, first, parts_)) {
     const VectorXd load = static_load(system, first);
-    rest_ = coordinates_at_rest(first.matrices, load);
+    rest_ = coordinates_at_rest(first.matrices, load).coordinates;
     const std::vector<bool> moves = unbalanced(system, first, parts_, load, rest_);
-    for (std::size_t b = 0; b < moves.size(); ++b) {
-      if (!of_statics_[b] || !moves[b]) continue;
-      without_rest_.push_back(b);
-      of_statics_[b] = false;
-    }
+    std::vector<std::size_t> swinging;
+    for (std::size_t b = 0; b < moves.size(); ++b)
+      if (of_statics_[b] && moves[b]) swinging.push_back(b);
+    if (swinging.empty() || hangs_beside(load - first.matrices.K * rest_)) return;
+    for (const std::size_t b : swinging) of_statics_[b] = false;
+    without_rest_ = swinging;
   }
 
   [[nodiscard]] const VectorXd& rest() const { return rest_; }
+
+  /// What these forces at rest add to K.
+  [[nodiscard]] Eigen::MatrixXd added(const SecondOrder& found) const {
+    Eigen::MatrixXd sum = found.of_levers - first_.of_levers;
+    for (std::size_t e = 0; e < found.of_elements.size(); ++e) {
+      const ElementMap& map = first_.elements[e];
+      const Eigen::MatrixXd ends = map.ends.topRows(12);
+      sum(map.rows, map.rows) += ends.transpose() * found.of_elements[e] * ends;
+    }
+    return sum;
+  }
 
   /// With the forces of these coordinates.
   [[nodiscard]] SecondOrder second_order(const VectorXd& rest) const {
@@ -186,6 +202,25 @@ class LoadedParts {
     return part && of_statics_[*part];
   }
 
+  /// Does a load that no element balances move the machine aside by little, because its weight draws it back?
+  [[nodiscard]] bool hangs_beside(const VectorXd& left) const {
+    constexpr double held = 1e-12;    // of the stiffest direction
+    constexpr double nothing = 1e-6;  // of the load
+    constexpr double little = 0.3;    // [rad]: the frequency of a pendulum is then right to about a percent
+    const VectorXd scale = numerics::unit_scale(first_.matrices);
+    const Eigen::MatrixXd whole = first_.matrices.K + added(second_order(rest_));
+    const Eigen::MatrixXd stiffness = scale.asDiagonal() * (0.5 * (whole + whole.transpose())) * scale.asDiagonal();
+    const auto modes = numerics::symmetric_eigen(stiffness);
+    const VectorXd along = modes.vectors.transpose() * (scale.asDiagonal() * left);
+    VectorXd aside = VectorXd::Zero(left.size());
+    for (Eigen::Index i = 0; i < aside.size(); ++i)
+      if (modes.values(i) > held * modes.values.cwiseAbs().maxCoeff())
+        aside += along(i) / modes.values(i) * modes.vectors.col(i);
+      else if (std::abs(along(i)) > nothing * along.norm()) return false;  // nothing draws it back
+    aside = scale.asDiagonal() * aside;
+    return largest_turn(system_, first_, aside) <= little;
+  }
+
   const model::System& system_;
   const Assembled& first_;
   JoinedParts parts_;
@@ -202,26 +237,31 @@ bool has_second_order(const model::System& system) {
 }
 
 SecondOrder second_order(const model::System& system, const Assembled& first) {
+  if (model::has_static_stiffness(system)) {
+    const model::System softer = model::with_static_stiffness(system);
+    return second_order(softer, assemble_first_order(softer));
+  }
   const LoadedParts loaded(system, first);
   return loaded.second_order(loaded.rest());
 }
 
 SecondOrderForms second_order_forms(const model::System& system, const Assembled& first) {
+  if (model::has_static_stiffness(system)) {
+    const model::System softer = model::with_static_stiffness(system);
+    return second_order_forms(softer, assemble_first_order(softer));
+  }
   const LoadedParts loaded(system, first);
   const Eigen::Index n = first.layout.size();
-  const auto added = [&](const VectorXd& rest) {
-    const SecondOrder found = loaded.second_order(rest);
-    Eigen::MatrixXd sum = found.of_levers - first.of_levers;
-    for (std::size_t e = 0; e < found.of_elements.size(); ++e) {
-      const ElementMap& map = first.elements[e];
-      const Eigen::MatrixXd ends = map.ends.topRows(12);
-      sum(map.rows, map.rows) += ends.transpose() * found.of_elements[e] * ends;
-    }
-    return sum;
-  };
-  SecondOrderForms forms{added(VectorXd::Zero(n)), {}};
-  for (Eigen::Index k = 0; k < n; ++k) forms.per_coordinate.push_back(added(VectorXd::Unit(n, k)) - forms.constant);
+  const auto at = [&](const VectorXd& rest) { return loaded.added(loaded.second_order(rest)); };
+  SecondOrderForms forms{at(VectorXd::Zero(n)), {}};
+  for (Eigen::Index k = 0; k < n; ++k) forms.per_coordinate.push_back(at(VectorXd::Unit(n, k)) - forms.constant);
   return forms;
+}
+
+Eigen::MatrixXd SecondOrderForms::at(const VectorXd& rest) const {
+  Eigen::MatrixXd sum = constant;
+  for (Eigen::Index k = 0; k < rest.size(); ++k) sum += rest(k) * per_coordinate[to_size(k)];
+  return sum;
 }
 
 }  // namespace trivet::assembly

@@ -18,8 +18,9 @@ struct SecondOrder {
   std::vector<std::size_t> without_rest;  ///< bodies that their weight moves without end: not included
 };
 
-/// Of gravity, constant forces and preloads, by the forces of the machine of the first order. Parts of the machine all
-/// of whose elements have a preload keep `geometric_stiffness`.
+/// Of gravity, constant forces and preloads, by the forces of the machine of the first order, with the static stiffness
+/// of its rubber. A hung part that these forces move aside by little is taken where the file shows it. Parts of the
+/// machine all of whose elements have a preload keep `geometric_stiffness`.
 /// @param first  the machine of the first order
 [[nodiscard]] SecondOrder second_order(const model::System& system, const Assembled& first);
 
@@ -27,6 +28,9 @@ struct SecondOrder {
 struct SecondOrderForms {
   Eigen::MatrixXd constant;
   std::vector<Eigen::MatrixXd> per_coordinate;  ///< free coordinates, each n × n [N/m per m …]
+
+  /// @param rest  coordinates under the whole load to first order, with the static stiffness of rubber
+  [[nodiscard]] Eigen::MatrixXd at(const Eigen::VectorXd& rest) const;
 };
 [[nodiscard]] SecondOrderForms second_order_forms(const model::System& system, const Assembled& first);
 

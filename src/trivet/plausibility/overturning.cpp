@@ -193,6 +193,20 @@ std::vector<std::string> overturning_notes(const model::System& system, const as
   return notes;
 }
 
+namespace {
+
+/// Stiffness of its force at rest against a motion of end N across its axis, over that of its law; 0 without bending.
+double sideways_by_tension(const assembly::ElementMap& element) {
+  double largest = 0;
+  for (int i = 0; i < 2; ++i) {
+    const double added = element.of_forces_at_rest(i, i), law = element.matrices.stiffness(i, i) - added;
+    if (law > 0) largest = std::max(largest, added / law);
+  }
+  return largest;
+}
+
+}  // namespace
+
 std::vector<std::string> first_order_notes(const model::System& system, const assembly::Assembled& assembled) {
   std::vector<std::string> notes;
   const auto& gravity = system.description().gravity;
@@ -207,6 +221,13 @@ std::vector<std::string> first_order_notes(const model::System& system, const as
                     "position of rest near that of the file: the weight does not change its stiffness, and a hung body "
                     "has no stiffness of a pendulum; take away loads across, or hang it on a `strut`",
                     system.bodies()[b].name));
+  for (std::size_t e = 0; e < system.elements().size(); ++e)
+    if (const double ratio = sideways_by_tension(assembled.elements[e]); ratio > 1)
+      notes.push_back(
+          fmt::format("element {}: its tension holds it sideways {:.3g} times as much as its bending; the effect of a "
+                      "tension is of the first order and too stiff by some percent there; divide the element into "
+                      "shorter ones joined at nodes",
+                      system.elements()[e].name, ratio));
   return notes;
 }
 

@@ -29,7 +29,7 @@ struct Tilting {
 [[nodiscard]] std::vector<std::string> overturning_notes(const model::System& system,
                                                          const assembly::Assembled& assembled);
 
-/// Where the weight acts to first order only: as asked, or on bodies that it moves without end.
+/// Where the weight acts to first order only: as asked, on bodies that it moves without end, in taut beams.
 [[nodiscard]] std::vector<std::string> first_order_notes(const model::System& system,
                                                          const assembly::Assembled& assembled);
 

@@ -147,9 +147,7 @@ class CaseStudy {
     if (analyses.static_of)
       attempt([&] {
         const nonlinear::StaticMachine rest = nonlinear::static_machine(c_.system, c_.assembled);
-        result.statics = response::static_response(rest.system, rest.assembled,
-                                                   assembly::channels(rest.system, rest.assembled, *analyses.static_of,
-                                                                      assembly::MotionQuantity::displacement));
+        result.statics = response::static_response(rest.system, rest.assembled, *analyses.static_of);
         if (analyses.all_rest_states) result.rest_states = nonlinear::rest_states(c_.system);
       });
     answer_questions(analyses, attempt_question, result);

@@ -12,6 +12,7 @@
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/earthquake_question.h"
 #include "trivet/project/analyses/transmissibility_question.h"
+#include "trivet/response/steady/at_rest.h"
 
 namespace trivet::study {
 namespace {
@@ -125,12 +126,16 @@ void warn_of_massless_springs(const CaseContext& c, double search_to, foundation
 
 foundation::Problems tilting_at_rest_warnings(const CaseContext& c, const project::Analyses& analyses) {
   foundation::Problems warnings;
-  const bool judges_rest = analyses.requirements && !analyses.requirements->statics.empty();
-  if (!analyses.static_of && !judges_rest) return warnings;
+  const bool judges_rest =
+      analyses.requirements && (!analyses.requirements->statics.empty() || analyses.requirements->mount_load);
+  if (!analyses.static_of && !judges_rest && c.system.description().clearances.empty()) return warnings;
+  const bool first_order = !response::AtRest(c.system, c.assembled).assembled().without_second_order;
+  if (!first_order || c.system.description().constant_forces.empty()) return warnings;
   for (const std::string& note : plausibility::overturning_notes(c.system, c.assembled))
     warnings.warning("analyses.static", note,
-                     "static results are of the first order: they leave out what the weight takes of the stiffness, so "
-                     "that tilting by wind, thrust and other loads than the weight comes out too small",
+                     "static results of a machine with nonlinear laws are of the first order: they leave out what the "
+                     "weight takes of the stiffness, so that tilting by wind, thrust and other loads than the weight "
+                     "comes out too small",
                      "use response at a low frequency for such loads, or a wider or stiffer support");
   return warnings;
 }

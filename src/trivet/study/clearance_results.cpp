@@ -91,9 +91,8 @@ std::vector<Approach> approaches_of(const CaseContext& c, const project::Analyse
       assembly::channels(c.system, c.assembled, approach_names(c.system), MotionQuantity::displacement);
   std::vector<Approach> approaches;
   const nonlinear::StaticMachine held = nonlinear::static_machine(c.system, c.assembled);
-  const std::vector<assembly::Channel> at_rest =
-      assembly::channels(held.system, held.assembled, approach_names(c.system), MotionQuantity::displacement);
-  for (const response::StaticValue& rest : response::static_response(held.system, held.assembled, at_rest).values)
+  for (const response::StaticValue& rest :
+       response::static_response(held.system, held.assembled, approach_names(c.system)).values)
     approaches.push_back({rest.value, std::nullopt, std::nullopt});
   add_harmonic(c, analyses, channels, approaches);
   add_transient(c, analyses, approaches, warnings);

@@ -100,9 +100,7 @@ class MotionRequirements {
       std::vector<std::string> words;
       for (const project::AmplitudeLimit& limit : limits) words.push_back(limit.name);
       const nonlinear::StaticMachine held = nonlinear::static_machine(c_.system, c_.assembled);
-      const response::StaticResponse rest = response::static_response(
-          held.system, held.assembled,
-          assembly::channels(held.system, held.assembled, words, MotionQuantity::displacement));
+      const response::StaticResponse rest = response::static_response(held.system, held.assembled, words);
       for (std::size_t i = 0; i < limits.size(); ++i) {
         const double creep = creep_in(c_.system, limits[i].name);
         RequirementResult& result = list_[first + i];

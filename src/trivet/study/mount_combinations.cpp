@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/assembly/second_order.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -37,19 +38,44 @@ struct NoSum {
   std::string reason;
 };
 
-/// Inertia, stiffness and static load of one model.
+/// Inertia, stiffness and static load of one model. Forces at rest as in MountCombinations::Sums, on q.
 struct Assembly {
   Eigen::MatrixXd inertia, stiffness;
-  Eigen::MatrixXd rest_stiffness;  ///< of static results
+  Eigen::MatrixXd first, rest_stiffness;  ///< of the first order: of vibration, of static results
   Eigen::VectorXd load;
+  Eigen::VectorXd beside;
+  assembly::SecondOrderForms forces_at_rest;  ///< empty without
 };
 
 Assembly assembly_of(const model::System& system, const assembly::Assembled& assembled) {
   if (assembled.frequency_dependent()) throw NoSum{"elements depend on frequency"};
   if (!assembled.matrices.symmetric) throw NoSum{"the stiffness matrix is not symmetric"};
   const response::AtRest rest(system, assembled);
-  return {assembled.matrices.A, assembled.matrices.K, rest.assembled().matrices.K,
-          assembly::static_load(rest.system(), rest.assembled())};
+  const assembly::Assembled& first = assembled.first_order();
+  Assembly result{assembled.matrices.A,
+                  assembled.matrices.K,
+                  first.matrices.K,
+                  rest.assembled().first_order().matrices.K,
+                  assembly::static_load(rest.system(), first),
+                  {},
+                  {}};
+  if (assembly::has_second_order(system)) result.forces_at_rest = assembly::second_order_forms(system, first);
+  if (rest.assembled().without_second_order && !system.description().constant_forces.empty())
+    result.beside = assembly::constant_load(system, first);
+  return result;
+}
+
+/// Forces at rest on p of q = Φ p, as one matrix.
+Eigen::MatrixXd on_shapes(const assembly::SecondOrderForms& forms, const Eigen::MatrixXd& shapes) {
+  if (forms.constant.size() == 0) return {};
+  const Eigen::Index n = shapes.cols();
+  Eigen::MatrixXd result(n * n, 1 + n);
+  const auto set = [&](Eigen::Index column, const Eigen::MatrixXd& form) {
+    result.col(column) = (shapes.transpose() * form * shapes).reshaped();
+  };
+  set(0, forms.constant);
+  for (Eigen::Index j = 0; j < n; ++j) set(1 + j, forms.at(shapes.col(j)) - forms.constant);
+  return result;
 }
 
 /// Entry by entry over √(M_ii M_jj), but for round-off of the largest entry: soft modes beside stiff ones have few
@@ -326,9 +352,11 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
   if (!numerics::is_positive_definite(base.inertia)) throw NoSum{"some coordinates have no mass"};
   Sums sums;
   sums.shapes = numerics::symmetric_eigen(base.stiffness, base.inertia).vectors;
-  sums.stiffness = sums.shapes.transpose() * base.stiffness * sums.shapes;
+  sums.stiffness = sums.shapes.transpose() * base.first * sums.shapes;
   sums.rest_stiffness = sums.shapes.transpose() * base.rest_stiffness * sums.shapes;
+  sums.forces_at_rest = on_shapes(base.forces_at_rest, sums.shapes);
   sums.load = sums.shapes.transpose() * base.load;
+  if (base.beside.size() > 0) sums.beside = sums.shapes.transpose() * base.beside;
   sums.loaded = variant.system.description().gravity || !variant.system.description().constant_forces.empty();
   if (variant.analyses.requirements) sums.required = *variant.analyses.requirements;
   add_decoupled(given, sums);
@@ -349,8 +377,9 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
       const Assembly assembly = assembly_of(changed, context.assembled);
       if (!equal(assembly.inertia, base.inertia)) throw NoSum{"the mounts change the inertia"};
       Option& option = options.emplace_back();
-      option.stiffness = sums.shapes.transpose() * (assembly.stiffness - base.stiffness) * sums.shapes;
+      option.stiffness = sums.shapes.transpose() * (assembly.first - base.first) * sums.shapes;
       option.rest_stiffness = sums.shapes.transpose() * (assembly.rest_stiffness - base.rest_stiffness) * sums.shapes;
+      option.forces_at_rest = on_shapes(assembly.forces_at_rest, sums.shapes) - sums.forces_at_rest;
       option.load = sums.shapes.transpose() * (assembly.load - base.load);
       add_mounts(
           context, sums.shapes, [&](const std::string& name) { return is_of(choices_[c], name); }, option.mounts,
@@ -366,27 +395,39 @@ void MountCombinations::compare_with_assembled() {
     for (std::size_t v = 0; v < cases_.size(); ++v) {
       const model::System whole = system(*cases_[v], combination);
       const Assembly assembled = assembly_of(whole, assembly::assemble(whole));
-      const auto& [stiffness, rest_stiffness, load] = added(sums_[v], numbers);
+      const Added sum = added(sums_[v], numbers);
       const Eigen::MatrixXd& shapes = sums_[v].shapes;
-      if (!equal(stiffness, Eigen::MatrixXd(shapes.transpose() * assembled.stiffness * shapes)))
-        sums_[v].bounds_frequencies = false;  // forces at rest that differ by more than a sum over the mounts
-      if (!equal(rest_stiffness, Eigen::MatrixXd(shapes.transpose() * assembled.rest_stiffness * shapes)) ||
-          !equal(load, Eigen::VectorXd(shapes.transpose() * assembled.load)) ||
-          !equal(Eigen::MatrixXd(shapes.transpose() * assembled.inertia * shapes),
-                 Eigen::MatrixXd(Eigen::MatrixXd::Identity(load.size(), load.size()))))
+      const auto on_p = [&](const Eigen::MatrixXd& of_q) -> Eigen::MatrixXd {
+        return shapes.transpose() * of_q * shapes;
+      };
+      if (!equal(sum.stiffness, on_p(sum.has_rest ? assembled.stiffness : assembled.first)) ||
+          !equal(sum.rest_stiffness, on_p(assembled.rest_stiffness)) ||
+          !equal(sum.load, Eigen::VectorXd(shapes.transpose() * assembled.load)) ||
+          !equal(on_p(assembled.inertia), Eigen::MatrixXd(Eigen::MatrixXd::Identity(sum.load.size(), sum.load.size()))))
         throw NoSum{"the model of a combination is no sum over its mounts"};
     }
   }
 }
 
 MountCombinations::Added MountCombinations::added(const Sums& sums, const std::vector<std::size_t>& mounts) {
-  Added result{sums.stiffness, sums.rest_stiffness, sums.load};
+  Added result{sums.stiffness, sums.rest_stiffness, {}, sums.load};
+  Eigen::MatrixXd forces_at_rest = sums.forces_at_rest;
   for (std::size_t c = 0; c < mounts.size(); ++c) {
     const Option& option = sums.options[c][mounts[c]];
     result.stiffness += option.stiffness;
     result.rest_stiffness += option.rest_stiffness;
     result.load += option.load;
+    forces_at_rest += option.forces_at_rest;
   }
+  result.standing = result.rest_stiffness;
+  if (forces_at_rest.size() == 0) return result;
+  result.has_rest = numerics::is_positive_definite(result.rest_stiffness);
+  if (!result.has_rest) return result;
+  const Eigen::Index n = result.load.size();
+  const Eigen::VectorXd sum = forces_at_rest.col(0) +
+      forces_at_rest.rightCols(n) * numerics::cholesky_solution(result.rest_stiffness, result.load);
+  result.stiffness += sum.reshaped(n, n);
+  result.standing += sum.reshaped(n, n);
   return result;
 }
 
@@ -395,6 +436,8 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   const auto judge = [&](MountTest test, double margin) {
     if (margin < 1 && result.failed == MountTest::none) result.failed = test;
     result.margin = std::min(result.margin, margin);
+    const double square = 1 / (margin * margin), fourth = square * square, eighth = fourth * fourth;
+    result.crowding += eighth * eighth;
   };
   double price = sums.price, mass = sums.mass;
   for (std::size_t c = 0; c < mounts.size(); ++c) {
@@ -404,11 +447,11 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   if (sums.required.price) judge(MountTest::price, margin_of(sums.required.price->amount, price));
   if (sums.required.mass > 0) judge(MountTest::mass, margin_of(sums.required.mass, mass));
   const bool wants_loads = sums.required.mount_load && sums.loaded;
-  const bool wants_frequencies =
-      sums.bounds_frequencies && (!sums.required.avoided.empty() || sums.required.separation > 0);
-  const bool wants_decoupling = sums.bounds_frequencies && !sums.decoupled.empty();
+  const bool wants_frequencies = !sums.required.avoided.empty() || sums.required.separation > 0;
+  const bool wants_decoupling = !sums.decoupled.empty();
   if (!wants_loads && !wants_frequencies && !wants_decoupling) return result;
-  const auto [stiffness, rest_stiffness, load] = added(sums, mounts);
+  const auto [stiffness, rest_stiffness, standing, load, has_rest] = added(sums, mounts);
+  if (!has_rest) return result;  // no position of rest to first order: the verdict says so
   const bool wants_shapes = wants_decoupling &&
       std::any_of(sums.decoupled.begin(), sums.decoupled.end(), [](const Decoupled& one) { return one.whole; });
   const auto [squares, vectors] = wants_shapes
@@ -418,9 +461,12 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   if (wants_loads) {
     if (squares(0) <= at_rest * squares.tail<1>()(0))
       return result;  // no position of rest: the verdict gives the reason
-    if (rest_stiffness != stiffness && !numerics::is_positive_definite(rest_stiffness))
-      return result;  // no position of rest to first order
-    const Eigen::VectorXd rest = numerics::cholesky_solution(rest_stiffness, load);
+    if (!numerics::is_positive_definite(rest_stiffness) || !numerics::is_positive_definite(standing)) return result;
+    Eigen::VectorXd rest;
+    if (sums.beside.size() == 0) rest = numerics::cholesky_solution(rest_stiffness, load);
+    else
+      rest = numerics::cholesky_solution(rest_stiffness, Eigen::VectorXd(load - sums.beside)) +
+          numerics::cholesky_solution(standing, sums.beside);
     std::vector<const Mount*> all;
     const auto add = [&](const std::vector<Mount>& list) {
       for (const Mount& mount : list) all.push_back(&mount);
@@ -468,6 +514,7 @@ std::vector<MountCombinations::Bound> MountCombinations::bounds(const std::vecto
                                  const Bound here = bound(sums, mounts(combinations[i]));
                                  result[i].margin = std::min(result[i].margin, here.margin);
                                  if (result[i].failed == MountTest::none) result[i].failed = here.failed;
+                                 result[i].crowding += here.crowding;
                                }
                            });
   return result;

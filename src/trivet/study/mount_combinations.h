@@ -22,10 +22,11 @@ inline constexpr std::size_t most_judged_combinations = 1000000;
 /// microseconds.
 ///
 /// Stiffness, static load and mass of a combination are sums over the choices: M = M₀ + Σ (M_i − M₀), with M_i the
-/// model in which only one choice differs from the given design. This gives price, mass, static loads and deflections
-/// of the mounts, natural frequencies and the decoupling of bodies. The least margin of these requirements is that of
-/// all requirements, or above it. The sum is compared with assembled models of some combinations; where it is not exact
-/// (mounts with mass that preloads stiffen, for example), there is no bound.
+/// model in which only one choice differs from the given design; so is what the forces at rest add to the stiffness as
+/// a function of the displacements at rest. This gives price, mass, static loads and deflections of the mounts, natural
+/// frequencies and the decoupling of bodies. The least margin of these requirements is that of all requirements, or
+/// above it. The sum is compared with assembled models of some combinations; where it is not exact (mounts with mass
+/// that preloads stiffen, for example), there is no bound.
 class MountCombinations {
  public:
   /// @param cases  in which the design has to hold
@@ -59,6 +60,8 @@ class MountCombinations {
   struct Bound {
     double margin = 0;
     MountTest failed = MountTest::none;
+    /// Σ 1/margin¹⁶ of all tests: less if margins that are not the least are larger.
+    double crowding = 0;
   };
   [[nodiscard]] std::vector<Bound> bounds(const std::vector<std::size_t>& combinations,
                                           const foundation::Progress& progress) const;
@@ -78,8 +81,9 @@ class MountCombinations {
   };
   /// One mount of a choice: what it adds to the given design.
   struct Option {
-    Eigen::MatrixXd stiffness;
-    Eigen::MatrixXd rest_stiffness;  ///< of static results
+    Eigen::MatrixXd stiffness;       ///< of vibration, first order
+    Eigen::MatrixXd rest_stiffness;  ///< of static results, first order
+    Eigen::MatrixXd forces_at_rest;  ///< what they add to both, see Sums
     Eigen::VectorXd load;
     std::vector<Mount> mounts;
     double price = 0, mass = 0;
@@ -94,25 +98,31 @@ class MountCombinations {
   };
   /// A case in coordinates p, q = Φ p, in which its inertia matrix is the unit matrix.
   struct Sums {
-    Eigen::MatrixXd shapes;  ///< Φ: undamped modes of the given design
-    Eigen::MatrixXd stiffness;
-    Eigen::MatrixXd rest_stiffness;  ///< of static results
+    Eigen::MatrixXd shapes;          ///< Φ: undamped modes of the given design
+    Eigen::MatrixXd stiffness;       ///< of vibration, first order
+    Eigen::MatrixXd rest_stiffness;  ///< of static results, first order
+    /// What the forces at rest add to both, n² × (1 + n): without displacements, and per displacement at rest; empty if
+    /// the weight acts to first order only.
+    Eigen::MatrixXd forces_at_rest;
     Eigen::VectorXd load;
+    Eigen::VectorXd beside;     ///< its part that meets these forces: constant forces; empty if there is none
     std::vector<Mount> mounts;  ///< at places without a choice
     std::vector<Decoupled> decoupled;
     double price = 0, mass = 0;
-    bool loaded = false;             ///< by gravity or constant forces
-    bool bounds_frequencies = true;  ///< the stiffness is a sum over the mounts
+    bool loaded = false;  ///< by gravity or constant forces
     project::Requirements required;
     std::vector<std::vector<Option>> options;  ///< per choice and mount
   };
   [[nodiscard]] Sums sums_of(const project::Case& variant) const;
   static void add_decoupled(const CaseContext& given, Sums& sums);
   void compare_with_assembled();
-  /// Stiffnesses and load of a combination.
+  /// A combination, with its forces at rest.
   struct Added {
-    Eigen::MatrixXd stiffness, rest_stiffness;
+    Eigen::MatrixXd stiffness;       ///< of vibration
+    Eigen::MatrixXd rest_stiffness;  ///< of static results, first order
+    Eigen::MatrixXd standing;        ///< and with the forces at rest
     Eigen::VectorXd load;
+    bool has_rest = true;  ///< false: not to first order; both stiffnesses lack the forces at rest
   };
   [[nodiscard]] static Added added(const Sums& sums, const std::vector<std::size_t>& mounts);
   [[nodiscard]] std::vector<project::Node> changes(std::size_t combination) const;

@@ -119,14 +119,38 @@ void MountExchange::climb(std::size_t combination) {
   for (bool gained = true; gained;) {
     gained = false;
     for (const std::vector<std::size_t>& block : blocks()) {
-      const std::vector<MountDesign> designs = best_of(exchanges(combination, block), most_);
+      const std::vector<std::size_t> exchanged = exchanges(combination, block);
+      const std::vector<MountDesign> designs = best_of(exchanged, most_);
       keep(designs);
-      if (!(designs.front().margin > margin * (1 + same_margin))) continue;
-      margin = designs.front().margin;
-      combination = number(designs.front());
-      gained = true;
+      if (designs.front().margin > margin * (1 + same_margin)) {
+        margin = designs.front().margin;
+        combination = number(designs.front());
+        gained = true;
+      }
+      combination = roomiest(exchanged, combination, margin);
     }
   }
+}
+
+/// Of the combinations with this margin the one whose other margins are largest: where two bodies limit it alike, no
+/// exchange of the mounts of one of them gains anything before the other has room.
+std::size_t MountExchange::roomiest(const std::vector<std::size_t>& combinations, std::size_t reached, double margin) {
+  if (!all_.without_bounds().empty()) return reached;
+  constexpr std::size_t tried = 4;
+  const std::vector<MountCombinations::Bound> bounds = all_.bounds(combinations, progress_);
+  std::vector<std::size_t> places;
+  double here = 0;
+  for (std::size_t i = 0; i < combinations.size(); ++i) {
+    if (combinations[i] == reached) here = bounds[i].crowding;
+    if (bounds[i].margin >= margin * (1 - same_margin)) places.push_back(i);
+  }
+  std::erase_if(places, [&](std::size_t i) { return !(bounds[i].crowding < here); });
+  std::sort(places.begin(), places.end(),
+            [&](std::size_t a, std::size_t b) { return bounds[a].crowding < bounds[b].crowding; });
+  places.resize(std::min(places.size(), tried));
+  for (const std::size_t i : places)
+    if (best_of({combinations[i]}, 1).front().margin >= margin * (1 - same_margin)) return combinations[i];
+  return reached;
 }
 
 /// Adds designs to the best of all exchanges.

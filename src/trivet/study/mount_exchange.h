@@ -27,6 +27,7 @@ class MountExchange {
   [[nodiscard]] std::vector<std::size_t> exchanges(std::size_t combination,
                                                    const std::vector<std::size_t>& block) const;
   void climb(std::size_t combination);
+  [[nodiscard]] std::size_t roomiest(const std::vector<std::size_t>& combinations, std::size_t reached, double margin);
   void keep(const std::vector<MountDesign>& designs);
   [[nodiscard]] std::size_t number(const MountDesign& design) const;
   void add_options(MountSelection& result);

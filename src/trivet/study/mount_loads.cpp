@@ -111,21 +111,19 @@ double share_of_range(double load, const Eigen::Vector2d& range) {
 
 MountRows mount_rows(const model::System& system, const assembly::Assembled& given, const model::Element& element) {
   const assembly::Assembled& assembled = given.first_order();
-  const std::vector<assembly::Channel> channels = assembly::channels(
-      system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
+  const auto row = [&](const std::string& result) { return response::rest_row(system, assembled, result); };
   Eigen::Matrix<double, 3, Eigen::Dynamic> force(3, assembled.matrices.size());  // on the N side, ground axes
   Eigen::Vector3d force_at_rest;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const response::RestRow one = response::rest_row(assembled, channels[j]);
-    force.row(to_index(j)) = one.row;
-    force_at_rest(to_index(j)) = one.at_rest;
+  for (const auto& [j, component] : {std::pair{0, ".force.x"}, {1, ".force.y"}, {2, ".force.z"}}) {
+    const response::RestRow one = row(element.name + component);
+    force.row(j) = one.row;
+    force_at_rest(j) = one.at_rest;
   }
   const Eigen::Matrix3d into_mount = response::mount_axes(system, element).transpose();
   MountRows rows;
   rows.load = -(into_mount * force);
   rows.load_at_rest = -(into_mount * force_at_rest);
-  constexpr std::size_t deflection_along_axis = 8;  // after six of the wrench
-  const response::RestRow deflection = response::rest_row(assembled, channels[deflection_along_axis]);
+  const response::RestRow deflection = row(element.name + ".deflection.z");
   rows.deflection = element.creep * deflection.row;
   rows.deflection_at_rest = element.creep * deflection.at_rest;
   return rows;

@@ -7,7 +7,8 @@
 
 namespace trivet::study {
 
-/// One mount at rest as linear functions of the coordinates; loads as in `response::RatedLoad`.
+/// One mount at rest as linear functions of the coordinates, whatever moves it; loads as in `response::RatedLoad`,
+/// along its own axes, which turn with its end N.
 struct MountRows {
   Eigen::Matrix<double, 3, Eigen::Dynamic> load;  ///< along its axes [N]
   Eigen::RowVectorXd deflection;                  ///< along e3, after creep [m]

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "trivet/assembly/loads.h"
@@ -13,6 +14,7 @@
 #include "trivet/model/static_stiffness.h"
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/response/steady/at_rest.h"
+#include "trivet/response/steady/static_response.h"
 #include "trivet/study/motion_requirements.h"
 #include "trivet/study/mount_loads.h"
 #include "trivet/study/requirement_curve.h"
@@ -86,6 +88,19 @@ bool is_mount(RequirementKind kind) {
   return kind == RequirementKind::mount_load || kind == RequirementKind::mount_deflection;
 }
 
+/// Do constant forces meet another stiffness at rest than the weight?
+bool has_loads_beside_weight(const model::System& system, const assembly::Assembled& assembled) {
+  return !system.description().constant_forces.empty() &&
+      response::AtRest(system, assembled).assembled().without_second_order != nullptr;
+}
+
+/// Has a static result, such as the force of a mount between two bodies, another row under loads beside the weight?
+bool contains_forces_at_rest(const model::System& system, const assembly::Assembled& assembled,
+                             const std::string& result) {
+  const response::RestRow row = response::rest_row(system, assembled, result);
+  return row.row != row.beside;
+}
+
 constexpr const char* no_rest = "no position of rest to first order";
 
 /// A value at rest as a linear function of the displacements, with its constant.
@@ -123,8 +138,9 @@ PackedCase::PackedCase(const project::Case& variant, const project::Analyses& as
   n_ = assembled.matrices.size();
   second_order_ = assembled.without_second_order != nullptr;
   has_static_stiffness_ = model::has_static_stiffness(variant.system);
+  has_loads_ = has_loads_beside_weight(variant.system, assembled);
   plan_searches(asked);
-  plan_rest(variant.system);
+  plan_rest(variant.system, assembled);
   plan_decoupling(variant.system, assembled);
   if (asked.requirements) avoided_ = asked.requirements->avoided;
   for (std::size_t r = 0; r < results_.size(); ++r)
@@ -167,10 +183,13 @@ void PackedCase::plan_searches(const project::Analyses& asked) {
   }
 }
 
-void PackedCase::plan_rest(const model::System& system) {
+void PackedCase::plan_rest(const model::System& system, const assembly::Assembled& assembled) {
   for (std::size_t r = 0; r < results_.size(); ++r) {
     const RequirementKind kind = results_[r].kind;
     if (kind != RequirementKind::static_value && !is_mount(kind)) continue;
+    if (has_loads_ && kind == RequirementKind::static_value &&
+        contains_forces_at_rest(system, assembled, results_[r].subject))
+      continue;
     RestValue& value = at_rest_.emplace_back(RestValue{r, {}});
     for (const model::Element& element : system.elements())
       if (kind == RequirementKind::mount_load && element.name == results_[r].subject)
@@ -245,12 +264,15 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
   if (loads()) {
     if (!has_static_stiffness_ && model::has_static_stiffness(system))
       return {{}, "some designs have a static stiffness of their own"};
+    if (has_loads_beside_weight(system, assembled) != has_loads_)
+      return {{}, "designs with and without constant forces"};
     const response::AtRest at_rest(system, assembled);
-    const Eigen::MatrixXd& stiffness = at_rest.assembled().matrices.K;
+    const Eigen::MatrixXd& stiffness = at_rest.assembled().first_order().matrices.K;
     if (!numerics::is_positive_definite(stiffness)) return {{}, no_rest};
     const Eigen::VectorXd root_of_mass = assembled.matrices.A.diagonal().cwiseAbs().cwiseSqrt();
     const Eigen::VectorXd load = assembly::static_load(at_rest.system(), at_rest.assembled());
     list.add(load, scale_of(load, root_of_mass));
+    if (has_loads_) list.add(assembly::constant_load(system, first), scale_of(load, root_of_mass));
     if (has_static_stiffness_) list.add(lower_triangle(stiffness), triangle_scale(stiffness));
     const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness, load);
     if (second_order_) {
@@ -263,7 +285,10 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
         list.add(lower_triangle(forms.per_coordinate[to_size(k)]), scale * root_of_mass(k) / largest);
     }
     for (const RestValue& value : at_rest_) {
-      const auto row = rest_row(at_rest.system(), at_rest.assembled(), results_[value.result]);
+      if (has_loads_ && results_[value.result].kind == RequirementKind::static_value &&
+          contains_forces_at_rest(system, assembled, results_[value.result].subject))
+        return {{}, "designs in which a static result contains forces at rest"};
+      const auto row = rest_row(at_rest.system(), at_rest.assembled().first_order(), results_[value.result]);
       list.add(row.first, scale_of(row.first, root_of_mass));
       const double size = row.first.cwiseAbs().dot(rest.cwiseAbs()) + std::abs(row.second);
       list.add(Eigen::VectorXd::Constant(1, row.second), Eigen::VectorXd::Constant(1, size));
@@ -297,9 +322,12 @@ PackedCase::Unpacked PackedCase::parted(const Eigen::MatrixXd& entries) const {
     at += columns;
     return entries.middleCols(at - columns, columns);
   };
-  designs.rest_K = designs.rest_stiffness = designs.free.K;
+  designs.rest_K = designs.free.K;
   if (loads()) designs.load = next(n_);
+  if (loads() && has_loads_) designs.beside = next(n_);
+  designs.rest_stiffness = designs.rest_K;
   if (loads() && has_static_stiffness_) designs.rest_stiffness = next(triangle).array();
+  designs.standing = designs.rest_stiffness;
   if (second_order_) designs.constant = next(triangle);
   for (Eigen::Index k = 0; second_order_ && k < n_; ++k) designs.per_coordinate.push_back(next(triangle));
   for (std::size_t i = 0; i < at_rest_.size(); ++i) designs.rows.push_back(next(n_ + 1));
@@ -312,17 +340,19 @@ PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const 
   designs.falls.assign(to_size(entries.rows()), false);
   if (!second_order_) return designs;
   for (Eigen::Index d = 0; d < entries.rows(); ++d) {
-    const Eigen::MatrixXd rest_K = numerics::unpacked(designs.rest_K, d);
-    if (!numerics::is_positive_definite(rest_K)) {
+    const Eigen::MatrixXd first = numerics::unpacked(designs.rest_stiffness, d);
+    if (!numerics::is_positive_definite(first)) {
       designs.falls[to_size(d)] = true;
       continue;
     }
-    const Eigen::VectorXd load = designs.load.row(d).transpose(), rest = numerics::cholesky_solution(rest_K, load);
-    Eigen::ArrayXd stiffness = designs.rest_K.row(d).transpose() + designs.constant.row(d).transpose().array();
+    const Eigen::VectorXd rest = numerics::cholesky_solution(first, Eigen::VectorXd(designs.load.row(d).transpose()));
+    Eigen::ArrayXd added = designs.constant.row(d).transpose().array();
     for (Eigen::Index k = 0; k < n_; ++k)
-      stiffness += rest(k) * designs.per_coordinate[to_size(k)].row(d).transpose().array();
-    designs.free.K.row(d) = stiffness.transpose();
-    if (!numerics::is_positive_definite(numerics::unpacked(designs.free.K, d))) {
+      added += rest(k) * designs.per_coordinate[to_size(k)].row(d).transpose().array();
+    designs.free.K.row(d) += added.transpose();
+    designs.standing.row(d) += added.transpose();
+    if (!numerics::is_positive_definite(numerics::unpacked(designs.free.K, d)) ||
+        !numerics::is_positive_definite(numerics::unpacked(designs.standing, d))) {
       designs.falls[to_size(d)] = true;
       designs.free.K.row(d) = designs.rest_K.row(d);
     }
@@ -331,22 +361,35 @@ PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const 
   return designs;
 }
 
+PackedCase::Rest PackedCase::rest_of(const Unpacked& designs, Eigen::Index design) {
+  const Eigen::VectorXd load = designs.load.row(design).transpose();
+  const Eigen::MatrixXd first = numerics::unpacked(designs.rest_stiffness, design);
+  if (!numerics::is_positive_definite(first)) {
+    const Eigen::VectorXd none = Eigen::VectorXd::Constant(load.size(), std::numeric_limits<double>::quiet_NaN());
+    return {none, none};
+  }
+  if (designs.beside.size() == 0) return {numerics::cholesky_solution(first, load), Eigen::VectorXd::Zero(load.size())};
+  const Eigen::VectorXd beside = designs.beside.row(design).transpose();
+  return {numerics::cholesky_solution(first, Eigen::VectorXd(load - beside)),
+          numerics::cholesky_solution(numerics::unpacked(designs.standing, design), beside)};
+}
+
 PackedCase::Unpacked PackedCase::changes(const Unpacked& here, const Eigen::MatrixXd& slopes) const {
   Unpacked changes = parted(slopes);
   if (!second_order_) return changes;
-  const Eigen::MatrixXd stiffness = numerics::unpacked(here.rest_K, 0);
+  const Eigen::MatrixXd stiffness = numerics::unpacked(here.rest_stiffness, 0);
   if (!numerics::is_positive_definite(stiffness)) return changes;  // it has no margin either
   const Eigen::VectorXd load = here.load.row(0).transpose(), rest = numerics::cholesky_solution(stiffness, load);
   for (Eigen::Index j = 0; j < slopes.rows(); ++j) {
-    const Eigen::VectorXd pull = changes.load.row(j).transpose() - numerics::unpacked(changes.rest_K, j) * rest,
+    const Eigen::VectorXd pull = changes.load.row(j).transpose() - numerics::unpacked(changes.rest_stiffness, j) * rest,
                           moved = numerics::cholesky_solution(stiffness, pull);
-    Eigen::ArrayXd change = changes.rest_K.row(j).transpose() + changes.constant.row(j).transpose().array();
+    Eigen::ArrayXd added = changes.constant.row(j).transpose().array();
     for (Eigen::Index k = 0; k < n_; ++k)
-      change +=
-          (moved(k) * here.per_coordinate[to_size(k)].row(0) + rest(k) * changes.per_coordinate[to_size(k)].row(j))
-              .transpose()
-              .array();
-    changes.free.K.row(j) = change.transpose();
+      added += (moved(k) * here.per_coordinate[to_size(k)].row(0) + rest(k) * changes.per_coordinate[to_size(k)].row(j))
+                   .transpose()
+                   .array();
+    changes.free.K.row(j) += added.transpose();
+    changes.standing.row(j) += added.transpose();
   }
   for (numerics::DrivenDesigns& searched : changes.searched) searched.K = changes.free.K;
   return changes;

@@ -75,7 +75,9 @@ class PackedCase {
     std::vector<Eigen::MatrixXd> per_coordinate;    ///< and per displacement at rest
     std::vector<bool> falls;                        ///< designs whose weight makes them unstable; K is rest_K
     Eigen::MatrixXd load;                           ///< designs × n, at rest
-    Eigen::ArrayXXd rest_stiffness;                 ///< K of static results, packed as in `free`
+    Eigen::MatrixXd beside;                         ///< its part that meets `standing`; empty if there is none
+    Eigen::ArrayXXd rest_stiffness;                 ///< K₀ of static results, packed as in `free`
+    Eigen::ArrayXXd standing;                       ///< the same with what forces at rest add
     std::vector<Eigen::MatrixXd> rows;              ///< per value at rest: designs × (n + 1), with its constant
     std::vector<Eigen::MatrixXd> bodies;            ///< per decoupled body: designs × 10, see mass_numbers
   };
@@ -84,13 +86,19 @@ class PackedCase {
   [[nodiscard]] Unpacked changes(const Unpacked& here, const Eigen::MatrixXd& slopes) const;
   [[nodiscard]] Eigen::Index coordinates() const { return n_; }
 
+  /// Displacements of one design at rest, as response::StaticSolution has them; NaN if it has none.
+  struct Rest {
+    Eigen::VectorXd by_weight, by_loads;
+  };
+  [[nodiscard]] static Rest rest_of(const Unpacked& designs, Eigen::Index design);
+
  private:
   /// With the stiffness of the first order.
   [[nodiscard]] Unpacked parted(const Eigen::MatrixXd& entries) const;
   /// Do designs contain their loads at rest?
   [[nodiscard]] bool loads() const { return second_order_ || !at_rest_.empty(); }
   void plan_searches(const project::Analyses& asked);
-  void plan_rest(const model::System& system);
+  void plan_rest(const model::System& system, const assembly::Assembled& assembled);
   void plan_decoupling(const model::System& system, const assembly::Assembled& assembled);
   [[nodiscard]] std::string form(const model::System& system, const assembly::Assembled& assembled,
                                  std::vector<design::DrivenDesign>& designs) const;
@@ -104,6 +112,7 @@ class PackedCase {
   std::vector<response::Band> avoided_;
   std::string reason_;
   bool has_static_stiffness_ = false;  ///< of rubber: it is another one than that of vibration
+  bool has_loads_ = false;             ///< constant forces on a machine whose forces at rest are part of K
   bool second_order_ = false;          ///< the forces at rest are part of K, and not of that of static results
   Eigen::Index n_ = 0;
 };

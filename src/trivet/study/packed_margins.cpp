@@ -126,8 +126,8 @@ void set_rest(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::
   if (of.at_rest().empty()) return;
   const Eigen::Index n = of.coordinates();
   for (Eigen::Index d = 0; d < margins.rows(); ++d) {
-    const Eigen::VectorXd load = designs.load.row(d).transpose();
-    const Eigen::VectorXd rest = numerics::cholesky_solution(numerics::unpacked(designs.rest_stiffness, d), load);
+    const auto [by_weight, by_loads] = PackedCase::rest_of(designs, d);
+    const Eigen::VectorXd rest = by_weight + by_loads;
     for (std::size_t i = 0; i < of.at_rest().size(); ++i) {
       const PackedCase::RestValue& value = of.at_rest()[i];
       const double at = designs.rows[i].row(d).head(n).dot(rest) + designs.rows[i](d, n);

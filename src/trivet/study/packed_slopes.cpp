@@ -99,15 +99,25 @@ Eigen::RowVectorXd PackedSlopes::rest_slopes(std::size_t result) const {
   const auto& rows = here_.rows[to_size(found - values.begin())];
   const auto& moved = change_.rows[to_size(found - values.begin())];
   const Eigen::Index n = of_.coordinates();
-  const Eigen::MatrixXd K = numerics::unpacked(here_.rest_stiffness, 0);
-  const Eigen::VectorXd load = here_.load.row(0).transpose(), row = rows.row(0).head(n).transpose();
-  const Eigen::VectorXd rest = numerics::cholesky_solution(K, load), adjoint = numerics::cholesky_solution(K, row);
+  const Eigen::VectorXd row = rows.row(0).head(n).transpose();
+  const auto [by_weight, by_loads] = PackedCase::rest_of(here_, 0);
+  const Eigen::VectorXd rest = by_weight + by_loads,
+                        mu = numerics::cholesky_solution(numerics::unpacked(here_.rest_stiffness, 0), row);
+  Eigen::VectorXd lambda;  // λ of the loads beside the weight, see rest_slopes.h
+  if (here_.beside.size() > 0) lambda = numerics::cholesky_solution(numerics::unpacked(here_.standing, 0), row);
   const double value = row.dot(rest) + rows(0, n);
   const bool grows = found->range && is_near_lower_end(value, *found->range);
   Eigen::RowVectorXd slopes(parameters_);
   for (Eigen::Index j = 0; j < parameters_; ++j) {
-    const Eigen::VectorXd pull = change_.load.row(j).transpose() - numerics::unpacked(change_.rest_stiffness, j) * rest;
-    const double change = adjoint.dot(pull) + moved.row(j).head(n).dot(rest) + moved(j, n);
+    Eigen::VectorXd on_weight =
+        change_.load.row(j).transpose() - numerics::unpacked(change_.rest_stiffness, j) * by_weight;
+    double change = moved.row(j).head(n).dot(rest) + moved(j, n);
+    if (lambda.size() > 0) {
+      const Eigen::VectorXd beside = change_.beside.row(j).transpose();
+      on_weight -= beside;
+      change += lambda.dot(beside - numerics::unpacked(change_.standing, j) * by_loads);
+    }
+    change += mu.dot(on_weight);
     slopes(j) = (grows ? 1 : -1) * change / value;
   }
   return slopes;

@@ -104,11 +104,9 @@ Eigen::RowVectorXd RequirementSlopes::of_one(const RequirementResult& result,
       return -of_rms(result);
     case RequirementKind::static_value:
       return -rest_slopes(c_, neighbours_, [&](const model::System& system, const assembly::Assembled& assembled) {
-        response::RestRow rest = response::rest_row(
-            assembled,
-            assembly::channels(system, assembled, {result.subject}, assembly::MotionQuantity::displacement).front());
+        response::RestRow rest = response::rest_row(system, assembled, result.subject);
         const double creep = creep_in(system, result.subject);
-        rest.row *= creep;
+        for (Eigen::RowVectorXd* row : {&rest.row, &rest.beside}) *row *= creep;
         rest.at_rest *= creep;
         return rest;
       });
@@ -129,8 +127,8 @@ Eigen::RowVectorXd RequirementSlopes::of_mount(const RequirementResult& result) 
   const Eigen::RowVectorXd slopes =
       rest_slopes(c_, neighbours_, [&](const model::System& system, const assembly::Assembled& assembled) {
         const MountRows rows = mount_rows(system, assembled, system.elements()[element]);
-        return load ? response::RestRow{rows.load.row(result.direction), rows.load_at_rest(result.direction)}
-                    : response::RestRow{rows.deflection, rows.deflection_at_rest};
+        const Eigen::RowVectorXd row = load ? Eigen::RowVectorXd(rows.load.row(result.direction)) : rows.deflection;
+        return response::RestRow{row, row, load ? rows.load_at_rest(result.direction) : rows.deflection_at_rest};
       });
   const auto range = [&] { return *c_.system.elements()[element].rating->load[to_size(result.direction)]; };
   return load && is_near_lower_end(*result.value, range()) ? slopes : -slopes;

@@ -43,6 +43,8 @@ double PivotedLu<Scalar>::smallest_pivot() const {
 
 template <typename Scalar>
 double PivotedLu<Scalar>::reciprocal_condition() const {
+  // The estimate of Eigen divides by the pivots.
+  if ((factors_->lu.matrixLU().diagonal().array() == Scalar(0)).any()) return 0;
   return factors_->lu.rcond();
 }
 

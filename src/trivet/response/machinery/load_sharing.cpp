@@ -23,9 +23,7 @@ LoadSharing load_sharing(const model::System& system, const assembly::Assembled&
     result.mounts.emplace_back().element = system.elements()[e].name;
     words.insert(words.end(), {result.mounts.back().element, result.mounts.back().element + ".deflection"});
   }
-  const StaticResponse rest = static_response(
-      at_rest.system(), at_rest.assembled(),
-      assembly::channels(at_rest.system(), at_rest.assembled(), words, assembly::MotionQuantity::displacement));
+  const StaticResponse rest = static_response(at_rest.system(), at_rest.assembled(), words);
   const Eigen::Vector3d down = gravity->normalized();
   // Per mount: six components of the wrench, then six of the deflection.
   double largest = 0;

@@ -22,18 +22,19 @@ std::vector<RatedLoad> rated_loads(const model::System& moving, const assembly::
   if (result.empty()) return result;
   const AtRest at_rest(moving, assembled_moving);
   const model::System& system = at_rest.system();
-  const assembly::Assembled& assembled = at_rest.assembled();
-  const StaticSolution rest = static_solution(system, assembled);
+  const Eigen::VectorXd rest = static_solution(system, at_rest.assembled()).coordinates();
+  const assembly::Assembled& assembled = at_rest.assembled().first_order();  // loads along the axes of the mounts
   for (RatedLoad& one : result) {  // one after another: the rows of all mounts of a large system take gigabytes
     const model::Element& element = system.elements()[one.element];
-    const std::vector<assembly::Channel> channels =
-        assembly::channels(system, assembled.first_order(), {element.name, element.name + ".deflection"},
-                           assembly::MotionQuantity::displacement);
-    Eigen::Vector3d force;  // on the N side, ground axes
-    for (std::size_t j = 0; j < 3; ++j) force(to_index(j)) = value_at_rest(channels[j], assembled, rest);
+    const std::vector<assembly::Channel> channels = assembly::channels(
+        system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
+    const auto value = [&](const assembly::Channel& channel) -> double {
+      return value_at_rest(channel, assembled, rest) + channel.at_rest;
+    };
+    const Eigen::Vector3d force(value(channels[0]), value(channels[1]), value(channels[2]));  // on the N side
     one.load = -(mount_axes(system, element).transpose() * force);
     constexpr std::size_t deflection_along_axis = 8;  // after six of the wrench
-    one.deflection = element.creep * value_at_rest(channels[deflection_along_axis], assembled, rest);
+    one.deflection = element.creep * value(channels[deflection_along_axis]);
   }
   remove_round_off(result);
   return result;

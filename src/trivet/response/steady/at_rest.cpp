@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/steady/at_rest.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "trivet/model/static_stiffness.h"
 
 namespace trivet::response {
 
+const assembly::Assembled& of_statics(const model::System& system, const assembly::Assembled& assembled) {
+  const auto& elements = system.elements();
+  const bool has_laws = std::any_of(elements.begin(), elements.end(), [](const model::Element& one) {
+    return model::has_laws(one) || one.law.nonlinear.has_value();
+  });
+  return has_laws ? assembled.first_order() : assembled;
+}
+
 AtRest::AtRest(const model::System& system, const assembly::Assembled& assembled)
-    : system_(system), assembled_(assembled) {
+    : system_(system), assembled_(of_statics(system, assembled)) {
   if (!model::has_static_stiffness(system)) return;
   model::System softer = model::with_static_stiffness(system);
   assembly::Assembled of_it = assembly::assemble(softer);

@@ -7,17 +7,19 @@
 
 namespace trivet::response {
 
-/// A linear machine as every static result sees it: with the static stiffness of its rubber, assembled again only if it
-/// has one, and without the second-order effect of its weight.
+/// The machine that resists loads at rest. The position of rest of a machine with laws is that of the first order, and
+/// so are its static results.
+[[nodiscard]] const assembly::Assembled& of_statics(const model::System& system, const assembly::Assembled& assembled);
+
+/// A machine as every static result sees it: with the static stiffness of its rubber, assembled again only if it has
+/// one.
 class AtRest {
  public:
   /// @param system, assembled  of vibration; used by the result
   AtRest(const model::System& system, const assembly::Assembled& assembled);
 
   [[nodiscard]] const model::System& system() const { return own_ ? own_->system : system_; }
-  [[nodiscard]] const assembly::Assembled& assembled() const {
-    return (own_ ? own_->assembled : assembled_).first_order();
-  }
+  [[nodiscard]] const assembly::Assembled& assembled() const { return own_ ? own_->assembled : assembled_; }
 
  private:
   struct Own {
@@ -25,7 +27,7 @@ class AtRest {
     assembly::Assembled assembled;
   };
   const model::System& system_;
-  const assembly::Assembled& assembled_;
+  const assembly::Assembled& assembled_;  ///< or what it has of the first order
   std::unique_ptr<const Own> own_;
 };
 

@@ -2,34 +2,30 @@
 #include "trivet/response/steady/static_response.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/assembly/rest_coordinates.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/static_solution.h"
 
 namespace trivet::response {
 
-RestRow rest_row(const assembly::Assembled& given, const assembly::Channel& channel) {
-  const assembly::Assembled& assembled = given.first_order();
-  RestRow result{channel.on_displacement.real().head(assembled.matrices.size()).transpose(), channel.at_rest};
-  for (const assembly::DynamicForce& force : channel.dynamic_forces) {
-    const assembly::ElementMap& map = assembled.elements[force.element];
-    const Eigen::RowVectorXd of_element = force.row * map.matrices.stiffness.topRows<12>() * map.ends;
-    for (std::size_t j = 0; j < map.rows.size(); ++j) result.row(map.rows[j]) += of_element(to_index(j));
-  }
-  return result;
-}
+namespace {
 
-StaticSolution static_solution(const model::System& system, const assembly::Assembled& given) {
-  const assembly::Assembled& assembled = given.first_order();
+void refuse_without_load(const model::System& system) {
   const bool is_nonlinear = std::any_of(system.elements().begin(), system.elements().end(),
                                         [](const model::Element& e) { return e.law.nonlinear.has_value(); });
   if (!system.description().gravity && system.description().constant_forces.empty() && !is_nonlinear)
     throw foundation::NotComputable(
         "static: the model has no static load; give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
+}
+
+void refuse_without_static_stiffness(const model::System& system, const assembly::Assembled& assembled) {
   for (std::size_t e = 0; e < assembled.elements.size(); ++e)
     if (assembled.elements[e].defined_from > 0 && system.elements()[e].is_foundation)
       throw foundation::NotComputable("static: \"" + system.elements()[e].name +
@@ -37,41 +33,102 @@ StaticSolution static_solution(const model::System& system, const assembly::Asse
     else if (assembled.elements[e].defined_from > 0)
       throw foundation::NotComputable("static: the table of \"" + system.elements()[e].name +
                                       "\" starts above 0 Hz and gives no static stiffness; add a row at 0 Hz");
+}
+
+void refuse_free_motions(const model::System& system, const assembly::Assembled& assembled) {
   const modal::Modes modes = modal::modes(system, assembled);
-  if (modal::has_rigid_motion(modes)) {
-    std::string words;
-    for (const std::string& motion : modal::free_motions(system, assembled, modes))
-      words += (words.empty() ? "" : "; ") + motion;
-    throw foundation::NotComputable("static: the position of rest is not unique: " + words);
-  }
+  if (!modal::has_rigid_motion(modes)) return;
+  std::string words;
+  for (const std::string& motion : modal::free_motions(system, assembled, modes))
+    words += (words.empty() ? "" : "; ") + motion;
+  throw foundation::NotComputable("static: the position of rest is not unique: " + words);
+}
+
+/// K q = Q. A coordinate without mass is like any other; a frequency-dependent element acts with D(0), which its
+/// matrices contain.
+StaticSolution solution_of(const assembly::Assembled& assembled, const Eigen::VectorXd& load) {
   numerics::DynamicMatrices stiffness_only = assembled.matrices;
   stiffness_only.K_loss.resize(0, 0);
-  const Eigen::VectorXcd load = assembly::static_load(system, assembled).cast<std::complex<double>>();
-  // In a static problem a coordinate without mass is like any other; a frequency-dependent element acts with D(0),
-  // which its matrices contain.
-  const numerics::SweepResult solved = numerics::sweep(stiffness_only, load, {0.0});
+  const numerics::SweepResult solved =
+      numerics::sweep(stiffness_only, Eigen::VectorXcd(load.cast<std::complex<double>>()), {0.0});
   if (solved.singular > 0) throw foundation::NotComputable("static: the stiffness matrix is singular");
-  return {solved.response.col(0).real(), solved.backward_error(0)};
+  return {solved.response.col(0).real(), Eigen::VectorXd::Zero(load.size()), solved.backward_error(0)};
+}
+
+}  // namespace
+
+StaticSolution static_solution(const model::System& system, const assembly::Assembled& given) {
+  const assembly::Assembled &assembled = of_statics(system, given), &first = assembled.first_order();
+  refuse_without_load(system);
+  refuse_without_static_stiffness(system, first);
+  refuse_free_motions(system, assembled);
+  const Eigen::VectorXd whole = assembly::static_load(system, first);
+  if (!assembled.without_second_order) return solution_of(first, whole);
+  const Eigen::VectorXd loads = assembly::constant_load(system, first), weight = whole - loads;
+  assembly::RestCoordinates held = assembly::coordinates_at_rest(first.matrices, weight);
+  StaticSolution rest;
+  if (held.unique) rest = solution_of(first, weight);
+  else rest.by_weight = std::move(held.coordinates);
+  const Eigen::VectorXd left = held.unique ? loads : Eigen::VectorXd(whole - first.matrices.K * rest.by_weight);
+  const StaticSolution beside = solution_of(assembled, left);
+  rest.by_loads = beside.by_weight;
+  rest.backward_error = std::max(rest.backward_error, beside.backward_error);
+  return rest;
 }
 
 double value_at_rest(const assembly::Channel& channel, const assembly::Assembled& assembled,
-                     const StaticSolution& rest) {
-  double value = channel.on_displacement.real().dot(rest.coordinates) + channel.at_rest;
+                     const Eigen::VectorXd& motion) {
+  double value = channel.on_displacement.real().dot(motion);
   for (const assembly::DynamicForce& force : channel.dynamic_forces) {
-    const assembly::ElementMap& map = assembled.first_order().elements[force.element];
-    value += force.row * (map.matrices.stiffness.topRows<12>() * map.coordinates(rest.coordinates));
+    const assembly::ElementMap& map = assembled.elements[force.element];
+    value += force.row * (map.matrices.stiffness.topRows<12>() * map.coordinates(motion));
   }
   return value;
 }
 
-StaticResponse static_response(const model::System& system, const assembly::Assembled& assembled,
-                               const std::vector<assembly::Channel>& channels) {
+namespace {
+
+/// row · q of a result.
+Eigen::RowVectorXd row_of(const assembly::Channel& channel, const assembly::Assembled& assembled) {
+  Eigen::RowVectorXd row = channel.on_displacement.real().head(assembled.matrices.size()).transpose();
+  for (const assembly::DynamicForce& force : channel.dynamic_forces) {
+    const assembly::ElementMap& map = assembled.elements[force.element];
+    const Eigen::RowVectorXd of_element = force.row * map.matrices.stiffness.topRows<12>() * map.ends;
+    for (std::size_t j = 0; j < map.rows.size(); ++j) row(map.rows[j]) += of_element(to_index(j));
+  }
+  return row;
+}
+
+std::vector<assembly::Channel> channels_at_rest(const model::System& system, const assembly::Assembled& assembled,
+                                                const std::vector<std::string>& of) {
+  return assembly::channels(system, assembled, of, assembly::MotionQuantity::displacement);
+}
+
+}  // namespace
+
+RestRow rest_row(const model::System& system, const assembly::Assembled& given, const std::string& name) {
+  const assembly::Assembled &assembled = of_statics(system, given), &first = assembled.first_order();
+  const assembly::Channel by_weight = channels_at_rest(system, first, {name}).front();
+  RestRow result{row_of(by_weight, first), {}, by_weight.at_rest};
+  if (assembled.without_second_order)
+    result.beside = row_of(channels_at_rest(system, assembled, {name}).front(), assembled);
+  else result.beside = result.row;
+  return result;
+}
+
+StaticResponse static_response(const model::System& system, const assembly::Assembled& given,
+                               const std::vector<std::string>& of) {
+  const assembly::Assembled &assembled = of_statics(system, given), &first = assembled.first_order();
   const StaticSolution rest = static_solution(system, assembled);
+  const std::vector<assembly::Channel> by_weight = channels_at_rest(system, first, of),
+                                       by_loads = channels_at_rest(system, assembled, of);
   StaticResponse result;
   result.backward_error = rest.backward_error;
-  for (const assembly::Channel& channel : channels)
-    if (channel.derivative == 0)
-      result.values.push_back({channel.name, channel.unit, value_at_rest(channel, assembled, rest)});
+  for (std::size_t i = 0; i < by_weight.size(); ++i)
+    if (by_weight[i].derivative == 0)
+      result.values.push_back({by_weight[i].name, by_weight[i].unit,
+                               value_at_rest(by_weight[i], first, rest.by_weight) +
+                                   value_at_rest(by_loads[i], assembled, rest.by_loads) + by_weight[i].at_rest});
   return result;
 }
 
