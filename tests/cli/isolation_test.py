@@ -115,7 +115,10 @@ at = [0, 0, 0]
 table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}, {order = 0.5, force = [0, 0, 40]}]
 """
         base = OSCILLATOR.split("[excitations")[0] + crank
-        rows, _ = self.rows(base, 'limits = {"m.z" = {limit = "9 mm/s", speed = ["300 rpm", "600 rpm"]}}')
+        rows, _ = self.rows(
+            base,
+            'limits = {"m.z" = {limit = "9 mm/s", speed = ["300 rpm", "600 rpm"]}}',
+        )
         ratio = C / (2 * math.sqrt(K * M))
 
         def velocity(force, w):
@@ -156,6 +159,119 @@ table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}, {order = 0.5, force = [0,
             1,
             DIGITS,
         )
+
+    def test_mounts_that_cancel_in_the_total_force_are_a_warning(self):
+        w, arm, lever = rpm(1480), 0.5, 0.3
+        inertia = K * arm**2 / w**2  # pitch in resonance at the speed, heave far below it
+        machine = f"""trivet = 1
+[bodies.m]
+mass = {M}
+inertia = {{about = "center_of_mass", xx = 9, yy = {inertia}, zz = 9}}
+free = ["z", "ry"]
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [{lever}, 0, 0]
+force = [0, 0, 100]
+[requirements]
+isolation = {{at = "1480 rpm", least = "60 %"}}
+"""
+        names = ("a", "b", "c", "d")
+        for name, x in zip(names, (arm, arm, -arm, -arm), strict=True):
+            machine += f"""[elements.{name}]
+type = "bushing"
+on = "m"
+at = [{x}, 0, 0]
+translation = [1, 1, {K / 4}]
+damping = {{translation = [1e-9, 1e-9, {C / 40}]}}
+"""
+
+        # Forces of the four mounts over that of the excitation: heave and pitch by hand.
+        stiff = complex(K, C / 10 * w)
+        heave, pitch = 1 / (stiff - M * w * w), lever / (stiff * arm**2 - inertia * w * w)
+        single = [abs(stiff / 4 * (heave + x * pitch)) for x in (arm, arm, -arm, -arm)]
+
+        def sums(text):
+            found = answer("verdict", self.file(text))
+            texts = [w for w in found["cases"][0]["warnings"] if "single mounts add up" in w]
+            return [float(w.split("add up to ")[1].split(" times")[0]) for w in texts], texts
+
+        self.assertGreater(sum(single), 5)
+        (stated,), (words,) = sums(machine)
+        self.assertAlmostEqual(stated / sum(single), 1, 2)  # three digits are stated
+        self.assertIn(f"alone transmits {max(single):.3g}", words)
+        self.assertIn(f"is {transmitted(w, c=C / 10):.3g} of it in total", words)
+        self.assertIn('limits = {"a.force.z"', words)
+        # A run shows it too, and --strict counts it.
+        out = self.folder / "out"
+        self.assertEqual(trivet("run", self.file(machine), "--output", out, "--strict").returncode, 4)
+        self.assertIn("single mounts add up", (out / "report.html").read_text())
+        # A band meets the resonance within it; a force in the middle excites no pitch.
+        band = machine.replace('at = "1480 rpm"', 'band = ["23 Hz", "40 Hz"]')
+        self.assertAlmostEqual(sums(band)[0][0] / sum(single), 1, 2)
+        self.assertEqual(sums(machine.replace(f"at = [{lever}, 0, 0]", "at = [0, 0, 0]"))[0], [])
+        # Who limits each mount knows; a limit on one of them is not enough.
+        for limited, count in ((names, 0), (names[:1], 1)):
+            limits = ", ".join(f'"{name}.force.z" = "5 N"' for name in limited)
+            judged = machine.replace("[requirements]\n", f"[requirements]\nlimits = {{{limits}}}\n")
+            self.assertEqual(len(sums(judged)[0]), count)
+        self.assertEqual(
+            sums(machine.replace("force = [0, 0, 100]", "moment = [0, 100, 0]"))[0],
+            [],
+            "amplified in total",
+        )
+
+    def test_moments_of_mounts_that_sway_are_a_warning(self):
+        # Sway in resonance on mounts below the centre of mass: they twist the ground singly, which cancels in the sum.
+        inertia, sway, lift, below, half = 8.0, 1e5, 6e4, 0.1, 0.5
+        w = 0.98 * math.sqrt(4 * sway / M)
+        damper = 20.0
+        machine = f"""trivet = 1
+[bodies.m]
+mass = {M}
+inertia = {{about = "center_of_mass", xx = {inertia}, yy = {inertia}, zz = {inertia}}}
+free = ["x", "ry"]
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+moment = [0, 7, 0]
+[requirements]
+isolation = {{at = {w!r}, least = "20 %"}}
+"""
+        corners = [(x, y) for x in (half, -half) for y in (half, -half)]
+        for i, (x, y) in enumerate(corners):
+            machine += f"""[elements.mount{i}]
+type = "bushing"
+on = "m"
+at = [{x}, {y}, {-below}]
+translation = [{sway}, 1, {lift}]
+damping = {{translation = [{damper}, 1e-9, {damper}]}}
+"""
+
+        def moments(w):
+            """The total moment about y, and the sum of the moments of the mounts, for a moment of 1."""
+            x, z = complex(sway, damper * w), complex(lift, damper * w)
+            shift, both, turn = (
+                4 * x - M * w * w,
+                -4 * x * below,
+                4 * (x * below**2 + z * half**2) - inertia * w * w,
+            )
+            angle = shift / (shift * turn - both**2)
+            side = x * (-both / shift * angle - below * angle)
+            single = [(at[1] * z * -at[0] * angle, at[0] ** 2 * z * angle, -at[1] * side) for at in corners]
+            total = abs(4 * (z * half**2 * angle - below * side))
+            axes = [math.sqrt((sum(abs(m) ** 2 for m in one) + abs(sum(m * m for m in one))) / 2) for one in single]
+            return total, sum(axes)
+
+        total, single = moments(w)
+        self.assertLess(total, 0.8)
+        self.assertGreater(single, 2 * moments(1e-6)[1])
+        found = answer("verdict", self.file(machine))["cases"][0]
+        self.assertTrue(found["met"])
+        (words,) = [one for one in found["warnings"] if "single mounts" in one]
+        self.assertIn(f"is {total:.3g} of it in total, but the moments", words)
+        self.assertIn(f"add up to {single:.3g} times it", words)
 
     def test_optimize_isolates_as_far_as_the_sag_allows(self):
         text = (

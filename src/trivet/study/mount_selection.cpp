@@ -17,6 +17,7 @@
 #include "trivet/study/mount_ranking.h"
 #include "trivet/study/mount_sums.h"
 #include "trivet/study/requirement_values.h"
+#include "trivet/study/single_mount_forces.h"
 
 namespace trivet::study {
 namespace {
@@ -148,7 +149,9 @@ MountSelection mount_selection(const project::Project& project, std::size_t most
   std::size_t best = 0;
   for (std::size_t c = 0; c < all.choices().size(); ++c) best = all.with(best, c, result.best.front().mounts[c]);
   const model::System system = all.system(first, best);
-  result.warnings = amplification_warnings(CaseContext(system, silent), first.analyses);
+  const CaseContext context(system, silent);
+  result.warnings = amplification_warnings(context, first.analyses);
+  result.warnings.add(single_mount_warnings(context, first.analyses));
   return result;
 }
 

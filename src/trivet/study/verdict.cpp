@@ -15,6 +15,7 @@
 #include "trivet/study/case_warnings.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/requirement_values.h"
+#include "trivet/study/single_mount_forces.h"
 
 namespace trivet::study {
 namespace {
@@ -73,6 +74,7 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   result.results = requirement_values(context, variant.analyses, result.warnings);
   result.warnings.add(tilting_at_rest_warnings(context, variant.analyses));
   result.warnings.add(amplification_warnings(context, variant.analyses));
+  result.warnings.add(single_mount_warnings(context, variant.analyses));
   result.load_case = load_case(variant.name, context.system, context.assembled, variant.analyses);
   for (const RequirementResult& one : result.results)
     if (one.kind == RequirementKind::clearance && one.value && std::isfinite(*one.value))

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/invalid_input.h"
@@ -37,6 +39,16 @@ void add_map(const project::Project& project, const project::Case& variant, cons
   } catch (const foundation::InvalidInput& reason) {
     answers.failures.emplace_back(reason.what());
   }
+}
+
+/// Judges the case, with the warnings of the verdict that its answers do not have yet.
+void add_verdict(const project::Project& project, const project::Case& variant, const foundation::Progress& step,
+                 Answers& answers) {
+  answers.verdict = case_verdict(variant, cases_to_hold(project), step);
+  std::set<std::string> known;
+  for (const foundation::Problem& problem : answers.warnings.list()) known.insert(foundation::message(problem));
+  for (const foundation::Problem& problem : answers.verdict->warnings.list())
+    if (known.insert(foundation::message(problem)).second) answers.warnings.add(problem);
 }
 
 /// Mounts at rest, if that takes no time.
@@ -107,7 +119,7 @@ std::vector<Answers> run(const project::Project& project, const foundation::Prog
     };
     all.push_back(answers(variant, variant.analyses, step));
     if (project.base().analyses.requirements || !project.base().system.description().clearances.empty())
-      all.back().verdict = case_verdict(variant, cases_to_hold(project), step);
+      add_verdict(project, variant, step, all.back());
     if (project.cases.size() > 1) all.back().load_case = load_case_of(variant, all.back());
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());
     if (i == 0) add_optimum(project, step, all.back());
