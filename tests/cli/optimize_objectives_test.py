@@ -111,6 +111,14 @@ class Objectives(InTemporaryFolder):
             self.assertAlmostEqual(best["stiffness"] * 1e3 / k, 1, delta=PLACE)
             self.assertAlmostEqual(found["after"] / (M * G / k), 1, delta=PLACE)
             self.assertEqual((found["unit"], found["objective"]), ("m", ["m.z"]))
+        # The same result with a limit is two requirements: with a window, and alone, where the stiffest is best.
+        for other, stiffest in ((window, k), ("", 5e5)):
+            limited = f'[requirements]\nstatic = {{"m.z" = "5 mm"}}\n{other}'
+            found, best = self.optimum(
+                OSCILLATOR + limited + '[analyses.optimize]\nminimize = {static = ["m.z"]}\nstarts = 2\n'
+            )
+            self.assertAlmostEqual(best["stiffness"] * 1e3 / stiffest, 1, delta=PLACE)
+            self.assertAlmostEqual(found["after"] / (M * G / stiffest / 5e-3), 1, delta=PLACE)  # share of the limit
         optimize = '[analyses.optimize]\nminimize = {rms = ["m.z"]}\nstarts = 2\n'
         found, best = self.optimum(RANDOM + f"[requirements]\n{window}" + optimize)
         self.assertAlmostEqual(best["stiffness"] * 1e3 / k, 1, delta=PLACE)

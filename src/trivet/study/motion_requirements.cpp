@@ -97,14 +97,17 @@ class MotionRequirements {
     const std::size_t first = list_.size();
     list_.add_bounds(c_, RequirementKind::static_value, limits, "at rest ");
     list_.attempt(first, [&] {
+      const nonlinear::StaticMachine held = nonlinear::static_machine(c_.system, c_.assembled);
       std::vector<std::string> words;
       for (const project::AmplitudeLimit& limit : limits) words.push_back(limit.name);
-      const nonlinear::StaticMachine held = nonlinear::static_machine(c_.system, c_.assembled);
       const response::StaticResponse rest = response::static_response(held.system, held.assembled, words);
       for (std::size_t i = 0; i < limits.size(); ++i) {
         const double creep = creep_in(c_.system, limits[i].name);
         RequirementResult& result = list_[first + i];
-        result.value = creep * std::abs(rest.values[i].value);
+        // One value for both where a result has a limit and is minimised.
+        const auto found = std::find_if(rest.values.begin(), rest.values.end(),
+                                        [&](const response::StaticValue& one) { return one.name == limits[i].name; });
+        result.value = creep * std::abs(found->value);
         result.margin = margin_of(result.allowed, *result.value);
         if (creep > 1) result.detail = fmt::format("with its creep factor {:.4g}", creep);
       }
