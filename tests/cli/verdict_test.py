@@ -207,6 +207,30 @@ mount_load = "catalogue"
         self.assertEqual((largest["judged"], largest["met"], "loss factor" in largest["reason"]), (False, False, True))
         self.assertIn("NOT JUDGED", trivet("verdict", path).stdout)
 
+    def test_what_cannot_be_judged_leaves_the_rest_judged(self):
+        # A loss factor has no motion over time: not judged by itself, and where the file asks for the motion too.
+        lossy = OSCILLATOR.replace("damping = {translation = [1e-3, 1e-3, 400.0]}", "damping = {loss_factor = 0.1}")
+        lossy += '[excitations.blow]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n'
+        lossy += "history = {step = {amplitude = 1}}\n"
+        required = '[requirements]\nlargest = {"m.z" = "3 mm"}\nstatic = {"m.z" = "2 mm"}\n'
+        asked = "[analyses.transient]\nto = 1\nstep = 0.01\n"
+        for text in (lossy + required, lossy + required + asked):
+            path = self.file(text)
+            for strict in ((), ("--strict",)):
+                self.assertEqual(trivet("verdict", path, *strict).returncode, 1)
+            (case,) = json.loads(trivet("verdict", path, "--json").stdout)["cases"]
+            largest, rest = sorted(case["requirements"], key=lambda row: row["kind"])
+            self.assertEqual((largest["judged"], largest["value"], case["not_judged"]), (False, None, 1))
+            self.assertIn("loss factor", largest["reason"])
+            self.assertAlmostEqual(rest["value"], M * G / K, DIGITS)
+            self.assertTrue(rest["met"])
+        # The analysis itself is wrong for such a machine: who asks for its answer hears so first.
+        for command in ("transient", "check"):
+            self.assertEqual(trivet(command, path).returncode, 2)
+        self.assertEqual(trivet("run", path, "--output", self.folder / "out").returncode, 2)
+        # A wrong number of the settings is wrong everywhere.
+        self.assertEqual(trivet("verdict", self.file(text.replace("step = 0.01", "step = -1"))).returncode, 2)
+
     def test_limits_and_lines_of_the_file_are_requirements(self):
         lines = '[limit_lines.severity]\nof = "m.z"\nrows = [[1, 2e-3], [50, 2e-3]]\n'
         more = '[analyses.response]\nband = ["0 Hz", "5 Hz"]\n[limits]\n"m.z" = "1 mm"\n' + lines

@@ -139,7 +139,8 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   if (system && every_body_was_read && every_element_was_read) settle(*system, physical);
   if (system) physical.add(too_large(system->description(), counted_part(questions, analyses)));
   if (system && !reading.has_errors()) {
-    check_questions(*system, analyses, physical);
+    const auto answered = [&](const std::string& question) { return !is_only_setting(question, questions, name); };
+    check_questions(*system, analyses, answered, physical);
     check_requirements(*system, analyses, physical);
     warn_of_small_motions(*system, analyses, physical);
   }
@@ -155,7 +156,8 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
     const auto read_model = [&](const Node& model) {
       foundation::Problems found;
       std::string title_of_design;
-      static_cast<void>(read_case(model, "", title_of_design, found, {}, nullptr, known_here ? &*known_here : nullptr));
+      static_cast<void>(
+          read_case(model, name, title_of_design, found, questions, nullptr, known_here ? &*known_here : nullptr));
       return found;
     };
     if (new_map) check_map_numbers(written, *analyses.map, read_model, all);

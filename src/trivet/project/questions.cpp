@@ -164,6 +164,10 @@ bool is_requested(const std::string& question, const Questions& questions, const
   return !known && !is_outside_analysis(question) && !requested.empty();
 }
 
+bool is_only_setting(const std::string& question, const Questions& questions, const std::string& of_case) {
+  return questions.requested && questions.command != question && is_requested(question, questions, of_case);
+}
+
 Analyses counted_part(const Questions& questions, const Analyses& analyses) {
   Analyses counted;
   if (questions.command == "modes") {

@@ -22,6 +22,9 @@ struct Questions {
 /// True if errors of this question in this case concern the command.
 [[nodiscard]] bool is_requested(const std::string& question, const Questions& questions, const std::string& of_case);
 
+/// True if the command does not answer this question itself, but judges requirements with its settings.
+[[nodiscard]] bool is_only_setting(const std::string& question, const Questions& questions, const std::string& of_case);
+
 /// The part of the analyses of a file that a command for these questions takes, where the size of a model depends on
 /// it: `modes` takes only these, `response` only the response with its limits.
 [[nodiscard]] Analyses counted_part(const Questions& questions, const Analyses& analyses);

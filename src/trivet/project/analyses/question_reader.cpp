@@ -48,10 +48,11 @@ void read_questions(TableReader& analyses, const ResultNames& names, const Names
   }
 }
 
-void check_questions(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
+void check_questions(const model::System& system, const Analyses& asked,
+                     const std::function<bool(const std::string&)>& answered, foundation::Problems& problems) {
   refuse_left_out_results(system, asked, problems);
   for (const QuestionReader& reader : question_readers())
-    if (const Question* question = asked.find<Question>(reader.name); question && reader.check)
+    if (const Question* question = asked.find<Question>(reader.name); question && reader.check && answered(reader.name))
       reader.check(*question, system, problems);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ TRIVET_QUESTIONS(TRIVET_READER)
 void read_questions(TableReader& analyses, const ResultNames& names, const NamesInFile& in_file, Analyses& result);
 
 /// Reports questions that do not suit the model.
-void check_questions(const model::System& system, const Analyses& asked, foundation::Problems& problems);
+/// @param answered  false for a question of which requirements only take the settings: one that has no answer is then
+///                  not judged, with the reason, beside all others
+void check_questions(const model::System& system, const Analyses& asked,
+                     const std::function<bool(const std::string&)>& answered, foundation::Problems& problems);
 
 }  // namespace trivet::project
