@@ -117,7 +117,7 @@ peaks = {of = ["m.z"]}
         for words in (
             "frame.z:",
             "Mode 3",
-            "% of the strain energy is in \"spring",
+            '% of the strain energy is in "spring',
             "axial stiffness",
             "+10 % on",
             "recomputed",
@@ -187,6 +187,42 @@ peaks = {{of = ["fan.x"]}}
         self.assertEqual(len(rows), 2 * 21)
         self.assertTrue(all(float(row["relative height change"]) for row in rows))
 
+    def test_a_spring_that_weight_relieves_stores_all_of_the_energy(self):
+        # An inverted pendulum: the spring stores k φ²/2, of which the weight gives back m g h φ²/2.
+        stiffness, weight = 258.5, 20 * 10 * 1.0
+        pendulum = f"""trivet = 1
+gravity = [0, 0, -10]
+[bodies.m]
+mass = 20
+center_of_mass = [0, 0, 1]
+inertia = {{about = "center_of_mass", xx = 1, yy = 1, zz = 1}}
+free = ["ry"]
+[elements.a]
+type = "bushing"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, 0]
+rotation = [0, {stiffness}, 0]
+damping = {{translation = [0, 0, 0], rotation = [0, 0.4, 0]}}
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 1]
+force = [1, 0, 0]
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(pathlib.Path(folder) / "pendulum.toml")
+            pathlib.Path(path).write_text(pendulum)
+            (peak,) = json.loads(run("explain", path, "--of", "m.ry", "--json")[0])["peaks"]
+            text = run("explain", path, "--of", "m.ry")[0]
+        (element,) = peak["shares"]["elements"]  # of the sum
+        self.assertAlmostEqual(element["stored"], stiffness / (stiffness - weight), places=9)
+        self.assertIn('100 % of the strain energy is in "a", 100 % in its stiffness about y', peak["sentence"])
+        self.assertIn(f"{100 * weight / stiffness:.3g} % of what is stored is given back", peak["sentence"])
+        rows = {line.split()[0]: line for line in text.splitlines() if line.startswith(("  a ", "  geometric"))}
+        self.assertRegex(rows["a"], r"a +100\.0 %")
+        self.assertIn(f"-{100 * weight / stiffness:.1f} %", rows["geometric"])
+
     def test_an_unknown_answer_is_wrong_input(self):
         self.assertIn("nonsense", run("explain", PAPER, "--of", "nonsense", code=2)[1])
 
@@ -194,7 +230,7 @@ peaks = {{of = ["fan.x"]}}
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "still.toml"
             path.write_text(
-                "trivet = 1\n[bodies.m]\nmass = 1\nfree = [\"x\"]\n[elements.k]\ntype = \"three_springs\"\non = \"m\"\nat = [0, 0, 0]\ntranslation = [1, 0, 0]\n"
+                'trivet = 1\n[bodies.m]\nmass = 1\nfree = ["x"]\n[elements.k]\ntype = "three_springs"\non = "m"\nat = [0, 0, 0]\ntranslation = [1, 0, 0]\n'
             )
             self.assertIn("excitation", run("explain", str(path), code=1)[1])
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
+#include "trivet/modal/stored_energy.h"
 #include "trivet/report/html_table.h"
 #include "trivet/report/result_tables.h"
 
@@ -23,13 +24,11 @@ void add_mode_frequency(std::vector<Cell>& row, const modal::Mode& m, const proj
 
 /// "front left (38.2 %), 3 more with the same share"
 std::string most_strained(const project::Case& variant, const modal::Mode& m) {
-  if (!m.strain_energy_share || m.strain_energy_share->size() == 0) return "–";
-  constexpr double same_share = 5e-4;
-  Eigen::Index most = 0;
-  const double share = m.strain_energy_share->maxCoeff(&most);
-  const auto alike = ((m.strain_energy_share->array() - share).abs() < same_share).count() - 1;
-  return fmt::format("{} ({}){}", variant.system.elements()[to_size(most)].name, percent_words(share),
-                     alike > 0 ? fmt::format(", {} more with the same share", alike) : "");
+  const auto most = modal::most_strained(m);
+  if (!most) return "–";
+  return fmt::format("{} ({}{}){}", variant.system.elements()[most->element].name, percent_words(most->share),
+                     modal::given_back_words(most->given_back),
+                     most->alike > 0 ? fmt::format(", {} more with the same share", most->alike) : "");
 }
 
 /// Shares of the kinetic energy of a body: "93.1 % / 6.9 %".

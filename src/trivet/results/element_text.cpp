@@ -138,10 +138,10 @@ std::string energy_text(const study::ElementSummary& summary, const ShownUnits& 
   };
   std::size_t shown_modes = 0;
   for (const study::ElementInMode& mode : summary.modes) {
-    if (std::abs(mode.share) < idle || !(mode.inside.energy > 0)) continue;
+    if (std::abs(mode.of_stored) < idle || !(mode.inside.energy > 0)) continue;
     table.add({std::to_string(mode.number),
                number_text(shown_frequency(display, mode.angular_frequency.value_or(std::nan("")))),
-               fmt::format("{:.2f}%", 100 * mode.share), share_words(mode.inside.translation),
+               fmt::format("{:.2f}%", 100 * mode.of_stored), share_words(mode.inside.translation),
                share_words(mode.inside.rotation), share_words(mode.inside.coupling), mode.name});
     ++shown_modes;
   }

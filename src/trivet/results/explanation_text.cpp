@@ -59,7 +59,7 @@ std::string modes_table(const study::Explanation& explanation, const study::Expl
 
 std::string elements_table(const project::Case& variant, const study::ExplainedPeak& peak) {
   TextTable table({"element", "strain energy", "along x", "y", "z", "about x", "y", "z", "dissipated"});
-  const auto& shares = peak.shares;
+  const response::PeakShares shares = response::of_positive_parts(peak.shares);
   for (std::size_t e = 0; e < shares.elements.size(); ++e) {
     std::vector<std::string> row = {variant.system.elements()[e].name, rounded_percent(shares.elements[e].stored)};
     for (const double direction : shares.elements[e].by_direction) row.push_back(rounded_percent(direction));

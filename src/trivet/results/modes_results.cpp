@@ -3,6 +3,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/modal/stored_energy.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/shown_numbers.h"
@@ -93,10 +94,10 @@ std::string modes_csv(const project::Case& variant, const study::Answers& answer
 }
 
 std::string strain_words(const project::Case& variant, const modal::Mode& mode) {
-  if (!mode.strain_energy_share || mode.strain_energy_share->size() == 0) return "–";
-  Eigen::Index largest = 0;
-  const double share = mode.strain_energy_share->maxCoeff(&largest);
-  return variant.system.elements()[to_size(largest)].name + " " + percent(share);
+  const auto most = modal::most_strained(mode);
+  if (!most) return "–";
+  return variant.system.elements()[most->element].name + " " + percent(most->share) +
+      modal::given_back_words(most->given_back);
 }
 
 std::string modes_text(const project::Case& variant, const study::Answers& answers) {

@@ -9,6 +9,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/modes.h"
+#include "trivet/modal/stored_energy.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::study {
@@ -109,11 +110,14 @@ ElementSummary element_summary(const project::Case& variant, std::size_t index) 
   summary.stiffness = elements::stiffness(element.law);
   summary.verdict = matrix_verdict(variant, element, summary.stiffness);
   summary.stiffness_properties = elements::stiffness_properties(summary.stiffness);
-  for (const modal::Mode& mode : modal::modes(variant.system).list)
-    if (mode.strain_energy_share)
-      summary.modes.push_back({mode.number, mode.name, mode.angular_frequency,
-                               (*mode.strain_energy_share)(to_index(index)),
-                               elements::energy_shares(summary.stiffness, deformation(element, span, mode))});
+  for (const modal::Mode& mode : modal::modes(variant.system).list) {
+    if (!mode.strain_energy_share) continue;
+    const Eigen::VectorXd of_stored = modal::stored_energy(mode);
+    summary.modes.push_back({mode.number, mode.name, mode.angular_frequency,
+                             (*mode.strain_energy_share)(to_index(index)),
+                             of_stored.size() > 0 ? of_stored(to_index(index)) : 0,
+                             elements::energy_shares(summary.stiffness, deformation(element, span, mode))});
+  }
   summary.laws = element_laws(variant, index);
   summary.over_amplitude = stiffness_over_amplitude(variant, index);
   const std::string path = "elements." + element.name;

@@ -19,6 +19,7 @@ struct ElementInMode {
   std::string name;
   std::optional<double> angular_frequency;  ///< [rad/s]; none if the motion is unstable
   double share = 0;                         ///< of the strain energy of the whole mode
+  double of_stored = 0;                     ///< the same of what is stored (modal/stored_energy.h), ≤ 1
   elements::EnergyShares inside;            ///< shares of the element's own energy; only meaningful if it deforms
 };
 

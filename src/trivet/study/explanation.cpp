@@ -184,26 +184,28 @@ std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
                               const std::vector<response::Parameter>& parameters) {
   constexpr double idle = 0.01;  // of the strongest effect
   const auto& elements = variant.system.elements();
+  const response::PeakShares of_stored = response::of_positive_parts(peak.shares);
   std::size_t first = 0;
   for (std::size_t e = 0; e < elements.size(); ++e)
-    if (peak.shares.elements[e].stored > peak.shares.elements[first].stored) first = e;
-  if (elements.empty() || !(peak.shares.elements[first].stored > 0)) return std::nullopt;
+    if (of_stored.elements[e].stored > of_stored.elements[first].stored) first = e;
+  if (elements.empty() || !(of_stored.elements[first].stored > 0)) return std::nullopt;
   std::optional<Candidate> chosen = candidate(variant, first, peak, parameters);
   const std::optional<Candidate> best = strongest(variant, {}, peak, parameters);
   if (!chosen && best && model::has_laws(elements[first]))
     peak.notes.push_back(
         fmt::format("\"{}\" has {:.3g} % of the strain energy, and its stiffness is that of its laws "
                     "or its deformation, of which there are no slopes: map takes their numbers",
-                    elements[first].name, 100 * peak.shares.elements[first].stored));
+                    elements[first].name, 100 * of_stored.elements[first].stored));
   if (!chosen) chosen = best;
   if (!chosen) return std::nullopt;
   if (best) {
     const double enough = idle * effect(best->parameter, peak, parameters);
     if (effect(chosen->parameter, peak, parameters) < enough) {
       const bool whole = chosen->parameter.ends_with(".scale") || chosen->parameter.ends_with(".stiffness_factor.all");
-      const auto& shares = peak.shares.elements[first];
-      peak.notes.push_back(fmt::format("{} hardly changes this peak, although it has {:.3g} % of the strain energy",
-                                       chosen->words, 100 * (whole ? shares.stored : shares.by_direction.maxCoeff())));
+      const auto& shares = of_stored.elements[first];
+      peak.notes.push_back(
+          fmt::format("{} hardly changes this peak, although it has {:.3g} % of the strain energy", chosen->words,
+                      100 * (whole ? shares.stored : std::min(shares.stored, shares.by_direction.maxCoeff()))));
       chosen = strongest(variant, first, peak, parameters);
       if (!chosen || effect(chosen->parameter, peak, parameters) < enough) chosen = best;
     }

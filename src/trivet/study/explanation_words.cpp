@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "trivet/foundation/index.h"
+#include "trivet/modal/stored_energy.h"
 #include "trivet/response/steady/element_directions.h"
 
 namespace trivet::study {
@@ -46,20 +47,28 @@ std::string modes_words(const Explanation& explanation, const ExplainedPeak& pea
 }
 
 std::string energy_words(const project::Case& variant, const ExplainedPeak& peak) {
-  const auto& elements = peak.shares.elements;
-  if (elements.empty() || peak.shares.strain_energy == 0) return "";
+  const response::PeakShares shares = response::of_positive_parts(peak.shares);
+  const auto& elements = shares.elements;
+  if (elements.empty() || shares.strain_energy == 0) return "";
   const auto most = std::max_element(elements.begin(), elements.end(),
                                      [](const auto& a, const auto& b) { return a.stored < b.stored; });
   const model::Element& element = variant.system.elements()[to_size(most - elements.begin())];
   Eigen::Index direction = 0;
   const double in_direction = most->by_direction.maxCoeff(&direction);
+  if (!(most->stored > 0)) return "";
   std::string words = fmt::format("{} of the strain energy is in \"{}\"", percent(most->stored), element.name);
-  if (in_direction > 0)
+  constexpr double round_off = 1e-9;
+  if (in_direction > (1 + round_off) * most->stored)  // other directions of the element give some back
+    words += ", most in its " + response::direction_words(element, static_cast<int>(direction));
+  else if (in_direction > 0)
     words += fmt::format(", {} in its {}", percent(in_direction),
                          response::direction_words(element, static_cast<int>(direction)));
   const auto damping = std::max_element(elements.begin(), elements.end(),
                                         [](const auto& a, const auto& b) { return a.dissipated < b.dissipated; });
-  if (damping->dissipated > peak.shares.system_damping)
+  if (const double returned = response::given_back(peak.shares); returned >= modal::noticeably_given_back)
+    words +=
+        fmt::format("; {} of what is stored is given back by preload, weight or negative stiffness", percent(returned));
+  if (damping->dissipated > shares.system_damping)
     words +=
         fmt::format("; \"{}\" dissipates {} of the power",
                     variant.system.elements()[to_size(damping - elements.begin())].name, percent(damping->dissipated));

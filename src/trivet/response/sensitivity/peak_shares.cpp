@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/sensitivity/peak_shares.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -211,6 +213,43 @@ PeakShares peak_shares(const model::System& system, const assembly::Assembled& a
   result.system_damping = share(by_system, result.dissipated_power);
   result.by_foundations = share(by_foundations, result.dissipated_power);
   return result;
+}
+
+namespace {
+
+/// Σ of the positive and −Σ of the negative energies, over their sum.
+std::array<double, 2> stored_and_given_back(const PeakShares& shares) {
+  const double sign = shares.strain_energy < 0 ? -1 : 1;
+  std::array<double, 2> sum = {0, 0};
+  const auto add = [&](double share) { sum[share * sign > 0 ? 0 : 1] += std::abs(share); };
+  for (const ElementShare& one : shares.elements) add(one.stored);
+  add(shares.geometric);
+  add(shares.in_foundations);
+  return sum;
+}
+
+}  // namespace
+
+double given_back(const PeakShares& shares) {
+  const auto [stored, returned] = stored_and_given_back(shares);
+  return stored > 0 ? returned / stored : 0;
+}
+
+PeakShares of_positive_parts(PeakShares shares) {
+  const double energy_sign = shares.strain_energy < 0 ? -1 : 1, power_sign = shares.dissipated_power < 0 ? -1 : 1;
+  const double stored = stored_and_given_back(shares)[0];
+  double dissipated =
+      std::max(0.0, power_sign * shares.system_damping) + std::max(0.0, power_sign * shares.by_foundations);
+  for (const ElementShare& one : shares.elements) dissipated += std::max(0.0, power_sign * one.dissipated);
+  const double energy = stored > 0 ? energy_sign / stored : 1, power = dissipated > 0 ? power_sign / dissipated : 1;
+  for (ElementShare& one : shares.elements) {
+    one.stored *= energy;
+    one.by_direction *= energy;
+    one.dissipated *= power;
+  }
+  for (double* of_energy : {&shares.geometric, &shares.in_foundations}) *of_energy *= energy;
+  for (double* of_power : {&shares.system_damping, &shares.by_foundations}) *of_power *= power;
+  return shares;
 }
 
 }  // namespace trivet::response

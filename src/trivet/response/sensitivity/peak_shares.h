@@ -40,6 +40,13 @@ struct PeakShares {
   double by_foundations = 0;           ///< share of it: foundations
 };
 
+/// The same shares of what is stored and what is dissipated: of the positive energies and powers alone, so that none
+/// exceeds 1. Negative ones, of preload under compression, weight, negative stiffness or damping, are given back.
+[[nodiscard]] PeakShares of_positive_parts(PeakShares shares);
+
+/// Strain energies that are given back, over those that are stored.
+[[nodiscard]] double given_back(const PeakShares& shares);
+
 /// Shares at any ω > 0; for an unbounded peak, those of its mode.
 /// @throws NotComputable on an undamped resonance that `place` does not mark as unbounded
 [[nodiscard]] PeakShares peak_shares(const model::System& system, const assembly::Assembled& assembled,
