@@ -141,20 +141,40 @@ Eigen::VectorXcd components_of(const CaseContext& c, const modal::Mode& mode,
   return shape;
 }
 
+/// The computed mode of a measured one: that with the largest assurance; of those that are as like it as measured
+/// shapes can tell, that with the nearest natural frequency.
+std::optional<std::size_t> counterpart_of(const project::MeasuredMode& measured, const Eigen::RowVectorXd& likeness,
+                                          const std::vector<modal::Mode>& modes) {
+  constexpr double indistinct = 0.01;  // of the assurance: noise and a direction some degrees off change it by as much
+  double largest = 0;                  // a mode that no measured component sees has none
+  for (const double one : likeness)
+    if (one > largest) largest = one;
+  std::optional<std::size_t> nearest;
+  double least = foundation::infinity;
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    if (!(likeness(to_index(k)) > 0) || likeness(to_index(k)) < largest - indistinct) continue;
+    const double ratio = modes[k].angular_frequency.value_or(0) / measured.angular_frequency;
+    const double distance = ratio > 0 && std::isfinite(ratio) ? std::abs(std::log(ratio)) : foundation::infinity;
+    if (nearest && !(distance < least)) continue;
+    nearest = k;
+    least = distance;
+  }
+  return nearest;
+}
+
 void add_shapes(const CaseContext& c, const project::Measurement& measurement, MeasurementComparison& result) {
   result.components = measurement.components.size();
   result.assurance.resize(to_index(measurement.modes.size()), to_index(c.modes.list.size()));
   for (std::size_t m = 0; m < measurement.modes.size(); ++m) {
     const project::MeasuredMode& measured = measurement.modes[m];
     ShapeComparison best{measured.number, measured.angular_frequency, measured.damping_ratio};
-    for (std::size_t k = 0; k < c.modes.list.size(); ++k) {
-      const modal::Mode& mode = c.modes.list[k];
-      const double likeness = assurance(measured.shape, components_of(c, mode, measurement.components));
-      result.assurance(to_index(m), to_index(k)) = likeness;
-      if (!(likeness > best.assurance)) continue;
-      best.mode = mode.number;
-      best.angular_frequency = mode.angular_frequency;
-      best.assurance = likeness;
+    for (std::size_t k = 0; k < c.modes.list.size(); ++k)
+      result.assurance(to_index(m), to_index(k)) =
+          assurance(measured.shape, components_of(c, c.modes.list[k], measurement.components));
+    if (const auto found = counterpart_of(measured, result.assurance.row(to_index(m)), c.modes.list)) {
+      best.mode = c.modes.list[*found].number;
+      best.angular_frequency = c.modes.list[*found].angular_frequency;
+      best.assurance = result.assurance(to_index(m), to_index(*found));
     }
     result.shapes.push_back(best);
   }

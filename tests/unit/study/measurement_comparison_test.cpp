@@ -5,6 +5,11 @@
 
 #include <chrono>
 #include <complex>
+#include <memory>
+#include <utility>
+
+#include "support/projects.h"
+#include "trivet/study/case_context.h"
 
 namespace measurement_comparison_test {
 
@@ -83,6 +88,62 @@ TEST(MeasuredPeaks, NeedCoherence) {
   const Resonance curve = resonance(10, 0.05, 0.1);
   const Eigen::VectorXd poor = Eigen::VectorXd::Constant(curve.value.size(), 0.3);
   EXPECT_TRUE(study::measured_peaks(curve.angular_frequency, curve.value, poor).empty());
+}
+
+/// Heave and pitch of a plate, measured at one place or more along z.
+study::ShapeComparison compared(double measured_frequency, const std::vector<double>& places,
+                                const Eigen::VectorXcd& shape) {
+  const project::Project plate = test::project(R"(
+trivet = 1
+[bodies.plate]
+mass = 10
+inertia = {about = "center_of_mass", xx = 1, yy = 1, zz = 1}
+free = ["z", "ry"]
+[elements.k]
+type = "bushing"
+on = "plate"
+at = [0, 0, 0]
+translation = [0, 0, 9000]
+rotation = [0, 8100, 0]
+[excitations.f]
+type = "harmonic"
+on = "plate"
+at = [0, 0, 0]
+force = [0, 0, 1]
+[analyses.response]
+of = ["plate"]
+band = ["1 Hz", "20 Hz"]
+)");
+  project::Measurement measurement;
+  for (const double x : places) measurement.components.push_back({0, {x, 0, 0}, 2});
+  measurement.modes.push_back({1, measured_frequency, 0.01, shape});
+  project::Analyses analyses = plate.base().analyses;
+  analyses.measurements = {std::make_shared<const project::Measurement>(measurement)};
+  const foundation::Progress silent;
+  const study::CaseContext context(plate.base().system, silent);
+  return study::measurement_comparisons(context, analyses, *analyses.response->band).at(0).shapes.at(0);
+}
+
+TEST(MeasuredModes, AreThoseOfTheNearestFrequencyWhereShapesAreAlike) {
+  constexpr double heave = 30, pitch = 90, round_off = 1e-12;   // √(k/m) [rad/s]
+  const Eigen::VectorXcd anything = Eigen::VectorXcd::Ones(1);  // one component is like every mode that it sees
+  for (const auto& [measured, mode] : {std::pair{28.0, 1}, {33.0, 1}, {80.0, 2}, {95.0, 2}, {53.0, 2}, {51.0, 1}}) {
+    const auto found = compared(measured, {0.5}, anything);
+    EXPECT_EQ(found.mode, mode) << measured << ": √(30 · 90) = 51.96 is as far from both";
+    EXPECT_NEAR(found.assurance, 1, round_off);
+    EXPECT_NEAR(*found.angular_frequency, mode == 1 ? heave : pitch, round_off * pitch);
+  }
+  // Nearly alike: places far to one side of the axis; the shape is that of heave with 1 % of noise.
+  Eigen::VectorXcd nearly(2);
+  nearly << 1.0, 1.01;
+  EXPECT_EQ(compared(88, {9.9, 10.1}, nearly).mode, 2);
+  EXPECT_EQ(compared(31, {9.9, 10.1}, nearly).mode, 1);
+  // Shapes that tell modes apart decide, whatever the frequency.
+  Eigen::VectorXcd turning(2);
+  turning << 1.0, -1.0;
+  EXPECT_EQ(compared(29, {0.5, -0.5}, turning).mode, 2);
+  EXPECT_EQ(compared(29, {0}, anything).mode, 1) << "pitch does not move this place";
+  EXPECT_EQ(compared(91, {0}, anything).mode, 1);
 }
 
 }  // namespace measurement_comparison_test
