@@ -37,7 +37,8 @@ void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std:
   for (const results::RequirementRow& row : results::requirement_rows(verdict)) {
     const study::RequirementResult& result = *row.result;
     const bool clearance = result.kind == study::RequirementKind::clearance;
-    Judgement one{Outcome::met, clearance ? "clearance" : "requirement", row.words, "", result.margin, which};
+    Judgement one{Outcome::met,   clearance ? "clearance" : "requirement", row.words, "", result.margin, which,
+                  verdict.decides};
     if (!result.value) {
       one.outcome = Outcome::not_judged;
       one.finding = result.reason;
@@ -109,7 +110,7 @@ std::size_t number_with(const std::vector<Judgement>& list, Outcome outcome) {
       std::count_if(list.begin(), list.end(), [&](const Judgement& j) { return j.outcome == outcome; }));
 }
 
-/// "2 of 9 requirements, 1 of 1 limit"
+/// "2 of 9 requirements, 1 of 1 limit": of those that decide, and of what is not judged elsewhere.
 std::string shares_words(const std::vector<Judgement>& list, Outcome outcome) {
   static constexpr std::array kinds = {"requirement", "clearance",   "limit", "limit line",
                                        "map",         "best design", "answer"};
@@ -117,8 +118,10 @@ std::string shares_words(const std::vector<Judgement>& list, Outcome outcome) {
   for (const std::string kind : kinds) {
     std::size_t all = 0, these = 0;
     for (const Judgement& one : list) {
-      all += one.kind == kind;
-      these += one.kind == kind && one.outcome == outcome;
+      const bool unknown = outcome == Outcome::not_judged && one.outcome == outcome;
+      if (one.kind != kind || !(one.decides || unknown)) continue;
+      ++all;
+      these += one.outcome == outcome;
     }
     if (these == 0) continue;
     const std::string what = kind == "map" ? "verdict" : kind;
@@ -152,7 +155,8 @@ std::string judgement_part(const std::string& style, const std::string& title, c
 const Judgement* least_of(const std::vector<Judgement>& list) {
   const Judgement* least = nullptr;
   for (const Judgement& one : list)
-    if (one.outcome == Outcome::met && std::isfinite(one.margin) && (!least || one.margin < least->margin))
+    if (one.outcome == Outcome::met && one.decides && std::isfinite(one.margin) &&
+        (!least || one.margin < least->margin))
       least = &one;
   return least;
 }

@@ -24,6 +24,7 @@ struct Judgement {
   std::string finding;               ///< by how much and where, or why it is not judged
   double margin = 0;                 ///< 1 on the limit; of judged ones
   std::size_t shown_case = 0;        ///< index of its case
+  bool decides = true;               ///< the design has to hold in this case
 };
 
 /// All verdicts of the page. A limit that is also a requirement of its case is listed once.
