@@ -17,18 +17,15 @@ using std::numbers::pi;
 constexpr double accepted_angle = 0.01 * pi / 180;  // crank angles are given in degrees with two digits
 
 std::vector<int> usual_firing_order(const EngineLayout& layout) {
-  static const std::map<int, std::vector<int>> in_line = {{1, {1}},
-                                                          {2, {1, 2}},
-                                                          {3, {1, 3, 2}},
-                                                          {4, {1, 3, 4, 2}},
-                                                          {5, {1, 2, 4, 5, 3}},
-                                                          {6, {1, 5, 3, 6, 2, 4}},
-                                                          {8, {1, 6, 2, 5, 8, 3, 7, 4}}};
+  static const std::map<int, std::vector<int>> in_line = {
+      {2, {1, 2}},          {3, {1, 3, 2}},          {4, {1, 3, 4, 2}},
+      {5, {1, 2, 4, 5, 3}}, {6, {1, 5, 3, 6, 2, 4}}, {8, {1, 6, 2, 5, 8, 3, 7, 4}}};
+  if (layout.cylinders == 1) return {1};
   const auto usual = in_line.find(layout.cylinders);
   if (layout.kind != EngineLayout::Kind::in_line || layout.strokes != 4 || usual == in_line.end())
     throw foundation::InvalidInput(
         fmt::format("engine: {} cylinders without a firing order; only in-line engines of 1 … 6 or 8 cylinders with "
-                    "four strokes have a default one",
+                    "four strokes have a default one; list the cylinders as they fire: firing_order = [1, 2, …]",
                     layout.cylinders));
   return usual->second;
 }

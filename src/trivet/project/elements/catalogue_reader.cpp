@@ -40,6 +40,20 @@ void add_facts(const Mount& mount, std::vector<model::Fact>& facts) {
   if (rating.price) add("price", price_words(*rating.price));
 }
 
+/// Adds errors of a catalogue that are not there yet: each element that reads it finds them again.
+void add_errors_once(TableReader& reader, const foundation::Problems& of_catalogue) {
+  foundation::Problems others;
+  for (const foundation::Problem& problem : of_catalogue.list())
+    if (std::none_of(reader.problems().list().begin(), reader.problems().list().end(),
+                     [&](const foundation::Problem& known) {
+                       return !problem.origin.source.empty() && known.origin.source == problem.origin.source &&
+                           known.origin.line == problem.origin.line && known.origin.column == problem.origin.column &&
+                           known.finding == problem.finding && known.subject.ends_with(": " + problem.subject);
+                     }))
+      others.add(problem);
+  reader.add_of_file("catalogue", others);
+}
+
 /// Adds warnings about a catalogue, which all elements that read it share.
 void add_once(const foundation::Problems& of_catalogue, foundation::Problems& all) {
   for (const foundation::Problem& problem : of_catalogue.list())
@@ -58,7 +72,7 @@ void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& 
     if (!file) return;
     auto given = read_catalogue(*file);
     if (!given) {
-      reader.add_of_file("catalogue", given.error());
+      add_errors_once(reader, given.error());
       return;
     }
     add_once(given->warnings, reader.problems());

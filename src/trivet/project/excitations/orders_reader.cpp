@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "trivet/excitation/balance.h"
 #include "trivet/foundation/invalid_input.h"
@@ -83,16 +84,30 @@ excitation::EngineLayout read_layout(TableReader& engine) {
 }
 
 /// A cylinder reaches at least some ten times the pressure of the atmosphere; less than a fifth of it is a trace in bar
-/// or MPa that is read as Pa.
-void warn_of_small_pressures(TableReader& pressure, const std::vector<double>& trace) {
-  constexpr double smallest = 2e4;
+/// or MPa that is read as Pa, and more than a thousand bar one in Pa that is read as bar.
+void warn_of_unlikely_pressures(TableReader& pressure, const std::vector<double>& trace) {
+  constexpr double smallest = 2e4, highest = 1e8;
   const double largest = trace.empty() ? 0 : *std::max_element(trace.begin(), trace.end());
-  if (!(largest > 0 && largest < smallest)) return;
+  if (!(largest > 0) || (largest >= smallest && largest <= highest)) return;
   foundation::Problems doubts;
-  doubts.warning("file", fmt::format("a largest pressure of {:.4g} Pa", largest),
-                 "a cylinder reaches 10 to 200 bar, 1e6 to 2e7 Pa",
-                 "write unit = \"bar\" if the column is in bar, or the unit in its heading: pressure [bar]");
+  doubts.warning(
+      largest > highest && pressure.has("unit") ? "unit" : "file",
+      fmt::format("a largest pressure of {:.4g} Pa", largest), "a cylinder reaches 10 to 200 bar, 1e6 to 2e7 Pa",
+      largest < smallest
+          ? "write unit = \"bar\" if the column is in bar, or the unit in its heading: pressure [bar]"
+          : "correct the unit: the column seems to be in Pa, the unit without `unit` and without one in the heading");
   pressure.add(doubts);
+}
+
+/// The same trace with its last point at the end of the cycle, if the rounding of two decimals in radians (and less
+/// than half a step) is between them: 0 … 12.5664 rad is two turns.
+excitation::PressureTrace closed_cycle(excitation::PressureTrace trace, double cycle) {
+  constexpr double rounding = 0.005;  // [rad]
+  const std::size_t count = trace.angles.size();
+  if (count < 3) return trace;
+  const double end = trace.angles.front() + cycle, last_step = trace.angles[count - 1] - trace.angles[count - 2];
+  if (std::abs(trace.angles.back() - end) <= std::min(rounding, 0.5 * last_step)) trace.angles.back() = end;
+  return trace;
 }
 
 /// `gas_torque = [[order, amplitude, phase], …]` per cylinder, or `pressure = {file, …}` with the bore.
@@ -138,7 +153,8 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
   excitation::PressureTrace trace;
   for (const double degrees : rows->col(0)) trace.angles.push_back(degrees * angle.bare);
   for (const double one : rows->col(1)) trace.pressures.push_back(one * value.bare);
-  warn_of_small_pressures(pressure, trace.pressures);
+  warn_of_unlikely_pressures(pressure, trace.pressures);
+  trace = closed_cycle(std::move(trace), data.cycle());
   const foundation::Problems findings = excitation::check(trace, data.cycle(), "file");
   pressure.add(findings);
   return findings.has_errors() || pressure.errors() > 0 ? std::vector<excitation::TorqueHarmonic>{}

@@ -10,6 +10,7 @@
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/band_reader.h"
 #include "trivet/project/text/derived_units.h"
+#include "trivet/project/text/idle_key.h"
 #include "trivet/project/text/pairs_reader.h"
 
 namespace trivet::project {
@@ -64,12 +65,17 @@ std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Act
   return speed > 0 && psd.errors() == 0 ? std::optional(excitation::road_spectrum(road, speed)) : std::nullopt;
 }
 
+void warn_of_idle_unit(TableReader& psd) {
+  if (psd.has("unit"))
+    warn_of_idle_key(psd, "unit", "beside a value with a unit of its own", "the unit of the value holds", "remove it");
+}
+
 std::optional<excitation::Spectrum> read_flat(TableReader& psd, const ColumnQuantity& unit) {
   const std::size_t before = psd.errors();
   const Node* given = psd.node("flat");
   double density = 0;
   if (given->kind != Node::Kind::text) density = unit.bare * psd.required_number("flat", Quantity::pure);
-  else if (const auto value = to_density(given->text, unit.quantity)) density = *value;
+  else if (const auto value = to_density(given->text, unit.quantity)) density = *value, warn_of_idle_unit(psd);
   else psd.error("flat", value_text(*given), value.error(), "give a number in " + unit.unit() + ", or one with a unit");
   const bool is_number = psd.errors() == before;
   const std::optional<response::Band> band = read_band(psd, "band");

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -75,6 +76,11 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
   }
   if (reader.errors() == before)
     for (const std::size_t j : {0, 1}) check_mixed_units(reader, key, *value, j, j == 0 ? x : y);
+  const bool own_units = std::any_of(value->items.begin(), value->items.end(),
+                                     [](const Node& row) { return row.items[1].kind == Node::Kind::text; });
+  if (reader.errors() == before && own_units && reader.has("unit"))
+    warn_of_idle_key(reader, "unit", "beside rows with units of their own", "the units of the rows hold",
+                     "remove it, or the units of the rows");
   return reader.errors() == before ? std::optional(pairs) : std::nullopt;
 }
 
@@ -123,7 +129,12 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
                      "remove one of them");
   const auto values = columns(*csv, {x_name, y_name});
   if (!values) {
-    reader.add_of_file("file", values.error());
+    foundation::Problems missing = values.error();
+    for (foundation::Problem& problem : missing.list())
+      for (const std::string* key : {&x, &y})
+        if (!reader.has(*key) && problem.finding == "no column " + *key)
+          problem.remedy = fmt::format("name the one that is meant: {} = \"COLUMN\", or rename it to {}", *key, *key);
+    reader.add_of_file("file", missing);
     return std::nullopt;
   }
   if (!reader.has(y) && csv->columns.size() > 2) {

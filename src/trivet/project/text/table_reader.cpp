@@ -90,6 +90,11 @@ void TableReader::missing(const std::string& key, const std::string& remedy) {
   error(key, "missing", "it is required", remedy);
 }
 
+bool TableReader::has(const std::string& key) const {
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
+  return table_.find(key) != nullptr;
+}
+
 const Node* TableReader::node(const std::string& key) {
   if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
   return table_.find(key);
@@ -316,11 +321,14 @@ std::optional<std::string> TableReader::choice(const std::string& key, const std
 }
 
 void TableReader::finish() {
+  std::vector<std::string> named = known_;
+  for (const std::string& key : asked_)
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) named.push_back(key);
   for (std::size_t i = 0; i < table_.keys.size(); ++i) {
     const std::string& key = table_.keys[i];
     if (std::find(known_.begin(), known_.end(), key) != known_.end() || (key == "accept" && may_accept(path_)))
       continue;
-    const std::string guess = foundation::nearest_name(key, known_);
+    const std::string guess = foundation::nearest_name(key, named);
     const std::string short_key = foundation::shortened(key);
     const std::string where = path_.empty() ? short_key : path_ + "." + short_key;
     if (const auto outside = outside_feature(path_, key)) {
@@ -328,7 +336,7 @@ void TableReader::finish() {
       continue;
     }
     error_at(table_.items[i], where, "unknown key",
-             known_.empty() ? "this table has no keys" : "known here: " + joined(known_),
+             named.empty() ? "this table has no keys" : "known here: " + joined(named),
              guess.empty() ? "remove it" : "did you mean \"" + guess + "\"?");
   }
 }

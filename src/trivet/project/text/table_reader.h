@@ -20,7 +20,8 @@ class TableReader {
  public:
   TableReader(const Node& table, std::string path, foundation::Problems& problems);
 
-  [[nodiscard]] bool has(const std::string& key) const { return table_.find(key) != nullptr; }
+  /// Is there such a key? The message about an unknown key names it, too.
+  [[nodiscard]] bool has(const std::string& key) const;
   [[nodiscard]] const Node& content() const { return table_; }
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] foundation::Problems& problems() const { return problems_; }
@@ -79,6 +80,7 @@ class TableReader {
   std::string path_;
   foundation::Problems& problems_;
   std::vector<std::string> known_;
+  mutable std::vector<std::string> asked_;  ///< those of `has`, for messages: some are read only where they are given
 };
 
 }  // namespace trivet::project

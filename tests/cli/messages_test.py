@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Messages say what helps: every key that a table may have, the unit that holds, each problem once."""
+import math
+import unittest
+
+from trivet_test import InTemporaryFolder, answer, trivet
+
+MACHINE = """trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m]
+mass = 40
+free = ["z"]
+[elements.s]
+type = "bushing"
+on = "m"
+at = [0, 0, 0]
+translation = [1, 1, 2.5e5]
+damping = {translation = [1e-3, 1e-3, 400]}
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0, 0, 30]
+"""
+ENGINE = """[excitations.crank]
+type = "orders"
+on = "m"
+at = [0, 0, 0]
+[excitations.crank.engine]
+layout = "inline"
+cylinders = 1
+crank = "x"
+up = "z"
+crank_radius = 0.05
+rod_length = 0.2
+oscillating_mass = 1
+"""
+TRACE = [(0, 1e5), (60, 3e5), (180, 1e5), (345, 4e5)]  # degrees, Pa; closed by the first one
+
+
+class Messages(InTemporaryFolder):
+    def said(self, text, code=2):
+        done = trivet("check", self.file(text))
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stderr
+
+    def test_keys_that_are_read_only_where_they_are_given_are_known(self):
+        for table, keys in (
+            ('[analyses.response]\nof = ["m"]\nband = [1, 2]\n', ("excitations", "at")),
+            ('[analyses.peaks]\nof = ["m"]\n', ("excitations",)),
+            ('[requirements.isolation]\nleast = "80 %"\nband = [1, 2]\n', ("at", "base", "force")),
+        ):
+            said = self.said(MACHINE + table + "nonsense = 1\n")
+            (known,) = [part for part in said.split("; ") if part.startswith("known here: ")]
+            for key in keys:
+                self.assertIn(key, known.removeprefix("known here: ").split(", "))
+        said = self.said(MACHINE + '[analyses.response]\nof = ["m"]\nband = [1, 2]\nexcitation = ["f"]\n')
+        self.assertIn('did you mean "excitations"?', said)
+
+    def test_one_cylinder_fires_alone(self):
+        for strokes in (2, 4):
+            self.assertEqual(self.said(MACHINE + ENGINE + f"strokes = {strokes}\n", 0), "")
+        three = ENGINE.replace("cylinders = 1", "cylinders = 3\nspacing = 0.1\nstrokes = 2")
+        self.assertIn("firing_order = [1, 2, …]", self.said(MACHINE + three))
+
+    def engine_with(self, rows, heading, more=""):
+        self.file(heading + "\n" + "".join(f"{a},{p}\n" for a, p in rows), "trace.csv")
+        return MACHINE + ENGINE + f'strokes = 2\npressure = {{file = "trace.csv", bore = 0.1{more}}}\n'
+
+    def test_a_rounded_last_angle_closes_the_cycle(self):
+        closed = TRACE + [(360, 1e5)]
+        self.assertEqual(self.said(self.engine_with(closed, "crank_angle_deg,pressure"), 0), "")
+        question = '[analyses.orders]\nof = ["m.z"]\nspeed = ["600 rpm", "900 rpm"]\n'
+        exact = answer("orders", self.file(self.engine_with(closed, "crank_angle_deg,pressure") + question))
+        for digits in (2, 4):  # 6.28 rad and 6.2832 rad, which is 360.0004°
+            radians = [(f"{math.radians(a):.{digits}f}", p) for a, p in closed]
+            text = self.engine_with(radians, '"crank_angle [rad]",pressure')
+            self.assertEqual(self.said(text, 0), "")
+            rounded = answer("orders", self.file(text + question))
+            self.assertEqual(rounded.keys(), exact.keys())
+        beyond = TRACE + [(365, 1e5)]
+        self.assertIn("a cycle has 360°", self.said(self.engine_with(beyond, "crank_angle_deg,pressure")))
+
+    def test_the_unit_of_a_pressure(self):
+        self.assertIn(
+            "pressure [bar]",
+            self.said(self.engine_with([(a, p / 1e5) for a, p in TRACE], "crank_angle_deg,pressure"), 0),
+        )
+        in_bar = self.engine_with(TRACE, "crank_angle_deg,pressure", ', unit = "bar"')  # 4e10 Pa
+        self.assertIn("the column seems to be in Pa", self.said(in_bar, 0))
+        both = self.engine_with(TRACE, '"crank_angle_deg","pressure [Pa]"', ', unit = "bar"')
+        self.assertIn("the unit in the heading holds", self.said(both, 0))
+
+    def test_a_unit_beside_values_with_units(self):
+        line = '[limit_lines.a]\nof = "m.z"\nunit = "in/s"\nrows = [[1, "4.5 mm/s"], [50, "4.5 mm/s"]]\n'
+        line += '[analyses.response]\nof = ["m.z"]\nband = ["1 Hz", "9 Hz"]\n'
+        self.assertIn("limit_lines.a.unit: beside rows with units of their own", self.said(MACHINE + line, 0))
+        self.assertNotIn("limit_lines.a.unit", self.said(MACHINE + line.replace('"4.5 mm/s"', "4.5"), 0))
+        noise = '[excitations.n]\ntype = "random"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n'
+        flat = 'psd = {flat = "4 N^2/Hz", band = ["1 Hz", "9 Hz"], unit = "lbf^2/Hz"}\n'
+        self.assertIn("the unit of the value holds", self.said(MACHINE + noise + flat, 0))
+
+    def test_a_column_with_another_name(self):
+        self.file("frequency,limit\n1,1\n2,1\n", "line.csv")
+        said = self.said(MACHINE + '[limit_lines.a]\nof = "m.z"\nfile = "line.csv"\n')
+        self.assertIn('name the one that is meant: frequency_hz = "COLUMN"', said)
+        self.assertNotIn("did you mean", said)
+
+    def test_an_error_of_a_catalogue_is_told_once(self):
+        self.file(
+            'catalogue = 1\ntitle = "t"\nsource = "s"\n[mounts.a]\nmaker = "m"\ntranslation = [1, 1, -5]\n', "c.toml"
+        )
+        mount = '[elements.{}]\ntype = "catalogue:a"\ncatalogue = "c.toml"\non = "m"\nat = [0, 0, 0]\naxis = "z"\n'
+        said = self.said(MACHINE + "".join(mount.format(name) for name in ("e1", "e2", "e3")))
+        self.assertEqual(said.count("error:"), 1, said)
+        self.assertIn("mounts.a", said)
+
+    def test_the_overview_counts_cases_that_decide(self):
+        text = (
+            MACHINE + '[requirements]\nhold_in = ["", "hard"]\nstatic = {"m.z" = "2 mm"}\nlimits = {"m.z" = "0.1 mm"}\n'
+        )
+        text += "[cases.hard]\nelements.s.translation.z = 4e5\n[cases.soft]\nelements.s.translation.z = 1e5\n"
+        out = self.folder / "out"
+        trivet("run", self.file(text), "--output", out)
+        self.assertIn("VIOLATED: 2 of 4 requirements", (out / "report.html").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
