@@ -322,6 +322,52 @@ class Measurements(unittest.TestCase):
             self.write_accelerance(unit, 1, units)
             self.refused(MACHINE + RIG + key, *words)
 
+    def write_rig_with_rotation(self, z_label="NONE", rx_label="NONE", rx_scale=1.0, rx_quantity=12, units=""):
+        """Accelerances of a place, in g and in rad/s2, both per the force along z."""
+        answer = json.loads(trivet("response", self.machine, "--json").stdout)
+        functions = ""
+        for name, direction, scale, unit, quantity in (
+            ("device.seat.z", 3, 9.80665, z_label, 12),
+            ("device.seat.rx", 4, rx_scale, rx_label, rx_quantity),
+        ):
+            curve = next(r for r in answer["results"] if r["name"] == name)
+            values = [-(w**2) * complex(*z) / 10 / scale for w, z in zip(answer["angular_frequency"], curve["complex"])]
+            functions += measured_function(7, direction, values, quantity, (7, 3), (1.0, 0.1), unit=unit)
+        (self.folder / "m.uff").write_text(units + file_of_nodes((7, 0.2, 0.1, 0.1)) + functions)
+
+    def test_a_unit_is_for_the_functions_that_it_fits(self):
+        """A key for accelerations along axes leaves those about axes to the file, or to a unit of their own."""
+        only_z = '[measurements.rig.channels]\n"device.seat.z" = "7:+z"\n'
+        degree = math.pi / 180
+        both = 'unit = ["g/N", "(deg/s2)/N"]\n'
+        agreeing = (
+            ("NONE", 1.0, 12, 'unit = "g/N"\n', "unit = \"g/N\" of the project is not for 7:+rx"),
+            ("rad/s^2", 1.0, 12, 'unit = "g/N"\n', None),
+            ("NONE", degree, 12, both, None),
+            ("NONE", degree, 0, both, None),  # the direction states that it is a rotation
+            ("deg/s2", degree, 12, 'unit = "g/N"\n', None),
+            ("furlong", 1.0, 12, 'unit = "g/N"\n' + only_z, None),  # not compared: no error
+            ("NONE", 1.0, 11, 'unit = "g/N"\n' + only_z, None),
+        )
+        for label, scale, quantity, keys, warning in agreeing:
+            with self.subTest(label=label, keys=keys):
+                self.write_rig_with_rotation("NONE", label, scale, quantity)
+                for channel in self.compared(MACHINE + RIG + keys)["channels"]:
+                    self.assertLess(abs(channel["largest_db"]), 1e-6, channel["result"])
+                said = self.said(MACHINE + RIG + keys)
+                self.assertEqual("they are read in SI" in said, warning is not None, said)
+                self.assertIn(warning or "", said)
+        for label, quantity, keys, words in (
+            ("furlong", 12, 'unit = "g/N"\n', 'label "furlong" of the numerator is not a known unit'),
+            ("NONE", 11, both, 'unit = "(deg/s2)/N" of the project, but the numerator has the type 11'),
+            ("NONE", 0, 'unit = "g/N"\n', 'unit = "g/N" of the project is not for 7:+rx'),
+            ("NONE", 12, 'unit = ["g/N", "(m/s2)/N"]\n', "several units are of different quantities"),
+            ("NONE", 12, 'unit = ["g/N", "N"]\n', 'unit = "N" of the project fits no function'),
+        ):
+            with self.subTest(refused=keys):
+                self.write_rig_with_rotation("NONE", label, 1.0, quantity)
+                self.refused(MACHINE + RIG + keys, words)
+
     def test_exported_forces_and_moments_are_read_again(self):
         results = '["a.force.z", "a.moment.x", "a.moment.y", "ground.moment.x"]'
         text = MACHINE.replace('["device", "device.seat"]', results)

@@ -99,8 +99,7 @@ std::optional<MeasuredUnit> unit_in_label(const UniversalFunction& function) {
 
 /// Every unit of the numbers that the file states. If it states that of the denominator alone, `given` must agree with
 /// it, and completes it.
-std::vector<Statement> statements(const UniversalFunction& function, bool per_load,
-                                  const std::optional<MeasuredUnit>& given) {
+std::vector<Statement> statements(const UniversalFunction& function, bool per_load, const MeasuredUnit* given) {
   std::vector<Statement> all;
   std::vector<Statement> numerators = statements(function.numerator, "numerator");
   if (const auto unit = unit_in_label(function))
@@ -118,84 +117,132 @@ std::vector<Statement> statements(const UniversalFunction& function, bool per_lo
   return all;
 }
 
-/// A quantity of the project that an axis type cannot have; a scalar may be a rotation.
-bool contradicts(Quantity given, Quantity of_axis, bool scalar) {
-  if (given == of_axis) return false;
-  const bool loads = of_axis == Quantity::force || of_axis == Quantity::moment;
-  const bool given_load = given == Quantity::force || given == Quantity::moment;
-  return !scalar || loads != given_load || derivatives_of(given) != derivatives_of(of_axis);
+bool is_load(Quantity quantity) { return quantity == Quantity::force || quantity == Quantity::moment; }
+
+/// How a unit of the project relates to a function.
+enum class Fit { fits, of_others, contradicts };
+
+/// The quantity of a scalar function, or of an axis of unknown type, may be a translation or a rotation.
+Fit fit_of_numerator(const MeasuredUnit& unit, const UniversalFunction& function) {
+  const auto of_axis = quantity_of_axis(function);
+  const bool turn_known = function.response.direction != 0;
+  if (turn_known && is_rotation(unit.quantity) != turns(function.response, function.numerator)) return Fit::of_others;
+  if (!of_axis) return Fit::fits;
+  if (is_load(unit.quantity) != is_load(*of_axis)) return Fit::of_others;
+  return derivatives_of(unit.quantity) == derivatives_of(*of_axis) ? Fit::fits : Fit::contradicts;
 }
+
+Fit fit_of(const MeasuredUnit& unit, const UniversalFunction& function) {
+  const bool load_known = is_load(function.denominator.quantity) && function.reference.direction != 0;
+  if (unit.per_load && load_known && unit.load_turns != turns(function.reference, function.denominator))
+    return Fit::of_others;
+  return fit_of_numerator(unit, function);
+}
+
+foundation::Problem problem_of(const UniversalFunction& function, const std::string& source, const std::string& finding,
+                               std::string rule, std::string remedy) {
+  return {.origin = {source, function.line},
+          .finding = fmt::format("function {}: {}", point_name(function.response), finding),
+          .rule = std::move(rule),
+          .remedy = std::move(remedy)};
+}
+
+const char* const state_it = "state it: unit = \"g/N\" or \"(m/s2)/N\"";
 
 }  // namespace
 
-void MeasuredAxes::error(const UniversalFunction& function, const std::string& finding, const std::string& rule,
-                         const std::string& remedy) {
-  if (!reported_.insert(finding).second) return;
-  found_.error("", fmt::format("function {}: {}", point_name(function.response), finding), rule, remedy).origin = {
-      source_, function.line};
+/// The unit of the project for a function; none if it is for others. Of several that fit a scalar, the first.
+const MeasuredUnit* MeasuredAxes::fitting(const UniversalFunction& function) {
+  const MeasuredUnit* contradicting = nullptr;
+  for (const MeasuredUnit& unit : given_) {
+    const Fit fit = fit_of(unit, function);
+    if (fit == Fit::of_others) continue;
+    met_.insert(&unit);
+    if (fit == Fit::fits) return &unit;
+    contradicting = &unit;
+  }
+  return contradicting;
 }
 
-std::optional<MeasuredUnit> MeasuredAxes::unit_of(const UniversalFunction& function) {
+FunctionUnit MeasuredAxes::unit_of(const UniversalFunction& function) {
+  const auto error = [&](const std::string& finding, const std::string& rule, const std::string& remedy) {
+    return FunctionUnit{std::nullopt, problem_of(function, source_, finding, rule, remedy)};
+  };
+  const MeasuredUnit* given = fitting(function);
   const auto of_axis = quantity_of_axis(function);
+  if (given && fit_of(*given, function) == Fit::contradicts)
+    return error(
+        fmt::format("unit = {} of the project, but the numerator has the type {}", foundation::quoted(given->text),
+                    static_cast<int>(function.numerator.quantity)),
+        "the type of an axis states the quantity: 8 displacement, 11 velocity, 12 acceleration, 9 and 13 force",
+        "correct `unit`, or the type in the file");
   const auto in_label = unit_in_label(function);
   const bool per_load =
-      is_load(function.denominator.quantity) || (in_label && in_label->per_load) || (given_ && given_->per_load);
-  if (of_axis && given_ && contradicts(given_->quantity, *of_axis, function.response.direction == 0)) {
-    error(function,
-          fmt::format("unit = {} of the project, but the numerator has the type {}", foundation::quoted(given_->text),
-                      static_cast<int>(function.numerator.quantity)),
-          "the type of an axis states the quantity: 8 displacement, 11 velocity, 12 acceleration, 9 and 13 force",
-          "correct `unit`, or the type in the file");
-    return std::nullopt;
-  }
+      is_load(function.denominator.quantity) || (in_label && in_label->per_load) || (given && given->per_load);
   const bool plain = function.denominator.quantity == UniversalQuantity::unknown &&
       (function.type != UniversalFunctionType::frequency_response || (in_label && !in_label->per_load));
   const double applied =
       function.in_file_units ? 1 : function.numerator.applied_unit / function.denominator.applied_unit;
-  const std::vector<Statement> stated = statements(function, per_load, given_);
-  if (given_) {
+  const std::vector<Statement> stated = statements(function, per_load, given);
+  if (given) {
     // Without its own load, the unit of the project is that of the numerator.
     double load = 1;
-    if (per_load && !given_->per_load) load = function.denominator.applied_unit;
-    const double factor = given_->factor / load;
+    if (per_load && !given->per_load) load = function.denominator.applied_unit;
+    const double factor = given->factor / load;
     // An axis of general type with powers of length and force is stated by set 164 through these powers.
     const bool agrees = stated.empty() ||
         std::any_of(stated.begin(), stated.end(), [&](const Statement& one) { return same_unit(one.factor, factor); });
-    if (!agrees) {
-      error(function,
-            fmt::format("unit = {} of the project against {}", foundation::quoted(given_->text), stated.front().words),
-            "the numbers have one unit", "remove `unit`, or correct the file");
-      return std::nullopt;
-    }
-    return MeasuredUnit{.quantity = function.response.direction != 0 && of_axis ? *of_axis : given_->quantity,
-                        .factor = factor / applied,
-                        .per_load = per_load,
-                        .text = given_->text};
+    if (!agrees)
+      return error(
+          fmt::format("unit = {} of the project against {}", foundation::quoted(given->text), stated.front().words),
+          "the numbers have one unit", "remove `unit`, or correct the file");
+    return {MeasuredUnit{.quantity = function.response.direction != 0 && of_axis ? *of_axis : given->quantity,
+                         .factor = factor / applied,
+                         .per_load = per_load,
+                         .text = given->text},
+            std::nullopt};
   }
   for (const Statement& one : stated)
-    if (!same_unit(one.factor, stated.front().factor)) {
-      error(function, fmt::format("{} against {}", stated.front().words, one.words), "the numbers have one unit",
-            "state it: unit = \"g/N\" or \"(m/s2)/N\", whichever the numbers have");
-      return std::nullopt;
-    }
+    if (!same_unit(one.factor, stated.front().factor))
+      return error(fmt::format("{} against {}", stated.front().words, one.words), "the numbers have one unit",
+                   "state it: unit = \"g/N\" or \"(m/s2)/N\", whichever the numbers have");
   if (in_label && (!of_axis || *of_axis == in_label->quantity))
-    return MeasuredUnit{.quantity = in_label->quantity,
-                        .factor = stated.front().factor / applied,
-                        .per_load = per_load,
-                        .text = in_label->text};
-  if (!of_axis || !(is_load(function.denominator.quantity) || plain)) return std::nullopt;
-  if (function.in_file_units) return std::nullopt;
+    return {MeasuredUnit{.quantity = in_label->quantity,
+                         .factor = stated.front().factor / applied,
+                         .per_load = per_load,
+                         .text = in_label->text},
+            std::nullopt};
+  if (!of_axis || !(is_load(function.denominator.quantity) || plain) || function.in_file_units) return {};
   const bool other = is_of_another_quantity(function);
-  if (other || (stated.empty() && !function.numerator.stated.label.empty())) {
-    error(function,
-          fmt::format("{} is not a known unit of {}", label_words("numerator", function.numerator.stated.label),
-                      other ? fmt::format("an axis of type {}", static_cast<int>(function.numerator.quantity))
-                            : std::string("its quantity")),
-          "set 164 or the label states the unit of the numbers, the type of the axis their quantity",
-          "state it: unit = \"g/N\" or \"(m/s2)/N\"");
-    return std::nullopt;
-  }
-  return MeasuredUnit{*of_axis, 1, is_load(function.denominator.quantity), {}};
+  if (other || (stated.empty() && !function.numerator.stated.label.empty()))
+    return error(fmt::format("{} is not a known unit of {}", label_words("numerator", function.numerator.stated.label),
+                             other ? fmt::format("an axis of type {}", static_cast<int>(function.numerator.quantity))
+                                   : std::string("its quantity")),
+                 "set 164 or the label states the unit of the numbers, the type of the axis their quantity", state_it);
+  MeasuredUnit si{.quantity = *of_axis, .per_load = is_load(function.denominator.quantity)};
+  si.assumed = !given_.empty() && stated.empty() && !function.denominator.stated.by_set;
+  return {si, std::nullopt};
+}
+
+foundation::Problems MeasuredAxes::judge_idle_units() const {
+  foundation::Problems found;
+  for (const MeasuredUnit& unit : given_)
+    if (!met_.contains(&unit))
+      found.add({.origin = {source_},
+                 .finding = fmt::format("unit = {} of the project fits no function", foundation::quoted(unit.text)),
+                 .rule = "a unit is for functions of its quantity: translations or rotations, per force or per moment",
+                 .remedy = "correct `unit`, or the types and directions in the file"});
+  return found;
+}
+
+foundation::Problem assumed_units(const GivenUnits& given, const std::vector<std::string>& names,
+                                  const std::string& source) {
+  return {.severity = foundation::Severity::warning,
+          .origin = {source},
+          .finding = fmt::format("{} is not for {}, and the file states no unit of them", unit_words(given),
+                                 foundation::comma_separated(names)),
+          .rule = "translations and rotations, per force and per moment, have units of their own",
+          .remedy = "they are read in SI; state all: unit = [\"g/N\", \"(rad/s2)/N\", \"(m/s2)/(N m)\"]"};
 }
 
 }  // namespace trivet::project

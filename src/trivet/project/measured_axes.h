@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "trivet/exchange/universal_file.h"
 #include "trivet/foundation/problems.h"
@@ -11,29 +12,39 @@
 
 namespace trivet::project {
 
+/// What is known about the unit of the numbers of a function.
+struct FunctionUnit {
+  std::optional<MeasuredUnit> unit;          ///< its factor is that of the values as they were read; none: not known
+  std::optional<foundation::Problem> error;  ///< two statements that disagree, or a label that is not known
+};
+
 /// Units of functions of a universal file. They are stated by set 164, by the labels of the axes ("g"), and by `unit`
 /// of the project; two that disagree are an error, which names both. A `unit` of the project decides between set 164
-/// and a label.
+/// and a label. It is for the functions that it fits: those of its quantity, per force or per moment as it is. A unit
+/// of translations leaves the rotations to what the file states, and the reverse; one of a velocity contradicts an
+/// acceleration.
 class MeasuredAxes {
  public:
   /// @param given   `unit` of the project
   /// @param source  name of the file
-  MeasuredAxes(const std::optional<MeasuredUnit>& given, std::string source, foundation::Problems& found)
-      : given_(given), source_(std::move(source)), found_(found) {}
+  MeasuredAxes(const GivenUnits& given, std::string source) : given_(given), source_(std::move(source)) {}
 
-  /// Unit of the numbers of a function: its factor is that of the values as they were read. None if nothing states it,
-  /// or after an error.
-  [[nodiscard]] std::optional<MeasuredUnit> unit_of(const exchange::UniversalFunction& function);
+  [[nodiscard]] FunctionUnit unit_of(const exchange::UniversalFunction& function);
+
+  /// Errors of units of the project that neither fit nor contradict any of the functions.
+  [[nodiscard]] foundation::Problems judge_idle_units() const;
 
  private:
-  /// Reports each problem once, for the first function that has it.
-  void error(const exchange::UniversalFunction& function, const std::string& finding, const std::string& rule,
-             const std::string& remedy);
+  const MeasuredUnit* fitting(const exchange::UniversalFunction& function);
 
-  const std::optional<MeasuredUnit>& given_;
+  const GivenUnits& given_;
   std::string source_;
-  foundation::Problems& found_;
-  std::set<std::string> reported_;
+  std::set<const MeasuredUnit*> met_;  ///< units of the project that fit or contradict a function
 };
+
+/// Warns that the units of the project are not those of functions, of which the file states none either.
+/// @param names  of these functions, not empty
+[[nodiscard]] foundation::Problem assumed_units(const GivenUnits& given, const std::vector<std::string>& names,
+                                                const std::string& source);
 
 }  // namespace trivet::project

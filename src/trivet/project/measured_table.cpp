@@ -129,23 +129,43 @@ void check_coherences(const CsvTable& table, const FunctionColumns& columns, fou
   }
 }
 
+/// Unit of the columns of a function: that of the heading, or that of the project; none with an error.
+std::optional<MeasuredUnit> unit_of_columns(const FunctionColumns& columns, const GivenUnits& given,
+                                            foundation::Problems& found) {
+  const std::string name = foundation::quoted(columns.name);
+  if (!columns.unit.empty()) {
+    const auto unit = measured_unit(columns.unit);
+    if (!unit)
+      found.error("", fmt::format("column of {}: \"{}\"", name, columns.unit),
+                  "this is no unit of a motion or a force, perhaps per force; levels such as rms and dB are no units",
+                  "write zero-to-peak amplitudes and for instance [mm/N]");
+    return unit;
+  }
+  if (given.size() < 2) return given.empty() ? std::nullopt : std::optional(given.front());
+  found.error("", fmt::format("column of {} has no unit, and the project several", name),
+              "several units are for universal files, whose axes state the quantity",
+              "write the unit in the heading: NAME re [unit]");
+  return std::nullopt;
+}
+
+/// `unit` of the project is for columns without one.
+void judge_idle_unit(const std::vector<FunctionColumns>& columns, const GivenUnits& given,
+                     foundation::Problems& found) {
+  if (given.empty() || columns.empty()) return;
+  if (std::any_of(columns.begin(), columns.end(), [](const FunctionColumns& one) { return one.unit.empty(); })) return;
+  found.warning("", fmt::format("column of {}: [{}]", foundation::quoted(columns.front().name), columns.front().unit),
+                "the unit in the heading holds, `unit` of the measurement is for columns without one",
+                "remove one of them");
+}
+
 MeasuredFunction function_of(const CsvTable& table, const FunctionColumns& columns, double to_radians_per_second,
-                             const std::optional<MeasuredUnit>& given, bool with_coherence,
-                             foundation::Problems& found) {
+                             const GivenUnits& given, bool with_coherence, foundation::Problems& found) {
   MeasuredFunction result;
   const bool coherent = with_coherence && columns.parts[4] >= 0;
   if (coherent) check_coherences(table, columns, found);
   result.name = columns.name;
   result.texts = {columns.name};
-  result.unit = columns.unit.empty() ? given : measured_unit(columns.unit);
-  if (!columns.unit.empty() && !result.unit)
-    found.error("", fmt::format("column of {}: \"{}\"", foundation::quoted(columns.name), columns.unit),
-                "this is no unit of a motion or a force, perhaps per force; levels such as rms and dB are no units",
-                "write zero-to-peak amplitudes and for instance [mm/N]");
-  if (!columns.unit.empty() && given)
-    found.warning("", fmt::format("column of {}: [{}]", foundation::quoted(columns.name), columns.unit),
-                  "the unit in the heading holds, `unit` of the measurement is for columns without one",
-                  "remove one of them");
+  result.unit = unit_of_columns(columns, given, found);
   const double factor = result.unit ? result.unit->factor : 1, angle = phase_factor(table, columns, found);
   std::vector<std::complex<double>> values;
   std::vector<double> coherence;
@@ -164,8 +184,8 @@ MeasuredFunction function_of(const CsvTable& table, const FunctionColumns& colum
 
 }  // namespace
 
-foundation::Expected<MeasuredFile> read_measured_table(const std::filesystem::path& path,
-                                                       const std::optional<MeasuredUnit>& unit, bool with_coherence) {
+foundation::Expected<MeasuredFile> read_measured_table(const std::filesystem::path& path, const GivenUnits& units,
+                                                       bool with_coherence) {
   const auto table = read_csv_table(path);
   if (!table) return tl::make_unexpected(table.error());
   foundation::Problems found;
@@ -179,8 +199,9 @@ foundation::Expected<MeasuredFile> read_measured_table(const std::filesystem::pa
   MeasuredFile result;
   result.warnings = table->warnings;
   for (const FunctionColumns& one : columns)
-    result.functions.push_back(function_of(*table, one, *factor, unit, with_coherence, found));
+    result.functions.push_back(function_of(*table, one, *factor, units, with_coherence, found));
   if (found.has_errors()) return tl::make_unexpected(std::move(found));
+  judge_idle_unit(columns, units, result.warnings);
   return result;
 }
 
@@ -189,10 +210,10 @@ bool is_coherence(double value) {
   return value >= -rounding && value <= 1 + rounding;
 }
 
-foundation::Expected<MeasuredFile> read_measured_file(const std::filesystem::path& path,
-                                                      const std::optional<MeasuredUnit>& unit, bool with_coherence) {
-  auto file = path.extension() == ".csv" ? read_measured_table(path, unit, with_coherence)
-                                         : read_measured_universal(path, unit, with_coherence);
+foundation::Expected<MeasuredFile> read_measured_file(const std::filesystem::path& path, const GivenUnits& units,
+                                                      bool with_coherence) {
+  auto file = path.extension() == ".csv" ? read_measured_table(path, units, with_coherence)
+                                         : read_measured_universal(path, units, with_coherence);
   if (!file || !with_coherence) return file;
   if (std::none_of(file->functions.begin(), file->functions.end(),
                    [](const MeasuredFunction& function) { return function.coherence.size() > 0; })) {

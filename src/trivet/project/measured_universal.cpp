@@ -29,11 +29,12 @@ bool is_compared(const UniversalFunction& function) {
       function.type == UniversalFunctionType::frequency_response;
 }
 
-MeasuredFunction measured_function(const UniversalFunction& function, std::optional<MeasuredUnit> unit) {
+MeasuredFunction measured_function(const UniversalFunction& function, FunctionUnit unit) {
   MeasuredFunction result;
   result.response = function.response;
   result.reference = function.reference;
-  result.unit = std::move(unit);
+  result.unit = std::move(unit.unit);
+  result.unit_error = std::move(unit.error);
   for (const std::string& id : function.ids)
     if (!id.empty()) result.texts.push_back(id);
   result.name =
@@ -141,8 +142,7 @@ std::string point_name(const exchange::UniversalPoint& point) {
                      model::coordinate_names[to_size(direction - 1)]);
 }
 
-foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem::path& path,
-                                                           const std::optional<MeasuredUnit>& unit,
+foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem::path& path, const GivenUnits& units,
                                                            bool with_coherence) {
   const auto read = exchange::read_universal(path);
   if (!read) return tl::make_unexpected(read.error());
@@ -156,7 +156,7 @@ foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem
   turn_to_ground(read->file.nodes, result.modes);
   result.nodes_in_systems = nodes_in_systems(read->file);
   std::vector<const UniversalFunction*> compared;
-  MeasuredAxes axes(unit, path.string(), result.warnings);
+  MeasuredAxes axes(units, path.string());
   for (const UniversalFunction& function : read->file.functions) {
     if (!is_compared(function)) continue;
     compared.push_back(&function);
@@ -164,6 +164,7 @@ foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem
     MeasuredFunction& measured = result.functions.back();
     if (with_coherence) measured.coherence = coherences(measured, read->file, path.string(), result.warnings);
   }
+  if (!compared.empty()) result.idle_units = axes.judge_idle_units();
   report_other_functions(read->file, result.warnings);
   result.warnings.add(judge_abscissas(compared, path.string()));
   if (result.warnings.has_errors()) return tl::make_unexpected(std::move(result.warnings));

@@ -12,6 +12,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/selection_reader.h"
+#include "trivet/project/measured_axes.h"
 #include "trivet/project/measured_file.h"
 #include "trivet/project/measured_force.h"
 #include "trivet/project/measured_places.h"
@@ -41,12 +42,13 @@ class MeasurementTable {
     const std::size_t before = reader_.errors();
     Measurement result{.name = name};
     const auto path = read_file_name(reader_, "file");
-    const auto unit = read_measured_unit(reader_);
+    const auto units = read_given_units(reader_);
     const bool with_coherence = reader_.boolean("coherence").value_or(false);
     reader_.also_known({"nodes", "channels", "force"});
-    if (!path || reader_.errors() > before) return std::nullopt;
+    if (!path || !units || reader_.errors() > before) return std::nullopt;
+    units_ = *units;
     result.file = reader_.text("file").value_or("");
-    const auto file = read_measured_file(*path, unit, with_coherence);
+    const auto file = read_measured_file(*path, units_, with_coherence);
     reader_.add_of_file("file", file ? file->warnings : file.error());
     if (!file) return std::nullopt;
     if (file->functions.empty() && file->modes.empty())
@@ -61,6 +63,7 @@ class MeasurementTable {
     add_modes(*file, places, result);
     if (reader_.errors() == before && matched.empty() && result.modes.empty()) report_no_match(*file, places);
     add_curves(matched, places, result);
+    if (reader_.errors() == before) reader_.add_of_file("file", file->idle_units);
     if (reader_.errors() > before) return std::nullopt;
     check_band(result);
     for (const MeasuredCurve& curve : result.curves) check_coherence(curve);
@@ -228,6 +231,7 @@ class MeasurementTable {
       else add_curve(match, *factor, force ? force->delay() : 0, result);
     }
     if (reader_.errors() > before) return;
+    warn_of_assumed_units(matched);
     if (result.curves.empty())
       reader_.error("force", "references of the file: " + foundation::comma_separated(of_other_force),
                     "none is on the body, at the place and along the direction of the " + force->words(),
@@ -245,6 +249,19 @@ class MeasurementTable {
   bool has_known_unit(const MatchedFunction& match) {
     const auto wanted = names_.component(match.result, response_.selection.quantity);
     const auto& unit = match.function->unit;
+    if (match.function->unit_error) {
+      foundation::Problems of_file;
+      of_file.add(*match.function->unit_error);
+      reader_.add_of_file("file", of_file);
+      return false;
+    }
+    if (!unit && !units_.empty()) {
+      reader_.error("unit", fmt::format("{} is not for {}", unit_words(units_), match.function->name),
+                    fmt::format("{} is measured in {}, perhaps per force, and the file states no unit of it",
+                                match.result, si_unit(*wanted)),
+                    "state several units: unit = [\"g/N\", \"(rad/s2)/N\"]");
+      return false;
+    }
     if (!unit) {
       reader_.error("file", "the unit of " + foundation::quoted(match.function->name) + " is not known",
                     "axis types and set 164 of the file, or brackets in the heading of a table, state it",
@@ -256,6 +273,16 @@ class MeasurementTable {
                   fmt::format("{} is measured in {}", match.result, si_unit(*wanted)),
                   "check the unit, or map the function to another result by `channels`");
     return false;
+  }
+
+  void warn_of_assumed_units(const std::vector<MatchedFunction>& matched) {
+    std::vector<std::string> assumed;
+    for (const MatchedFunction& match : matched)
+      if (match.function->unit->assumed) assumed.push_back(match.function->name);
+    if (assumed.empty()) return;
+    foundation::Problems of_file;
+    of_file.add(assumed_units(units_, assumed, reader_.text("file").value_or("")));
+    reader_.add_of_file("file", of_file);
   }
 
   /// Factor of the measured values: sign, and amplitude of the force; none if the reference does not fit.
@@ -371,6 +398,7 @@ class MeasurementTable {
   const NamesInFile& in_file_;
   const ResultNames names_;
   const ResponseRequest& response_;
+  GivenUnits units_;
 };
 
 }  // namespace

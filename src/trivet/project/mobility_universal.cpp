@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "trivet/exchange/universal_reading.h"
 #include "trivet/foundation/constants.h"
@@ -51,15 +52,23 @@ std::vector<exchange::UniversalNode> nodes_among(const std::vector<int>& wanted,
 class MobilityFunctions {
  public:
   MobilityFunctions(const exchange::UniversalFile& file, const std::string& source, const std::vector<int>& nodes,
-                    const std::optional<MeasuredUnit>& unit, foundation::Problems& found)
+                    const GivenUnits& given, foundation::Problems& found)
       : source_(source), nodes_(nodes), found_(found) {
-    MeasuredAxes axes(unit, source, found);
+    MeasuredAxes axes(given, source);
+    std::vector<std::string> assumed;
+    std::set<std::string> reported;
     for (const UniversalFunction& function : file.functions)
       if (function.type == UniversalFunctionType::frequency_response && point(function.response) &&
           point(function.reference) && is_axis(function.response) && is_axis(function.reference)) {
         functions_.push_back(&function);
-        units_[&function] = axes.unit_of(function);
+        auto [unit, error] = axes.unit_of(function);
+        // One of the problems that several functions have.
+        if (error && reported.insert(error->finding.substr(error->finding.find(": "))).second) found.add(*error);
+        if (unit && unit->assumed) assumed.push_back(name_of(function));
+        units_[&function] = std::move(unit);
       }
+    if (!functions_.empty()) found.add(axes.judge_idle_units());
+    if (!assumed.empty()) found.add(assumed_units(given, assumed, source));
   }
 
   GroundMobility mobility() {
@@ -231,14 +240,14 @@ foundation::Problems turn_functions(const std::vector<exchange::UniversalNode>& 
 
 std::optional<GroundMobility> read_universal_mobility(TableReader& reader, const std::vector<int>& nodes) {
   const auto file = read_file_name(reader, "file");
-  const auto unit = read_measured_unit(reader);
-  if (!file || (reader.has("unit") && !unit)) return std::nullopt;
+  const auto units = read_given_units(reader);
+  if (!file || !units) return std::nullopt;
   auto read = exchange::read_universal(*file);
   if (!read) return reader.add_of_file("file", read.error()), std::nullopt;
   foundation::Problems found = read->warnings;
   found.add(turn_functions(nodes_among(nodes, read->file), read->file.functions));
   found.add(judge_directions(nodes_among(nodes, read->file)));
-  GroundMobility result = MobilityFunctions(read->file, file->string(), nodes, unit, found).mobility();
+  GroundMobility result = MobilityFunctions(read->file, file->string(), nodes, *units, found).mobility();
   result.source = file->string();
   if (!found.has_errors()) found.add(judge_mobility(result));
   reader.add_of_file("file", found);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -156,6 +157,22 @@ TEST(MobilityReader, NamesUnitsThatContradictEachOther) {
     for (const std::string& message :
          messages(complete, nodes, {}, fmt::format("unit = \"{}\"\n", unit), with_label("mm/s", true)))
       EXPECT_THAT(message, Not(HasSubstr("error"))) << message;
+}
+
+TEST(MobilityReader, AppliesAUnitToTheFunctionsThatItFits) {
+  exchange::UniversalFunction tilt = function(11, 11, 1);
+  tilt.response.direction = tilt.reference.direction = 4;
+  const std::string nodes = R"({"11" = "left", "12" = "right"})";
+  const auto errors = [&](const std::string& keys) {
+    const auto all = messages(with(tilt), nodes, {}, keys);
+    return std::count_if(all.begin(), all.end(),
+                         [](const std::string& one) { return one.find("error") != std::string::npos; });
+  };
+  EXPECT_EQ(errors("unit = \"(m/s)/N\"\n"), 0);
+  EXPECT_EQ(errors("unit = [\"(m/s)/N\", \"(rad/s)/(N m)\"]\n"), 0);
+  EXPECT_EQ(errors("unit = [\"(m/s)/N\", \"(rad/s)/(kN m)\"]\n"), 1);  // set 164 is SI
+  EXPECT_THAT(messages(with(tilt), nodes, {}, "unit = [\"(m/s)/N\", \"(rad/s)/N\"]\n"),
+              Contains(HasSubstr("unit = \"(rad/s)/N\" of the project fits no function")));
 }
 
 TEST(MobilityReader, RejectsTransmissibilities) {
