@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "trivet/exchange/universal_file.h"
-#include "trivet/project/measured_unit.h"
+#include "trivet/project/measured/measured_unit.h"
 
 namespace trivet::project {
 
@@ -53,7 +53,5 @@ struct MeasuredFile {
 
 /// Number of a node, of a text that is nothing else.
 [[nodiscard]] std::optional<int> node_number(const std::string& text);
-/// "3:+z" of a node and a direction ±1 … ±6.
-[[nodiscard]] std::string point_name(const exchange::UniversalPoint& point);
 
 }  // namespace trivet::project

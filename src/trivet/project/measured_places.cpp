@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/measured_places.h"
+#include "trivet/project/measured/universal_names.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,8 +11,9 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/model/system.h"
-#include "trivet/project/measured_abscissa.h"
-#include "trivet/project/measured_axes.h"
+#include "trivet/project/measured/measured_abscissa.h"
+#include "trivet/project/measured/measured_axes.h"
+#include "trivet/project/measured/universal_names.h"
 #include "trivet/project/measured_file.h"
 #include "trivet/project/measured_systems.h"
 
@@ -133,13 +134,6 @@ std::optional<int> node_number(const std::string& text) {
   int node = 0;
   const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), node);
   return failed == std::errc() && end == text.data() + text.size() ? std::optional(node) : std::nullopt;
-}
-
-std::string point_name(const exchange::UniversalPoint& point) {
-  const int direction = std::abs(point.direction);
-  if (direction < 1 || direction > 6) return fmt::format("{}:scalar", point.node);
-  return fmt::format("{}:{}{}", point.node, point.direction < 0 ? "-" : "+",
-                     model::coordinate_names[to_size(direction - 1)]);
 }
 
 foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem::path& path, const GivenUnits& units,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/measurements_reader.h"
+#include "trivet/project/measured/universal_names.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/selection_reader.h"
-#include "trivet/project/measured_axes.h"
+#include "trivet/project/measured/measured_axes.h"
 #include "trivet/project/measured_file.h"
 #include "trivet/project/measured_force.h"
 #include "trivet/project/measured_places.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/measured_abscissa.h"
+#include "trivet/project/measured/measured_abscissa.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/measured_file.h"
+#include "trivet/project/measured/universal_names.h"
 
 namespace trivet::project {
 namespace {

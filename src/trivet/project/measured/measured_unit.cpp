@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/measured_unit.h"
+#include "trivet/project/measured/measured_unit.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/measured_axes.h"
+#include "trivet/project/measured/measured_axes.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/measured_file.h"
+#include "trivet/project/measured/universal_names.h"
 
 namespace trivet::project {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "trivet/exchange/universal_file.h"
 #include "trivet/foundation/problems.h"
-#include "trivet/project/measured_unit.h"
+#include "trivet/project/measured/measured_unit.h"
 
 namespace trivet::project {
 
