@@ -122,8 +122,10 @@ void convert_to_si(UniversalFunction& function, const std::optional<UniversalUni
   const OrdinateUnit ordinate = ordinate_unit(function.type);
   const bool known =
       abscissa && (ordinate == OrdinateUnit::none || (ordinate == OrdinateUnit::ratio && numerator && denominator));
-  if (units && !is_si(*units) && !known) {
-    function.in_file_units = true;
+  // Who uses a density or another square knows the unit of its numerator: `stated`.
+  const bool square = ordinate == OrdinateUnit::unknown && abscissa && numerator;
+  if (units && !is_si(*units) && !known) function.in_file_units = true;
+  if (function.in_file_units && !square) {
     problems.warning(
         line, "unit",
         fmt::format("function type {}, quantities {} and {} over {}", static_cast<int>(function.type),

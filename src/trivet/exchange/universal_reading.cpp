@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <vector>
 
@@ -225,6 +226,22 @@ foundation::Expected<UniversalRead> UniversalReader::result() {
 foundation::Expected<UniversalRead> read_universal_text(std::string_view bytes, const std::string& source) {
   if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
   return UniversalReader(bytes, source).result();
+}
+
+bool is_universal_file(const std::filesystem::path& path) {
+  const std::string ending = lower(path.extension().string());
+  if (ending == ".uff" || ending == ".unv" || ending == ".uf" || ending == ".58") return true;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream stream(path, std::ios::binary);
+  std::string beginning(200, '\0');
+  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(stream.gcount()));
+  if (beginning.starts_with(byte_order_mark)) beginning.erase(0, byte_order_mark.size());
+  const std::size_t first = beginning.find_first_not_of(" \r\n");
+  if (first == std::string::npos) return false;
+  const std::size_t end = std::min(beginning.find_first_of("\r\n", first), beginning.size());
+  return is_delimiter(std::string_view(beginning).substr(first, end - first));
 }
 
 foundation::Expected<UniversalRead> read_universal(const std::filesystem::path& path) {

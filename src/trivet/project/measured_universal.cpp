@@ -93,39 +93,21 @@ Eigen::VectorXd coherences(const MeasuredFunction& measured, const exchange::Uni
   return Eigen::Map<const Eigen::VectorXd>(values.data(), to_index(values.size()));
 }
 
-/// "time response (type 1)", or what is not compared in a function over another abscissa.
-std::string kind_of(const UniversalFunction& function) {
-  static const std::map<UniversalFunctionType, const char*> names = {
-      {UniversalFunctionType::time_response, "time response"},
-      {UniversalFunctionType::auto_spectrum, "auto spectrum"},
-      {UniversalFunctionType::cross_spectrum, "cross spectrum"},
-      {UniversalFunctionType::transmissibility, "transmissibility"},
-      {UniversalFunctionType::auto_correlation, "auto correlation"},
-      {UniversalFunctionType::cross_correlation, "cross correlation"},
-      {UniversalFunctionType::power_spectral_density, "power spectral density"},
-      {UniversalFunctionType::energy_spectral_density, "energy spectral density"},
-      {UniversalFunctionType::shock_response_spectrum, "shock response spectrum"},
-      {UniversalFunctionType::order_function, "order function"},
-  };
-  const auto name = names.find(function.type);
-  const std::string kind = name == names.end() ? "function" : name->second;
-  const std::string type = fmt::format("{} (type {})", kind, static_cast<int>(function.type));
-  if (may_be_over_frequency(function)) return type;
-  return fmt::format("{} over an abscissa of type {}", type, static_cast<int>(function.abscissa_axis.quantity));
-}
-
 /// Warns of functions that are not compared: times, power spectra, orders.
 void report_other_functions(const exchange::UniversalFile& file, foundation::Problems& warnings) {
-  std::map<std::string, std::size_t> kinds;
-  for (const UniversalFunction& function : file.functions)
-    if (!is_compared(function) && function.type != UniversalFunctionType::coherence) ++kinds[kind_of(function)];
-  if (kinds.empty()) return;
-  std::vector<std::string> words;
-  for (const auto& [kind, count] : kinds) words.push_back(fmt::format("{} × {}", count, kind));
-  warnings.warning("", foundation::comma_separated(words),
-                   "frequency responses (type 4), spectra (12) and general functions (0) over frequency are compared; "
-                   "a time response or a power spectrum has no phase of a force",
-                   "they are ignored; export frequency responses");
+  std::vector<UniversalFunction> others;
+  for (const UniversalFunction& function : file.functions) {
+    if (is_compared(function) || function.type == UniversalFunctionType::coherence) continue;
+    others.push_back(function);
+    others.back().values.clear();
+  }
+  if (others.empty()) return;
+  warnings.warning(
+      "", universal_kinds(others),
+      "frequency responses (type 4), spectra (12) and general functions (0) over frequency are compared; "
+      "a time response or a power spectrum has no phase of a force",
+      "they are ignored; export frequency responses (an excitation reads a time response as its `history`, "
+      "a power spectral density as its `psd`)");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/excitations/excitation_table_readers.h"
+#include "trivet/project/excitations/universal_course.h"
 #include "trivet/project/text/pairs_reader.h"
 
 namespace trivet::project {
@@ -115,9 +116,10 @@ std::optional<excitation::Signal> read_samples(TableReader& history, Quantity me
   const double scale = history.number("scale", Quantity::pure).value_or(1);
   const ColumnQuantity value = read_bare_unit(history, measured);
   const bool hold = history.choice("after", {"hold", "zero"}).value_or("hold") == "hold";
-  const auto rows = history.has("rows")
-      ? read_pairs(history, "rows", Quantity::time, value)
-      : read_pairs_of_file(history, "time", "value", Quantity::time, value, most_rows_over_time);
+  const bool universal = !history.has("rows") && names_universal_file(history);
+  const auto rows = history.has("rows") ? read_pairs(history, "rows", Quantity::time, value)
+      : universal                       ? read_time_response(history, value)
+                  : read_pairs_of_file(history, "time", "value", Quantity::time, value, most_rows_over_time);
   return rows ? signal_from_rows(history, history.has("rows") ? "rows" : "file", *rows, scale * value.bare, hold)
               : std::nullopt;
 }

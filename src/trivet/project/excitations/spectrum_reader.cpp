@@ -7,6 +7,7 @@
 #include "trivet/excitation/road.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/project/excitations/excitation_table_readers.h"
+#include "trivet/project/excitations/universal_course.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/band_reader.h"
 #include "trivet/project/text/derived_units.h"
@@ -114,6 +115,7 @@ std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std
     const bool linear = psd.choice("interpolation", {"logarithmic", "linear"}) == "linear";
     const ColumnQuantity unit = read_density_unit(psd, action);
     const auto rows = psd.has("rows") ? read_pairs(psd, "rows", in_hertz(), unit)
+        : names_universal_file(psd)   ? read_power_spectral_density(psd, unit)
                                       : read_pairs_of_file(psd, "frequency_hz", "psd", in_hertz(), unit);
     if (rows) spectrum = spectrum_from_rows(psd, psd.has("rows") ? "rows" : "file", *rows, unit.bare, linear);
   }

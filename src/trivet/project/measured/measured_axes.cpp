@@ -38,8 +38,9 @@ bool turns(const exchange::UniversalPoint& point, const UniversalAxis& axis) {
   return std::abs(point.direction) > 3 || axis.stated.label_turns;
 }
 
-/// Quantity by the type of the numerator.
-std::optional<Quantity> quantity_of_axis(const UniversalFunction& function) {
+}  // namespace
+
+std::optional<Quantity> quantity_of_numerator(const UniversalFunction& function) {
   const bool rotation = turns(function.response, function.numerator);
   switch (function.numerator.quantity) {
     case UniversalQuantity::displacement:
@@ -55,6 +56,8 @@ std::optional<Quantity> quantity_of_axis(const UniversalFunction& function) {
       return std::nullopt;
   }
 }
+
+namespace {
 
 std::string label_words(const char* axis, const std::string& label) {
   return fmt::format("the label {} of the {}", foundation::quoted(label), axis);
@@ -81,7 +84,7 @@ std::optional<MeasuredUnit> any_unit_in_label(const UniversalFunction& function)
 /// True if the label names a unit of another quantity than the type of the axis: "mm/s" of an acceleration.
 bool is_of_another_quantity(const UniversalFunction& function) {
   const auto unit = any_unit_in_label(function);
-  const auto of_axis = quantity_of_axis(function);
+  const auto of_axis = quantity_of_numerator(function);
   return unit && of_axis && unit->quantity != *of_axis;
 }
 
@@ -117,18 +120,16 @@ std::vector<Statement> statements(const UniversalFunction& function, bool per_lo
   return all;
 }
 
-bool is_load(Quantity quantity) { return quantity == Quantity::force || quantity == Quantity::moment; }
-
 /// How a unit of the project relates to a function.
 enum class Fit { fits, of_others, contradicts };
 
 /// The quantity of a scalar function, or of an axis of unknown type, may be a translation or a rotation.
 Fit fit_of_numerator(const MeasuredUnit& unit, const UniversalFunction& function) {
-  const auto of_axis = quantity_of_axis(function);
+  const auto of_axis = quantity_of_numerator(function);
   const bool turn_known = function.response.direction != 0;
   if (turn_known && is_rotation(unit.quantity) != turns(function.response, function.numerator)) return Fit::of_others;
   if (!of_axis) return Fit::fits;
-  if (is_load(unit.quantity) != is_load(*of_axis)) return Fit::of_others;
+  if (is_motion(unit.quantity) != is_motion(*of_axis)) return Fit::of_others;
   return derivatives_of(unit.quantity) == derivatives_of(*of_axis) ? Fit::fits : Fit::contradicts;
 }
 
@@ -169,7 +170,7 @@ FunctionUnit MeasuredAxes::unit_of(const UniversalFunction& function) {
     return FunctionUnit{std::nullopt, problem_of(function, source_, finding, rule, remedy)};
   };
   const MeasuredUnit* given = fitting(function);
-  const auto of_axis = quantity_of_axis(function);
+  const auto of_axis = quantity_of_numerator(function);
   if (given && fit_of(*given, function) == Fit::contradicts)
     return error(
         fmt::format("unit = {} of the project, but the numerator has the type {}", foundation::quoted(given->text),

@@ -12,6 +12,10 @@
 
 namespace trivet::project {
 
+/// Quantity of the values by the type of the numerator and its direction; none if the type is not one of a motion or a
+/// load.
+[[nodiscard]] std::optional<Quantity> quantity_of_numerator(const exchange::UniversalFunction& function);
+
 /// What is known about the unit of the numbers of a function.
 struct FunctionUnit {
   std::optional<MeasuredUnit> unit;          ///< its factor is that of the values as they were read; none: not known

@@ -95,6 +95,8 @@ std::string unit_words(const GivenUnits& units) {
                            : fmt::format("unit = [{}] of the project", fmt::join(quoted, ", "));
 }
 
+bool is_motion(Quantity quantity) { return quantity != Quantity::force && quantity != Quantity::moment; }
+
 bool is_rotation(Quantity quantity) { return underived(quantity) == Quantity::angle || quantity == Quantity::moment; }
 
 int derivatives_of(Quantity quantity) {

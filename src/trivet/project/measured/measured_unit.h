@@ -34,6 +34,8 @@ using GivenUnits = std::vector<MeasuredUnit>;
 /// "unit = "g/N" of the project", for messages.
 [[nodiscard]] std::string unit_words(const GivenUnits& units);
 
+/// False for forces and moments.
+[[nodiscard]] bool is_motion(Quantity quantity);
 /// True for angles, their derivatives and moments.
 [[nodiscard]] bool is_rotation(Quantity quantity);
 
