@@ -16,9 +16,18 @@
 namespace trivet::exchange {
 namespace {
 
+/// True for a first line that is, or means to be, the header of a Matrix Market file.
+bool is_market_header(std::string_view bytes) {
+  std::string_view line = trimmed(bytes.substr(0, bytes.find('\n')));
+  if (!line.starts_with('%')) return false;
+  line.remove_prefix(std::min(line.find_first_not_of('%'), line.size()));
+  const std::string words = lower(line);
+  return words.starts_with("matrixmarket") || words.starts_with("matrix market");
+}
+
 std::string format_of(const std::filesystem::path& path, std::string_view bytes) {
   if (bytes.starts_with("\x93NUMPY")) return "numpy";
-  if (lower(bytes.substr(0, 14)) == "%%matrixmarket") return "matrix_market";
+  if (is_market_header(bytes)) return "matrix_market";
   const std::string ending = lower(path.extension().string());
   if (ending == ".npy") return "numpy";
   if (ending == ".mm") return "matrix_market";
@@ -42,6 +51,7 @@ foundation::Expected<NamedMatrix> read_matrix_file(const std::filesystem::path& 
   auto bytes = file_bytes(path);
   if (!bytes) return tl::make_unexpected(bytes.error());
   *bytes = with_line_feeds(std::move(*bytes));
+  if (bytes->starts_with("\xEF\xBB\xBF")) bytes->erase(0, 3);
   const std::string source = path.string();
   const std::string format = options.format.empty() ? format_of(path, *bytes) : options.format;
   if (format == "numpy") return read_numpy_array(*bytes, source);

@@ -4,22 +4,41 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "trivet/exchange/matrix_entries.h"
 
 namespace trivet::exchange {
 namespace {
 
+/// What the entries above the diagonal are, of those below it; `general`: they are in the file.
+enum class MarketSymmetry { general, symmetric, skew_symmetric, hermitian };
+
 struct MarketHeader {
   bool coordinate = false;
   bool is_complex = false;
-  Triangles triangles = Triangles::both;
+  MarketSymmetry symmetry = MarketSymmetry::general;
+
+  /// Row of the first entry of a column of an array.
+  [[nodiscard]] int first_row(int column) const {
+    if (symmetry == MarketSymmetry::general) return 0;
+    return symmetry == MarketSymmetry::skew_symmetric ? column + 1 : column;
+  }
 };
+
+/// What is wrong with the words of a header, if it is more than a word that is not known.
+std::string remedy_of_header(const std::vector<std::string_view>& words) {
+  const auto has = [&](std::string_view word) { return std::find(words.begin(), words.end(), word) != words.end(); };
+  if (has("pattern")) return "a pattern has no values: write the matrix with its numbers";
+  if (has("vector")) return "a vector is no stiffness matrix: write a matrix";
+  return "correct the line, or write the matrix again";
+}
 
 std::optional<MarketHeader> read_header(Lines& lines, FileProblems& problems) {
   const std::string rule =
-      "the first line is %%MatrixMarket matrix, then coordinate or array, real, integer or complex, general or "
-      "symmetric";
+      "the first line is %%MatrixMarket matrix, then coordinate or array, real, integer or complex, general, "
+      "symmetric, "
+      "skew-symmetric or hermitian";
   if (!lines.next()) {
     problems.error(0, "header", "the file is empty", rule, "did the program that wrote it finish?");
     return std::nullopt;
@@ -30,19 +49,28 @@ std::optional<MarketHeader> read_header(Lines& lines, FileProblems& problems) {
     return i < parts.size() && std::find(allowed.begin(), allowed.end(), parts[i]) != allowed.end();
   };
   if (parts.size() != 5 || !is(0, {"%%matrixmarket"}) || !is(1, {"matrix"}) || !is(2, {"coordinate", "array"}) ||
-      !is(3, {"real", "integer", "complex"}) || !is(4, {"general", "symmetric"})) {
-    problems.error(lines.number(), "header", in_quotes(lines.line()), rule,
-                   "write the matrix again as real or complex, general or symmetric");
+      !is(3, {"real", "double", "integer", "unsigned-integer", "complex"}) ||
+      !is(4, {"general", "symmetric", "skew-symmetric", "hermitian"})) {
+    problems.error(lines.number(), "header", in_quotes(lines.line()), rule, remedy_of_header(parts));
     return std::nullopt;
   }
+  using enum MarketSymmetry;
   return MarketHeader{is(2, {"coordinate"}), is(3, {"complex"}),
-                      is(4, {"symmetric"}) ? Triangles::one : Triangles::both};
+                      is(4, {"general"})              ? general
+                          : is(4, {"symmetric"})      ? symmetric
+                          : is(4, {"skew-symmetric"}) ? skew_symmetric
+                                                      : hermitian};
+}
+
+/// A number with an exponent of C or of Fortran: 1.5D+03.
+std::optional<double> market_number(std::string_view text) {
+  return text.find_first_of("dD") == std::string_view::npos ? number(text) : fortran_number(text);
 }
 
 /// Moves to the next line that is neither blank nor a comment.
 bool next_data(Lines& lines) {
   while (lines.next())
-    if (!trimmed(lines.line()).empty() && !lines.line().starts_with('%')) return true;
+    if (const auto text = trimmed(lines.line()); !text.empty() && !text.starts_with('%')) return true;
   return false;
 }
 
@@ -59,8 +87,8 @@ void read_coordinates(Lines& lines, const MarketHeader& header, int order, long 
     Entry entry{.line = lines.number()};
     const auto row = parts.empty() ? std::nullopt : whole_number(parts[0]);
     const auto column = parts.size() < 2 ? std::nullopt : whole_number(parts[1]);
-    const auto real = parts.size() < 3 ? std::nullopt : number(parts[2]);
-    const auto imaginary = parts.size() < 4 ? std::optional(0.0) : number(parts[3]);
+    const auto real = parts.size() < 3 ? std::nullopt : market_number(parts[2]);
+    const auto imaginary = parts.size() < 4 ? std::optional(0.0) : market_number(parts[3]);
     if (parts.size() != wanted || !row || !column || !real || !imaginary) {
       problems.error(lines.number(), "entry", in_quotes(lines.line()),
                      header.is_complex ? "an entry is row, column, real and imaginary part"
@@ -81,10 +109,15 @@ void read_coordinates(Lines& lines, const MarketHeader& header, int order, long 
                    "the size line states the number of entries", "was the file cut off?");
 }
 
-/// Reads values column by column; for a symmetric matrix from the diagonal downwards.
+/// Reads values column by column; for a symmetric matrix from the diagonal downwards, for a skew-symmetric one from
+/// below it.
 void read_array(Lines& lines, const MarketHeader& header, int order, std::vector<Entry>& entries,
                 FileProblems& problems) {
-  int row = 0, column = 0;
+  int row = header.first_row(0), column = 0;
+  const auto to_next_column = [&] {
+    while (row >= order && column < order) row = header.first_row(++column);
+  };
+  to_next_column();
   const std::size_t wanted = header.is_complex ? 2 : 1;
   while (!problems.enough() && next_data(lines)) {
     if (column == order) {
@@ -93,18 +126,41 @@ void read_array(Lines& lines, const MarketHeader& header, int order, std::vector
       return;
     }
     const auto parts = blank_separated(lines.line());
-    const auto real = parts.empty() ? std::nullopt : number(parts[0]);
-    const auto imaginary = parts.size() < 2 ? std::optional(0.0) : number(parts[1]);
+    const auto real = parts.empty() ? std::nullopt : market_number(parts[0]);
+    const auto imaginary = parts.size() < 2 ? std::optional(0.0) : market_number(parts[1]);
     if (parts.size() != wanted || !real || !imaginary)
       problems.error(lines.number(), "entry", in_quotes(lines.line()),
                      header.is_complex ? "a line holds real and imaginary part" : "a line holds one finite number",
                      "correct the line");
     entries.push_back({row, column, real.value_or(0), imaginary.value_or(0), lines.number()});
-    if (++row == order) row = header.triangles == Triangles::one ? ++column : (++column, 0);
+    ++row;
+    to_next_column();
   }
   if (!problems.any() && column < order)
     problems.error(lines.number(), "entries", fmt::format("the file ends in column {} of {}", column + 1, order),
                    "every entry of an array is written", "was the file cut off?");
+}
+
+/// Adds the entries above the diagonal of a skew-symmetric or hermitian matrix; rejects entries on it that are not 0 or
+/// not real.
+void add_mirrored(const MarketHeader& header, std::vector<Entry>& entries, FileProblems& problems) {
+  const bool skew = header.symmetry == MarketSymmetry::skew_symmetric;
+  const std::size_t count = entries.size();
+  for (std::size_t i = 0; i < count && !problems.enough(); ++i) {
+    Entry mirrored = entries[i];
+    if (mirrored.row == mirrored.column) {
+      if (mirrored.imaginary == 0 && (!skew || mirrored.real == 0)) continue;
+      problems.error(
+          mirrored.line, "entry", fmt::format("({0}, {0}) on the diagonal", mirrored.row + 1),
+          skew ? "the diagonal of a skew-symmetric matrix is 0" : "the diagonal of a hermitian matrix is real",
+          "correct the entry, or declare the matrix as general");
+      continue;
+    }
+    std::swap(mirrored.row, mirrored.column);
+    if (skew) mirrored.real = -mirrored.real;
+    mirrored.imaginary = -mirrored.imaginary;
+    entries.push_back(mirrored);
+  }
 }
 
 }  // namespace
@@ -134,7 +190,11 @@ foundation::Expected<NamedMatrix> read_matrix_market(std::string_view text, cons
   if (header->coordinate) read_coordinates(lines, *header, *rows, *count, entries, problems);
   else read_array(lines, *header, *rows, entries, problems);
   if (problems.any()) return problems.refused();
-  auto matrix = assembled(std::move(entries), *rows, header->triangles, header->is_complex, problems);
+  const bool symmetric = header->symmetry == MarketSymmetry::symmetric;
+  if (!symmetric && header->symmetry != MarketSymmetry::general) add_mirrored(*header, entries, problems);
+  if (problems.any()) return problems.refused();
+  auto matrix =
+      assembled(std::move(entries), *rows, symmetric ? Triangles::one : Triangles::both, header->is_complex, problems);
   if (!matrix) return problems.refused();
   return std::move(*matrix);
 }

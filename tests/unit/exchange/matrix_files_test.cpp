@@ -44,6 +44,46 @@ TEST(MatrixMarket, IsReadInAllFormsThatScipyWrites) {
   expect_bar(exchange::read_matrix_market(file_content("beam_array_general.mtx"), "f"), printed, upper_ones());
 }
 
+/// One matrix in all forms that its symmetry allows, by hand.
+TEST(MatrixMarket, IsReadInAllLegalForms) {
+  struct Form {
+    const char* text;
+    Eigen::Matrix2d real, imaginary;
+  };
+  const auto matrix = [](double a, double b, double c, double d) { return Eigen::Matrix2d{{a, b}, {c, d}}; };
+  const Form forms[] = {
+      {"coordinate real general\n2 2 3\n1 1 1\n2 1 2\n1 2 3\n", matrix(1, 3, 2, 0), {}},
+      {"coordinate double symmetric\n2 2 2\n1 1 1.5D+03\n2 1 -2.5d-1\n", matrix(1500, -0.25, -0.25, 0), {}},
+      {"coordinate unsigned-integer symmetric\n% a\n\n2 2 1\n  %b\n2\t1 +7  \n\n", matrix(0, 7, 7, 0), {}},
+      {"coordinate real skew-symmetric\n2 2 1\n2 1 4\n", matrix(0, -4, 4, 0), {}},
+      {"coordinate real hermitian\n2 2 2\n1 1 1\n2 1 4\n", matrix(1, 4, 4, 0), {}},
+      {"coordinate complex hermitian\n2 2 2\n1 1 1 0\n2 1 4 5\n", matrix(1, 4, 4, 0), matrix(0, -5, 5, 0)},
+      {"coordinate complex symmetric\n2 2 2\n1 1 1 2\n2 1 4 5\n", matrix(1, 4, 4, 0), matrix(2, 5, 5, 0)},
+      {"coordinate complex skew-symmetric\n2 2 1\n2 1 4 5\n", matrix(0, -4, 4, 0), matrix(0, -5, 5, 0)},
+      {"array real general\n2 2\n1\n2\n3\n4\n", matrix(1, 3, 2, 4), {}},
+      {"array integer symmetric\n2 2\n1\n2\n4\n", matrix(1, 2, 2, 4), {}},
+      {"array real skew-symmetric\n2 2\n1.D0\n", matrix(0, -1, 1, 0), {}},
+      {"array complex hermitian\n2 2\n1 0\n2 3\n4 0\n", matrix(1, 2, 2, 4), matrix(0, -3, 3, 0)},
+  };
+  for (const Form& form : forms) {
+    const auto read = exchange::read_matrix_market(std::string("%%MatrixMarket matrix ") + form.text, "f");
+    ASSERT_TRUE(read.has_value()) << form.text << complaint(read);
+    EXPECT_EQ(read->values, form.real) << form.text;
+    const bool is_complex = std::string(form.text).find("complex") != std::string::npos;
+    EXPECT_EQ(read->imaginary.size(), is_complex ? 4 : 0) << form.text;
+    if (is_complex) EXPECT_EQ(read->imaginary, form.imaginary) << form.text;
+  }
+  const std::string head = "%%MatrixMarket matrix ";
+  EXPECT_THAT(complaint(exchange::read_matrix_market(head + "array real skew-symmetric\n2 2\n1\n2\n", "f")),
+              HasSubstr("more than"));
+  EXPECT_THAT(complaint(exchange::read_matrix_market(head + "coordinate real skew-symmetric\n2 2 1\n1 1 3\n", "f")),
+              HasSubstr("the diagonal of a skew-symmetric matrix is 0"));
+  EXPECT_THAT(complaint(exchange::read_matrix_market(head + "coordinate complex hermitian\n1 1 1\n1 1 3 1\n", "f")),
+              HasSubstr("the diagonal of a hermitian matrix is real"));
+  EXPECT_THAT(complaint(exchange::read_matrix_market(head + "coordinate pattern general\n1 1 1\n1 1\n", "f")),
+              HasSubstr("a pattern has no values"));
+}
+
 TEST(MatrixMarket, KeepsTheImaginaryPart) {
   const auto read = exchange::read_matrix_market(file_content("beam_complex.mtx"), "f");
   expect_bar(read, printed);
@@ -139,8 +179,8 @@ TEST(MatrixMarket, ReportsWhatIsWrongAndWhere) {
     const auto read = exchange::read_matrix_market(headless ? bad.text : head + bad.text, "f");
     EXPECT_THAT(complaint(read), HasSubstr(bad.complaint)) << bad.text;
   }
-  for (const char* kind : {"coordinate pattern general", "coordinate real skew-symmetric", "array complex hermitian",
-                           "vector real general"})
+  for (const char* kind :
+       {"coordinate pattern general", "coordinate real skew", "array complex hermitean", "vector real general"})
     EXPECT_THAT(
         complaint(exchange::read_matrix_market(std::string("%%MatrixMarket matrix ") + kind + "\n1 1 1\n1 1 1\n", "f")),
         HasSubstr("f:1: error: header"));
