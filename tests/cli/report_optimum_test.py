@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The best design and the front as parts of `trivet run`: results.json, report and pictures."""
+import html
 import json
+import re
 import unittest
 
 from front_test import BAND, TWO
@@ -14,7 +16,12 @@ class ReportOptimum(InTemporaryFolder):
         self.assertEqual(done.returncode, 0, done.stderr)
         results = json.loads((self.folder / "out/results.json").read_text())
         cases = results["cases"] if "cases" in results else [results]
-        return project, cases, (self.folder / "out/report.html").read_text(), done.stdout
+        return (
+            project,
+            cases,
+            (self.folder / "out/report.html").read_text(),
+            done.stdout,
+        )
 
     def assert_is_answer(self, case, project):
         found = answer("optimize", project)
@@ -25,13 +32,47 @@ class ReportOptimum(InTemporaryFolder):
 
     def test_best_design(self):
         text = TWO.replace('front = ["a.z", "b.z"]', 'minimize = "a.z"\nstarts = 2')
-        text += BAND + '[requirements]\nlimits = {"b.z" = 3e-5}\n[cases.heavy]\nbodies.a.mass = 3\n'
+        text += (
+            BAND
+            + '[requirements]\nlimits = {"b.z" = 3e-5}\n[cases.heavy]\nbodies.a.mass = 3\n'
+        )
         project, cases, page, screen = self.run_of(text)
         self.assert_is_answer(cases[0], project)
         self.assertNotIn("optimize", cases[1])
-        for words in ("Best design", "b.z ≤ ", "What holds the optimum", "1 % more of its bound brings"):
+        for words in (
+            "Best design",
+            "b.z ≤ ",
+            "What holds the optimum",
+            "1 % more of its bound brings",
+        ):
             self.assertTrue(words in page, words)
         self.assertIn("what holds the optimum", screen)
+        self.assert_page_has_words_of(screen, page)
+
+    def assert_page_has_words_of(self, screen, page):
+        """Every number of the answer on the screen is in its section of the page, perhaps with an SI prefix."""
+        text = screen[re.search(r"^.* → .*\n\n  parameter", screen, re.M).start() :]
+        text = text[: text.index("it proves no global optimum.") + 28]
+        section = re.search(r">Best design</h2>(.*?)</section>", page, re.S).group(1)
+        shown = html.unescape(re.sub(r"<[^>]+>", " ", section))
+        numbers = [float(n) for n in re.findall(r"-?\d+\.?\d*(?:e[-+]?\d+)?", shown)]
+        for line in text.splitlines():
+            for number in re.findall(r"(?<![\w.-])-?\d+\.?\d*(?:e[-+]?\d+)?", line):
+                value, three_digits = float(number), 5e-3
+                same = [
+                    abs(n * p - value) <= three_digits * abs(value)
+                    for n in numbers
+                    for p in (1, 1e3, 1e6, 1e-3)
+                ]
+                self.assertTrue(any(same), (line, number, shown))
+        for word in (
+            "Natural frequency",
+            "given",
+            "optimum",
+            "starts reached",
+            "designs computed",
+        ):
+            self.assertIn(word, shown)
 
     def test_front(self):
         project, cases, page, screen = self.run_of(TWO + "points = 5\n" + BAND)
@@ -48,7 +89,10 @@ class ReportOptimum(InTemporaryFolder):
             self.folder / "out",
         )
         self.assertEqual(done.returncode, 1)
-        self.assertIn("NOT COMPUTED: optimize: no design looked at meets every requirement", done.stdout)
+        self.assertIn(
+            "NOT COMPUTED: optimize: no design looked at meets every requirement",
+            done.stdout,
+        )
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "trivet/foundation/plain_text.h"
@@ -9,6 +10,7 @@
 #include "trivet/report/result_tables.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/optimization_results.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/study/design_front.h"
 #include "trivet/study/optimization.h"
 
@@ -38,9 +40,7 @@ std::string optimum_parameters_table(const Optimization& found) {
                      number_cell(p.best, 6),
                      right(results::step_words(p.below, found)),
                      right(results::step_words(p.above, found)),
-                     {p.idle           ? "changes nothing here"
-                          : p.at_bound ? "at the end of its range"
-                                       : ""}},
+                     {results::parameter_remark(p)}},
                     ""});
   }
   const std::string what = found.minimizes ? "minimised" : "margin";
@@ -83,18 +83,89 @@ std::string optimum_requirements_table(const Optimization& found) {
   return html_table({{"Requirement"}, right("margin, given"), right("margin, optimum"), {"verdict"}}, rows);
 }
 
-std::string optimum_conditions_table(const Optimization& found) {
+/// Natural frequencies and decoupling of the given design and of the optimum.
+std::string optimum_frequencies_table(const Optimization& found, const project::ShownUnits& display) {
+  constexpr std::size_t most_modes = 12, most_bodies = 12;
+  std::vector<Row> frequencies, decoupling;
+  for (std::size_t c = 0; c < found.after.size(); ++c) {
+    const study::DesignSummary &before = found.summaries_before[c], &after = found.summaries_after[c];
+    const std::vector<double>&given = before.angular_frequencies, &best = after.angular_frequencies;
+    for (std::size_t i = 0; i < std::min(std::max(given.size(), best.size()), most_modes); ++i)
+      frequencies.push_back({{{words_in_case(found, c, fmt::format("mode {}", i + 1))},
+                              i < given.size() ? frequency_cell(given[i], display) : right("–"),
+                              i < best.size() ? frequency_cell(best[i], display) : right("–")},
+                             ""});
+    for (std::size_t b = 0; b < std::min(after.decoupling.size(), most_bodies); ++b) {
+      const auto same = std::find_if(before.decoupling.begin(), before.decoupling.end(),
+                                     [&](const auto& one) { return one.body == after.decoupling[b].body; });
+      decoupling.push_back({{{words_in_case(found, c, after.decoupling[b].body)},
+                             same == before.decoupling.end() ? right("not known") : percent_cell(same->least),
+                             percent_cell(after.decoupling[b].least)},
+                            ""});
+    }
+  }
+  const std::string unit = results::frequency_unit(display);
+  std::string html;
+  if (!frequencies.empty())
+    html += html_table({{"Natural frequency"}, right("given [" + unit + "]"), right("optimum [" + unit + "]")},
+                       frequencies);
+  if (!decoupling.empty())
+    html += html_table({{"Decoupling, least of its modes"}, right("given"), right("optimum")}, decoupling);
+  return html;
+}
+
+/// Why peaks are gone, if the search went on to a design without them.
+std::string gone_peaks_table(const Optimization& found, const project::ShownUnits& display) {
+  if (found.gone_peaks.empty()) return "";
+  std::vector<Row> rows;
+  for (const study::GonePeak& one : found.gone_peaks)
+    rows.push_back({{{words_in_case(found, one.result_case, one.name)},
+                     number_cell(-one.measure),
+                     frequency_cell(one.angular_frequency, display)},
+                    ""});
+  return hint("The search went on to the design furthest from a peak, by the fall of the curves.") +
+      html_table({{"No peak of"}, right("gone by"), frequency_cell_heading("nearest to one at", display)}, rows);
+}
+
+std::string optimum_conflicts_table(const Optimization& found) {
+  if (found.conflicts.empty()) return "";
+  std::vector<Row> rows;
+  for (const study::Conflict& one : found.conflicts)
+    rows.push_back({{{words_in_case(found, one.result_case, one.words)},
+                     right(std::isinf(one.factor) ? "∞" : fmt::format("{:.4g}", one.factor)),
+                     right(std::isinf(one.without) ? "∞" : fmt::format("{:.4g}", one.without))},
+                    "failed"});
+  return html_table(
+      {{found.conflicts.size() == 1 ? "Cannot be met within the ranges" : "Contradict each other within the ranges"},
+       right("met if its bound is eased by the factor"),
+       right("least margin of the others without it")},
+      rows);
+}
+
+std::string optimum_conditions(const Optimization& found, const project::ShownUnits& display) {
+  if (!found.no_slopes.empty())
+    return hint("What holds the optimum is not known: there are no slopes next to it (" + found.no_slopes + ").");
+  if (found.active.empty())
+    return hint("Nothing holds the optimum: no requirement limits it.") + gone_peaks_table(found, display);
   std::vector<Row> rows;
   for (const study::ActiveRequirement& one : found.active)
     rows.push_back({{{words_in_case(found, one.result_case, one.words)},
                      one.minimized ? Cell{} : right(fmt::format("{:.3g} %", one.multiplier))},
                     ""});
-  for (const study::Conflict& one : found.conflicts)
-    rows.push_back({{{words_in_case(found, one.result_case, one.words) + " contradicts the others"},
-                     right(fmt::format("to be eased {:.4g} times", one.factor))},
-                    "failed"});
-  if (rows.empty()) return "";
-  return html_table({{"What holds the optimum"}, right("1 % more of its bound brings")}, rows);
+  return html_table({{"What holds the optimum"}, right("1 % more of its bound brings")}, rows) +
+      hint(fmt::format("Residual of the optimality conditions: {:.2g} of the largest slope.", found.residual)) +
+      optimum_conflicts_table(found);
+}
+
+/// Lines of a text as remarks.
+std::string remarks(const std::string& text) {
+  std::string html;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    if (end > at) html += hint(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return html;
 }
 
 }  // namespace
@@ -102,14 +173,10 @@ std::string optimum_conditions_table(const Optimization& found) {
 std::string optimum_tables(const study::Answers& answers) {
   if (!answers.optimization) return "";
   const Optimization& found = *answers.optimization;
-  std::string text = found.feasible ? "Every requirement is met at the optimum. " : "NOT every requirement is met. ";
-  text +=
-      fmt::format("{} of {} starts reached it; {} designs computed", found.agreeing, found.starts, found.evaluations);
-  if (found.no_slopes.empty() && !found.active.empty())
-    text += fmt::format("; residual of the optimality conditions {:.2g}", found.residual);
-  text += ". A search finds the best of where it looked; it proves no global optimum.";
-  return optimum_parameters_table(found) + optimum_amplitudes_table(found) + optimum_requirements_table(found) +
-      optimum_conditions_table(found) + hint(text);
+  return paragraph(results::optimization_headline(found) + ".") + remarks(results::optimization_mounts(found)) +
+      optimum_parameters_table(found) + optimum_amplitudes_table(found) + optimum_requirements_table(found) +
+      optimum_frequencies_table(found, answers.display) + optimum_conditions(found, answers.display) +
+      remarks(results::optimization_search(found));
 }
 
 std::string front_tables(const study::Answers& answers) {

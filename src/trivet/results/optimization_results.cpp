@@ -68,14 +68,8 @@ std::string parameters_text(const Optimization& found) {
   for (const study::OptimizedParameter& p : found.parameters) {
     const std::string unit = axis_unit(p.axis);
     const auto words = [&](double value) { return fmt::format("{:.6g}{}", value, unit.empty() ? "" : " " + unit); };
-    constexpr double noticeable = 1e-3;  // of the range
-    const bool valley = p.most - p.least > noticeable * (p.axis.to - p.axis.from);
     table.add({p.axis.name, words(p.axis.from), words(p.axis.to), p.given ? words(*p.given) : "differ", words(p.best),
-               step_words(p.below, found), step_words(p.above, found),
-               p.idle           ? "changes nothing here"
-                   : valley     ? fmt::format("as good, with others changed: {:.4g} … {:.4g}", p.least, p.most)
-                   : p.at_bound ? "at the end of its range"
-                                : ""});
+               step_words(p.below, found), step_words(p.above, found), parameter_remark(p)});
   }
   return table.text();
 }
@@ -85,31 +79,6 @@ std::string mounts_words(const study::OptimizedMounts& mounts, const std::vector
   for (std::size_t c = 0; c < chosen.size(); ++c)
     text += (c ? ", " : "") + mounts.choices[c].name + " = " + mounts.choices[c].mounts[chosen[c]];
   return text;
-}
-
-std::string mounts_text(const Optimization& found) {
-  if (!found.mounts) return "";
-  const study::OptimizedMounts& mounts = *found.mounts;
-  std::string text = "Mounts: " + mounts_words(mounts, mounts.chosen) + "\n";
-  if (mounts.price)
-    text += fmt::format(
-        "Price of all mounts: {} → {}. The numbers of {} of {} combinations were optimised, the cheapest first{}.\n",
-        mounts.price_before ? project::price_words(*mounts.price_before) : "not known",
-        project::price_words(*mounts.price), mounts.optimized, mounts.combinations,
-        mounts.some_met || mounts.optimized == mounts.combinations
-            ? ""
-            : "; dearer ones were not tried: allow more with combinations");
-  else
-    text += fmt::format(
-        "Best found of {} combinations of mounts: {} were considered with a few numbers, and the numbers of the best "
-        "{} optimised.\n",
-        mounts.combinations, mounts.considered, mounts.optimized);
-  for (const study::OptimizedMounts::Other& other : mounts.others)
-    text += fmt::format(
-        "  next: {} with {}\n",
-        mounts.price ? project::price_words({other.objective, mounts.price->currency}) : ratio_words(other.objective),
-        mounts_words(mounts, other.mounts));
-  return text + "\n";
 }
 
 std::string requirements_text(const Optimization& found) {
@@ -199,7 +168,61 @@ std::string conditions_text(const Optimization& found) {
   return text + table.text();
 }
 
-std::string search_text(const Optimization& found) {
+}  // namespace
+
+std::vector<std::string> minimized_names(const Optimization& found) {
+  std::vector<std::string> names;
+  for (const study::MinimizedAmplitude& one : found.minimized)
+    if (one.result_case == 0) names.push_back(one.name);
+  return names;
+}
+
+std::string step_words(const std::optional<study::OptimizedParameter::Step>& step, const Optimization& found) {
+  if (!step) return "";
+  if (!step->objective) return "not computed";
+  const double change = 100 * (*step->objective / found.objective_after - 1);
+  constexpr double none = 1e-3, many = 1e3;  // percent
+  const std::string words = !std::isfinite(change) ? "∞"
+      : std::abs(change) < none                    ? "0 %"
+      : std::abs(change) < many                    ? fmt::format("{:+.3g} %", change)
+                                                   : fmt::format("{:+.0f} %", change);
+  return step->met || !found.feasible ? words : words + ", violates";
+}
+
+std::string parameter_remark(const study::OptimizedParameter& p) {
+  constexpr double noticeable = 1e-3;  // of the range
+  if (p.idle) return "changes nothing here";
+  if (p.most - p.least > noticeable * (p.axis.to - p.axis.from))
+    return fmt::format("as good, with others changed: {:.4g} … {:.4g}", p.least, p.most);
+  return p.at_bound ? "at the end of its range" : "";
+}
+
+std::string optimization_mounts(const Optimization& found) {
+  if (!found.mounts) return "";
+  const study::OptimizedMounts& mounts = *found.mounts;
+  std::string text = "Mounts: " + mounts_words(mounts, mounts.chosen) + "\n";
+  if (mounts.price)
+    text += fmt::format(
+        "Price of all mounts: {} → {}. The numbers of {} of {} combinations were optimised, the cheapest first{}.\n",
+        mounts.price_before ? project::price_words(*mounts.price_before) : "not known",
+        project::price_words(*mounts.price), mounts.optimized, mounts.combinations,
+        mounts.some_met || mounts.optimized == mounts.combinations
+            ? ""
+            : "; dearer ones were not tried: allow more with combinations");
+  else
+    text += fmt::format(
+        "Best found of {} combinations of mounts: {} were considered with a few numbers, and the numbers of the best "
+        "{} optimised.\n",
+        mounts.combinations, mounts.considered, mounts.optimized);
+  for (const study::OptimizedMounts::Other& other : mounts.others)
+    text += fmt::format(
+        "  next: {} with {}\n",
+        mounts.price ? project::price_words({other.objective, mounts.price->currency}) : ratio_words(other.objective),
+        mounts_words(mounts, other.mounts));
+  return text;
+}
+
+std::string optimization_search(const Optimization& found) {
   std::string text =
       fmt::format("{} of {} starts reached this; {} designs computed", found.agreeing, found.starts, found.evaluations);
   if (found.failed > 0) text += fmt::format(", {} of them without a result ({})", found.failed, found.first_failure);
@@ -222,38 +245,23 @@ std::string search_text(const Optimization& found) {
   return text + "A search finds the best of where it looked; it proves no global optimum.\n";
 }
 
-}  // namespace
-
-std::vector<std::string> minimized_names(const Optimization& found) {
-  std::vector<std::string> names;
-  for (const study::MinimizedAmplitude& one : found.minimized)
-    if (one.result_case == 0) names.push_back(one.name);
-  return names;
-}
-
-std::string step_words(const std::optional<study::OptimizedParameter::Step>& step, const Optimization& found) {
-  if (!step) return "";
-  if (!step->objective) return "not computed";
-  const double change = 100 * (*step->objective / found.objective_after - 1);
-  constexpr double none = 1e-3, many = 1e3;  // percent
-  const std::string words = !std::isfinite(change) ? "∞"
-      : std::abs(change) < none                    ? "0 %"
-      : std::abs(change) < many                    ? fmt::format("{:+.3g} %", change)
-                                                   : fmt::format("{:+.0f} %", change);
-  return step->met || !found.feasible ? words : words + ", violates";
-}
-
-std::string optimization_text(const Optimization& found) {
+std::string optimization_headline(const Optimization& found) {
   const std::string before = found.objective_before ? ratio_words(*found.objective_before) : "not judged";
   const std::string unit = found.objective_unit.empty() ? "" : " " + found.objective_unit;
   std::string text =
-      fmt::format("{}: {} → {}{}{}\n\n", objective_words(found), before, ratio_words(found.objective_after), unit,
+      fmt::format("{}: {} → {}{}{}", objective_words(found), before, ratio_words(found.objective_after), unit,
                   found.after.front().results.empty() ? ""
                       : found.feasible                ? ", every requirement is met"
                                                       : ", NOT every requirement is met");
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + mounts_text(found) + parameters_text(found) + "\n" + minimized_text(found) + requirements_text(found) +
-      frequencies_text(found) + "\n" + conditions_text(found) + "\n" + search_text(found);
+  return text;
+}
+
+std::string optimization_text(const Optimization& found) {
+  const std::string mounts = optimization_mounts(found);
+  return optimization_headline(found) + "\n\n" + mounts + (mounts.empty() ? "" : "\n") + parameters_text(found) + "\n" +
+      minimized_text(found) + requirements_text(found) + frequencies_text(found) + "\n" + conditions_text(found) +
+      "\n" + optimization_search(found);
 }
 
 std::string optimization_settings(const Optimization& found) {

@@ -23,6 +23,14 @@ namespace trivet::results {
 [[nodiscard]] std::string step_words(const std::optional<study::OptimizedParameter::Step>& step,
                                      const study::Optimization& found);
 
+/// The parts of the text that the report shows, too. The headline is one line: "Least margin of all requirements: 0.837
+/// → 1.14, every requirement is met". The mounts (empty without a choice of them) and the search are lines.
+[[nodiscard]] std::string optimization_headline(const study::Optimization& found);
+[[nodiscard]] std::string optimization_mounts(const study::Optimization& found);
+[[nodiscard]] std::string optimization_search(const study::Optimization& found);
+/// "at the end of its range", "changes nothing here", or where the optimum is as good; often empty.
+[[nodiscard]] std::string parameter_remark(const study::OptimizedParameter& parameter);
+
 /// One row per parameter, values in its unit, and one per choice of mounts.
 [[nodiscard]] std::string optimization_csv(const study::Optimization& found);
 
