@@ -7,6 +7,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
@@ -222,6 +223,33 @@ TEST(Foundation, MeasuredMobilityHasThePeaksOfItsImpedance) {
     ++compared;
   }
   EXPECT_GE(compared, 4);  // two resonances in the motion and two in the force
+}
+
+TEST(Foundation, MobilityTablesHaveUnitsInTheirHeadings) {
+  constexpr double last_digits = 1e-9;  // of 15 in the tables
+  const foundation::TemporaryFolder folder;
+  const auto highest = [&](const std::string& heading, double per_hertz, double per_mobility) {
+    {
+      std::ofstream csv(folder.path() / "y.csv");
+      csv << heading << "\n";
+      csv.precision(15);
+      for (int i = 50; i <= 1000; i += 5) {
+        const double w = 2 * std::numbers::pi * 0.02 * i;
+        const std::complex<double> y = per_mobility / std::complex<double>(2000, 800 * w - 5e5 / w);
+        csv << per_hertz * 0.02 * i << "," << y.real() << "," << y.imag() << "\n";
+      }
+    }
+    const study::Answers found = answers(on_heavy_ground("[foundations.floor]\ntype = \"mobility\"\nfile = \"" +
+                                                         (folder.path() / "y.csv").string() + "\"\n"));
+    return found.peaks->peaks.list.front().amplitude;
+  };
+  const double si = highest("frequency_hz,y_z_z,y_z_z_im", 1, 1);
+  EXPECT_THAT(highest("frequency [Hz],y_z_z [m/(N s)],y_z_z_im [m/(N s)]", 1, 1),
+              test::RelativelyNear(si, last_digits));
+  EXPECT_THAT(highest("frequency [rpm],y_z_z [(mm/s)/N],y_z_z_im [(mm/s)/N]", 60, 1e3),
+              test::RelativelyNear(si, last_digits));
+  EXPECT_THAT(highest("frequency (Hz),y_z_z (m/s/kN),y_z_z_im (m/s/kN)", 1, 1e3),
+              test::RelativelyNear(si, last_digits));
 }
 
 }  // namespace foundation_test

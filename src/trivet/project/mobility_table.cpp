@@ -8,7 +8,9 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/mobility_checks.h"
 #include "trivet/project/mobility_reader.h"
+#include "trivet/project/text/column_units.h"
 #include "trivet/project/text/csv_table.h"
+#include "trivet/project/text/derived_units.h"
 #include "trivet/project/text/file_name.h"
 
 namespace trivet::project {
@@ -16,7 +18,7 @@ namespace {
 
 constexpr const char* mobility_columns =
     "columns are frequency_hz and, per entry, y_I_J and y_I_J_im with I, J out of x, y, z, rx, ry, rz (the upper "
-    "triangle)";
+    "triangle), in SI or with a unit: y_z_z [(mm/s)/N]";
 
 std::string mobility_column(int i, int j) {
   return fmt::format("y_{}_{}", model::coordinate_names[to_size(i)], model::coordinate_names[to_size(j)]);
@@ -28,6 +30,35 @@ std::optional<std::pair<int, int>> entry_of(std::string name) {
     for (int j = i; j < 6; ++j)
       if (name == mobility_column(i, j)) return std::pair(i, j);
   return std::nullopt;
+}
+
+/// SI unit of an entry. A motion per moment has that of a rotation per force.
+const char* unit_of_entry(const std::pair<int, int>& entry) {
+  const int rotations = (entry.first > 2) + (entry.second > 2);
+  return rotations == 0 ? "(m/s)/N" : rotations == 1 ? "(rad/s)/N" : "(rad/s)/(N m)";
+}
+
+/// Converts columns whose headings have a unit, "y_z_z [(mm/s)/N]", to SI, and removes it.
+void convert_mobilities(CsvTable& table, foundation::Problems& found) {
+  const auto error = [&](const std::string& finding, std::string rule, std::string remedy) {
+    found.error("", finding, std::move(rule), std::move(remedy)).origin = {table.source, 0, 0};
+  };
+  convert_columns(
+      table, [](const std::string& name) { return name == "frequency_hz" ? std::optional(in_hertz()) : std::nullopt; },
+      found);
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const UnitHeading heading = unit_heading(table.columns[c]);
+    const auto entry = heading.unit.empty() ? std::nullopt : entry_of(heading.name);
+    if (!entry) continue;
+    const std::string column = "column " + foundation::quoted(table.columns[c]), si = unit_of_entry(*entry);
+    const auto ratio = unit_ratio(heading.unit, si);
+    if (!ratio) error(column, "its unit is not one of a velocity per force", "write a unit that converts to " + si);
+    else table.values.col(to_index(c)) *= *ratio;
+    if (std::find(table.columns.begin(), table.columns.end(), heading.name) != table.columns.end())
+      error(column + ": another column is " + foundation::quoted(heading.name),
+            "every column has a different name without its unit", "remove or rename one");
+    table.columns[c] = heading.name;
+  }
 }
 
 void check_frequencies(const CsvTable& csv, const Eigen::VectorXd& frequency, foundation::Problems& found) {
@@ -50,9 +81,13 @@ std::optional<GroundMobility> read_mobility_table(TableReader& reader) {
   const std::size_t before = reader.errors();
   const auto file = read_file_name(reader, "file");
   if (!file) return std::nullopt;
-  const auto csv = read_csv_table(*file, most_rows_over_frequency);
+  auto csv = read_csv_table(*file, most_rows_over_frequency);
   reader.add_of_file("file", csv ? csv->warnings : csv.error());
   if (!csv) return std::nullopt;
+  foundation::Problems wrong_units;
+  convert_mobilities(*csv, wrong_units);
+  reader.add_of_file("file", wrong_units);
+  if (wrong_units.has_errors()) return std::nullopt;
   std::vector<std::pair<int, int>> entries;
   for (const std::string& column : csv->columns) {
     const auto entry = entry_of(column);

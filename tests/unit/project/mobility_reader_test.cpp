@@ -17,6 +17,7 @@ namespace mobility_reader_test {
 
 using namespace trivet;
 using exchange::UniversalQuantity;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using Complex = std::complex<double>;
@@ -147,9 +148,9 @@ TEST(MobilityReader, NamesUnitsThatContradictEachOther) {
     return [=](std::string bytes) { return labelled(std::move(bytes), label, with_units); };
   };
   EXPECT_THAT(messages(complete, nodes, {}, "", with_label("mm/s", true)),
-              Contains(testing::AllOf(HasSubstr("set 164"), HasSubstr("the label \"mm/s\" of the numerator"))));
+              Contains(AllOf(HasSubstr("set 164"), HasSubstr("the label \"mm/s\" of the numerator"))));
   EXPECT_THAT(messages(complete, nodes, {}, "unit = \"(in/s)/N\"\n", with_label("mm/s", false)),
-              Contains(testing::AllOf(HasSubstr("unit = \"(in/s)/N\""), HasSubstr("the label \"mm/s\""))));
+              Contains(AllOf(HasSubstr("unit = \"(in/s)/N\""), HasSubstr("the label \"mm/s\""))));
   EXPECT_THAT(messages(complete, nodes, {}, "unit = \"g/N\"\n"), Contains(HasSubstr("the numerator has the type 11")));
   EXPECT_THAT(messages(complete, nodes, {}, "", with_label("furlong", false)),
               Contains(HasSubstr("the label \"furlong\" of the numerator is not a known unit")));
@@ -173,6 +174,32 @@ TEST(MobilityReader, AppliesAUnitToTheFunctionsThatItFits) {
   EXPECT_EQ(errors("unit = [\"(m/s)/N\", \"(rad/s)/(kN m)\"]\n"), 1);  // set 164 is SI
   EXPECT_THAT(messages(with(tilt), nodes, {}, "unit = [\"(m/s)/N\", \"(rad/s)/N\"]\n"),
               Contains(HasSubstr("unit = \"(rad/s)/N\" of the project fits no function")));
+}
+
+TEST(MobilityReader, RejectsTablesInOtherUnitsThanMobilities) {
+  const auto of_table = [](const std::string& heading) {
+    const std::filesystem::path path =
+        std::filesystem::temp_directory_path() / fmt::format("trivet-mobility-units-{}.csv", ::getpid());
+    std::ofstream(path) << heading << "\n10,1e-5,0\n20,1e-5,0\n";
+    const auto project = project::project_from_text(
+        fmt::format("trivet = 1\n[bodies.m]\nmass = 100\nfree = [\"z\"]\n[elements.left]\ntype = \"three_springs\"\n"
+                    "on = \"m\"\nat = [1, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\nfoundation = \"deck\"\n"
+                    "[foundations.deck]\ntype = \"mobility\"\nfile = \"{}\"\n",
+                    path.string()),
+        "machine.toml");
+    std::filesystem::remove(path);
+    std::string text;
+    if (!project)
+      for (const auto& problem : project.error().list()) text += foundation::message(problem) + "\n";
+    return text;
+  };
+  EXPECT_EQ(of_table("frequency [Hz],y_z_z [m/(N s)],y_z_z_im [m/(N s)]"), "");
+  EXPECT_EQ(of_table("frequency_hz,y_rx_rx [rad/(N m s)],y_rx_rx_im [(deg/s)/(N m)]"), "");
+  EXPECT_THAT(of_table("frequency [Hz],y_z_z [m/N],y_z_z_im [m/N]"),
+              AllOf(HasSubstr("column \"y_z_z [m/N]\""), HasSubstr("converts to (m/s)/N")));
+  EXPECT_THAT(of_table("frequency [mm],y_z_z,y_z_z_im"), HasSubstr("converts to Hz"));
+  EXPECT_THAT(of_table("frequency [Hz],x [m/(N s)],x_im [m/(N s)]"),
+              AllOf(HasSubstr("column \"x [m/(N s)]\""), HasSubstr("with a unit: y_z_z [(mm/s)/N]")));
 }
 
 TEST(MobilityReader, RejectsTransmissibilities) {
