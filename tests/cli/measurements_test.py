@@ -368,6 +368,30 @@ class Measurements(unittest.TestCase):
                 self.write_rig_with_rotation("NONE", label, 1.0, quantity)
                 self.refused(MACHINE + RIG + keys, words)
 
+    def test_a_frequency_response_of_a_finite_element_program_agrees(self):
+        """Set 2414, analysis type 5: one set per frequency, complex motions in double precision."""
+        answer = json.loads(trivet("response", self.machine, "--json").stdout)
+        motions = [next(r for r in answer["results"] if r["name"] == f"device.seat.{axis}")["complex"] for axis in "xyz"]
+        sets = ""
+        for i in range(0, len(answer["angular_frequency"]), 10):
+            hertz = answer["angular_frequency"][i] / (2 * math.pi)
+            lines = ["    -1", "  2414", f"{1:10d}", "RESPONSE", f"{1:10d}", *["NONE"] * 5]
+            lines.append("".join(f"{n:10d}" for n in (1, 5, 2, 8, 6, 3)))
+            lines.append("".join(f"{n:10d}" for n in (0, 0, 0, 0, 1, 0, 0, i + 1)))
+            lines.append(f"{0:10d}{0:10d}")
+            lines.append("".join(f"{n:13.5E}" for n in (0, hertz, 0, 0, 0, 0)))
+            lines.append("".join(f"{0:13.5E}" for _ in range(6)))
+            lines.append(f"{7:10d}")
+            numbers = [part for motion in motions for part in motion[i]]
+            lines += ["".join(f"{n:20.11E}" for n in numbers[k : k + 4]) for k in (0, 4)]
+            sets += "\n".join([*lines, "    -1\n"])
+        (self.folder / "m.uff").write_text(file_of_nodes((7, 0.2, 0.1, 0.1)) + sets)
+        channels = self.compared(MACHINE + '[measurements.fem]\nfile = "m.uff"\n')["channels"]
+        self.assertEqual([c["result"] for c in channels], ["device.seat.x", "device.seat.y", "device.seat.z"])
+        six_digits_of_a_frequency = 1e-3  # dB, at resonances with 8 % loss
+        for channel in channels:
+            self.assertLess(abs(channel["largest_db"]), six_digits_of_a_frequency)
+
     def test_exported_forces_and_moments_are_read_again(self):
         results = '["a.force.z", "a.moment.x", "a.moment.y", "ground.moment.x"]'
         text = MACHINE.replace('["device", "device.seat"]', results)

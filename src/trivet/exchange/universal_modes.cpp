@@ -17,7 +17,7 @@ namespace {
 constexpr std::array definition_widths{10, 10, 10, 10, 10, 10};
 constexpr std::array parameter_count_widths{10, 10, 10, 10, 10, 10, 10, 10};
 constexpr std::array mode_value_widths{13, 13, 13, 13, 13, 13};
-constexpr int normal_mode = 2, complex_mode = 3, second_order_complex_mode = 7;
+constexpr int normal_mode = 2, complex_mode = 3, frequency_response = 5, second_order_complex_mode = 7;
 constexpr int translations = 2, translations_and_rotations = 3;
 constexpr int real_data = 2, complex_data = 5;
 constexpr std::size_t largest_parameter_count = 12;
@@ -57,17 +57,21 @@ std::optional<std::size_t> id_lines_before_definition(const std::vector<HeadLine
   return std::nullopt;
 }
 
-/// Why this set is not a mode, or an empty text.
-std::string other_than_mode(const ModeDefinition& definition) {
-  const int analysis = definition.analysis;
-  if (analysis != normal_mode && analysis != complex_mode && analysis != second_order_complex_mode)
-    return fmt::format("analysis type {}", analysis);
+/// Why the numbers of a set are not three or six motions of nodes, or why it is not a mode; or an empty text.
+std::string other_than_shape(const ModeDefinition& definition) {
   const int characteristic = definition.characteristic;
   if (characteristic != translations && characteristic != translations_and_rotations)
     return fmt::format("data characteristic {}", characteristic);
   return definition.values_per_node == 3 || definition.values_per_node == 6
       ? ""
       : fmt::format("{} values per node", definition.values_per_node);
+}
+
+std::string other_than_mode(const ModeDefinition& definition) {
+  const int analysis = definition.analysis;
+  if (analysis != normal_mode && analysis != complex_mode && analysis != second_order_complex_mode)
+    return fmt::format("analysis type {}", analysis);
+  return other_than_shape(definition);
 }
 
 /// The next `count` values, from as many lines as they take; nullopt with an error.
@@ -175,7 +179,10 @@ void convert_mode(UniversalMode& mode, const UniversalUnits& units, const Univer
     problems.error(set.line, "unit", "infinite numbers in SI", "numbers are finite", "check the factors of set 164");
 }
 
-/// What set 2414 contains other than a mode at nodes, or an empty text.
+bool is_complex_data(int type) { return type == complex_data || type == complex_double_data; }
+bool is_double_data(int type) { return type == real_double_data || type == complex_double_data; }
+
+/// What set 2414 contains other than a mode or motions of a frequency response at nodes, or an empty text.
 std::string other_than_analysis_mode(int location, const ModeDefinition& definition) {
   if (location != at_nodes)
     return fmt::format("results {}",
@@ -193,8 +200,10 @@ std::string other_than_analysis_mode(int location, const ModeDefinition& definit
       return result + " of a static analysis";
     case 4:
       return result + " over time";
-    case 5:
-      return result + " of a frequency response";
+    case frequency_response:
+      if (!motion || !is_complex_data(definition.data_type))
+        return fmt::format("{}{} of a frequency response", motion ? "real " : "", result);
+      return other_than_shape(definition);
     default:
       return fmt::format("{} of analysis type {}", result, definition.analysis);
   }
@@ -208,9 +217,6 @@ std::optional<ModeDefinition> analysis_definition(std::string_view line) {
   const std::vector<int>& n = *numbers;
   return ModeDefinition{n[1], n[2], n[3], n[4], n[5]};
 }
-
-bool is_complex_data(int type) { return type == complex_data || type == complex_double_data; }
-bool is_double_data(int type) { return type == real_double_data || type == complex_double_data; }
 
 /// Records 10 to 13 of set 2414: numbers of the mode, and its parameters.
 bool read_analysis_parameters(ModeReading& reading, const ModeDefinition& definition, UniversalMode& mode) {
@@ -227,7 +233,7 @@ bool read_analysis_parameters(ModeReading& reading, const ModeDefinition& defini
   const auto values = next_values(reading, largest_parameter_count, "records 12 and 13");
   if (!values) return false;
   const std::vector<double>& v = *values;
-  if (definition.analysis == normal_mode)
+  if (definition.analysis == normal_mode || definition.analysis == frequency_response)
     mode.parameters = UniversalNormalMode{
         .frequency_hz = v[1], .modal_mass = v[3], .damping_ratio = v[4], .hysteretic_damping = v[5]};
   else
@@ -251,7 +257,7 @@ UniversalModeSet read_universal_mode(const UniversalSet& set, const UniversalUni
     return {};
   }
   const ModeDefinition definition = *mode_definition(head[*ids].text);
-  if (std::string other = other_than_mode(definition); !other.empty()) return {std::nullopt, std::move(other)};
+  if (std::string other = other_than_mode(definition); !other.empty()) return {.other_content = std::move(other)};
   UniversalMode mode;
   mode.ids = read_ids(head, *ids, problems);
   mode.quantity = static_cast<UniversalQuantity>(definition.quantity);
@@ -263,7 +269,7 @@ UniversalModeSet read_universal_mode(const UniversalSet& set, const UniversalUni
   if (!read_nodes(reading, static_cast<std::size_t>(definition.values_per_node), mode)) return {};
   convert_mode(mode, units, set, problems);
   check_end(set, problems);
-  return {std::move(mode), ""};
+  return {.mode = std::move(mode)};
 }
 
 UniversalModeSet read_universal_analysis_mode(const UniversalSet& set, const UniversalUnits& units,
@@ -282,16 +288,20 @@ UniversalModeSet read_universal_analysis_mode(const UniversalSet& set, const Uni
     return {};
   }
   if (std::string other = other_than_analysis_mode(location, *definition); !other.empty())
-    return {std::nullopt, std::move(other)};
+    return {.other_content = std::move(other)};
   mode.quantity = static_cast<UniversalQuantity>(definition->quantity);
   mode.has_rotations = definition->values_per_node == 6;
   mode.is_complex = is_complex_data(definition->data_type);
   if (!read_analysis_parameters(reading, *definition, mode)) return {};
   if (is_double_data(definition->data_type)) reading.value_widths = double_value_widths;
   if (!read_nodes(reading, static_cast<std::size_t>(definition->values_per_node), mode)) return {};
+  if (definition->analysis == frequency_response) {
+    check_end(set, problems);
+    return {.response = std::move(mode)};
+  }
   convert_mode(mode, units, set, problems);
   check_end(set, problems);
-  return {std::move(mode), ""};
+  return {.mode = std::move(mode)};
 }
 
 int count_universal_elements(const UniversalSet& set) {

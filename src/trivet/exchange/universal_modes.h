@@ -10,8 +10,9 @@
 namespace trivet::exchange {
 
 struct UniversalModeSet {
-  std::optional<UniversalMode> mode;  ///< none if the set is wrong, or not a mode
-  std::string other_content;          ///< "analysis type 5" if the set is not a mode
+  std::optional<UniversalMode> mode;      ///< none if the set is wrong, or not a mode
+  std::optional<UniversalMode> response;  ///< motions at one frequency of a frequency response, in units of the file
+  std::string other_content;              ///< "analysis type 5" if the set is neither
 };
 
 /// Reads set 55 if it is a normal or complex mode with translations or with translations and rotations, and converts it

@@ -14,6 +14,7 @@
 #include "trivet/exchange/universal_functions.h"
 #include "trivet/exchange/universal_geometry.h"
 #include "trivet/exchange/universal_modes.h"
+#include "trivet/exchange/universal_responses.h"
 #include "trivet/exchange/universal_systems.h"
 #include "trivet/foundation/plain_text.h"
 
@@ -86,6 +87,7 @@ class UniversalReader {
   SetScanner scanner_;
   UniversalFile file_;
   std::vector<UniversalSystem> systems_;
+  UniversalResponses responses_;
   std::map<std::string, int> ignored_;        ///< what, how often
   std::map<std::string, int> other_results_;  ///< content of set 2414 that is no mode
   bool at_end_ = false;
@@ -108,6 +110,7 @@ void UniversalReader::read_mode(const UniversalSet& set, SetProblems& problems) 
 void UniversalReader::read_analysis_data(const UniversalSet& set, SetProblems& problems) {
   auto read = read_universal_analysis_mode(set, units(), problems);
   if (read.mode) file_.modes.push_back(std::move(*read.mode));
+  if (read.response && !problems.any()) responses_.add(set, *read.response, file_.units_of_file);
   if (!read.other_content.empty()) ++other_results_[read.other_content];
 }
 
@@ -184,15 +187,17 @@ void UniversalReader::warn_about_ignored_sets() {
   std::vector<std::string> results;
   for (const auto& [name, count] : other_results_) results.push_back(fmt::format("{} × {}", count, name));
   if (!results.empty())
-    problems_.warning(0, "sets 2414", foundation::comma_separated(results),
-                      "displacements, velocities or accelerations of modes at nodes are read",
-                      "the others are ignored; export modes at nodes, or functions over frequency as set 58");
+    problems_.warning(
+        0, "sets 2414", foundation::comma_separated(results),
+        "displacements, velocities or accelerations of modes and of complex frequency responses at nodes are read",
+        "the others are ignored; export modes at nodes, or functions over frequency as set 58");
   if (ignored_.empty()) return;
   std::vector<std::string> names;
   for (const auto& [name, count] : ignored_) names.push_back(count == 1 ? name : fmt::format("{} ({}×)", name, count));
-  problems_.warning(0, "sets", foundation::comma_separated(names),
-                    "sets 15, 18, 55 and 2414 (modes), 58, 58b, 82, 151, 164, 2411 and 2420 are read",
-                    "the others are ignored");
+  problems_.warning(
+      0, "sets", foundation::comma_separated(names),
+      "sets 15, 18, 55 and 2414 (modes; 2414 also frequency responses), 58, 58b, 82, 151, 164, 2411 and 2420 are read",
+      "the others are ignored");
 }
 
 void UniversalReader::warn_about_comments() {
@@ -213,6 +218,7 @@ foundation::Expected<UniversalRead> UniversalReader::result() {
     problems_.error(0, "universal file", scanner_.found_delimiter() ? "no set after a line with -1" : "no line with -1",
                     "each set of a universal file is between two lines with only -1 in columns 5 and 6",
                     "is this a universal file (.unv, .uff)?");
+  for (UniversalFunction& function : responses_.functions(problems_)) file_.functions.push_back(std::move(function));
   if (problems_.any()) return problems_.refused();
   apply_systems(systems_, file_.nodes);
   warn_about_units();

@@ -15,11 +15,12 @@ struct UniversalRead {
   foundation::Problems warnings;  ///< what deviates from the standard and how it was read; sets that were ignored
 };
 
-/// Reads a universal file (UFF): sets 151, 164, 15, 2411, 18, 2420, 82, 55 and 2414 with modes, 58 and 58b. Numbers are
-/// converted to SI by set 164, which holds for the sets after it; frequencies of axes stay in Hz. Other sets are
-/// ignored with one warning. Errors, each with the number and type of the set and the line: not a universal file, a set
-/// that is cut off, counts that disagree, numbers that are not finite, a step or a difference of times or frequencies ≤
-/// 0, an unknown type of ordinates, numbers of a VAX. A file with an error gives no content.
+/// Reads a universal file (UFF): sets 151, 164, 15, 2411, 18, 2420, 82, 55 and 2414 with modes, 2414 with frequency
+/// responses, 58 and 58b. Numbers are converted to SI by set 164, which holds for the sets after it; frequencies of
+/// axes stay in Hz. Other sets are ignored with one warning. Errors, each with the number and type of the set and the
+/// line: not a universal file, a set that is cut off, counts that disagree, numbers that are not finite, a step or a
+/// difference of times or frequencies ≤ 0, an unknown type of ordinates, numbers of a VAX. A file with an error gives
+/// no content.
 [[nodiscard]] foundation::Expected<UniversalRead> read_universal(const std::filesystem::path& path);
 
 /// The same from the bytes of a file.

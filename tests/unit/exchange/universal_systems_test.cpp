@@ -99,12 +99,39 @@ TEST(UniversalAnalysisData, HasModesAtNodes) {
   EXPECT_NEAR(exchange::natural_frequency_hz(complex_file.modes[0]), std::sqrt(6401.0) / (2 * std::numbers::pi), 1e-12);
 }
 
+/// Set 2414 of a frequency response at one frequency: x moves with i·scale, y not at all, z with 2·scale.
+std::string response_at(double hertz, double scale) {
+  std::string set = analysis(
+      1, 5, 12, 5,
+      fmt::format("        11\n{0:13.5E}{1:13.5E}{0:13.5E}{0:13.5E}{2:13.5E}{0:13.5E}\n", 0.0, scale, 2 * scale));
+  const std::string frequency = "  1.25000E+01";
+  return set.replace(set.find(frequency), frequency.size(), fmt::format("{:13.5E}", hertz));
+}
+
+TEST(UniversalAnalysisData, HasFrequencyResponsesAtNodes) {
+  const UniversalFile file = content(response_at(10, 1) + response_at(20, 3) + response_at(10, 5));
+  ASSERT_EQ(file.functions.size(), 4u);  // y does not move; the third set is of another load case
+  const exchange::UniversalFunction& x = file.functions[0];
+  EXPECT_EQ(x.type, exchange::UniversalFunctionType::spectrum);
+  EXPECT_EQ(x.response.node, 11);
+  EXPECT_EQ(x.response.direction, 1);
+  EXPECT_EQ(file.functions[1].response.direction, 3);
+  EXPECT_EQ(x.numerator.quantity, exchange::UniversalQuantity::acceleration);
+  EXPECT_EQ(exchange::abscissa_values(x), (std::vector<double>{10, 20}));
+  EXPECT_EQ(x.values, (std::vector<Complex>{{0, 1}, {0, 3}}));
+  EXPECT_EQ(file.functions[1].values, (std::vector<Complex>{{2, 0}, {6, 0}}));
+  EXPECT_EQ(file.functions[2].values, (std::vector<Complex>{{0, 5}}));
+  const std::string millimetres =
+      universal_set(164, "         9millimetre                  2\n  1.000D+03  1.000D+00  1.000D+00\n  2.7315D+02\n");
+  EXPECT_EQ(content(millimetres + response_at(10, 1)).functions.at(0).values[0], Complex(0, 1e-3));
+}
+
 TEST(UniversalAnalysisData, OfAnotherKindIsNamedWithWhatToExport) {
   const std::string values = "        11\n  1. 2. 3.\n";
   EXPECT_THAT(
       warnings(analysis(1, 1, 8, 2, values)),
       testing::AllOf(HasSubstr("1 × motions of a static analysis"), HasSubstr("export modes at nodes, or functions")));
-  EXPECT_THAT(warnings(analysis(1, 5, 12, 5, values)), HasSubstr("1 × motions of a frequency response"));
+  EXPECT_THAT(warnings(analysis(1, 5, 12, 2, values)), HasSubstr("1 × real motions of a frequency response"));
   EXPECT_THAT(warnings(analysis(1, 2, 2, 2, values)), HasSubstr("1 × results of type 2 of modes"));
   EXPECT_THAT(warnings(analysis(2, 2, 8, 2, values)), HasSubstr("1 × results at elements"));
 }
