@@ -19,6 +19,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
+#include "trivet/project/text/bare_headings.h"
 
 namespace trivet::project {
 namespace {
@@ -167,8 +168,8 @@ class Reader {
     const auto rows = to_index(table_.lines.size()), count = to_index(table_.columns.size());
     table_.values = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
         values_.data(), rows, count);
-    if (counts_rows_) drop_row_numbers();
-    if (bare_header_line_ > 0) judge_bare_rows();
+    if (counts_rows_) problems_.add(drop_row_numbers(table_, header_line_));
+    if (bare_heading_.line > 0) problems_.add(judge_bare_heading(table_, bare_heading_));
     if (problems_.has_errors()) return tl::make_unexpected(std::move(problems_));
     return std::move(table_);
   }
@@ -177,51 +178,6 @@ class Reader {
   void problem(int line, std::string finding, std::string broken_rule, std::string remedy) {
     problems_.error("", std::move(finding), std::move(broken_rule), std::move(remedy)).origin = {table_.source, line,
                                                                                                  0};
-  }
-
-  void warning(int line, std::string finding, std::string rule, std::string remedy) {
-    table_.warnings.warning("", std::move(finding), std::move(rule), std::move(remedy)).origin = {table_.source, line,
-                                                                                                  0};
-  }
-
-  /// Removes a first column without a name, if it counts the rows.
-  void drop_row_numbers() {
-    const Eigen::Index rows = table_.values.rows();
-    const double first = rows > 0 ? table_.values(0, 0) : 0;
-    bool counts = first == 0 || first == 1;
-    for (Eigen::Index i = 0; i < rows; ++i) counts = counts && table_.values(i, 0) == first + static_cast<double>(i);
-    if (!counts) return problem(header_line_, "column 1 has no name", "every column has a name", "name it");
-    warning(header_line_, "the first column has no name and counts the rows", "every column has a name",
-            "it is ignored; write the table without its row numbers");
-    table_.values = table_.values.rightCols(table_.values.cols() - 1).eval();
-    table_.columns.erase(table_.columns.begin());
-  }
-
-  /// A table without a header whose first row may be a header that counts the columns: 0, 1.
-  void judge_bare_rows() {
-    const auto increases_from = [&](Eigen::Index first) {
-      for (Eigen::Index i = first + 1; i < table_.values.rows(); ++i)
-        if (!(table_.values(i, 0) > table_.values(i - 1, 0))) return false;
-      return table_.values.rows() - first > 1;
-    };
-    const std::string as = foundation::comma_separated(table_.columns);
-    const bool numbered = counts_columns_ && increases_from(1);
-    if (numbered && increases_from(0) && !whole_below_)
-      return problem(bare_header_line_, "the first row counts the columns, or is the first of the numbers",
-                     "a table has a header row that names the columns",
-                     "write the header " + as + " in its place, or above it");
-    if (!increases_from(0) && !numbered)
-      return problem(bare_header_line_, "the first row holds numbers, and the first column does not increase",
-                     "the first row names the columns", "add a header row: " + as);
-    if (numbered && !increases_from(0)) {
-      warning(bare_header_line_, "the header counts the columns", "a header names the columns: " + as,
-              "its columns are read in this order");
-      table_.values = table_.values.bottomRows(table_.values.rows() - 1).eval();
-      table_.lines.erase(table_.lines.begin());
-      return;
-    }
-    warning(bare_header_line_, "no header row", "a header names the columns: " + as,
-            "its columns are read in this order, in the units of such a column");
   }
 
   void read_header(std::string_view line, int number_of_line) {
@@ -237,11 +193,10 @@ class Reader {
       if (names->size() != bare_.size() + before || bare_.empty())
         return problem(number_of_line, "the first row holds numbers", "the first row names the columns",
                        bare_.empty() ? "add a header row" : "add a header row: " + foundation::comma_separated(bare_));
-      bare_header_line_ = number_of_line;
-      counts_columns_ = true;
+      bare_heading_ = {.line = number_of_line, .counts_columns = true};
       const std::string first = (*names)[before];
       for (std::size_t i = 0; i < bare_.size(); ++i)
-        counts_columns_ = counts_columns_ && (first == "0" || first == "1") &&
+        bare_heading_.counts_columns = bare_heading_.counts_columns && (first == "0" || first == "1") &&
             (*names)[before + i] == std::to_string(i + (first == "1"));
       std::copy(bare_.begin(), bare_.end(), names->begin() + static_cast<std::ptrdiff_t>(before));
     }
@@ -270,7 +225,7 @@ class Reader {
       else table_.columns.push_back(name);
     }
     // A bare first row is data; that of a data frame with row numbers counts the columns.
-    if (bare_header_line_ > 0 && !counts_rows_) read_row(line, number_of_line);
+    if (bare_heading_.line > 0 && !counts_rows_) read_row(line, number_of_line);
   }
 
   void read_row(std::string_view line, int number_of_line) {
@@ -296,10 +251,10 @@ class Reader {
                      "take every tenth row, or the part that is needed");
     }
     table_.lines.push_back(number_of_line);
-    if (bare_header_line_ > 0 && number_of_line > bare_header_line_)
-      whole_below_ = whole_below_ || std::any_of(row->begin(), row->end(), [](const std::string& cell) {
-                       return cell.find_first_of(".eE") == std::string::npos;
-                     });
+    if (bare_heading_.line > 0 && number_of_line > bare_heading_.line)
+      bare_heading_.whole_below = bare_heading_.whole_below ||
+          std::any_of(row->begin(), row->end(),
+                      [](const std::string& cell) { return cell.find_first_of(".eE") == std::string::npos; });
     for (std::size_t i = 0; i < width_; ++i) {
       if (static_cast<std::ptrdiff_t>(i) == texts_at_) {
         if (const auto found = foundation::unprintable((*row)[i]); found && wrong_cells_++ < most_listed)
@@ -320,12 +275,11 @@ class Reader {
   CsvTable table_;
   foundation::Problems problems_;
   const std::vector<std::string>& bare_;
-  int header_line_ = 0, bare_header_line_ = 0;
-  std::size_t unnamed_ = 0;      ///< empty cells at the end of the header
-  bool counts_rows_ = false;     ///< the first column has no name
-  bool counts_columns_ = false;  ///< the bare first row is 0, 1 … or 1, 2 …
-  bool whole_below_ = false;     ///< rows below a bare first row have whole numbers, too
-  std::vector<double> values_;   // row by row
+  int header_line_ = 0;
+  BareHeading bare_heading_;
+  std::size_t unnamed_ = 0;     ///< empty cells at the end of the header
+  bool counts_rows_ = false;    ///< the first column has no name
+  std::vector<double> values_;  // row by row
   std::size_t width_ = 0;
   std::ptrdiff_t texts_at_ = -1;
   std::vector<std::string> header_;
