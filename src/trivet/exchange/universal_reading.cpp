@@ -234,20 +234,25 @@ foundation::Expected<UniversalRead> read_universal_text(std::string_view bytes, 
   return UniversalReader(bytes, source).result();
 }
 
+bool begins_as_universal_file(std::string_view bytes) {
+  if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+  const std::size_t first = bytes.find_first_not_of(" \r\n");
+  if (first == std::string_view::npos) return false;
+  const std::size_t end = std::min(bytes.find_first_of("\r\n", first), bytes.size());
+  return is_delimiter(bytes.substr(first, end - first));
+}
+
 bool is_universal_file(const std::filesystem::path& path) {
   const std::string ending = lower(path.extension().string());
   if (ending == ".uff" || ending == ".unv" || ending == ".uf" || ending == ".58") return true;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream stream(path, std::ios::binary);
-  std::string beginning(200, '\0');
-  stream.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  constexpr std::size_t enough = 200;
+  std::string beginning(enough, '\0');
+  stream.read(beginning.data(), static_cast<std::streamsize>(enough));
   beginning.resize(static_cast<std::size_t>(stream.gcount()));
-  if (beginning.starts_with(byte_order_mark)) beginning.erase(0, byte_order_mark.size());
-  const std::size_t first = beginning.find_first_not_of(" \r\n");
-  if (first == std::string::npos) return false;
-  const std::size_t end = std::min(beginning.find_first_of("\r\n", first), beginning.size());
-  return is_delimiter(std::string_view(beginning).substr(first, end - first));
+  return begins_as_universal_file(beginning);
 }
 
 foundation::Expected<UniversalRead> read_universal(const std::filesystem::path& path) {

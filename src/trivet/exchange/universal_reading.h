@@ -28,7 +28,10 @@ struct UniversalRead {
 [[nodiscard]] foundation::Expected<UniversalRead> read_universal_text(std::string_view bytes,
                                                                       const std::string& source);
 
-/// True if the first line of a file that is not blank opens a set, or if its name ends in .uff, .unv, .uf or .58.
+/// True if the first line that is not blank opens a set.
+[[nodiscard]] bool begins_as_universal_file(std::string_view bytes);
+
+/// The same of a file; also true if its name ends in .uff, .unv, .uf or .58.
 [[nodiscard]] bool is_universal_file(const std::filesystem::path& path);
 
 }  // namespace trivet::exchange

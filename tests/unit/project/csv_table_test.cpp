@@ -11,6 +11,7 @@ namespace csv_table_test {
 using namespace trivet;
 using project::columns;
 using project::csv_table;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
@@ -128,6 +129,9 @@ TEST(CsvTable, RejectsFilesThatAreNotText) {
   const std::string path = testing::TempDir() + "csv_table_test.csv";
   std::ofstream(path, std::ios::binary) << std::string("x,y\n1,\0\n", 8);
   EXPECT_THAT(foundation::message(project::read_csv_table(path).error().list().front()), HasSubstr("NUL bytes"));
+  std::ofstream(path, std::ios::binary) << std::string("    -1\r\n    58b\r\n\0", 17);
+  EXPECT_THAT(foundation::message(project::read_csv_table(path).error().list().front()),
+              AllOf(HasSubstr("a universal file"), HasSubstr("`history` and `psd` of excitations")));
   std::ofstream(path, std::ios::binary) << "x,y\n1,2\n";
   EXPECT_EQ(project::read_csv_table(path)->values(0, 1), 2);
   std::filesystem::remove(path);

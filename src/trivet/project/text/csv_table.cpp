@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "trivet/exchange/text_lines.h"
+#include "trivet/exchange/universal_reading.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
@@ -322,6 +323,10 @@ foundation::Expected<std::string> table_text(const std::filesystem::path& path) 
   stream.read(text.data(), static_cast<std::streamsize>(size));
   if (stream.bad() || static_cast<std::uintmax_t>(stream.gcount()) != size)
     return refused(path, "reading failed", "check the disk");
+  if (exchange::begins_as_universal_file(text))
+    return refused(path, "a universal file",
+                   "write a table in CSV form; universal files are read by `history` and `psd` of excitations, "
+                   "[measurements] and mobilities with `nodes`");
   if (text.find('\0') != std::string::npos)
     return refused(path, "the file contains NUL bytes", "it is not a text file, or is in UTF-16: save it as UTF-8");
   return exchange::with_line_feeds(std::move(text));

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/exchange/universal_reading.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
@@ -109,12 +108,6 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
   const auto file = read_file_name(reader, "file");
   std::string x_name = reader.text(x).value_or(x), y_name = reader.text(y).value_or(y);
   if (!file) return std::nullopt;
-  if (exchange::is_universal_file(*file)) {
-    reader.error("file", "a universal file", "a table in CSV form is read here",
-                 "write the columns " + foundation::quoted(x_name) + " and " + foundation::quoted(y_name) +
-                     "; universal files are read by `history` and `psd` of excitations, [measurements] and mobilities");
-    return std::nullopt;
-  }
   auto csv = read_csv_table(*file, most_rows, {x_name, y_name});
   reader.add_of_file("file", csv ? csv->warnings : csv.error());
   if (!csv) return std::nullopt;
