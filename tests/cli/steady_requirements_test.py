@@ -103,6 +103,15 @@ class SteadyRequirements(unittest.TestCase):
         self.assertIn("steady motion: ", found[0]["reason"])
         self.assertEqual(run.returncode, 1)
 
+    def test_a_curve_that_ends_before_its_jumps_is_no_proof_that_there_are_none(self):
+        rows = "rows = [[-0.004, -40], [-0.002, -15], [0, 0], [0.002, 15], [0.004, 40]]"  # the resonance goes farther
+        machine = MACHINE.replace("50 rad/s", "29 rad/s")
+        run, found = verdict(f'{{curve = {{{rows}, beyond = "refuse"}}}}', "no_jump = true", machine=machine)
+        self.assertIsNone(found[0]["value"])
+        self.assertFalse(found[0]["judged"])
+        self.assertIn("steady motion: ", found[0]["reason"])
+        self.assertEqual(run.returncode, 1)
+
     def test_a_limit_that_is_met_says_which_motions_were_sought(self):
         _, found = verdict(STOP, 'steady = {"m.x" = 0.1}')
         self.assertGreater(found[0]["margin"], 1)

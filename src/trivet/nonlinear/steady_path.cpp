@@ -141,6 +141,12 @@ std::optional<BranchPoint> SteadyPath::lowest_motion(const SteadyPath* except) c
   return std::nullopt;
 }
 
+std::vector<BranchPoint> SteadyPath::motions_over_load(double parameter, double most_load) const {
+  std::vector<BranchPoint> found = nonlinear::motions_over_load(equations_, branch_, parameter, most_load);
+  std::erase_if(found, [&](const BranchPoint& motion) { return !unknown_forces(motion).empty(); });
+  return found;
+}
+
 /// There may be many such curves, of twice the harmonics, whose motions hardly differ.
 void SteadyPath::limit_points_of_further_curve() {
   constexpr Index fewest = 200, most = 1000, work = 100'000;

@@ -68,9 +68,8 @@ class SteadyPath {
     std::optional<numerics::BranchPoint> found = branch_.start(guess, parameter);
     return found && unknown_forces(*found).empty() ? found : std::nullopt;
   }
-  [[nodiscard]] std::vector<numerics::BranchPoint> motions_over_load(double parameter, double most_load) const {
-    return nonlinear::motions_over_load(equations_, branch_, parameter, most_load);
-  }
+  /// Those with known forces.
+  [[nodiscard]] std::vector<numerics::BranchPoint> motions_over_load(double parameter, double most_load) const;
 
   [[nodiscard]] const FollowedMotions& motions() const { return motions_; }
   [[nodiscard]] const std::string& ended() const { return ended_; }

@@ -145,18 +145,13 @@ void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
   result.detail = always_stable ? "" : "some motions are unstable; ";
   result.detail += detached.empty() ? "no detached motions found, which is no proof that there are none"
                                     : fmt::format("detached curves of motions: {}", detached.size());
-  if (const std::string uncertain = uncertain_stability(branch); jumps == 0 && !uncertain.empty()) {
-    result.value.reset();
-    result.margin = 0;
-    result.reason = uncertain;
-  }
 }
 
 /// What the verdict does not know: it holds for the motions that were found, and none is known in some stretches.
 void add_limits(const SteadyBranch& branch, const foundation::Problems& doubts, RequirementResult& result) {
   const auto add = [&](const std::string& words) { result.detail += (result.detail.empty() ? "" : "; ") + words; };
   if (result.kind == RequirementKind::no_contact && result.value && std::isinf(*result.value)) add("it bears at rest");
-  else if (!branch.search)
+  else if (!branch.search && result.kind != RequirementKind::no_jump)
     add("motions connected with the lower end of the band only; branches = \"all\" of steady seeks others");
   for (const foundation::Problem& doubt : doubts.list()) add(doubt.finding);
   const auto in_hertz = [](const std::vector<std::pair<double, double>>& stretches) {
@@ -231,7 +226,7 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
       result.margin = margin_of(result.allowed, largest);
       result.quantity = required.steady[i].quantity;
     }
-    for (std::size_t i = first + (required.no_jump ? 1 : 0); i < list.size(); ++i) add_limits(branch, doubts, list[i]);
+    for (std::size_t i = first; i < list.size(); ++i) add_limits(branch, doubts, list[i]);
   });
 }
 
