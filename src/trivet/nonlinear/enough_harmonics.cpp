@@ -51,7 +51,7 @@ double allowed_left_out(const model::System& system, const SteadyOptions& option
   return has_gas(system) ? share_for_gas * options.tolerance : options.tolerance;
 }
 
-Eigen::Index harmonics_for(const SteadyPath& curve, double most_left_out,
+Eigen::Index harmonics_for(const SteadyPath& curve, double most_left_out, int periods,
                            const std::function<std::unique_ptr<SteadyPath>(Eigen::Index)>& path_with) {
   const auto left_out = [](const SteadyPath& path, const numerics::BranchPoint& point) {
     return path.balance().left_out(point.unknowns, path.driving(point.parameter).omega);
@@ -62,7 +62,8 @@ Eigen::Index harmonics_for(const SteadyPath& curve, double most_left_out,
   });
   const Eigen::Index deflections = curve.balance().size() / curve.balance().coefficients();
   Eigen::MatrixXd motion = worst->unknowns.reshaped(curve.balance().coefficients(), deflections);
-  for (Eigen::Index harmonics = more_harmonics(curve.balance().harmonics());; harmonics = more_harmonics(harmonics)) {
+  for (Eigen::Index harmonics = more_harmonics(curve.balance().harmonics() / periods);;
+       harmonics = more_harmonics(harmonics)) {
     if (harmonics == most_steady_harmonics) return harmonics;
     const std::unique_ptr<SteadyPath> finer = path_with(harmonics);
     Eigen::MatrixXd padded = Eigen::MatrixXd::Zero(finer->balance().coefficients(), deflections);

@@ -24,8 +24,9 @@ void check_harmonics(const SteadyOptions& options, const PeriodicExcitation& exc
 [[nodiscard]] double allowed_left_out(const model::System& system, const SteadyOptions& options);
 
 /// Number of harmonics with which that motion of a curve which leaves out most leaves out at most a share.
-/// @param path_with  a path of the same machine with a number of harmonics
-[[nodiscard]] Eigen::Index harmonics_for(const SteadyPath& curve, double most_left_out,
+/// @param periods    of the excitation, after which its motions repeat: harmonics are counted over one
+/// @param path_with  a path of the same machine with such a number of harmonics
+[[nodiscard]] Eigen::Index harmonics_for(const SteadyPath& curve, double most_left_out, int periods,
                                          const std::function<std::unique_ptr<SteadyPath>(Eigen::Index)>& path_with);
 
 }  // namespace trivet::nonlinear

@@ -106,7 +106,7 @@ class Curves {
         progress_(progress),
         observed_(machine, path, options) {}
 
-  /// @returns nothing if a detached curve leaves out more than that; `enough_harmonics` then has a number to begin with
+  /// @returns nothing if another curve leaves out more than that; `enough_harmonics` then has a number to begin with
   [[nodiscard]] std::optional<SteadyBranch> all(double most_left_out) {
     SteadyBranch found = observed_.branch(progress_);
     const bool doubles = std::any_of(found.changes.begin(), found.changes.end(), [](const StabilityChange& change) {
@@ -115,22 +115,19 @@ class Curves {
     if (doubles) twice_ = std::make_unique<const ReferenceMachine>(machine_, ReferenceMachine::TwoPeriods());
     branched_ = branched_paths(found.changes, path_, machine_, twice_.get(), options_, progress_);
     for (const std::size_t change : branched_.sought_at) found.changes[change].sought = true;
+    for (const BranchedPath& one : branched_.paths) require_harmonics(*one.path, most_left_out, one.periods);
+    if (enough_harmonics_ > path_.balance().harmonics()) return std::nullopt;
     std::vector<const SteadyPath*> of_one_period = {&path_};
     for (const BranchedPath& one : branched_.paths)
       if (one.periods == 1) of_one_period.push_back(one.path.get());
     if (beside_) of_one_period.push_back(beside_.get());
     if (options_.detached) {
-      const auto path_with = [&](Index harmonics) {
-        return std::make_unique<SteadyPath>(machine_.condensed, machine_.deflections, machine_.excitation, options_,
-                                            harmonics);
-      };
-      const auto new_path = [&] { return path_with(path_.balance().harmonics()); };
+      const auto new_path = [&] { return path_with(machine_, path_.balance().harmonics()); };
       detached_ =
           detached_paths(path_, of_one_period, machine_.deflections, to_other_positions_of_rest(machine_.system),
                          resonances(), options_, new_path, progress_);
       for (const auto& one : detached_.paths) {
-        if (one->left_out() > most_left_out)
-          enough_harmonics_ = std::max(enough_harmonics_, harmonics_for(*one, most_left_out, path_with));
+        require_harmonics(*one, most_left_out, 1);
         of_one_period.push_back(one.get());
       }
       if (enough_harmonics_ > path_.balance().harmonics()) return std::nullopt;
@@ -159,6 +156,19 @@ class Curves {
   [[nodiscard]] ResonancesAtLoad resonances() const {
     if (options_.over != Parameter::frequency) return {};
     return resonances_at_load(machine_, options_, path_.balance().harmonics(), load_of_search, progress_);
+  }
+
+  [[nodiscard]] std::unique_ptr<SteadyPath> path_with(const ReferenceMachine& machine, Index harmonics) const {
+    return std::make_unique<SteadyPath>(machine.condensed, machine.deflections, machine.excitation, options_,
+                                        harmonics);
+  }
+
+  /// Raises `enough_harmonics` to what a curve needs, counted over one period of the excitation.
+  void require_harmonics(const SteadyPath& curve, double most_left_out, int periods) {
+    if (!(curve.left_out() > most_left_out)) return;
+    const ReferenceMachine& machine = periods == 2 ? *twice_ : machine_;
+    const auto finer = [&](Index harmonics) { return path_with(machine, periods * harmonics); };
+    enough_harmonics_ = std::max(enough_harmonics_, harmonics_for(curve, most_left_out, periods, finer));
   }
 
   static ObservedPath::MotionsAt motions_of(const std::vector<const SteadyPath*>& paths) {
