@@ -97,6 +97,40 @@ class SteadyAt(unittest.TestCase):
         self.assertEqual(motion["orders"][0], 2)
         self.assertAlmostEqual(motion["results"][0]["amplitudes"][0] / abs(exact), 1, delta=1e-9)
 
+    def test_orders_that_do_not_act_change_nothing(self):
+        def under(table):
+            machine = MACHINE.replace('type = "harmonic"', 'type = "orders"').replace(
+                f"force = [{FORCE}, 0, 0]", f"table = [{table}]"
+            )
+            return run(OPEN, "--json", "--at", "150 rpm", machine=machine.replace("24 rad", "12 rad"))
+
+        acts = f"{{order = 2, force = [{FORCE}, 0, 0]}}"
+        omega = 2 * 2 * math.pi * 150 / 60
+        exact = FORCE / abs(complex(STIFFNESS - MASS * omega**2, DAMPING * omega))
+        for still in ("{order = 1, force = [0, 0, 0]}", "{order = 0.5, force = [0, 7, 0]}"):  # none; along a fixed axis
+            found = under(f"{still}, {acts}")
+            self.assertEqual(found.returncode, 0, found.stderr)
+            (motion,) = json.loads(found.stdout)["at"][0]["motions"]
+            amplitude = dict(zip(motion["orders"], motion["results"][0]["amplitudes"]))
+            self.assertAlmostEqual(amplitude[2] / exact, 1, delta=1e-9)
+            self.assertLess(max(one for order, one in amplitude.items() if order != 2), 1e-12)
+        found = under("{order = 1, force = [0, 0, 0]}, {order = 2, force = [0, 7, 0]}")
+        self.assertNotEqual(found.returncode, 0)
+        self.assertIn("the excitation is zero", found.stderr)
+        shaft = f'[excitations.shaft]\ntype = "orders"\non = "m"\nat = [0, 0, 0]\ntable = [{acts}]\n[analyses]'
+        self.assertIn('"shaft" does not act', run(OPEN, machine=MACHINE.replace("[analyses]", shaft)).stdout)
+
+    def test_the_second_verdict_is_that_of_all_motions_at_a_frequency(self):
+        found = run(STOP, "--json", "--deep", "--at", "36 rad/s,40 rad/s")
+        answer = json.loads(found.stdout)
+        self.assertEqual(answer["winding"]["points"], len(answer["points"]))
+        self.assertEqual(answer["winding"]["differs_at"], [])
+        # Between two folds of a curve its outer motions are stable, and that between them is not.
+        for one in answer["at"]:
+            by_size = sorted(one["motions"], key=lambda motion: motion["results"][0]["amplitudes"][0])
+            self.assertEqual([motion["stable"] for motion in by_size], [True, False, True])
+            self.assertFalse(any(motion.get("uncertain") for motion in by_size))
+
 
 class Grouped(unittest.TestCase):
     def test_equal_notes_and_warnings_of_several_elements_are_one_line(self):
