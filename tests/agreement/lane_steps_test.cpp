@@ -4,12 +4,15 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <cmath>
+#include <complex>
 #include <random>
 #include <string>
 
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/lane_lu.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
+#include "trivet/numerics/periodic/harmonic_answers.h"
 #include "trivet/numerics/periodic/linear_flow.h"
 
 /// Kernels of steps along a curve in lanes against the plain ones, under every instruction set.
@@ -37,7 +40,7 @@ void under_each_instruction_set(const Check& check) {
 TEST(LaneLu, SolvesAsThePivotedOne) {
   under_each_instruction_set([] {
     std::mt19937 random(7);
-    for (const Eigen::Index n : {1, 2, 3, 4, 5, 7, 8, 9, 12, 16, 17, 31, 64, 77, 103, 200}) {
+    for (const Eigen::Index n : {1, 2, 3, 4, 5, 7, 8, 9, 12, 16, 17, 31, 64, 77, 103, 200, 243}) {
       const MatrixXd A = random_matrix(n, n, random);
       const VectorXd b = random_matrix(n, 1, random), x = numerics::LaneLu(A).solve(b);
       const double size = A.cwiseAbs().rowwise().sum().maxCoeff() * x.cwiseAbs().maxCoeff();
@@ -61,6 +64,44 @@ TEST(LaneLu, ExchangesRowsAndHasNoUsableSolutionOfSingularMatrices) {
     EXPECT_EQ(numerics::LaneLu(A).determinant_sign(), 0);
     const VectorXd by_round_off = numerics::LaneLu(MatrixXd{{1, 2}, {3, 6}}).solve(VectorXd{{1, 1}});
     EXPECT_FALSE(by_round_off.allFinite() && by_round_off.norm() < 1e15);
+  });
+}
+
+TEST(HarmonicAnswers, AreThoseOfComplexAmplitudes) {
+  under_each_instruction_set([] {
+    std::mt19937 random(13);
+    for (const Eigen::Index harmonics : {1, 2, 3, 4, 7, 9, 16}) {
+      constexpr Eigen::Index first = 1, count = 2, courses = 3;
+      const Eigen::Index C = numerics::coefficient_count(harmonics);
+      // g_r and g_i of each harmonic; the mean has a real answer alone.
+      const MatrixXd real = random_matrix(harmonics + 1, first + count, random),
+                     imaginary = random_matrix(harmonics + 1, first + count, random);
+      numerics::HarmonicAnswers answers{MatrixXd(C, first + count), MatrixXd(C, first + count)};
+      for (Eigen::Index i = 0; i < first + count; ++i) {
+        answers.on_own(0, i) = real(0, i);
+        answers.on_other(0, i) = 0;
+        for (Eigen::Index k = 1; k <= harmonics; ++k) {
+          answers.on_own(2 * k - 1, i) = answers.on_own(2 * k, i) = real(k, i);
+          answers.on_other(2 * k - 1, i) = imaginary(k, i);
+          answers.on_other(2 * k, i) = -imaginary(k, i);
+        }
+      }
+      const MatrixXd of = random_matrix(C, courses, random), before = random_matrix(count * C, courses, random);
+      MatrixXd sums = before;
+      numerics::add_answers(answers, first, count, of, sums);
+      constexpr double round_off = 1e-14;
+      for (Eigen::Index j = 0; j < courses; ++j)
+        for (Eigen::Index i = 0; i < count; ++i) {
+          const auto added = (sums - before).col(j).segment(i * C, C);
+          EXPECT_NEAR(added(0), real(0, first + i) * of(0, j), round_off);
+          for (Eigen::Index k = 1; k <= harmonics; ++k) {
+            const std::complex<double> amplitude(of(2 * k - 1, j), -of(2 * k, j)),
+                answer = std::complex<double>(real(k, first + i), imaginary(k, first + i)) * amplitude;
+            EXPECT_NEAR(added(2 * k - 1), answer.real(), round_off);
+            EXPECT_NEAR(added(2 * k), -answer.imag(), round_off);
+          }
+        }
+    }
   });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "trivet/foundation/index.h"
@@ -33,14 +34,21 @@ std::optional<SteadyEquations::Place> crossing_near(const StabilityChange& chang
   const auto singular = [&](const numerics::BranchPoint& point) {
     return seen.equations().change_along(place_on_path(point), *direction);
   };
+  std::map<std::ptrdiff_t, double> known;  // of points
+  const auto at_point = [&](std::ptrdiff_t point) {
+    const auto [place, is_new] = known.try_emplace(point);
+    if (is_new) place->second = singular(connected.motions().points()[to_size(point)]);
+    return place->second;
+  };
   // Exactly there, Newton's method along the path has no unique step: as near as it converges.
   constexpr std::array<double, 4> near = {1e-6, 1e-4, 1e-2, 0.2};
   for (const int steps : {0, -1, 1, -2, 2}) {
     const std::ptrdiff_t after = to_index(change.after) + steps;
     if (after < 0 || after + 1 >= std::ssize(connected.motions().points())) continue;
-    const double at_point = std::abs(singular(connected.motions().points()[to_size(after)]));
+    if (at_point(after) * at_point(after + 1) > 0) continue;
+    const double size = std::abs(at_point(after));
     for (const double share : near)
-      if (const auto found = connected.motions().zero_after(to_size(after), singular, share * at_point))
+      if (const auto found = connected.motions().zero_after(to_size(after), singular, share * size))
         return place_on_path(*found);
   }
   return std::nullopt;

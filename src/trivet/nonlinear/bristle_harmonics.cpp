@@ -48,9 +48,9 @@ BristleHarmonics bristle_harmonics(const BristleLoop& loop, const VectorXd& defl
     numerics::set_fourier_row(harmonics, loop.phases()(i), row);
     basis.col(i) = row.transpose();
   }
-  const MatrixXd integral = basis * (loop.weights() / (two_pi / 2)).asDiagonal();
-  const VectorXd bristles = integral * loop.bristles(), rate = numerics::phase_derivative(deflection),
-                 bristle_rate = numerics::phase_derivative(bristles);
+  const VectorXd weights = loop.weights() / (two_pi / 2);
+  const VectorXd bristles = basis * weights.cwiseProduct(loop.bristles()),
+                 rate = numerics::phase_derivative(deflection), bristle_rate = numerics::phase_derivative(bristles);
   found.force = law.stiffness * bristles + omega * (law.damping * bristle_rate + law.viscous * rate);
   found.force(0) -= 2 * loop.at_state();
   if (!with_tangent) return found;
@@ -60,7 +60,7 @@ BristleHarmonics bristle_harmonics(const BristleLoop& loop, const VectorXd& defl
     slopes.col(2 * k - 1) = -static_cast<double>(k) * basis.row(2 * k).transpose();
     slopes.col(2 * k) = static_cast<double>(k) * basis.row(2 * k - 1).transpose();
   }
-  const MatrixXd by_motion = integral * loop.variation(slopes);
+  const MatrixXd integral = basis * weights.asDiagonal(), by_motion = integral * loop.variation(slopes);
   found.tangent = law.stiffness * by_motion + omega * law.damping * numerics::phase_derivatives(by_motion) +
       omega * law.viscous * numerics::phase_derivatives(MatrixXd::Identity(count, count));
   const VectorXd by_omega = integral * loop.variation_by_omega();

@@ -131,7 +131,10 @@ DistanceHarmonics::Found DistanceHarmonics::at(const MatrixXd& course, double om
 }
 
 elements::SpatialForce DistanceHarmonics::at_phase(const MatrixXd& course, double omega, double phase) const {
-  const RowVectorXd row = numerics::fourier_row((course.rows() - 1) / 2, phase);
+  return at_row(course, omega, numerics::fourier_row((course.rows() - 1) / 2, phase));
+}
+
+elements::SpatialForce DistanceHarmonics::at_row(const MatrixXd& course, double omega, const RowVectorXd& row) const {
   const Vector3d rate =
       law_.has_dampers() ? Vector3d((row * omega * numerics::phase_derivatives(course)).transpose()) : Vector3d::Zero();
   return law_.at((row * course).transpose(), rate);

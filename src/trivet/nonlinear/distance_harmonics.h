@@ -36,6 +36,9 @@ class DistanceHarmonics {
   /// Phases at which it is not smooth, ascending in [0, 2π).
   [[nodiscard]] std::vector<double> corners(const Eigen::MatrixXd& course) const;
   [[nodiscard]] elements::SpatialForce at_phase(const Eigen::MatrixXd& course, double omega, double phase) const;
+  /// @param row  of the basis at the phase (numerics/periodic/fourier_basis.h)
+  [[nodiscard]] elements::SpatialForce at_row(const Eigen::MatrixXd& course, double omega,
+                                              const Eigen::RowVectorXd& row) const;
   [[nodiscard]] const DistanceAbout& law() const { return law_; }
 
  private:

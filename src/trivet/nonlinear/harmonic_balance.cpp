@@ -2,11 +2,13 @@
 #include "trivet/nonlinear/harmonic_balance.h"
 
 #include <cmath>
+#include <complex>
 #include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
+#include "trivet/numerics/periodic/harmonic_answers.h"
 
 namespace trivet::nonlinear {
 
@@ -82,66 +84,69 @@ VectorXd HarmonicBalance::linear_motion(const Driving& driving) const {
   return unknowns;
 }
 
+namespace {
+
+/// Receptances at the harmonics of a frequency, and their derivatives by it.
+struct AnswersAndSlopes {
+  numerics::HarmonicAnswers answers, slopes;
+};
+
+AnswersAndSlopes answers_at(const CondensedMachine& machine, Index harmonics, double omega) {
+  const Index C = numerics::coefficient_count(harmonics), entries = machine.size() * machine.size();
+  AnswersAndSlopes found{{MatrixXd(C, entries), MatrixXd(C, entries)}, {MatrixXd(C, entries), MatrixXd(C, entries)}};
+  found.answers.on_own.row(0) = machine.static_receptance().reshaped().transpose();
+  found.answers.on_other.row(0).setZero();
+  found.slopes.on_own.row(0).setZero();
+  found.slopes.on_other.row(0).setZero();
+  Receptance linear;
+  for (Index k = 1; k <= harmonics; ++k) {
+    machine.set_receptance(static_cast<double>(k) * omega, linear);
+    const auto set = [&](const Eigen::MatrixXcd& values, double factor, numerics::HarmonicAnswers& of) {
+      for (Index entry = 0; entry < entries; ++entry) {
+        const std::complex<double> value = factor * values.data()[entry];
+        of.on_own(2 * k - 1, entry) = of.on_own(2 * k, entry) = value.real();
+        of.on_other(2 * k - 1, entry) = value.imag();
+        of.on_other(2 * k, entry) = -value.imag();
+      }
+    };
+    set(linear.receptance, 1, found.answers);
+    set(linear.slope, static_cast<double>(k), found.slopes);
+  }
+  return found;
+}
+
+}  // namespace
+
 void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving, Parameter parameter,
                                numerics::Equations& equations) const {
   const double omega = driving.omega;
   const Index C = coefficients(), m = machine_.size();
+  const bool with_derivatives = !equations.value_only;
   equations.value = unknowns;
-  equations.by_unknowns.setZero(size(), size());  // setIdentity would test every entry
-  equations.by_unknowns.diagonal().setOnes();
-  equations.by_parameter.setZero(size());
-  CoupledForces of_deflections = laws_.at(motion(unknowns), omega);
+  CoupledForces of_deflections;
+  if (with_derivatives) {
+    equations.by_unknowns.setZero(size(), size());  // setIdentity would test every entry
+    equations.by_unknowns.diagonal().setOnes();
+    equations.by_parameter.setZero(size());
+    of_deflections = laws_.at(motion(unknowns), omega);
+  } else {
+    of_deflections.force = laws_.forces(motion(unknowns), omega);
+    of_deflections.by_omega = MatrixXd::Zero(of_deflections.force.rows(), of_deflections.force.cols());
+  }
   remove_round_off_of_means(of_deflections.force);
   const CoupledForces forces = on_independent(std::move(of_deflections), machine_.basis());
-  // Coefficients a, b of a harmonic are the amplitude a − i b: the receptance g_r + i g_i turns them into
-  // g_r a + g_i b and g_r b − g_i a. Coefficients × entries of the receptance:
-  MatrixXd direct(C, m * m), crossed(C, m * m), direct_slope(C, m * m), crossed_slope(C, m * m);
-  direct.row(0) = machine_.static_receptance().reshaped().transpose();
-  crossed.row(0).setZero();
-  direct_slope.row(0).setZero();
-  crossed_slope.row(0).setZero();
-  Receptance linear;
-  for (Index k = 1; k <= harmonics_; ++k) {
-    machine_.set_receptance(static_cast<double>(k) * omega, linear);
-    const auto set = [&](const Eigen::MatrixXcd& entries, double factor, MatrixXd& on_own, MatrixXd& on_other) {
-      const MatrixXd real = factor * entries.real(), imaginary = factor * entries.imag();
-      on_own.row(2 * k - 1) = on_own.row(2 * k) = real.reshaped().transpose();
-      on_other.row(2 * k - 1) = imaginary.reshaped().transpose();
-      on_other.row(2 * k) = -on_other.row(2 * k - 1);
-    };
-    set(linear.receptance, 1, direct, crossed);
-    set(linear.slope, static_cast<double>(k), direct_slope, crossed_slope);
-  }
-  VectorXd exchanged = VectorXd::Zero(C);  // sines and cosines
-  const auto exchange = [&](const auto& course) {
-    for (Index k = 1; k <= harmonics_; ++k) {
-      exchanged(2 * k - 1) = course(2 * k);
-      exchanged(2 * k) = course(2 * k - 1);
-    }
-  };
-  const auto add = [&](const MatrixXd& on_own, const MatrixXd& on_other, Index entry, const auto& course, auto&& to) {
-    to += on_own.col(entry).cwiseProduct(course) + on_other.col(entry).cwiseProduct(exchanged);
-  };
+  const auto [answers, slopes] = answers_at(machine_, harmonics_, omega);
   for (Index j = 0; j < m; ++j) {
-    exchange(forces.force.col(j));
-    for (Index i = 0; i < m; ++i) {
-      add(direct, crossed, j * m + i, forces.force.col(j), equations.value.segment(i * C, C));
-      add(direct_slope, crossed_slope, j * m + i, forces.force.col(j), equations.by_parameter.segment(i * C, C));
-    }
-    exchange(forces.by_omega.col(j));
-    for (Index i = 0; i < m; ++i)
-      add(direct, crossed, j * m + i, forces.by_omega.col(j), equations.by_parameter.segment(i * C, C));
+    numerics::add_answers(answers, j * m, m, forces.force.col(j), equations.value);
+    if (!with_derivatives) continue;
+    numerics::add_answers(slopes, j * m, m, forces.force.col(j), equations.by_parameter);
+    numerics::add_answers(answers, j * m, m, forces.by_omega.col(j), equations.by_parameter);
   }
-  for (const CoupledForces::Tangent& tangent : forces.tangents) {
-    if (tangent.matrix.isZero(0)) continue;  // a stop that the motion does not touch
-    for (Index c = 0; c < C; ++c) {
-      exchange(tangent.matrix.col(c));
-      for (Index i = 0; i < m; ++i)
-        add(direct, crossed, tangent.of * m + i, tangent.matrix.col(c),
-            equations.by_unknowns.col(tangent.by * C + c).segment(i * C, C));
-    }
-  }
-  if (parameter == Parameter::load_factor) equations.by_parameter.setZero();
+  for (const CoupledForces::Tangent& tangent : forces.tangents)
+    if (!tangent.matrix.isZero(0))  // else a stop that the motion does not touch
+      numerics::add_answers(answers, tangent.of * m, m, tangent.matrix,
+                            equations.by_unknowns.middleCols(tangent.by * C, C));
+  if (with_derivatives && parameter == Parameter::load_factor) equations.by_parameter.setZero();
   for (std::size_t e = 0; e < machine_.excited().size(); ++e) {
     const Index k = machine_.excited()[e];
     const auto order = static_cast<double>(k);
@@ -152,6 +157,7 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
                                                                              : order * driving.factor * motion.slope(i);
       equations.value(i * C + 2 * k - 1) -= value.real();
       equations.value(i * C + 2 * k) += value.imag();
+      if (!with_derivatives) continue;
       equations.by_parameter(i * C + 2 * k - 1) -= slope.real();
       equations.by_parameter(i * C + 2 * k) += slope.imag();
     }

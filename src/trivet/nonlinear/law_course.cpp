@@ -28,9 +28,8 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
       of_amplitude_.loss_slope += there.loss_slope;
     }
   }
-  const auto crossings = [&, of_motion = numerics::coefficient_count(harmonics)](const VectorXd& course,
-                                                                                 const std::vector<double>& levels) {
-    return numerics::level_crossings(course.head(of_motion), levels, samples.leftCols(of_motion));
+  const auto crossings = [&](const VectorXd& course, const std::vector<double>& levels) {
+    return numerics::level_crossings(course.head(numerics::coefficient_count(harmonics)), levels, samples);
   };
   if (!law.kinks().empty()) corners_ = crossings(deflection_, law.kinks());
   if (!law.rate_kinks().empty()) {

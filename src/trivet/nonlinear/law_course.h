@@ -17,7 +17,8 @@ class LawCourse {
   /// @param deflection  Fourier coefficients of the deviation from the state (numerics/periodic/fourier_basis.h)
   /// @param harmonics   of the motion; the others are zero
   /// @param omega       of the first harmonic [rad/s]
-  /// @param samples     evenly spaced phases × coefficients: rows of the basis
+  /// @param samples     evenly spaced phases × coefficients to those harmonics: rows of the basis; of laws that have
+  ///                    neither corners nor memory they are not needed
   /// @param round_off   a smaller amplitude is none: the turning points of noise would decide on the memory of friction
   LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eigen::Index harmonics, double omega,
             const Eigen::Ref<const Eigen::MatrixXd>& samples, double round_off = 0);
@@ -33,6 +34,7 @@ class LawCourse {
   /// `corners`, the turning points and kinks of the loops, and the panels of bristles, in no order.
   [[nodiscard]] std::vector<double> all_corners() const;
 
+  [[nodiscard]] bool has_no_law() const { return law_.is_empty(); }
   [[nodiscard]] bool is_damped() const { return law_.has_dampers(); }
   [[nodiscard]] double deflection_at(double phase) const;
   [[nodiscard]] double rate_at(double phase) const;  ///< by time

@@ -44,15 +44,19 @@ std::vector<std::pair<double, double>> pieces(const LawCourse& course) {
 
 LawHarmonics::LawHarmonics(LawAbout law, Index harmonics, std::optional<Index> of_motion)
     : law_(std::move(law)), harmonics_(harmonics), of_motion_(of_motion.value_or(harmonics)) {
-  const Index samples = sample_count(law_.degree(), of_motion_, harmonics);
-  values_.resize(samples, numerics::coefficient_count(2 * harmonics));
-  for (Index n = 0; n < samples; ++n)
-    values_.row(n) =
-        numerics::fourier_row(2 * harmonics, two_pi * static_cast<double>(n) / static_cast<double>(samples));
+  const auto set_rows = [](Index count, Index of, Eigen::MatrixXd& rows) {
+    rows.resize(count, numerics::coefficient_count(of));
+    for (Index n = 0; n < count; ++n)
+      rows.row(n) = numerics::fourier_row(of, two_pi * static_cast<double>(n) / static_cast<double>(count));
+  };
+  if (!law_.smooth().is_empty() || !law_.others().is_empty())
+    set_rows(sample_count(law_.degree(), of_motion_, harmonics), 2 * harmonics, values_);
+  if (!law_.kinks().empty() || !law_.rate_kinks().empty() || !law_.hysteretic().empty() || !law_.bristles().empty())
+    set_rows(sample_count(std::nullopt, of_motion_, of_motion_), of_motion_, of_course_);
 }
 
 LawCourse LawHarmonics::course(const VectorXd& deflection, double omega, double round_off) const {
-  return {law_, deflection, of_motion_, omega, values_.leftCols(deflection.size()), round_off};
+  return {law_, deflection, of_motion_, omega, of_course_, round_off};
 }
 
 ForceHarmonics LawHarmonics::at(const VectorXd& deflection, double omega, double round_off) const {

@@ -67,7 +67,8 @@ class LawHarmonics {
 
   LawAbout law_;
   Eigen::Index harmonics_, of_motion_;
-  Eigen::MatrixXd values_;  ///< samples × coefficients, to twice the harmonics
+  Eigen::MatrixXd values_;     ///< samples × coefficients, to twice the harmonics; empty if no part is sampled
+  Eigen::MatrixXd of_course_;  ///< the same of the motion, by which corners are sought; empty if there are none
 };
 
 }  // namespace trivet::nonlinear

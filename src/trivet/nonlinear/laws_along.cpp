@@ -125,13 +125,17 @@ void set_tangents(const LawsAlong& motion, double phase, TangentsAlong& found) {
   found.by_start.resize(loops);
   numerics::set_fourier_row(motion.harmonics, phase, found.row);
   for (Index j = 0; j < count; ++j) {
+    if (motion.courses[to_size(j)].has_no_law()) {  // a deflection of a distance
+      found.by_deflection(j) = found.by_rate(j) = 0;
+      continue;
+    }
     const LawAbout::Force here = motion.courses[to_size(j)].at(found.row);
     found.by_deflection(j) = here.by_deviation;
     found.by_rate(j) = here.by_rate;
   }
   found.distances.clear();
   for (const LawsAlong::Distance& one : motion.distances)
-    found.distances.push_back(one.law->at_phase(one.course, motion.omega, phase));
+    found.distances.push_back(one.law->at_row(one.course, motion.omega, found.row));
   const auto on_loop = [&](const LawsAlong::Loop& one) {
     return one.loop->at(one.loop->branch_at(phase), motion.courses[to_size(one.deflection)].deflection_at(phase));
   };

@@ -11,7 +11,6 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/lane_lu.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::nonlinear {
 
@@ -132,7 +131,7 @@ std::optional<VectorXd> SteadyEquations::weakest_direction(const Place& place) c
   MatrixXd matrix = derivatives(place);
   for (const double shift : {0.0, small}) {
     matrix.diagonal().array() += shift;
-    const numerics::PivotedLu<double> factors(matrix);
+    const numerics::LaneLu factors(matrix);
     VectorXd direction = VectorXd::LinSpaced(place.unknowns.size(), 1, 2).normalized();
     for (int i = 0; i < iterations && direction.allFinite(); ++i) direction = factors.solve(direction).normalized();
     if (!direction.allFinite()) continue;
@@ -154,7 +153,7 @@ double SteadyEquations::change_along(const Place& place, const VectorXd& directi
   bordered.topLeftCorner(n, n) = derivatives(place);
   bordered.topRightCorner(n, 1) = direction;
   bordered.bottomLeftCorner(1, n) = direction.transpose();
-  return numerics::PivotedLu<double>(bordered).solve(VectorXd(VectorXd::Unit(n + 1, n)))(n);
+  return numerics::LaneLu(bordered).solve(VectorXd::Unit(n + 1, n))(n);
 }
 
 }  // namespace trivet::nonlinear

@@ -24,9 +24,11 @@ std::pair<std::vector<Index>, std::vector<Index>> split(const MatrixXd& A, Reduc
 
 }  // namespace
 
-ReducedLu::ReducedLu(const MatrixXd& A, Border border)
-    : removed_(split(A, border).first),
-      kept_(split(A, border).second),
+ReducedLu::ReducedLu(const MatrixXd& A, Border border) : ReducedLu(A, border, split(A, border)) {}
+
+ReducedLu::ReducedLu(const MatrixXd& A, Border border, std::pair<std::vector<Index>, std::vector<Index>> unknowns)
+    : removed_(std::move(unknowns.first)),
+      kept_(std::move(unknowns.second)),
       diagonal_(A.diagonal()(removed_)),
       border_(Eigen::RowVectorXd::Zero(diagonal_.size())),
       by_kept_(A(removed_, kept_)),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "trivet/numerics/linalg/lane_lu.h"
@@ -23,6 +24,9 @@ class ReducedLu {
   [[nodiscard]] Eigen::Index left() const { return static_cast<Eigen::Index>(kept_.size()); }
 
  private:
+  /// @param unknowns  those that are removed, and the others
+  ReducedLu(const Eigen::MatrixXd& A, Border border,
+            std::pair<std::vector<Eigen::Index>, std::vector<Eigen::Index>> unknowns);
   [[nodiscard]] Eigen::MatrixXd reduced(const Eigen::MatrixXd& A, Border border);
 
   std::vector<Eigen::Index> removed_, kept_;  ///< the last one is kept

@@ -106,31 +106,39 @@ std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step) c
 }
 
 std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step, bool exact_direction) const {
-  constexpr double farthest = 10;  // in scaled lengths, of which steps are a small part: another branch
-  const Index n = from.unknowns.size();
-  VectorXd place(n + 1);
+  VectorXd place(from.unknowns.size() + 1);
   place << from.unknowns, from.parameter;
   place += step * from.tangent.cwiseProduct(from.scale);
   if (from.bend.size() > 0) place += step * step / 2 * from.bend.cwiseProduct(from.scale);
+  return in_plane(from, std::move(place), exact_direction);
+}
+
+std::optional<BranchPoint> Branch::in_plane(const BranchPoint& from, VectorXd place, bool exact_direction) const {
+  constexpr double farthest = 10;          // in scaled lengths, of which steps are a small part: another branch
+  constexpr double good_direction = 1e-5;  // that of the place before such a step
+  const Index n = from.unknowns.size();
   Equations equations;
   BranchPoint point;
   std::optional<ReducedLu> factors;
-  bool done = false;
+  bool done = false, by_last_factors = false;
   for (double last = 1; !done; ++point.iterations) {
     if (point.iterations == options_.most_iterations) return std::nullopt;
+    equations.value_only = by_last_factors;
     evaluate_(place.head(n), place(n), equations);
     VectorXd right = VectorXd::Zero(n + 1);
-    right.head(n) = equations.value;  // the predictor already has the length `step` along the tangent
-    factors.emplace(bordered(equations, from.scale, from.tangent), ReducedLu::Border::last_row);
+    right.head(n) = equations.value;  // the place already has its length along the tangent
+    if (!by_last_factors) factors.emplace(bordered(equations, from.scale, from.tangent), ReducedLu::Border::last_row);
     const VectorXd change = factors->solve(right);
     if (!change.allFinite() || change.norm() > farthest) return std::nullopt;
     place -= change.cwiseProduct(from.scale);
-    // The next step would be smaller by the same factor at least; the direction is that of the place before the step.
-    constexpr double good_direction = 1e-5;
+    // The next step would be smaller by the same factor at least; the direction is that of the factors.
     const double size = change.norm();
-    done = size <= options_.tolerance || is_round_off(size, last) ||
-        (!exact_direction && point.iterations > 0 && size <= good_direction &&
-         size * size <= options_.tolerance * last);
+    const bool is_near = !exact_direction && point.iterations > 0 && size <= good_direction;
+    done = size <= options_.tolerance || (!by_last_factors && is_round_off(size, last)) ||
+        (is_near && size * size <= options_.tolerance * last);
+    // So near the factors hardly change. Where they do, beside a kink, new ones are taken.
+    constexpr double shrinks = 0.1;
+    by_last_factors = is_near && (!by_last_factors || size <= shrinks * last);
     last = size;
   }
   point.unknowns = place.head(n);
@@ -218,32 +226,66 @@ bool Branch::hides_folds(const BranchPoint& from, const BranchPoint& to, double 
   return c < 0 && c * c >= a * b;
 }
 
+namespace {
+
+/// Unknowns and λ at a length from a point along its tangent, by Hermite's cubic through two solutions at other lengths
+/// with their directions. Empty if one of them has its direction in such a plane.
+std::optional<VectorXd> by_cubic(const BranchPoint& from, double place, const BranchPoint& a, double at_a,
+                                 const BranchPoint& b, double at_b) {
+  constexpr double least_rise = 1e-2;  // of the length along the tangent by that along the branch
+  const Index n = from.unknowns.size();
+  const double length = at_b - at_a, t = (place - at_a) / length;
+  const auto value = [&](const BranchPoint& point) {
+    VectorXd all(n + 1);
+    all << point.unknowns, point.parameter;
+    return all;
+  };
+  const auto by_length = [&](const BranchPoint& point) -> std::optional<VectorXd> {
+    const VectorXd along = point.tangent.cwiseProduct(point.scale);
+    const double rise = from.tangent.dot(along.cwiseQuotient(from.scale));
+    if (std::abs(rise) < least_rise) return std::nullopt;
+    return VectorXd(along / rise);
+  };
+  const std::optional<VectorXd> slope_a = by_length(a), slope_b = by_length(b);
+  if (!slope_a || !slope_b) return std::nullopt;
+  const VectorXd first = value(a);
+  return VectorXd(first + t * t * (3 - 2 * t) * (value(b) - first) +
+                  t * (1 - t) * length * ((1 - t) * *slope_a - t * *slope_b));
+}
+
+}  // namespace
+
 std::optional<BranchPoint> Branch::zero(const std::function<double(const BranchPoint&)>& quantity,
                                         const BranchPoint& from, double low, double high, double accurate,
                                         bool exact_direction) const {
   constexpr int most = 60;
   constexpr double round_off = 1e-14;
   const auto at = [&](double place) { return place == 0 ? std::optional(from) : after(from, place, exact_direction); };
-  const std::optional<BranchPoint> begin = at(low);
-  std::optional<BranchPoint> found = at(high);
+  std::optional<BranchPoint> begin = at(low), found = at(high);
   if (!begin || !found) return std::nullopt;
   double at_low = quantity(*begin), at_high = quantity(*found);
   if (!(at_low * at_high <= 0)) return std::nullopt;
   const double range = std::abs(high - low);
   for (int i = 0; i < most && std::abs(at_high) > accurate && std::abs(high - low) > round_off * range; ++i) {
     const double place = (low * at_high - high * at_low) / (at_high - at_low);
-    found = at(place);
-    if (!found) return std::nullopt;
-    const double value = quantity(*found);
+    // Between two solutions Newton's method has half of the way less than from the point.
+    std::optional<BranchPoint> next;
+    if (std::optional<VectorXd> guess = by_cubic(from, place, *begin, low, *found, high))
+      next = in_plane(from, *std::move(guess), exact_direction);
+    if (!next) next = at(place);
+    if (!next) return std::nullopt;
+    const double value = quantity(*next);
     if (!std::isfinite(value)) return std::nullopt;
     if (value * at_high > 0) {
       at_low /= 2;
     } else {
       low = high;
       at_low = at_high;
+      begin = std::move(found);
     }
     high = place;
     at_high = value;
+    found = std::move(next);
   }
   return found;
 }

@@ -12,6 +12,7 @@ struct Equations {
   Eigen::VectorXd value;         ///< r
   Eigen::MatrixXd by_unknowns;   ///< ∂r/∂u
   Eigen::VectorXd by_parameter;  ///< ∂r/∂λ
+  bool value_only = false;       ///< set by who asks: the derivatives are not needed, and may have any values
 };
 /// A typical size of each unknown near a solution.
 using ScaleUnknowns = std::function<Eigen::VectorXd(const Eigen::VectorXd& unknowns)>;
@@ -108,6 +109,10 @@ class Branch {
 
  private:
   [[nodiscard]] std::optional<BranchPoint> after(const BranchPoint& from, double step, bool exact_direction) const;
+  /// The solution in the plane at the length `step` from a point.
+  /// @param place  unknowns and λ in that plane, near the solution
+  [[nodiscard]] std::optional<BranchPoint> in_plane(const BranchPoint& from, Eigen::VectorXd place,
+                                                    bool exact_direction) const;
   [[nodiscard]] BranchPoint before_kink(const BranchPoint& from, double step) const;
   [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& unknowns) const;
 

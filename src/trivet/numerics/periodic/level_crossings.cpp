@@ -61,6 +61,26 @@ double largest_curvature(const VectorXd& motion) {
   return sum;
 }
 
+/// samples · motion from the first half of them: cosines are the same and sines opposite in the second one.
+VectorXd values_at(const Eigen::Ref<const Eigen::MatrixXd>& samples, const VectorXd& motion) {
+  using EveryOtherColumn = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+  using EveryOther = Eigen::Map<const VectorXd, 0, Eigen::InnerStride<2>>;
+  const Index count = samples.rows(), half = count / 2 + 1, harmonics = (motion.size() - 1) / 2;
+  VectorXd even = VectorXd::Constant(half, motion(0)), odd = VectorXd::Zero(half), all(count);
+  if (harmonics > 0) {
+    const auto add = [&](Index first, VectorXd& to) {
+      to.noalias() += EveryOtherColumn(&samples.coeffRef(0, first), half, harmonics,
+                                       Eigen::OuterStride<>(2 * samples.outerStride())) *
+          EveryOther(motion.data() + first, harmonics);
+    };
+    add(1, even);
+    add(2, odd);
+  }
+  all.head(half) = even + odd;
+  for (Index n = half; n < count; ++n) all(n) = even(count - n) - odd(count - n);
+  return all;
+}
+
 }  // namespace
 
 double crossing_between(const VectorXd& motion, double level, double low, double high) {
@@ -70,7 +90,7 @@ double crossing_between(const VectorXd& motion, double level, double low, double
 
 std::vector<double> level_crossings(const VectorXd& motion, const std::vector<double>& levels,
                                     const Eigen::Ref<const Eigen::MatrixXd>& samples) {
-  const VectorXd course = samples * motion;
+  const VectorXd course = values_at(samples, motion);
   const Index count = course.size();
   const double step = two_pi / static_cast<double>(count);
   // An extremum between two samples is beyond them by less than this.
@@ -78,13 +98,18 @@ std::vector<double> level_crossings(const VectorXd& motion, const std::vector<do
   const VectorXd rate = phase_derivative(motion);
   std::vector<std::pair<double, double>> places;  // phase and value: samples, and extrema that may pass a level
   places.reserve(to_size(count) + 1);
+  std::pair<Index, double> last_rate = {-1, 0};  // sample and rate: neighbours are needed one after the other
+  const auto rate_at = [&](Index n) {
+    if (last_rate.first != n) last_rate = {n, above_level(step * static_cast<double>(n), motion, 0).rate};
+    return last_rate.second;
+  };
   for (Index n = 0; n < count; ++n) {
     const double phase = step * static_cast<double>(n), next = course((n + 1) % count);
     places.emplace_back(phase, course(n));
     const double low = std::min(course(n), next) - beyond, high = std::max(course(n), next) + beyond;
     if (std::none_of(levels.begin(), levels.end(), [&](double level) { return level >= low && level <= high; }))
       continue;
-    const double rate_here = above_level(phase, motion, 0).rate, rate_next = above_level(phase + step, motion, 0).rate;
+    const double rate_here = rate_at(n), rate_next = rate_at(n + 1);
     if ((rate_here < 0) == (rate_next < 0)) continue;
     const double extremum = crossing(rate, 0, phase, phase + step, rate_here, rate_next);
     places.emplace_back(extremum, above_level(extremum, motion, 0).value);
