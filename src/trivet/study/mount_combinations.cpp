@@ -9,8 +9,6 @@
 #include <numeric>
 #include <utility>
 
-#include "trivet/assembly/loads.h"
-#include "trivet/assembly/second_order.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -22,76 +20,16 @@
 #include "trivet/response/steady/at_rest.h"
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/margin.h"
+#include "trivet/study/summed_model.h"
+#include "trivet/study/unit_modes.h"
 
 namespace trivet::study {
 namespace {
 
 /// Of more their numbers overflow.
 constexpr std::size_t most_combinations = 1000000000000000000;
-/// Sums differ from assembled models by at most this share of the scale of an entry.
-constexpr double sum_tolerance = 1e-11;
 /// Smaller ω² as a share of the largest are those of free motions.
 constexpr double at_rest = 1e-9;
-
-/// A reason for which the requirements of combinations have no bound.
-struct NoSum {
-  std::string reason;
-};
-
-/// Inertia, stiffness and static load of one model. Forces at rest as in MountCombinations::Sums, on q.
-struct Assembly {
-  Eigen::MatrixXd inertia, stiffness;
-  Eigen::MatrixXd first, rest_stiffness;  ///< of the first order: of vibration, of static results
-  Eigen::VectorXd load;
-  Eigen::VectorXd beside;
-  assembly::SecondOrderForms forces_at_rest;  ///< empty without
-};
-
-Assembly assembly_of(const model::System& system, const assembly::Assembled& assembled) {
-  if (assembled.frequency_dependent()) throw NoSum{"elements depend on frequency"};
-  if (!assembled.matrices.symmetric) throw NoSum{"the stiffness matrix is not symmetric"};
-  const response::AtRest rest(system, assembled);
-  const assembly::Assembled& first = assembled.first_order();
-  Assembly result{assembled.matrices.A,
-                  assembled.matrices.K,
-                  first.matrices.K,
-                  rest.assembled().first_order().matrices.K,
-                  assembly::static_load(rest.system(), first),
-                  {},
-                  {}};
-  if (assembly::has_second_order(system)) result.forces_at_rest = assembly::second_order_forms(system, first);
-  if (rest.assembled().without_second_order && !system.description().constant_forces.empty())
-    result.beside = assembly::constant_load(system, first);
-  return result;
-}
-
-/// Forces at rest on p of q = Φ p, as one matrix.
-Eigen::MatrixXd on_shapes(const assembly::SecondOrderForms& forms, const Eigen::MatrixXd& shapes) {
-  if (forms.constant.size() == 0) return {};
-  const Eigen::Index n = shapes.cols();
-  Eigen::MatrixXd result(n * n, 1 + n);
-  const auto set = [&](Eigen::Index column, const Eigen::MatrixXd& form) {
-    result.col(column) = (shapes.transpose() * form * shapes).reshaped();
-  };
-  set(0, forms.constant);
-  for (Eigen::Index j = 0; j < n; ++j) set(1 + j, forms.at(shapes.col(j)) - forms.constant);
-  return result;
-}
-
-/// Entry by entry over √(M_ii M_jj), but for round-off of the largest entry: soft modes beside stiff ones have few
-/// digits.
-bool equal(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  if (a.rows() != b.rows()) return false;
-  const Eigen::VectorXd scale = b.diagonal().cwiseAbs().cwiseSqrt();
-  constexpr double round_off = 1e-14;
-  const double floor = round_off * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
-  return ((a - b).cwiseAbs().array() <= sum_tolerance * (scale * scale.transpose()).array() + floor).all();
-}
-
-bool equal(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  if (a.rows() != b.rows()) return false;
-  return (a - b).lpNorm<Eigen::Infinity>() <= sum_tolerance * b.lpNorm<Eigen::Infinity>();
-}
 
 /// Windows without natural frequencies ω, and their separation, from the ω²; `judge` gets each margin.
 template <typename Judge>
@@ -106,34 +44,6 @@ void judge_frequencies(const project::Requirements& required, const Eigen::Vecto
       judge(MountTest::natural_frequencies, margin_of_least(required.separation, omega / lower));
     lower = omega;
   }
-}
-
-/// Least share of the kinetic energy in the purest coordinate over the modes of a body, from its stiffness on
-/// coordinates in which its inertia is the unit matrix; squares: its ω². Modes that nearly agree are left out: their
-/// shapes turn among themselves.
-double least_decoupling(const Eigen::MatrixXd& motion, const Eigen::MatrixXd& momentum, const Eigen::VectorXd& squares,
-                        const Eigen::MatrixXd& vectors) {
-  constexpr double apart = 1e-5;  // of the highest ω²: closer ones have shapes without digits
-  const Eigen::MatrixXd shares = (motion * vectors).cwiseProduct(momentum * vectors);
-  const Eigen::Index n = squares.size();
-  const double least_gap = apart * squares(n - 1);
-  double least = foundation::infinity;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const bool alone =
-        (k == 0 || squares(k) - squares(k - 1) > least_gap) && (k + 1 == n || squares(k + 1) - squares(k) > least_gap);
-    if (alone) least = std::min(least, shares.col(k).maxCoeff());
-  }
-  return least;
-}
-
-/// ω², ascending, and modes of a stiffness on coordinates in which the inertia is the unit matrix.
-std::pair<Eigen::VectorXd, Eigen::MatrixXd> modes_of(const Eigen::MatrixXd& stiffness) {
-  if (stiffness.rows() == 6) {  // most machines: without allocation, faster
-    const auto found = numerics::symmetric_eigen(spatial::Matrix6(stiffness));
-    return {found.values, found.vectors};
-  }
-  auto found = numerics::symmetric_eigen(stiffness);
-  return {std::move(found.values), std::move(found.vectors)};
 }
 
 /// Least margin of the loads of one mount in its ranges; 0 if a load without a range makes the design not judged.
@@ -348,7 +258,7 @@ void MountCombinations::add_decoupled(const CaseContext& given, Sums& sums) {
 MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant) const {
   const foundation::Progress silent;
   const CaseContext given(variant.system, silent);
-  const Assembly base = assembly_of(variant.system, given.assembled);
+  const SummedModel base = summed_model(variant.system, given.assembled);
   if (!numerics::is_positive_definite(base.inertia)) throw NoSum{"some coordinates have no mass"};
   Sums sums;
   sums.shapes = numerics::symmetric_eigen(base.stiffness, base.inertia).vectors;
@@ -374,7 +284,7 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
     for (std::size_t m = 0; m < choices_[c].mounts.size(); ++m) {
       const model::System changed = system_with(variant, c, m);
       const CaseContext context(changed, silent);
-      const Assembly assembly = assembly_of(changed, context.assembled);
+      const SummedModel assembly = summed_model(changed, context.assembled);
       if (!equal(assembly.inertia, base.inertia)) throw NoSum{"the mounts change the inertia"};
       Option& option = options.emplace_back();
       option.stiffness = sums.shapes.transpose() * (assembly.first - base.first) * sums.shapes;
@@ -394,7 +304,7 @@ void MountCombinations::compare_with_assembled() {
     const std::vector<std::size_t> numbers = mounts(combination);
     for (std::size_t v = 0; v < cases_.size(); ++v) {
       const model::System whole = system(*cases_[v], combination);
-      const Assembly assembled = assembly_of(whole, assembly::assemble(whole));
+      const SummedModel assembled = summed_model(whole, assembly::assemble(whole));
       const Added sum = added(sums_[v], numbers);
       const Eigen::MatrixXd& shapes = sums_[v].shapes;
       const auto on_p = [&](const Eigen::MatrixXd& of_q) -> Eigen::MatrixXd {
@@ -454,9 +364,9 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   if (!has_rest) return result;  // no position of rest to first order: the verdict says so
   const bool wants_shapes = wants_decoupling &&
       std::any_of(sums.decoupled.begin(), sums.decoupled.end(), [](const Decoupled& one) { return one.whole; });
-  const auto [squares, vectors] = wants_shapes
-      ? modes_of(stiffness)
-      : std::pair<Eigen::VectorXd, Eigen::MatrixXd>{numerics::symmetric_eigenvalues(stiffness), {}};
+  const UnitModes modes =
+      wants_shapes ? unit_modes(stiffness) : UnitModes{numerics::symmetric_eigenvalues(stiffness), {}};
+  const Eigen::VectorXd& squares = modes.squares;
   if (squares(0) < -at_rest * squares.tail<1>()(0)) return result;  // falls over: the verdict says so
   if (wants_loads) {
     if (squares(0) <= at_rest * squares.tail<1>()(0))
@@ -491,10 +401,9 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   for (const Decoupled& one : sums.decoupled) {
     double share = 0;
     if (one.whole) {
-      share = least_decoupling(one.motion, one.momentum, squares, vectors);
+      share = least_decoupling(one.motion, one.momentum, modes);
     } else {
-      const auto own = modes_of(one.basis.transpose() * stiffness * one.basis);
-      share = least_decoupling(one.motion, one.momentum, own.first, own.second);
+      share = least_decoupling(one.motion, one.momentum, unit_modes(one.basis.transpose() * stiffness * one.basis));
     }
     judge(MountTest::decoupling, margin_of_least(one.least, share));
   }
