@@ -79,8 +79,10 @@ force = [0, 0, -4500]
 )";
   ASSERT_EQ(stiffness * gap, 4500);
   const std::vector<std::string> of = {"engine", "engine.exhaust", "left"};
+  // A machine with laws is at rest to first order.
   const std::vector<double> bearing = at_rest(test::project(machine(torque + stop)).base().system, of);
-  const std::vector<double> linear = at_rest(test::project(machine(torque + spring)).base().system, of);
+  const std::vector<double> linear =
+      at_rest(test::project("second_order = false\n" + machine(torque + spring)).base().system, of);
   double largest = 0;
   for (const double value : linear) largest = std::max(largest, std::abs(value));
   for (std::size_t i = 0; i < linear.size(); ++i) EXPECT_NEAR(bearing[i], linear[i], 1e-12 * largest) << i;

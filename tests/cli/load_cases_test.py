@@ -46,16 +46,39 @@ def dot(a, b):
     return sum(x * y for x, y in zip(a, b, strict=True))
 
 
-def motion(gravity, torque):
-    """Translation and rotation at the pole: the springs in one plane do not couple there."""
-    force = [MASS * g for g in gravity]
-    moment = cross(CENTRE, force)
-    moment[0] += torque
+def of_mounts(force, moment):
+    """Translation and rotation at the pole by the mounts alone: the springs in one plane do not couple there."""
     kx, ky, kz = STIFFNESS
     turning = (4 * kz * B * B, 4 * kz * A * A, 4 * (kx * B * B + ky * A * A))
-    return [f / (4 * k) for f, k in zip(force, STIFFNESS, strict=True)], [
-        m / k for m, k in zip(moment, turning, strict=True)
+    translation = [f / (4 * k) for f, k in zip(force, STIFFNESS, strict=True)]
+    return translation, [m / k for m, k in zip(moment, turning, strict=True)], turning
+
+
+def forces_at_rest(translation, rotation, weight):
+    """What the forces on the body add to its stiffness against rotation: ∑ (a·F) 1 − ½ (a Fᵀ + F aᵀ)."""
+    forces = [(CENTRE, weight)]
+    for x, y in PLACES.values():
+        at = (x, y, 0)
+        sag = [t + c for t, c in zip(translation, cross(rotation, at), strict=True)]
+        forces.append((at, [-k * d for k, d in zip(STIFFNESS, sag, strict=True)]))
+    return [
+        [sum((dot(a, f) if i == j else 0) - (a[i] * f[j] + f[i] * a[j]) / 2 for a, f in forces) for j in range(3)]
+        for i in range(3)
     ]
+
+
+def motion(gravity, torque):
+    """At the pole: by the weight to first order; the torque meets what the weight and it leave of the stiffness."""
+    weight = [MASS * g for g in gravity]
+    moment = cross(CENTRE, weight)
+    translation, rotation, turning = of_mounts(weight, moment)
+    if torque == 0:
+        return translation, rotation
+    added = forces_at_rest(translation, of_mounts(weight, [moment[0] + torque, *moment[1:]])[1], weight)
+    held = [[added[i][j] + (turning[i] if i == j else 0) for j in range(3)] for i in range(3)]
+    across = cross(held[1], held[2])  # Cramer's rule for held · θ = (torque, 0, 0)
+    determinant = dot(held[0], across)
+    return translation, [r + torque * c / determinant for r, c in zip(rotation, across, strict=True)]
 
 
 def moved(at, gravity, torque):
