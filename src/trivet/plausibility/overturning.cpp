@@ -18,9 +18,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Share of the tilting stiffness that gravity may take before it is reported: the tilting frequency is then 13 %
-/// lower.
-constexpr double worth_a_word = 0.25;
 /// Share of the stiffest direction below which one is unrestrained.
 constexpr double unheld = 1e-9;
 /// Coordinates up to which machines are examined for notes.
@@ -170,7 +167,8 @@ std::string falling_words(const model::System& system, const Tilting& tilting) {
       tilting.overturning, tilting.restoring, tilting.standing, tilting.height, system.bodies()[tilting.body].name);
 }
 
-std::vector<std::string> overturning_notes(const model::System& system, const assembly::Assembled& assembled) {
+std::vector<std::string> overturning_notes(const model::System& system, const assembly::Assembled& assembled,
+                                           double from_share) {
   std::vector<std::string> notes;
   if (!assembled.without_second_order || assembled.matrices.size() > most_for_notes) return notes;
   const Stiffness stiffness(assembled);
@@ -182,7 +180,7 @@ std::vector<std::string> overturning_notes(const model::System& system, const as
     if (!(alone(0) > unheld * alone.tail<1>()(0))) continue;
     const numerics::SymmetricEigen<MatrixXd> both = numerics::symmetric_eigen(MatrixXd(first - whole), first);
     const double share = both.values.tail<1>()(0);
-    if (!(share > worth_a_word)) continue;
+    if (!(share > from_share)) continue;
     const Tilting found = tilting(system, b, *parts, first, whole, both.vectors.rightCols<1>().col(0).normalized());
     notes.push_back(
         fmt::format("body {}: when it tilts, the weight causes an overturning moment of {:.4g} N m/rad, its mounts a "

@@ -131,7 +131,8 @@ foundation::Problems tilting_at_rest_warnings(const CaseContext& c, const projec
   if (!analyses.static_of && !judges_rest && c.system.description().clearances.empty()) return warnings;
   const bool first_order = !response::AtRest(c.system, c.assembled).assembled().without_second_order;
   if (!first_order || c.system.description().constant_forces.empty()) return warnings;
-  for (const std::string& note : plausibility::overturning_notes(c.system, c.assembled))
+  constexpr double noticeable = 0.05;  // of the tilt by a load
+  for (const std::string& note : plausibility::overturning_notes(c.system, c.assembled, noticeable))
     warnings.warning("analyses.static", note,
                      "static results of a machine with nonlinear laws are of the first order: they leave out what the "
                      "weight takes of the stiffness, so that tilting by wind, thrust and other loads than the weight "
