@@ -11,16 +11,20 @@ namespace trivet::exchange {
 
 void UniversalResponses::add(const UniversalSet& set, const UniversalMode& motions,
                              const std::optional<UniversalUnits>& units) {
-  if (!first_) first_ = set, units_ = units;
+  if (!first_) {
+    first_ = set;
+    units_ = units;
+  }
   const double hertz = natural_frequency_hz(motions);
   const int quantity = static_cast<int>(motions.quantity);
-  const auto [last, is_first] = last_.try_emplace({motions.load_case, quantity}, hertz);
-  if (!is_first && hertz <= last->second) ++lower_frequencies_;
-  last->second = hertz;
+  const auto [found, is_first] = last_.try_emplace({motions.load_case, quantity}, Last{hertz, 0});
+  Last& last = found->second;
+  if (!is_first && hertz <= last.hertz) ++last.cases;
+  last.hertz = hertz;
   const int directions = motions.has_rotations ? 6 : 3;
   for (const UniversalNodeMotion& node : motions.nodes)
     for (int direction = 1; direction <= directions; ++direction) {
-      UniversalFunction& function = functions_[{motions.load_case, lower_frequencies_, quantity, node.node, direction}];
+      UniversalFunction& function = functions_[{motions.load_case, last.cases, quantity, node.node, direction}];
       if (function.values.empty()) {
         function.ids = motions.ids;
         function.type = UniversalFunctionType::spectrum;
@@ -40,9 +44,10 @@ std::vector<UniversalFunction> UniversalResponses::functions(FileProblems& probl
   std::vector<UniversalFunction> result;
   if (!first_) return result;
   SetProblems of_set(problems, *first_);
-  for (auto [key, function] : functions_) {
+  for (const auto& [key, collected] : functions_) {
     const auto is_zero = [](const std::complex<double>& value) { return value == 0.0; };
-    if (std::all_of(function.values.begin(), function.values.end(), is_zero)) continue;
+    if (std::all_of(collected.values.begin(), collected.values.end(), is_zero)) continue;
+    UniversalFunction function = collected;
     convert_to_si(function, units_, function.line, of_set);
     result.push_back(std::move(function));
   }

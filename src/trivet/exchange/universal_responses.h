@@ -12,7 +12,8 @@
 namespace trivet::exchange {
 
 /// Collects sets 2414 with the motions of all nodes at one frequency each to spectra (function type 12) of each node
-/// and direction over frequency. A set whose frequency is not above that of the one before begins another load case.
+/// and direction over frequency. A set whose frequency is not above that of the one
+/// before, of the same load case and quantity, begins another case.
 class UniversalResponses {
  public:
   /// @param motions  in the units of the file; the frequency is that of a normal mode
@@ -22,12 +23,16 @@ class UniversalResponses {
   [[nodiscard]] std::vector<UniversalFunction> functions(FileProblems& problems) const;
 
  private:
-  /// Load case in the file, case that began by a lower frequency, quantity, node, direction.
+  /// Load case in the file, its case that began by a lower frequency, quantity, node, direction.
   using Key = std::tuple<int, int, int, int, int>;
 
   std::map<Key, UniversalFunction> functions_;
-  std::map<std::pair<int, int>, double> last_;  ///< frequency of a load case and quantity
-  int lower_frequencies_ = 0;
+  /// Of a load case and quantity: its last frequency, and how often it began again.
+  struct Last {
+    double hertz = 0;
+    int cases = 0;
+  };
+  std::map<std::pair<int, int>, Last> last_;
   std::optional<UniversalSet> first_;
   std::optional<UniversalUnits> units_;
 };

@@ -155,7 +155,8 @@ std::optional<std::size_t> counterpart_of(const project::MeasuredMode& measured,
     if (!(likeness(to_index(k)) > 0) || likeness(to_index(k)) < largest - indistinct) continue;
     const double ratio = modes[k].angular_frequency.value_or(0) / measured.angular_frequency;
     const double distance = ratio > 0 && std::isfinite(ratio) ? std::abs(std::log(ratio)) : foundation::infinity;
-    if (nearest && !(distance < least)) continue;
+    const bool more_alike = nearest && distance == least && likeness(to_index(k)) > likeness(to_index(*nearest));
+    if (nearest && !(distance < least) && !more_alike) continue;
     nearest = k;
     least = distance;
   }
