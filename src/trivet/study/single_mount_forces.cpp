@@ -83,7 +83,7 @@ MountShares mount_shares(const CaseContext& c, const MountTransmission& of, doub
 }
 
 /// The ends of a band and its natural frequencies.
-std::vector<double> looked_at(const CaseContext& c, const response::Band& band) {
+std::vector<double> examined_frequencies(const CaseContext& c, const response::Band& band) {
   std::vector<double> omegas = {band.from};
   if (band.to > band.from && std::isfinite(band.to)) omegas.push_back(band.to);
   for (const modal::Mode& mode : c.modes.list)
@@ -96,7 +96,9 @@ std::vector<double> looked_at(const CaseContext& c, const response::Band& band) 
 /// of the mounts alone decide.
 double allowed_singly(const CaseContext& c, const MountTransmission& of) {
   if (!of.total.directions.front().rotation) return 1;
-  const double slow = mount_shares(c, of, 0).sum;
+  double slowest = 0;  // a table of stiffness may begin above 0 Hz
+  for (const assembly::ElementMap& map : c.assembled.elements) slowest = std::max(slowest, map.defined_from);
+  const double slow = mount_shares(c, of, slowest).sum;
   return std::isfinite(slow) ? std::max(1.0, slow) : 1;
 }
 
@@ -104,8 +106,10 @@ std::optional<MountShares> worst_shares(const CaseContext& c, const MountTransmi
   constexpr double round_off = 1e-9;
   const double allowed = (1 + round_off) * allowed_singly(c, of);
   std::optional<MountShares> worst;
-  for (const double omega : looked_at(c, band)) {
-    const MountShares one = mount_shares(c, of, omega);
+  for (const double omega : examined_frequencies(c, band)) {
+    constexpr double aside = 1e-6;  // of an undamped resonance, where the forces are unbounded
+    MountShares one = mount_shares(c, of, omega);
+    if (!std::isfinite(one.sum)) one = mount_shares(c, of, (1 + aside) * omega);
     if (one.sum > allowed && one.total <= 1 + round_off && (!worst || one.sum > worst->sum)) worst = one;
   }
   return worst;
@@ -121,11 +125,13 @@ std::string nearest_natural_frequency(const CaseContext& c, double omega) {
   return fmt::format(" (the nearest natural frequency is {:.5g} Hz)", *nearest / foundation::two_pi);
 }
 
-bool is_limited(const project::Analyses& analyses, const std::string& mount) {
-  const auto is_of_mount = [&](const auto& limit) { return limit.name.starts_with(mount + ".force."); };
-  if (std::any_of(analyses.limits.begin(), analyses.limits.end(), is_of_mount)) return true;
+/// Is the largest component of the force of this mount limited anyway?
+bool is_limited(const CaseContext& c, const project::Analyses& analyses, const MountShares& found) {
+  const std::string name = fmt::format("{}.force.{}", c.system.elements()[found.at].name, "xyz"[found.component]);
+  const auto is_it = [&](const auto& limit) { return limit.name == name; };
   const auto& limits = analyses.requirements->limits;
-  return std::any_of(limits.begin(), limits.end(), is_of_mount);
+  return std::any_of(analyses.limits.begin(), analyses.limits.end(), is_it) ||
+      std::any_of(limits.begin(), limits.end(), is_it);
 }
 
 void warn_of_shares(const CaseContext& c, const std::string& force, const MountTransmission& of,
@@ -150,10 +156,6 @@ void warn_of_shares(const CaseContext& c, const std::string& force, const MountT
 foundation::Problems single_mount_warnings(const CaseContext& c, const project::Analyses& analyses) {
   foundation::Problems warnings;
   if (!analyses.requirements) return warnings;
-  const std::vector<std::size_t> mounts = response::mounts(c.system);
-  if (std::all_of(mounts.begin(), mounts.end(),
-                  [&](std::size_t e) { return is_limited(analyses, c.system.elements()[e].name); }))
-    return warnings;
   std::vector<std::pair<std::string, response::Band>> done;
   for (const project::Isolation& wanted : analyses.requirements->isolation)
     for (const std::string& force : project::isolated_forces(wanted, c.system)) {
@@ -162,7 +164,8 @@ foundation::Problems single_mount_warnings(const CaseContext& c, const project::
       for (const response::Band& band : project::isolated_at(wanted, c.system, force)) {
         if (std::find(done.begin(), done.end(), std::pair(force, band)) != done.end()) continue;
         done.emplace_back(force, band);
-        if (const auto found = worst_shares(c, of, band)) warn_of_shares(c, force, of, *found, warnings);
+        const auto found = worst_shares(c, of, band);
+        if (found && !is_limited(c, analyses, *found)) warn_of_shares(c, force, of, *found, warnings);
       }
     }
   return warnings;
