@@ -220,7 +220,8 @@ std::vector<std::string> first_order_notes(const model::System& system, const as
                     "has no stiffness of a pendulum; take away loads across, or hang it on a `strut`",
                     system.bodies()[b].name));
   for (std::size_t e = 0; e < system.elements().size(); ++e)
-    if (const double ratio = sideways_by_tension(assembled.elements[e]); ratio > 1)
+    if (const double ratio = sideways_by_tension(assembled.elements[e]);
+        ratio > 1 && system.elements()[e].type == "beam")
       notes.push_back(
           fmt::format("element {}: its tension holds it sideways {:.3g} times as much as its bending; the effect of a "
                       "tension is of the first order and too stiff by some percent there; divide the element into "

@@ -95,17 +95,6 @@ void warn_of_frequency_dependence(const CaseContext& c, foundation::Problems& wa
   }
 }
 
-/// Warns that static answers of a nonlinear machine also use one stiffness, the dynamic one.
-void warn_of_stiffening(const CaseContext& c, const project::Analyses& analyses, foundation::Problems& warnings) {
-  if (!analyses.static_of || model::has_static_stiffness(c.system)) return;
-  for (const model::Element& element : c.system.elements())
-    if (element.stiffening != 1)
-      warnings.warning("elements." + element.name, fmt::format("stiffening = {:.4g}", element.stiffening),
-                       "a machine with nonlinear parts has one stiffness, that of vibration, at rest too; under a "
-                       "static load the element is softer",
-                       "run static with stiffening = 1");
-}
-
 /// Warns of massless springs: they are valid only well below their own first natural frequency.
 void warn_of_massless_springs(const CaseContext& c, double search_to, foundation::Problems& warnings) {
   constexpr double safe = 0.3;
@@ -124,28 +113,32 @@ void warn_of_massless_springs(const CaseContext& c, double search_to, foundation
 }
 }  // namespace
 
-foundation::Problems tilting_at_rest_warnings(const CaseContext& c, const project::Analyses& analyses) {
+foundation::Problems rest_warnings(const CaseContext& c, const project::Analyses& analyses) {
   foundation::Problems warnings;
   const bool judges_rest =
       analyses.requirements && (!analyses.requirements->statics.empty() || analyses.requirements->mount_load);
   if (!analyses.static_of && !judges_rest && c.system.description().clearances.empty()) return warnings;
-  const bool first_order = !response::AtRest(c.system, c.assembled).assembled().without_second_order;
-  if (!first_order || c.system.description().constant_forces.empty()) return warnings;
-  constexpr double noticeable = 0.05;  // of the tilt by a load
+  if (!model::has_static_stiffness(c.system))
+    for (const model::Element& element : c.system.elements())
+      if (element.stiffening != 1)
+        warnings.warning("elements." + element.name, fmt::format("stiffening = {:.4g}", element.stiffening),
+                         "a machine with nonlinear parts has one stiffness, that of vibration, at rest too; under a "
+                         "static load the element is softer",
+                         "look at rest with stiffening = 1");
+  if (&response::of_statics(c.system, c.assembled) == &c.assembled) return warnings;  // of both orders
+  constexpr double noticeable = 0.05;                                                 // of the tilt by a load
   for (const std::string& note : plausibility::overturning_notes(c.system, c.assembled, noticeable))
     warnings.warning("analyses.static", note,
                      "static results of a machine with nonlinear laws are of the first order: they leave out what the "
-                     "weight takes of the stiffness, so that tilting by wind, thrust and other loads than the weight "
-                     "comes out too small",
-                     "use response at a low frequency for such loads, or a wider or stiffer support");
+                     "weight takes of the stiffness, so that tilting comes out too small",
+                     "compare with the same machine without these laws, or take a wider or stiffer support");
   return warnings;
 }
 
 foundation::Problems case_warnings(const CaseContext& c, const project::Analyses& analyses, double search_to) {
   foundation::Problems warnings;
   warn_of_frequency_dependence(c, warnings);
-  warn_of_stiffening(c, analyses, warnings);
-  warnings.add(tilting_at_rest_warnings(c, analyses));
+  warnings.add(rest_warnings(c, analyses));
   warn_of_guide_forces(c, analyses, warnings);
   warn_of_guided_motions(c, analyses, warnings);
   warn_of_vanishing_load(c, analyses, warnings);

@@ -11,9 +11,8 @@ namespace trivet::study {
 [[nodiscard]] foundation::Problems case_warnings(const CaseContext& context, const project::Analyses& analyses,
                                                  double search_to);
 
-/// A warning for each body of which the weight takes much of the tilting stiffness, if static results are asked for or
-/// judged: these are of the first order and leave it out.
-[[nodiscard]] foundation::Problems tilting_at_rest_warnings(const CaseContext& context,
-                                                            const project::Analyses& analyses);
+/// Warnings about static results that are asked for or judged, of machines with laws: they use one stiffness for rest
+/// and vibration, and leave out what the weight takes of the tilting stiffness of a body.
+[[nodiscard]] foundation::Problems rest_warnings(const CaseContext& context, const project::Analyses& analyses);
 
 }  // namespace trivet::study

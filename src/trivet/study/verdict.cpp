@@ -72,7 +72,7 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   result.warnings = variant.warnings;
   result.warnings.add(context.modes.warnings);
   result.results = requirement_values(context, variant.analyses, result.warnings);
-  result.warnings.add(tilting_at_rest_warnings(context, variant.analyses));
+  result.warnings.add(rest_warnings(context, variant.analyses));
   result.warnings.add(amplification_warnings(context, variant.analyses));
   result.warnings.add(single_mount_warnings(context, variant.analyses));
   result.load_case = load_case(variant.name, context.system, context.assembled, variant.analyses);
