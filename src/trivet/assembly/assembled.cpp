@@ -308,6 +308,7 @@ Assembled assemble(const model::System& system) {
   Assembled result = first;
   result.without_second_order = std::make_shared<const Assembled>(std::move(first));
   result.without_rest = std::move(added.without_rest);
+  result.hangs_aside = added.hangs_aside;
   result.of_levers = std::move(added.of_levers);
   for (std::size_t e = 0; e < result.elements.size(); ++e) add_forces_at_rest(added.of_elements[e], result.elements[e]);
   sum_up(system, result);

@@ -103,9 +103,10 @@ struct Assembled {
   Ground ground;
   /// Part of K that no element has: the points of bodies at which forces act at rest move on circles.
   Eigen::MatrixXd of_levers;
-  /// The machine without the second-order effect of its weight, for statics; null if it has none.
+  /// The machine without the second-order effect of its forces at rest; null if it has none.
   std::shared_ptr<const Assembled> without_second_order;
   std::vector<std::size_t> without_rest;  ///< bodies whose weight nothing holds: first order
+  bool hangs_aside = false;  ///< the forces at rest are those of a hung body that swings aside: no sums over elements
 
   [[nodiscard]] const Assembled& first_order() const { return without_second_order ? *without_second_order : *this; }
   [[nodiscard]] bool frequency_dependent() const { return constant.size() > 0; }

@@ -7,11 +7,10 @@
 
 namespace trivet::assembly {
 
-/// Coordinates of K q = Q.
-struct RestCoordinates {
-  Eigen::VectorXd coordinates;
-  bool unique = true;  ///< false: K is singular, and these are the smallest ones that balance what K can balance of Q
-};
-[[nodiscard]] RestCoordinates coordinates_at_rest(const numerics::DynamicMatrices& m, const Eigen::VectorXd& load);
+/// Does K hold every coordinate?
+[[nodiscard]] bool holds_all(const numerics::DynamicMatrices& m);
+
+/// Coordinates of K q = Q; if K is singular, the smallest ones that balance what K can balance of Q.
+[[nodiscard]] Eigen::VectorXd coordinates_at_rest(const numerics::DynamicMatrices& m, const Eigen::VectorXd& load);
 
 }  // namespace trivet::assembly

@@ -16,11 +16,12 @@ struct SecondOrder {
   /// Free coordinates: the points of bodies at which forces act move on circles as bodies rotate.
   Eigen::MatrixXd of_levers;
   std::vector<std::size_t> without_rest;  ///< bodies that their weight moves without end: not included
+  bool hangs_aside = false;               ///< some forces are those of a hung body that swings aside
 };
 
 /// Of gravity, constant forces and preloads, by the forces of the machine of the first order, with the static stiffness
-/// of its rubber. A hung part that these forces move aside by little is taken where the file shows it. Parts of the
-/// machine all of whose elements have a preload keep `geometric_stiffness`.
+/// of its rubber. A hung part that K₀ does not hold has the forces of its position of rest, if that is near the
+/// drawing. Parts of the machine all of whose elements have a preload keep `geometric_stiffness`.
 /// @param first  the machine of the first order
 [[nodiscard]] SecondOrder second_order(const model::System& system, const Assembled& first);
 

@@ -9,8 +9,8 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/static_machine.h"
+#include "trivet/response/machinery/rated_loads.h"
 #include "trivet/response/steady/mounts.h"
-#include "trivet/response/steady/static_solution.h"
 
 namespace trivet::study {
 namespace {
@@ -47,7 +47,7 @@ void widen(EnvelopeRow& row, double value, const std::string& in) {
 }  // namespace
 
 std::vector<MountAtRest> mounts_at_rest(const model::System& moving, const assembly::Assembled& assembled_moving) {
-  const auto [system, machine] = nonlinear::static_machine(moving, assembled_moving);
+  const auto [system, assembled] = nonlinear::static_machine(moving, assembled_moving);
   std::vector<MountAtRest> result;
   std::vector<std::string> words;
   const std::vector<std::size_t> mounts = mounts_and_rated(system);
@@ -56,22 +56,21 @@ std::vector<MountAtRest> mounts_at_rest(const model::System& moving, const assem
     words.insert(words.end(), {system.elements()[e].name, system.elements()[e].name + ".deflection"});
   }
   if (result.empty()) return result;
-  const Eigen::VectorXd rest = response::static_solution(system, machine).coordinates();
-  const assembly::Assembled& assembled = machine.first_order();  // loads along the axes of the mounts
-  const std::vector<assembly::Channel> channels =
-      assembly::channels(system, assembled, words, MotionQuantity::displacement);
-  const auto value = [&](std::size_t channel) -> double {
-    return response::value_at_rest(channels[channel], assembled, rest) + channels[channel].at_rest;
-  };
+  const response::StaticResponse rest = response::static_response(system, assembled, words);
+  const std::vector<response::RatedLoad> rated = response::rated_loads(system, assembled);
   constexpr std::size_t values_per_mount = 12, axial_deflection = 8;  // six forces, then six deflections
   for (std::size_t m = 0; m < result.size(); ++m) {
     const std::size_t first = values_per_mount * m;
-    const Eigen::Vector3d force(value(first), value(first + 1), value(first + 2));  // on the N side, ground axes
-    const Eigen::Vector3d axis = model::end_in_ground(system.bodies(), system.elements()[mounts[m]].n).rotation.col(2);
-    const double along = force.dot(axis);  // a stop is pressed from either side; its axis points towards it
-    result[m].compression = system.elements()[mounts[m]].type == "stop" ? std::abs(along) : -along;
-    result[m].across = (force - along * axis).norm();
-    result[m].deflection = value(first + axial_deflection);
+    Eigen::Vector3d force;  // on the N side, axes of the mount
+    for (int j = 0; j < 3; ++j) force(j) = rest.values[first + to_size(j)].value;
+    force = response::mount_axes(system, system.elements()[mounts[m]]).transpose() * force;
+    // What is compared with the ranges of its maker is the same everywhere.
+    for (const response::RatedLoad& one : rated)
+      if (one.element == mounts[m]) force = -one.load;
+    // A stop is pressed from either side; its axis points towards it.
+    result[m].compression = system.elements()[mounts[m]].type == "stop" ? std::abs(force.z()) : -force.z();
+    result[m].across = force.head<2>().norm();
+    result[m].deflection = rest.values[first + axial_deflection].value;
   }
   return result;
 }

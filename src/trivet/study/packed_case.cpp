@@ -220,6 +220,7 @@ std::string PackedCase::form(const model::System& system, const assembly::Assemb
                              std::vector<design::DrivenDesign>& designs) const {
   if (!numerics::is_positive_definite(assembled.matrices.K)) return "rigid-body modes or unstable motions";
   if (second_order_ && !numerics::is_positive_definite(assembled.first_order().matrices.K)) return no_rest;
+  if (assembled.hangs_aside) return "a hung body beside its plumb line";
   for (const Search& search : searches_) {
     std::vector<RequirementCurve> curves;
     std::vector<assembly::Channel> channels;

@@ -17,6 +17,7 @@ constexpr double sum_tolerance = 1e-11;
 SummedModel summed_model(const model::System& system, const assembly::Assembled& assembled) {
   if (assembled.frequency_dependent()) throw NoSum{"elements depend on frequency"};
   if (!assembled.matrices.symmetric) throw NoSum{"the stiffness matrix is not symmetric"};
+  if (assembled.hangs_aside) throw NoSum{"a hung body is beside its plumb line"};
   const response::AtRest rest(system, assembled);
   const assembly::Assembled& first = assembled.first_order();
   SummedModel result{assembled.matrices.A,

@@ -37,7 +37,12 @@ void refuse_without_static_stiffness(const model::System& system, const assembly
 
 void refuse_free_motions(const model::System& system, const assembly::Assembled& assembled) {
   const modal::Modes modes = modal::modes(system, assembled);
-  if (!modal::has_rigid_motion(modes)) return;
+  if (!modal::has_rigid_motion(modes)) {
+    if (assembled.without_rest.empty()) return;
+    throw foundation::NotComputable("static: body " + system.bodies()[assembled.without_rest.front()].name +
+                                    " has no position of rest near that of the file; draw it where it hangs, or let "
+                                    "elements hold it");
+  }
   std::string words;
   for (const std::string& motion : modal::free_motions(system, assembled, modes))
     words += (words.empty() ? "" : "; ") + motion;
@@ -46,34 +51,36 @@ void refuse_free_motions(const model::System& system, const assembly::Assembled&
 
 /// K q = Q. A coordinate without mass is like any other; a frequency-dependent element acts with D(0), which its
 /// matrices contain.
-StaticSolution solution_of(const assembly::Assembled& assembled, const Eigen::VectorXd& load) {
+std::pair<Eigen::VectorXd, double> solution_of(const assembly::Assembled& assembled, const Eigen::VectorXd& load) {
+  if (load.isZero(0)) return {load, 0};
   numerics::DynamicMatrices stiffness_only = assembled.matrices;
   stiffness_only.K_loss.resize(0, 0);
   const numerics::SweepResult solved =
       numerics::sweep(stiffness_only, Eigen::VectorXcd(load.cast<std::complex<double>>()), {0.0});
   if (solved.singular > 0) throw foundation::NotComputable("static: the stiffness matrix is singular");
-  return {solved.response.col(0).real(), Eigen::VectorXd::Zero(load.size()), solved.backward_error(0)};
+  return {solved.response.col(0).real(), solved.backward_error(0)};
 }
 
 }  // namespace
 
-StaticSolution static_solution(const model::System& system, const assembly::Assembled& given) {
+RestLoads rest_loads(const model::System& system, const assembly::Assembled& given) {
   const assembly::Assembled &assembled = of_statics(system, given), &first = assembled.first_order();
+  const Eigen::VectorXd whole = assembly::static_load(system, first), none = Eigen::VectorXd::Zero(whole.size());
+  if (!assembled.without_second_order) return {whole, none};
+  if (assembled.hangs_aside || !assembly::holds_all(first.matrices)) return {none, whole};
+  const Eigen::VectorXd loads = assembly::constant_load(system, first);
+  return {whole - loads, loads};
+}
+
+StaticSolution static_solution(const model::System& system, const assembly::Assembled& given) {
+  const assembly::Assembled& assembled = of_statics(system, given);
   refuse_without_load(system);
-  refuse_without_static_stiffness(system, first);
+  refuse_without_static_stiffness(system, assembled);
   refuse_free_motions(system, assembled);
-  const Eigen::VectorXd whole = assembly::static_load(system, first);
-  if (!assembled.without_second_order) return solution_of(first, whole);
-  const Eigen::VectorXd loads = assembly::constant_load(system, first), weight = whole - loads;
-  assembly::RestCoordinates held = assembly::coordinates_at_rest(first.matrices, weight);
-  StaticSolution rest;
-  if (held.unique) rest = solution_of(first, weight);
-  else rest.by_weight = std::move(held.coordinates);
-  const Eigen::VectorXd left = held.unique ? loads : Eigen::VectorXd(whole - first.matrices.K * rest.by_weight);
-  const StaticSolution beside = solution_of(assembled, left);
-  rest.by_loads = beside.by_weight;
-  rest.backward_error = std::max(rest.backward_error, beside.backward_error);
-  return rest;
+  const RestLoads loads = rest_loads(system, assembled);
+  const auto [by_weight, error_of_weight] = solution_of(assembled.first_order(), loads.on_first);
+  const auto [by_loads, error_of_loads] = solution_of(assembled, loads.on_whole);
+  return {by_weight, by_loads, std::max(error_of_weight, error_of_loads)};
 }
 
 double value_at_rest(const assembly::Channel& channel, const assembly::Assembled& assembled,

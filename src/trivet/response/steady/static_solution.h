@@ -7,11 +7,18 @@
 
 namespace trivet::response {
 
-/// Displacements at rest, q = q_w + q_l. The file shows the machine in balance with its weight, preloads and offsets
-/// Q_w, whose deflection is K₀ q_w = Q_w. All other loads meet a machine whose forces at rest take part: K q_l = Q − K₀
-/// q_w. K₀, K: real parts of the stiffness of the first order and with the second-order effect of the forces at rest.
+/// Loads at rest by the stiffness that they meet. The file shows the machine in balance with its weight, preloads and
+/// offsets, which have deflected it against K₀, of the first order. All other loads meet a machine whose forces at rest
+/// take part in its stiffness K; so does everything if K₀ does not hold the machine, or a hung body is beside its plumb
+/// line. Both stiffnesses are real parts.
+struct RestLoads {
+  Eigen::VectorXd on_first, on_whole;
+};
+[[nodiscard]] RestLoads rest_loads(const model::System& system, const assembly::Assembled& assembled);
+
+/// Displacements at rest, q = q_w + q_l: K₀ q_w = on_first, K q_l = on_whole.
 struct StaticSolution {
-  Eigen::VectorXd by_weight;  ///< q_w; everything if there is no such effect
+  Eigen::VectorXd by_weight;  ///< q_w
   Eigen::VectorXd by_loads;   ///< q_l
   double backward_error = 0;
 
