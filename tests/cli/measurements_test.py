@@ -331,7 +331,9 @@ class Measurements(unittest.TestCase):
             ("device.seat.rx", 4, rx_scale, rx_label, rx_quantity),
         ):
             curve = next(r for r in answer["results"] if r["name"] == name)
-            values = [-(w**2) * complex(*z) / 10 / scale for w, z in zip(answer["angular_frequency"], curve["complex"])]
+            values = [
+                -(w**2) * complex(*z) / 10 / scale for w, z in zip(answer["angular_frequency"], curve["complex"])
+            ]
             functions += measured_function(7, direction, values, quantity, (7, 3), (1.0, 0.1), unit=unit)
         (self.folder / "m.uff").write_text(units + file_of_nodes((7, 0.2, 0.1, 0.1)) + functions)
 
@@ -371,7 +373,9 @@ class Measurements(unittest.TestCase):
     def test_a_frequency_response_of_a_finite_element_program_agrees(self):
         """Set 2414, analysis type 5: one set per frequency, complex motions in double precision."""
         answer = json.loads(trivet("response", self.machine, "--json").stdout)
-        motions = [next(r for r in answer["results"] if r["name"] == f"device.seat.{axis}")["complex"] for axis in "xyz"]
+        motions = [
+            next(r for r in answer["results"] if r["name"] == f"device.seat.{axis}")["complex"] for axis in "xyz"
+        ]
         sets = ""
         for i in range(0, len(answer["angular_frequency"]), 10):
             hertz = answer["angular_frequency"][i] / (2 * math.pi)

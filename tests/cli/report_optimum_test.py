@@ -32,10 +32,7 @@ class ReportOptimum(InTemporaryFolder):
 
     def test_best_design(self):
         text = TWO.replace('front = ["a.z", "b.z"]', 'minimize = "a.z"\nstarts = 2')
-        text += (
-            BAND
-            + '[requirements]\nlimits = {"b.z" = 3e-5}\n[cases.heavy]\nbodies.a.mass = 3\n'
-        )
+        text += BAND + '[requirements]\nlimits = {"b.z" = 3e-5}\n[cases.heavy]\nbodies.a.mass = 3\n'
         project, cases, page, screen = self.run_of(text)
         self.assert_is_answer(cases[0], project)
         self.assertNotIn("optimize", cases[1])
@@ -59,11 +56,7 @@ class ReportOptimum(InTemporaryFolder):
         for line in text.splitlines():
             for number in re.findall(r"(?<![\w.-])-?\d+\.?\d*(?:e[-+]?\d+)?", line):
                 value, three_digits = float(number), 5e-3
-                same = [
-                    abs(n * p - value) <= three_digits * abs(value)
-                    for n in numbers
-                    for p in (1, 1e3, 1e6, 1e-3)
-                ]
+                same = [abs(n * p - value) <= three_digits * abs(value) for n in numbers for p in (1, 1e3, 1e6, 1e-3)]
                 self.assertTrue(any(same), (line, number, shown))
         for word in (
             "Natural frequency",

@@ -42,7 +42,7 @@ class JoinedParts {
     return part;
   }
   [[nodiscard]] std::optional<std::size_t> place(const model::End& end) const {
-    if (end.body) return *end.body;
+    if (end.body) return end.body;
     if (end.foundation) return bodies_ + end.foundation->foundation;
     return std::nullopt;
   }

@@ -100,8 +100,8 @@ std::optional<Parted> parted(const model::System& system, const assembly::Assemb
 
 /// Stiffness against the tilts while all else follows in equilibrium [N m/rad].
 MatrixXd condensed(const MatrixXd& stiffness, const Parted& parts) {
-  const MatrixXd own = parts.tilts.transpose() * stiffness * parts.tilts,
-                 coupling = parts.others.transpose() * stiffness * parts.tilts,
+  MatrixXd own = parts.tilts.transpose() * stiffness * parts.tilts;
+  const MatrixXd coupling = parts.others.transpose() * stiffness * parts.tilts,
                  rest = parts.others.transpose() * stiffness * parts.others;
   if (rest.rows() == 0) return own;
   return symmetric_part(own - coupling.transpose() * numerics::smallest_solution(rest, coupling));
