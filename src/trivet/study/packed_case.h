@@ -113,7 +113,7 @@ class PackedCase {
   std::string reason_;
   bool has_static_stiffness_ = false;  ///< of rubber: it is another one than that of vibration
   bool has_loads_ = false;             ///< constant forces on a machine whose forces at rest are part of K
-  bool second_order_ = false;          ///< the forces at rest are part of K, and not of that of static results
+  bool second_order_ = false;          ///< the forces at rest are part of K
   Eigen::Index n_ = 0;
 };
 
