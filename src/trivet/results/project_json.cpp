@@ -70,7 +70,7 @@ void add_observations(const model::Description& d, Json& result) {
                                     {"gap", clearance.gap}});
 }
 
-Json model_json(const project::Case& variant) {
+Json model_of(const project::Case& variant) {
   const model::Description& d = variant.system.description();
   Json result{{"bodies", Json::array()},
               {"elements", Json::array()},
@@ -146,7 +146,7 @@ Json case_json(const project::Case& variant, const study::Answers& answers) {
               {"warnings", json::warnings(answers.warnings)},
               {"free_motions", answers.free_motions},
               {"not_computed", answers.failures},
-              {"model", model_json(variant)},
+              {"model", model_of(variant)},
               {"checks", std::move(checks)},
               {"limits", std::move(limits)}};
   if (!answers.notes.empty()) result["notes"] = answers.notes;
@@ -224,6 +224,8 @@ std::string page_json(const project::Project& project, const std::vector<study::
   for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(drawn_case(project.cases[i], answers[i]));
   return json::text(result) + "\n";
 }
+
+std::string model_json(const project::Case& variant) { return json::text(model_of(variant), 1) + "\n"; }
 
 std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions,
                           const std::vector<study::CaseCheck>& cases) {

@@ -19,6 +19,9 @@ namespace trivet::results {
 /// tables. Its tables and other figures are text of the page.
 [[nodiscard]] std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers);
 
+/// The model of a case as results.json has it.
+[[nodiscard]] std::string model_json(const project::Case& variant);
+
 /// {"ok", "problems": [...], "deep": [...]}: the verdict of `trivet check --json`; "deep" only if solvers were
 /// compared.
 [[nodiscard]] std::string problems_json(const foundation::Problems& problems,

@@ -93,10 +93,10 @@ std::vector<double> subsample(const std::vector<double>& all, int most) {
 
 class CaseStudy {
  public:
-  CaseStudy(const project::Case& variant, const project::Analyses& analyses, const foundation::Progress& progress)
-      : c_(variant.system, progress, project::lowest_modes_suffice(analyses) ? analyses.lowest_modes : 0) {}
+  CaseStudy(std::shared_ptr<const SolvedCase> solved, const foundation::Progress& progress)
+      : c_(std::move(solved), progress) {}
 
-  Answers answer(const project::Case& variant, const project::Analyses& analyses) {
+  Answers notices(const project::Case& variant, const project::Analyses& analyses) {
     for (const project::Analyses* asked : {&variant.analyses, &analyses})
       if (asked->response && asked->response->band) search_to_ = asked->response->band->to;
     Answers result;
@@ -123,6 +123,11 @@ class CaseStudy {
       result.warnings.add(c_.roots().remarks);
     }
     result.warnings.add(case_warnings(c_, analyses, search_to_));
+    return result;
+  }
+
+  Answers answer(const project::Case& variant, const project::Analyses& analyses) {
+    Answers result = notices(variant, analyses);
     const auto refuse = [&](const std::exception& reason) {
       result.failures.emplace_back(reason.what());
       result.warnings.warning(reason.what(), "not computed", "", "");
@@ -308,13 +313,22 @@ class CaseStudy {
 
 }  // namespace
 
-Answers answers(const project::Case& variant, const project::Analyses& analyses, const foundation::Progress& progress) {
+Answers answers(const project::Case& variant, const project::Analyses& analyses, const foundation::Progress& progress,
+                const std::shared_ptr<const SolvedCase>& solved) {
   // The analyses of a file were checked against these sizes when it was read; those of a command line are checked here.
   const foundation::Problems sizes = project::too_large(variant.system.description(), analyses);
   if (sizes.has_errors())
     throw foundation::NotComputable(sizes.list().front().subject + ": " + sizes.list().front().finding + "; " +
                                     sizes.list().front().rule + "; " + sizes.list().front().remedy);
-  return CaseStudy(variant, analyses, progress).answer(variant, analyses);
+  const int lowest = project::lowest_modes_suffice(analyses) ? analyses.lowest_modes : 0;
+  return CaseStudy(solved ? solved : std::make_shared<const SolvedCase>(variant.system, lowest), progress)
+      .answer(variant, analyses);
+}
+
+Answers notices(const project::Case& variant, const project::Analyses& analyses,
+                const std::shared_ptr<const SolvedCase>& solved) {
+  const foundation::Progress silent;
+  return CaseStudy(solved, silent).notices(variant, analyses);
 }
 
 response::DeepCheck deep_check(const project::Case& variant) {

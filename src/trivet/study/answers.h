@@ -27,6 +27,7 @@
 
 namespace trivet::study {
 
+class SolvedCase;
 struct DesignFront;
 struct Optimization;
 
@@ -105,8 +106,14 @@ struct Answers {
 
 /// Computes everything that `analyses` requests of a case; failures are listed in `failures` and in the warnings, the
 /// rest is computed. `analyses` may differ from the case's own (a single answer from the command line).
+/// @param solved  the model of the case, if it is solved already
 [[nodiscard]] Answers answers(const project::Case& variant, const project::Analyses& analyses,
-                              const foundation::Progress& progress = {});
+                              const foundation::Progress& progress = {},
+                              const std::shared_ptr<const SolvedCase>& solved = nullptr);
+
+/// The modes, warnings and notes of a case that belong to every result of these analyses, without their results.
+[[nodiscard]] Answers notices(const project::Case& variant, const project::Analyses& analyses,
+                              const std::shared_ptr<const SolvedCase>& solved);
 
 /// Compares the fast solver with a second one at up to 64 frequencies over the band of the case, under its harmonic
 /// forces, or under a force on every coordinate if it has none.

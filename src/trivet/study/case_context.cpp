@@ -2,6 +2,7 @@
 #include "trivet/study/case_context.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -16,16 +17,12 @@ constexpr double default_band_factor = 1.3;
 
 }  // namespace
 
-CaseContext::CaseContext(const model::System& system_of_case, const foundation::Progress& shown_progress, int lowest)
-    : system(system_of_case),
+CaseContext::CaseContext(std::shared_ptr<const SolvedCase> solved_case, const foundation::Progress& shown_progress)
+    : solved_(std::move(solved_case)),
+      system(solved_->system),
       progress(shown_progress),
-      assembled(assembly::assemble(system)),
-      modes(lowest > 0 ? modal::lowest_modes(system, assembled, lowest) : modal::modes(system, assembled)) {}
-
-const modal::Roots& CaseContext::roots() const {
-  if (!roots_) roots_ = modal::roots(system, assembled, modes);
-  return *roots_;
-}
+      assembled(solved_->assembled),
+      modes(solved_->modes) {}
 
 Eigen::VectorXcd CaseContext::resonances() const {
   constexpr Eigen::Index large = 60;  // whose roots take some hundredths of a second

@@ -1,31 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/study/answers.h"
+#include "trivet/study/solved_case.h"
 
 /// The data that every answer for a case starts from.
 namespace trivet::study {
 
-/// The solved model of a case; damped roots are computed when they are first needed.
+/// The solved model of a case with the progress of one computation.
 class CaseContext {
  public:
-  /// @param lowest  only so many of the lowest modes are needed, and nothing but modes; 0: all
-  CaseContext(const model::System& system_of_case, const foundation::Progress& shown_progress, int lowest = 0);
+  CaseContext(const model::System& system_of_case, const foundation::Progress& shown_progress, int lowest = 0)
+      : CaseContext(std::make_shared<const SolvedCase>(system_of_case, lowest), shown_progress) {}
+  CaseContext(std::shared_ptr<const SolvedCase> solved_case, const foundation::Progress& shown_progress);
 
+ private:
+  std::shared_ptr<const SolvedCase> solved_;
+
+ public:
   const model::System& system;
   const foundation::Progress& progress;
-  const assembly::Assembled assembled;
-  const modal::Modes modes;
+  const assembly::Assembled& assembled;
+  const modal::Modes& modes;
 
-  [[nodiscard]] const modal::Roots& roots() const;
+  [[nodiscard]] const modal::Roots& roots() const { return solved_->roots(); }
   /// Poles near which a response is checked: the damped roots, or the natural frequencies iω of a large model, whose
   /// roots would take longer than its response.
   [[nodiscard]] Eigen::VectorXcd resonances() const;
-
- private:
-  mutable std::optional<modal::Roots> roots_;
 };
 
 /// Band from 0 to 1.3 times the highest natural frequency, within the tables of the elements.

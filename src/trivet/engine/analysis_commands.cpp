@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <set>
+
+#include "trivet/engine/command_rows.h"
+#include "trivet/engine/key_reader.h"
+#include "trivet/engine/solved_cases.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/analyses/steady_question.h"
+#include "trivet/project/suspicions.h"
+#include "trivet/project/text/admissible_range.h"
+#include "trivet/results/written_answers.h"
+#include "trivet/study/asked_questions.h"
+#include "trivet/study/cut_short.h"
+
+namespace trivet::engine {
+namespace {
+
+using foundation::InvalidInput;
+
+std::shared_ptr<project::SteadyQuestion> steady_of(const project::Analyses& analyses) {
+  return std::make_shared<project::SteadyQuestion>(*analyses.find<project::SteadyQuestion>("steady"));
+}
+
+void set_band(const Task& task, project::Analyses& analyses) {
+  const std::string key = task.keys.written("band");
+  const std::vector<double> band = task.keys.frequencies("band");
+  if (band.size() != 2 || !(band[1] > band[0]))
+    throw InvalidInput(fmt::format("{} {}: a band is FROM,TO with FROM < TO", key, task.keys.text("band")));
+  if (const auto broken = project::wrong_band(band[0], band[1]))
+    throw InvalidInput(fmt::format("{} {}: {}", key, task.keys.text("band"), *broken));
+  analyses.response->band = response::Band{band[0], band[1]};
+  analyses.response->at.clear();
+  analyses.limit_lines = task.variant.analyses.limit_lines;
+}
+
+/// The analysis of the file, or one with defaults, with the keys of the request in place of those of the file.
+project::Analyses with_keys(const Task& task) {
+  project::Analyses analyses = study::asked_question(task.command.name).asked(task.variant);
+  const std::string& name = task.command.name;
+  if (name == "modes" && task.keys.has("lowest")) analyses.lowest_modes = task.keys.count("lowest");
+  if (name == "response" && task.keys.has("at")) {
+    analyses.response->at = task.keys.frequencies("at");
+    analyses.response->band.reset();
+    analyses.limit_lines.clear();
+  }
+  if (name == "response" && task.keys.has("band")) set_band(task, analyses);
+  if (name != "steady") return analyses;
+  const auto steady = steady_of(analyses);
+  steady->deep = steady->deep || task.keys.flag("deep");
+  if (task.keys.has("at")) {
+    if (steady->over_load_factor)
+      throw InvalidInput(task.keys.written("at") + " " + task.keys.text("at") +
+                         ": the steady motion of the file is over the load factor, at one frequency; remove "
+                         "over = \"load_factor\" from the file");
+    steady->harmonics_at = task.keys.frequencies("at");
+  }
+  analyses.questions["steady"] = steady;
+  return analyses;
+}
+
+Result run_analysis(const Task& task) {
+  const std::string& name = task.command.name;
+  const project::Case& variant = task.variant;
+  const project::Analyses analyses = with_keys(task);
+  const bool whole_model = !project::lowest_modes_suffice(analyses);
+  study::Answers found =
+      study::answers(variant, analyses, task.progress, whole_model ? task.solved.of(variant) : nullptr);
+  if (task.command.name == "response" && task.keys.has("band"))
+    found.warnings.add(project::doubts_about_band(variant, *analyses.response->band));
+  found.warnings = without_unused(*task.project, found.warnings);
+  const bool only_limits_failed = name == "response" && found.response;
+  if (!found.failures.empty() && !only_limits_failed) throw foundation::NotComputable(found.failures.front());
+  const auto held = hold(task, std::move(found));
+  Result result;
+  add_notices(held->found, result);
+  result.json = writer([held, name, &variant] { return results::answer_json(name, variant, held->found); });
+  result.text = writer([held, name, &variant] { return results::answer_text(name, variant, held->found); });
+  result.text_in = [held, name, &variant](const project::ShownUnits& display) {
+    study::Answers shown = held->found;
+    shown.display = display;
+    return results::answer_text(name, with_display(variant, display), shown);
+  };
+  for (const results::AnswerTable& table : results::answer_tables(name))
+    result.tables.emplace_back(table.file,
+                               writer([held, csv = table.csv, &variant] { return csv(variant, held->found); }));
+  result.arrays = [held, name, &variant] { return results::answer_arrays(name, variant, held->found); };
+  result.held = held;
+  return result;
+}
+
+Group group_of(const std::string& name) {
+  static const std::map<std::string, Group> others = {
+      {"random", Group::time},        {"transient", Group::time}, {"shock_spectrum", Group::time},
+      {"earthquake", Group::time},    {"orders", Group::time},    {"steady", Group::nonlinear},
+      {"backbone", Group::nonlinear}, {"static", Group::machine},
+  };
+  const auto found = others.find(name);
+  return found == others.end() ? Group::harmonic : found->second;
+}
+
+/// Keys besides those of the file.
+std::vector<Key> keys_of(const std::string& name) {
+  if (name == "modes") return {{.name = "lowest", .kind = KeyKind::count, .about = "report only so many modes"}};
+  if (name == "response")
+    return {{.name = "at", .kind = KeyKind::text, .about = "single frequencies: 1,2.7,15.6 in rad/s, or with units"},
+            {.name = "band", .kind = KeyKind::text, .about = "FROM,TO in rad/s, or with units", .excludes = "at"}};
+  if (name == "steady")
+    return {
+        {.name = "at",
+         .kind = KeyKind::text,
+         .about =
+             "state the harmonics of all motions found there: \"12 Hz\" or \"750 rpm\", or several: 75,80 in rad/s"},
+        {.name = "deep", .kind = KeyKind::flag, .about = "judge the stability of every point in two ways"}};
+  return {};
+}
+
+std::vector<std::string> examples_of(const std::string& name) {
+  if (name == "modes") return {"trivet modes machine.toml", "trivet modes machine.toml --lowest 6 --json"};
+  if (name == "response")
+    return {"trivet response machine.toml --band \"5 Hz,60 Hz\"",
+            "trivet response machine.toml --at \"16.3 Hz\" --csv"};
+  if (name == "steady")
+    return {"trivet steady machine.toml --at \"12 Hz\"", "trivet steady machine.toml --deep --json"};
+  return {"trivet " + name + " machine.toml", "trivet " + name + " machine.toml --case winter --csv"};
+}
+
+}  // namespace
+
+project::Case with_display(project::Case variant, const project::ShownUnits& display) {
+  variant.display = display;
+  return variant;
+}
+
+foundation::Problems without_unused(const project::Project& project, const foundation::Problems& warnings) {
+  std::set<std::string> unused;
+  for (const foundation::Problem& one : project.unused_parts.list()) unused.insert(foundation::message(one));
+  foundation::Problems kept;
+  for (const foundation::Problem& one : warnings.list())
+    if (!unused.contains(foundation::message(one))) kept.add(one);
+  return kept;
+}
+
+void add_notices(const study::Answers& found, Result& result) {
+  result.warnings = found.warnings;
+  result.failures = found.failures;
+  for (const auto* notes : {&found.free_motions, &found.notes})
+    result.notes.insert(result.notes.end(), notes->begin(), notes->end());
+  result.complete = found.failures.empty() && !study::is_cut_short(found);
+  result.findings.add(found);
+}
+
+std::vector<Command> analysis_commands() {
+  std::vector<Command> rows;
+  for (const study::AskedQuestion& analysis : study::asked_questions())
+    rows.push_back({.name = analysis.name,
+                    .about = analysis.about,
+                    .group = group_of(analysis.name),
+                    .of_one_case = true,
+                    .looks_at = analysis.looks_at,
+                    .is_analysis = true,
+                    .keys = keys_of(analysis.name),
+                    .csv = true,
+                    .strict = true,
+                    .examples = examples_of(analysis.name),
+                    .run = run_analysis});
+  return rows;
+}
+
+}  // namespace trivet::engine

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "trivet/engine/command.h"
+
+/// The rows of the table of commands, by what they are about.
+namespace trivet::engine {
+
+/// run, export, and matrices, state_space and sweep for programs.
+[[nodiscard]] std::vector<Command> whole_commands();
+[[nodiscard]] std::vector<Command> data_commands();
+/// check, element, suspension, explain
+[[nodiscard]] std::vector<Command> machine_commands();
+/// One for each analysis of a case.
+[[nodiscard]] std::vector<Command> analysis_commands();
+/// verdict, map, optimize, select
+[[nodiscard]] std::vector<Command> design_commands();
+
+/// Something that a result refers to, with the project that it was computed from.
+template <typename Found>
+struct Held {
+  std::shared_ptr<const project::Project> project;
+  Found found;
+};
+template <typename Found>
+[[nodiscard]] std::shared_ptr<const Held<Found>> hold(const Task& task, Found found) {
+  return std::make_shared<const Held<Found>>(Held<Found>{task.project, std::move(found)});
+}
+
+/// A form that is a text as a whole.
+template <typename Text>
+[[nodiscard]] Writer writer(Text text) {
+  return [text = std::move(text)](const Sink& sink) { sink(text()); };
+}
+
+/// The case with other units of its tables.
+[[nodiscard]] project::Case with_display(project::Case variant, const project::ShownUnits& display);
+
+/// Warnings without those about analyses of the file, which concern no single command.
+[[nodiscard]] foundation::Problems without_unused(const project::Project& project,
+                                                  const foundation::Problems& warnings);
+
+/// The parts of `run` and of the single analyses that are the same: warnings, notes, failures, findings.
+void add_notices(const study::Answers& found, Result& result);
+
+[[nodiscard]] Key picture_key(const std::string& drawn);
+[[nodiscard]] Key write_key(const std::string& best);
+
+}  // namespace trivet::engine

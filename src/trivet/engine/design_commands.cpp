@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+
+#include "trivet/engine/command_rows.h"
+#include "trivet/engine/key_reader.h"
+#include "trivet/engine/new_project_file.h"
+#include "trivet/engine/solved_cases.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/project/model_number.h"
+#include "trivet/project/text/toml_value.h"
+#include "trivet/report/figures.h"
+#include "trivet/report/front_figure.h"
+#include "trivet/report/map_figure.h"
+#include "trivet/results/front_results.h"
+#include "trivet/results/map_json.h"
+#include "trivet/results/optimization_results.h"
+#include "trivet/results/selection_results.h"
+#include "trivet/results/verdict_results.h"
+#include "trivet/results/written_answers.h"
+#include "trivet/study/design_front.h"
+#include "trivet/study/mount_selection.h"
+#include "trivet/study/optimization.h"
+
+namespace trivet::engine {
+namespace {
+
+using foundation::InvalidInput;
+
+/// Tables of the file that decide whether a design is good.
+const std::vector<std::string> judged_tables = {"requirements", "clearances", "limits", "limit_lines",
+                                                "response",     "peaks",      "random", "transient"};
+
+std::vector<std::string> with(std::vector<std::string> tables) {
+  tables.insert(tables.end(), judged_tables.begin(), judged_tables.end());
+  return tables;
+}
+
+Result verdict(const Task& task) {
+  const auto held = hold(task, study::verdict(*task.project, task.progress));
+  const std::vector<study::CaseVerdict>& cases = held->found.cases;
+  Result result;
+  for (const study::CaseVerdict& one : cases) {
+    result.warnings.add(one.warnings);
+    result.findings.add(one);
+  }
+  result.warnings.sort_by_origin();
+  result.complete = std::ranges::all_of(cases, [](const study::CaseVerdict& one) { return one.not_judged() == 0; });
+  result.json = writer([held] { return results::verdict_json(held->found); });
+  result.text = writer([held] { return results::verdict_text(held->found); });
+  result.text_in = [held](const project::ShownUnits& display) {
+    study::Verdict shown = held->found;
+    for (study::CaseVerdict& one : shown.cases) one.display = display;
+    shown.envelope.display = display;
+    return results::verdict_text(shown);
+  };
+  result.tables.emplace_back("verdict.csv", writer([held] { return results::verdict_csv(held->found); }));
+  return result;
+}
+
+/// Numbers of designs along the axes from "1000x1000", one number for both axes, or a list of two.
+study::MapOptions map_sizes(const Task& task) {
+  study::MapOptions options;
+  const std::string text = task.keys.text("points"), key = task.keys.written("points");
+  if (text.empty()) return options;
+  const auto whole = [&](const std::string& part) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc() || end != part.data() + part.size() || value < 2)
+      throw InvalidInput(fmt::format(
+          "{} {}: give the points of both axes as in 200x150, or one number for both, each 2 or more", key, text));
+    return value;
+  };
+  const std::size_t cross = text.find_first_of("x,");
+  options.nx = whole(text.substr(0, cross));
+  options.ny = cross == std::string::npos ? options.nx : whole(text.substr(cross + 1));
+  if (static_cast<double>(options.nx) * options.ny > project::most_designs)
+    throw InvalidInput(fmt::format("{} {}: {:.3g} designs; a map has at most {:.0e}; take fewer points", key, text,
+                                   static_cast<double>(options.nx) * options.ny, project::most_designs));
+  return options;
+}
+
+study::Answers computed_maps(const Task& task) {
+  const project::Case& variant = task.variant;
+  if (!variant.analyses.map)
+    throw InvalidInput(
+        "map: none given; add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, "
+        "no_peak = \"coordinates\"} to [analyses]");
+  const study::MapOptions sizes = map_sizes(task);
+  const project::MapRequest& request = *variant.analyses.map;
+  project::Analyses asked;
+  asked.map = request;
+  study::Answers found = study::notices(variant, asked, task.solved.of(variant));
+  found.map_pairs = study::design_maps(*task.project, variant, request, sizes, task.progress);
+  if (found.map_pairs.empty()) found.map = study::design_map(*task.project, variant, request, sizes, task.progress);
+  return found;
+}
+
+Result map(const Task& task) {
+  const project::Case& variant = task.variant;
+  const auto held = hold(task, computed_maps(task));
+  const study::Answers& found = held->found;
+  Result result;
+  result.warnings = without_unused(*task.project, found.warnings);
+  if (found.map) result.warnings.add(found.map->warnings);
+  for (const study::DesignMap& one : found.map_pairs) result.warnings.add(one.warnings);
+  if (!found.map) result.warnings.sort_by_origin();  // and drop what several maps repeat
+  if (found.map) result.findings.add(*found.map);
+  for (const study::DesignMap& one : found.map_pairs) result.findings.add(one);
+  result.json = [held, warnings = result.warnings](const Sink& sink) {
+    if (held->found.map) results::write_map_json(*held->found.map, warnings, sink);
+    else results::write_map_pairs_json(held->found.map_pairs, warnings, sink);
+  };
+  result.text = writer([held, &variant] { return results::answer_text("map", variant, held->found); });
+  result.tables.emplace_back("map.csv", [held](const Sink& sink) {
+    if (held->found.map) results::write_map_csv(*held->found.map, sink);
+    else results::write_map_pairs_csv(held->found.map_pairs, sink);
+  });
+  result.figures.emplace_back("map.svg", writer([held, title = task.project->title] {
+                                return (held->found.map ? report::map_figure(*held->found.map, title)
+                                                        : report::map_matrix_figure(held->found.map_pairs, title))
+                                    .svg;
+                              }));
+  result.arrays = [held, &variant] { return results::answer_arrays("map", variant, held->found); };
+  result.held = held;
+  return result;
+}
+
+/// Changes that a search may make: the first mount of each choice, and numbers to the middle of their ranges.
+std::vector<project::Node> trial_changes(const project::Analyses& asked, bool numbers) {
+  const project::OptimizeRequest request =
+      numbers ? asked.optimize.value_or(project::OptimizeRequest()) : project::OptimizeRequest();
+  std::vector<project::Node> changes;
+  for (const project::MountChoice& choice : asked.choices)
+    if (request.varies(choice.name) && !choice.mounts.empty()) changes.push_back(project::change_of(choice, 0));
+  if (!numbers) return changes;
+  for (const project::DesignAxis& axis : asked.parameters)
+    if (constexpr double middle = 0.5; request.varies(axis.name))
+      changes.push_back(project::ModelNumber(axis).change(axis.at(middle)));
+  return changes;
+}
+
+/// Ends a search when the asker wants it, or after the key `time-limit`.
+std::function<bool()> end_of_search(const Task& task) {
+  using Clock = std::chrono::steady_clock;
+  const auto limit = task.keys.seconds("time-limit");
+  return [asked = task.request.ends_search, limit, start = Clock::now()] {
+    return (asked && asked()) || (limit && std::chrono::duration<double>(Clock::now() - start).count() > *limit);
+  };
+}
+
+Result optimum(const Task& task, const NewProjectFile& file) {
+  study::Answers found;
+  found.optimization = std::make_shared<const study::Optimization>(
+      study::optimization(*task.project, task.progress, end_of_search(task)));
+  const auto held = hold(task, std::move(found));
+  const study::Optimization& best = *held->found.optimization;
+  Result result;
+  result.warnings = task.project->base().warnings;
+  result.warnings.add(best.warnings);
+  result.complete = !best.cut_short;
+  if (!best.feasible) result.findings.add_infeasible_design();
+  const std::vector<project::Node> changes = study::optimum_changes(best);
+  result.changes = project::setting_words(changes);
+  const std::string written = file.write(changes);
+  result.json = writer(
+      [held, warnings = result.warnings] { return results::optimization_json(*held->found.optimization, warnings); });
+  result.text = writer([held, written] {
+    const study::Optimization& shown = *held->found.optimization;
+    return results::optimization_text(shown) + "\nThe optimum as settings:\n" + results::optimization_settings(shown) +
+        written;
+  });
+  result.held = held;
+  result.arrays = [held, &base = task.variant] { return results::answer_arrays("optimize", base, held->found); };
+  result.tables.emplace_back("optimum.csv",
+                             writer([held] { return results::optimization_csv(*held->found.optimization); }));
+  return result;
+}
+
+Result front(const Task& task, const NewProjectFile& file) {
+  if (task.keys.has("time-limit"))
+    throw InvalidInput(task.keys.written("time-limit") +
+                       ": a front is computed as a whole; take fewer points or starts");
+  study::Answers found;
+  found.front = std::make_shared<const study::DesignFront>(study::design_front(*task.project, task.progress));
+  const auto held = hold(task, std::move(found));
+  const study::DesignFront& computed = *held->found.front;
+  const std::size_t chosen = study::chosen_point(computed);
+  Result result;
+  result.warnings = task.project->base().warnings;
+  result.warnings.add(computed.warnings);
+  const std::vector<project::Node> changes = study::front_changes(computed, chosen);
+  result.changes = project::setting_words(changes);
+  const std::string written = file.write(changes);
+  result.json =
+      writer([held, warnings = result.warnings] { return results::front_json(*held->found.front, warnings); });
+  result.text = writer([held, chosen, written] {
+    const study::DesignFront& shown = *held->found.front;
+    return results::front_text(shown) +
+        fmt::format("\nPoint {}{} as settings:\n", chosen + 1, shown.knee ? ", the knee," : "") +
+        results::front_settings(shown, chosen) + written;
+  });
+  result.held = held;
+  result.arrays = [held, &base = task.variant] { return results::answer_arrays("optimize", base, held->found); };
+  result.tables.emplace_back("optimum.csv", writer([held] { return results::front_csv(*held->found.front); }));
+  if (computed.objectives.size() == 2)
+    result.figures.emplace_back("front.svg", writer([held, title = task.project->title] {
+                                  return report::front_figure(*held->found.front, title).svg;
+                                }));
+  return result;
+}
+
+Result optimize(const Task& task) {
+  const auto& request = task.variant.analyses.optimize;
+  const std::size_t objectives = request ? request->front.size() : 0;
+  if (task.keys.has("picture") && objectives != 2)
+    throw InvalidInput(task.keys.written("picture") +
+                       (objectives == 0 ? ": only a front has a picture; add front = [\"BODY.x\", "
+                                          "\"ground.force.x\"] to [analyses.optimize]"
+                                        : ": only a front between two results has a picture; use --json"));
+  const NewProjectFile file(task, trial_changes(task.variant.analyses, true));
+  if (file.problems().has_errors()) return {.errors = file.problems()};
+  return objectives > 0 ? front(task, file) : optimum(task, file);
+}
+
+Result select(const Task& task) {
+  const NewProjectFile file(task, trial_changes(task.variant.analyses, false));
+  if (file.problems().has_errors()) return {.errors = file.problems()};
+  const auto held = hold(task,
+                         study::mount_selection(*task.project, static_cast<std::size_t>(task.keys.count("most")),
+                                                task.progress, study::mount_order(task.keys.text("by"))));
+  const study::MountSelection& found = held->found;
+  const study::MountDesign& best = found.best.front();
+  if (task.keys.has("write") && !best.reason.empty())
+    throw foundation::NotComputable("select: no combination can be judged, so nothing was written: " + best.reason);
+  Result result;
+  result.warnings = task.project->base().warnings;
+  result.warnings.add(found.warnings);
+  if (!best.met) result.findings.add_infeasible_design();
+  const std::vector<project::Node> changes = study::selection_changes(found);
+  result.changes = project::setting_words(changes);
+  const std::string written = file.write(changes);
+  result.json = writer([held, warnings = result.warnings] { return results::selection_json(held->found, warnings); });
+  result.text = writer([held, written] {
+    return results::selection_text(held->found) + "\nThe best as settings:\n" +
+        results::selection_settings(held->found) + written;
+  });
+  return result;
+}
+
+}  // namespace
+
+Key picture_key(const std::string& drawn) {
+  return {.name = "picture", .kind = KeyKind::file, .about = "draw the " + drawn + " to this SVG file"};
+}
+
+Key write_key(const std::string& best) {
+  return {.name = "write",
+          .kind = KeyKind::file,
+          .about = "write the project file with the " + best + " to this file; comments, order and format stay"};
+}
+
+std::vector<Command> design_commands() {
+  return {
+      {.name = "verdict",
+       .about = "is every requirement met in every case, which one governs, and by what margin?",
+       .group = Group::design,
+       .of_one_case = false,
+       .looks_at = judged_tables,
+       .csv = true,
+       .strict = true,
+       .warnings = WarningsPlace::aside,
+       .examples = {"trivet verdict machine.toml", "trivet verdict machine.toml --strict --csv"},
+       .run = verdict},
+      {.name = "map",
+       .about = "map of limits over two parameters: feasible designs and governing rules",
+       .group = Group::design,
+       .of_one_case = true,
+       .looks_at = with({"map", "parameters"}),
+       .keys = {{.name = "points",
+                 .kind = KeyKind::text,
+                 .about = "designs along both axes instead of those of the file: 200x150, or 100 for both"},
+                picture_key("map")},
+       .csv = true,
+       .strict = true,
+       .warnings = WarningsPlace::aside,
+       .examples = {"trivet map machine.toml --picture map.svg", "trivet map machine.toml --points 400 --csv"},
+       .run = map},
+      {.name = "optimize",
+       .about = "the values of [parameters] with the largest least margin, or the smallest amplitudes",
+       .group = Group::design,
+       .of_one_case = false,
+       .looks_at = with({"optimize", "parameters"}),
+       .keys = {write_key("optimum"),
+                {.name = "time-limit",
+                 .kind = KeyKind::text,
+                 .about =
+                     "end the search after this time with the best design so far: \"10 min\", \"2 h\", or seconds"},
+                picture_key("front")},
+       .csv = true,
+       .strict = true,
+       .warnings = WarningsPlace::aside,
+       .examples = {"trivet optimize machine.toml --write best.toml",
+                    "trivet optimize machine.toml --time-limit \"10 min\""},
+       .run = optimize},
+      {.name = "select",
+       .about = "the mounts of a catalogue with the largest least margin of all requirements",
+       .group = Group::design,
+       .of_one_case = false,
+       .looks_at = with({"parameters"}),
+       .keys = {{.name = "most", .kind = KeyKind::count, .about = "number of combinations listed", .by_default = "10"},
+                {.name = "by",
+                 .kind = KeyKind::choice,
+                 .about = "margin, or of those that meet every requirement the isolation, price or mass",
+                 .choices = {"margin", "isolation", "price", "mass"},
+                 .by_default = "margin"},
+                write_key("best mounts")},
+       .strict = true,
+       .warnings = WarningsPlace::aside,
+       .examples = {"trivet select machine.toml --most 5", "trivet select machine.toml --by price --write best.toml"},
+       .run = select},
+  };
+}
+
+}  // namespace trivet::engine

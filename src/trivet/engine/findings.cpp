@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/engine/findings.h"
+
+#include <fmt/format.h>
+
+namespace trivet::engine {
+namespace {
+
+std::string count_words(std::size_t count, const char* one, const char* several) {
+  return fmt::format("{} {}", count, count == 1 ? one : several);
+}
+
+}  // namespace
+
+void Findings::add(const foundation::Problems& warnings) {
+  for (const foundation::Problem& problem : warnings.list()) warnings_.insert(foundation::message(problem));
+}
+
+void Findings::add(const study::DesignMap& map) {
+  if (map.feasible_designs == 0) ++infeasible_;
+  for (const study::MapMark& mark : map.marks)
+    if (!mark.judged) ++not_judged_;
+    else if (!mark.judged->governing.feasible()) ++infeasible_;
+}
+
+void Findings::add(const study::CaseVerdict& judged) {
+  for (const study::RequirementResult& result : judged.results)
+    (result.value ? violated_ : unknown_) += judged.decides && !result.met();
+}
+
+void Findings::add(const study::Answers& results) {
+  add(results.warnings);
+  for (const study::LimitAnswer& limit : results.limits) exceeded_ += !limit.met;
+  for (const study::LimitLineResult& line : results.limit_lines) exceeded_ += !line.comparison.met();
+  if (results.verdict) add(*results.verdict);
+  if (results.map) add(*results.map);
+  for (const study::DesignMap& map : results.map_pairs) add(map);
+}
+
+Outcome Findings::outcome() const {
+  if (not_judged_ + unknown_ > 0) return Outcome::not_computed;
+  if (exceeded_ + violated_ + infeasible_ + infeasible_designs_ > 0) return Outcome::over_a_limit;
+  return warnings_.empty() ? Outcome::done : Outcome::with_warnings;
+}
+
+std::string Findings::words() const {
+  if (not_judged_ > 0) return count_words(not_judged_, "case", "cases") + " of a map could not be computed";
+  if (unknown_ > 0) return count_words(unknown_, "requirement", "requirements") + " could not be judged";
+  std::string found;
+  const auto list = [&](std::size_t count, const char* one, const char* several) {
+    if (count > 0) found += (found.empty() ? "" : ", ") + count_words(count, one, several);
+  };
+  list(exceeded_, "limit exceeded", "limits exceeded");
+  list(violated_, "requirement violated", "requirements violated");
+  list(infeasible_, "verdict of a map is \"infeasible\"", "verdicts of a map are \"infeasible\"");
+  list(infeasible_designs_, "best design violates a requirement", "best designs violate a requirement");
+  list(warnings_.size(), "warning", "warnings");
+  return found;
+}
+
+}  // namespace trivet::engine

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "trivet/engine/findings.h"
+#include "trivet/foundation/problems.h"
+#include "trivet/project/text/shown_units.h"
+#include "trivet/results/labelled_arrays.h"
+
+namespace trivet::engine {
+
+/// Takes a text piece by piece: those of large maps do not fit into the memory as a whole.
+using Sink = std::function<void(std::string_view)>;
+
+/// A form of a result, made when it is wanted.
+using Writer = std::function<void(const Sink&)>;
+using NamedWriters = std::vector<std::pair<std::string, Writer>>;
+
+/// What one command found, in all its forms. Parts that it refers to live as long as it does.
+struct Result {
+  std::string command;
+  std::string case_name;  ///< empty: the base model, or all cases
+  std::string title;      ///< of the project
+
+  foundation::Problems errors;  ///< the request is wrong; then there is nothing else
+  std::string failure;          ///< why nothing could be computed; then there is nothing else
+
+  foundation::Problems warnings;
+  std::vector<std::string> failures;  ///< parts that could not be computed, with the reason
+  std::vector<std::string> notes;     ///< free motions, directions that are left out
+  std::vector<std::string> changes;   ///< of the best design, as settings: "elements.mount.scale = 1.5"
+  std::vector<std::string> remarks;   ///< on files that were written
+  std::string not_written;            ///< why the file of a picture could not be written; empty if it was
+  bool complete = true;               ///< false: a part could not be computed, or ended early
+  Findings findings;
+
+  Writer json = {};
+  Writer text = {};
+  /// The text with the units of another [display]; empty: it has no units that can change.
+  std::function<std::string(const project::ShownUnits& display)> text_in = {};
+  NamedWriters tables = {};   ///< "random.csv", CSV; --csv prints the first
+  NamedWriters figures = {};  ///< "front.svg", SVG
+  std::function<results::LabelledArrays()> arrays = {};
+  std::vector<Result> cases = {};  ///< of `run`: the results of each case
+
+  std::shared_ptr<const void> held = {};  ///< what the arrays refer to
+};
+
+/// The whole text of a form.
+[[nodiscard]] std::string whole(const Writer& writer);
+
+/// Warnings, failures and notes of a result for the screen, before its text; empty without any.
+[[nodiscard]] std::string preface(const Result& result);
+
+/// The errors of a project or a request as JSON: {"ok", "problems"}.
+[[nodiscard]] std::string errors_json(const foundation::Problems& errors);
+
+/// @param strict  findings count, too
+[[nodiscard]] Outcome outcome(const Result& result, bool strict);
+
+}  // namespace trivet::engine

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/engine/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "trivet/engine/key_reader.h"
+#include "trivet/engine/solved_cases.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/parallel_for.h"
+#include "trivet/foundation/temporary_folder.h"
+#include "trivet/project/questions.h"
+#include "trivet/project/rewritten_project.h"
+#include "trivet/project/text/source_file.h"
+#include "trivet/results/picture_file.h"
+#include "trivet/results/project_json.h"
+
+namespace trivet::engine {
+namespace {
+
+using foundation::InvalidInput;
+
+/// The part of a file that a request looks at.
+project::Questions looked_at(const Request* request) {
+  const Command* command = request ? find_command(request->command) : nullptr;
+  if (!command || command->all_tables) return {};
+  project::Questions questions{command->looks_at, {}, {}, 0};
+  if (command->of_one_case) questions.of_case = request->case_name;
+  if (command->is_analysis) {
+    questions.command = command->name;
+    const auto lowest = std::ranges::find(request->keys, "lowest", [](const auto& key) { return key.first; });
+    foundation::Problems wrong;  // reported when the request is asked
+    if (lowest != request->keys.end()) questions.lowest_modes = KeyReader(*command, *request, wrong).count("lowest");
+  }
+  return questions;
+}
+
+const project::Case& case_of(const project::Project& project, const std::string& name, const std::string& before_keys) {
+  if (const project::Case* found = project.find(name)) return *found;
+  std::vector<std::string> names;
+  std::string known;
+  for (const project::Case& variant : project.cases) {
+    names.push_back(variant.name);
+    if (!variant.name.empty()) known += (known.empty() ? "known: " : ", ") + variant.name;
+  }
+  const std::string guess = foundation::nearest_name(name, names);
+  throw InvalidInput(fmt::format(
+      "{}case \"{}\": no such case; {}", before_keys, name,
+      guess.empty() ? (known.empty() ? "the project has none" : known) : "did you mean \"" + guess + "\"?"));
+}
+
+/// The picture file that a request names, prepared; nullptr if it names none.
+std::unique_ptr<results::PictureFile> new_picture(const KeyReader& keys, const std::string& project_file) {
+  const Value* file = keys.find("picture");
+  if (!file) return nullptr;
+  const std::string name = text_of(*file);
+  if (!name.ends_with(".svg"))
+    throw InvalidInput(
+        fmt::format("{}: {}: pictures are SVG; name a file that ends in .svg", keys.written("picture"), name));
+  try {
+    return std::make_unique<results::PictureFile>(name, project_file);
+  } catch (const InvalidInput& refused) {
+    throw InvalidInput(keys.written("picture") + " " + refused.what());
+  }
+}
+
+Result run_with_picture(const Task& task) {
+  const auto picture = new_picture(task.keys, task.project->source);
+  Result result = task.command.run(task);
+  if (!picture) return result;
+  try {
+    picture->publish(whole(result.figures.front().second));
+  } catch (const std::runtime_error& reason) {  // the result is there nevertheless
+    result.not_written = reason.what();
+    result.complete = false;
+  }
+  return result;
+}
+
+}  // namespace
+
+foundation::Expected<Session> Session::open(const Source& source, const std::vector<std::string>& settings,
+                                            const Request* only_for) {
+  foundation::remove_abandoned_folders();
+  Session session;
+  session.settings_ = settings;
+  foundation::Expected<project::Project> read;
+  if (only_for) {
+    read = project::read_project_for(looked_at(only_for), source.name, settings);
+  } else {
+    foundation::Expected<std::string> text = source.text ? *source.text : project::read_source(source.name);
+    if (!text) return tl::make_unexpected(std::move(text.error()));
+    session.text_ = std::move(*text);
+    read = project::project_from_text(session.text_, source.name, settings, source.folder);
+  }
+  if (!read) return tl::make_unexpected(std::move(read.error()));
+  session.project_ = std::make_shared<const project::Project>(std::move(*read));
+  if (!only_for) session.content_ = project::content_hash(*session.project_);
+  session.solved_ = std::make_shared<SolvedCases>();
+  return session;
+}
+
+foundation::Expected<Session> Session::changed(const std::vector<std::string>& settings) const {
+  std::vector<std::string> all = settings_;
+  all.insert(all.end(), settings.begin(), settings.end());
+  return open({project_->source, text_, project_->folder}, all);
+}
+
+Result Session::ask(const Request& request, const foundation::Progress& progress) const {
+  Result result;
+  result.command = request.command;
+  result.case_name = request.case_name;
+  result.title = title();
+  try {
+    const Command* command = find_command(request.command);
+    if (!command) throw InvalidInput("no command is called \"" + request.command + "\"");
+    const KeyReader keys(*command, request, result.errors);
+    if (result.errors.has_errors()) return result;
+    const project::Case& variant = case_of(*project_, request.case_name, request.before_keys);
+    const foundation::ThreadLimit limit(request.threads);
+    Result found = run_with_picture({*command, project_, settings_, variant, keys, request, progress, *solved_});
+    found.command = result.command;
+    found.case_name = result.case_name;
+    found.title = result.title;
+    found.findings.add(found.warnings);
+    return found;
+  } catch (const InvalidInput& wrong) {
+    result.errors.error("", wrong.what(), "", "");
+  } catch (const foundation::NotComputable& reason) {
+    result.failure = reason.what();
+  }
+  return result;
+}
+
+const project::Case& Session::model(const std::string& case_name) const { return case_of(*project_, case_name, ""); }
+
+std::string Session::model_json(const std::string& case_name) const { return results::model_json(model(case_name)); }
+
+std::vector<std::string> Session::case_names() const {
+  std::vector<std::string> names;
+  for (const project::Case& variant : project_->cases) names.push_back(variant.name);
+  return names;
+}
+
+foundation::Expected<std::string> Session::text_with_settings(const std::string& target) const {
+  return project::text_with_settings(text_, *project_, settings_, target);
+}
+
+}  // namespace trivet::engine

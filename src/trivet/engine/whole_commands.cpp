@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "trivet/engine/command_rows.h"
+#include "trivet/engine/key_reader.h"
+#include "trivet/exports/format.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/report/study_folder.h"
+#include "trivet/results/project_json.h"
+#include "trivet/results/verdict_results.h"
+#include "trivet/results/verdict_words.h"
+#include "trivet/results/written_answers.h"
+
+namespace trivet::engine {
+namespace {
+
+using HeldStudy = std::shared_ptr<const Held<report::WrittenStudy>>;
+
+Result case_result(const HeldStudy& held, std::size_t number) {
+  const project::Case& variant = held->project->cases[number];
+  const study::Answers& found = held->found.answers[number];
+  Result result;
+  result.command = "run";
+  result.case_name = variant.name;
+  result.title = held->project->title;
+  add_notices(found, result);
+  result.text = writer([held, &variant, &found] { return results::answers_summary(variant, found); });
+  result.json = writer([held, &variant, &found] { return results::case_results_json(*held->project, variant, found); });
+  return result;
+}
+
+std::string case_heading(const project::Case& variant) {
+  std::string text = variant.name.empty() ? "== Base model ==\n" : "== Case " + variant.name + " ==\n";
+  for (const std::string& change : variant.changes) text += "  " + change + "\n";
+  return text;
+}
+
+std::string verdicts_text(const report::WrittenStudy& study) {
+  std::string text;
+  for (const study::Answers& one : study.answers)
+    if (one.verdict) text += results::verdict_summary(*one.verdict);
+  const study::Envelope& envelope = study.envelope;
+  if (study.answers.front().verdict) text += (envelope.rows.empty() ? "" : "\n") + results::envelope_text(envelope);
+  return text.empty() ? text : text + "\n";
+}
+
+Result run(const Task& task) {
+  const std::string folder = task.keys.text("output");
+  const HeldStudy held = hold(task, report::write_study(*task.project, folder, task.progress));
+  Result result;
+  result.remarks = held->found.notes;
+  for (std::size_t i = 0; i < task.project->cases.size(); ++i) {
+    result.cases.push_back(case_result(held, i));
+    result.complete = result.complete && result.cases.back().complete;
+    result.findings.add(held->found.answers[i]);
+  }
+  result.text = [held, folder, cases = result.cases](const Sink& sink) {
+    sink(verdicts_text(held->found));
+    for (std::size_t i = 0; i < cases.size(); ++i)
+      sink(case_heading(held->project->cases[i]) + preface(cases[i]) + whole(cases[i].text) + "\n");
+    sink(fmt::format("Report: {}/report.html\n", folder));
+  };
+  return result;
+}
+
+std::string format_list() {
+  std::string formats;
+  for (const exports::Format& format : exports::formats())
+    formats += std::string("\n  ") + format.name + ": " + format.about;
+  return formats;
+}
+
+Result exported(const Task& task) {
+  const std::string format = task.keys.text("to"), target = task.keys.text("output");
+  Result result;
+  result.remarks =
+      exports::export_project(*task.project, task.variant, format, task.keys.texts("what"), target, task.progress);
+  result.text = writer([format, target] { return fmt::format("{}: {}\n", format, target); });
+  return result;
+}
+
+}  // namespace
+
+std::vector<Command> whole_commands() {
+  return {
+      {.name = "run",
+       .about = "all analyses of the file: tables on the screen, numbers and report.html in a folder",
+       .group = Group::whole,
+       .of_one_case = false,
+       .all_tables = true,
+       .keys = {{.name = "output",
+                 .kind = KeyKind::file,
+                 .about = "result folder",
+                 .by_default = "trivet-results",
+                 .short_name = "o"}},
+       .json = false,
+       .strict = true,
+       .warnings = WarningsPlace::within,
+       .examples = {"trivet run machine.toml", "trivet run machine.toml -o results --strict"},
+       .run = run},
+      {.name = "export",
+       .about = "matrices and answers in files of other programs, notes on what these lose",
+       .group = Group::data,
+       .of_one_case = true,
+       .all_tables = true,
+       .keys = {{.name = "to", .kind = KeyKind::text, .about = "format:" + format_list(), .required = true},
+                {.name = "output",
+                 .kind = KeyKind::file,
+                 .about = "file, or folder of files",
+                 .required = true,
+                 .short_name = "o"},
+                {.name = "what",
+                 .kind = KeyKind::text,
+                 .about = "matrices and questions, as in matrices,modes,response; default: what the format and the "
+                          "file have"}},
+       .json = false,
+       .warnings = WarningsPlace::within,
+       .examples = {"trivet export machine.toml --to matlab -o machine.mat",
+                    "trivet export machine.toml --to csv -o tables --what matrices,modes"},
+       .run = exported},
+  };
+}
+
+}  // namespace trivet::engine

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/engine/session.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace session_test {
+
+using namespace trivet;
+using engine::Request;
+using engine::Session;
+
+std::string example(const std::string& name) { return std::string(TRIVET_SOURCE_DIR) + "/examples/" + name; }
+
+Session opened(const std::string& name, const std::vector<std::string>& settings = {}) {
+  auto session = Session::open({example(name)}, settings);
+  if (!session) throw std::runtime_error(foundation::message(session.error().list().front()));
+  return std::move(*session);
+}
+
+std::string json(const Session& session, const std::string& command) {
+  const engine::Result result = session.ask({command});
+  EXPECT_FALSE(result.errors.has_errors()) << command;
+  EXPECT_EQ(result.failure, "") << command;
+  return engine::whole(result.json);
+}
+
+TEST(Session, ChangedIsTheChangedFileReadAgain) {
+  const std::vector<std::string> setting = {"bodies.genset.mass = 4100"};
+  const auto changed = opened("genset/genset.toml").changed(setting);
+  ASSERT_TRUE(changed);
+  const Session again = opened("genset/genset.toml", setting);
+  for (const char* command : {"modes", "response", "peaks", "static", "check"})
+    EXPECT_EQ(json(*changed, command), json(again, command)) << command;
+  EXPECT_NE(json(again, "modes"), json(opened("genset/genset.toml"), "modes"));
+}
+
+TEST(Session, AnswersSeveralRequestsAtOnce) {
+  const Session session = opened("genset/genset.toml");
+  const std::vector<std::string> commands = {"modes", "response", "peaks", "static", "suspension", "roots"};
+  std::vector<std::string> alone, together(commands.size());
+  for (const std::string& command : commands) alone.push_back(json(opened("genset/genset.toml"), command));
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    threads.emplace_back([&, i] { together[i] = json(session, commands[i]); });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(together, alone);
+}
+
+TEST(Session, AResultOutlivesItsSession) {
+  engine::Result result;
+  {
+    const Session session = opened("genset/genset.toml");
+    result = session.ask({"modes"});
+  }
+  EXPECT_EQ(engine::whole(result.json), json(opened("genset/genset.toml"), "modes"));
+  EXPECT_FALSE(result.arrays().list().empty());
+}
+
+std::vector<std::string> subjects(const foundation::Problems& problems) {
+  std::vector<std::string> all;
+  for (const foundation::Problem& one : problems.list()) all.push_back(one.subject);
+  return all;
+}
+
+TEST(Session, NamesEveryWrongKeyAtOnce) {
+  const Session session = opened("genset/genset.toml");
+  Request request{.command = "select", .keys = {{"most", 0.0}, {"by", "beauty"}, {"mots", 3.0}}, .before_keys = "--"};
+  const engine::Result result = session.ask(request);
+  EXPECT_THAT(subjects(result.errors), testing::UnorderedElementsAre("--most", "--by", "--mots"));
+  EXPECT_EQ(engine::outcome(result, false), engine::Outcome::wrong_input);
+}
+
+TEST(Session, RejectsUnknownCommandsCasesAndElements) {
+  const Session session = opened("genset/genset.toml");
+  for (const Request& request :
+       {Request{.command = "weather"}, Request{.command = "modes", .case_name = "winter"},
+        Request{.command = "element", .keys = {{"name", "front lef"}}},
+        Request{.command = "response", .keys = {{"band", "5 Hz"}}},
+        Request{.command = "response", .keys = {{"at", "2 Hz"}, {"band", "1 Hz,5 Hz"}}},
+        Request{.command = "suspension", .keys = {{"torque", "0,0,0"}}}, Request{.command = "element"}})
+    EXPECT_TRUE(session.ask(request).errors.has_errors()) << request.command;
+}
+
+TEST(Session, TakesNumbersInPlaceOfTexts) {
+  const Session session = opened("genset/genset.toml");
+  const auto response = [&](engine::Value at) {
+    return engine::whole(session.ask({.command = "response", .keys = {{"at", std::move(at)}}}).json);
+  };
+  EXPECT_EQ(response("50,62.5"), response(std::vector<engine::Value>{50.0, 62.5}));
+  EXPECT_EQ(response("8 Hz"), response(std::vector<engine::Value>{"8 Hz"}));
+}
+
+TEST(Commands, HaveExamplesAndDescribeTheirKeysInTheFile) {
+  for (const engine::Command& command : engine::commands()) {
+    EXPECT_EQ(engine::find_command(command.name), &command);
+    EXPECT_NE(command.run, nullptr) << command.name;
+    if (command.for_programs) continue;
+    EXPECT_EQ(command.examples.size(), 2u) << command.name;
+    for (const std::string& line : command.examples)
+      EXPECT_THAT(line, testing::StartsWith("trivet " + command.name + " "));
+  }
+  EXPECT_THAT(engine::file_keys(*engine::find_command("response")), testing::HasSubstr("  band "));
+  EXPECT_THAT(engine::file_keys(*engine::find_command("random")), testing::HasSubstr("[analyses.random]"));
+}
+
+}  // namespace session_test
