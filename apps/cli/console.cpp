@@ -8,17 +8,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <new>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
-
-#include "trivet/foundation/message_list.h"
-#include "trivet/foundation/plain_text.h"
 
 namespace trivet::cli {
 namespace {
+
+constexpr int reader_left = 141;
 
 bool reader_has_left = false;
 
@@ -30,7 +26,7 @@ void occupy_closed_streams() {
       static_cast<void>(open("/dev/null", O_RDONLY));  // gets the lowest free descriptor: this one
 }
 
-void write_output(const std::string& text) {
+void write_output(std::string_view text) {
   if (reader_has_left) return;
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
@@ -44,19 +40,6 @@ int exit_code(int code) { return reader_has_left ? reader_left : code; }
 
 void write_error(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stderr) == text.size()) std::fflush(stderr);
-}
-
-void write_problems(const foundation::Problems& problems) { write_error(foundation::message_list(problems)); }
-
-void write_failure(const std::exception& failure) {
-  std::string words = failure.what();
-  if (const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&failure))
-    words = of_file->path1().string() + (of_file->path1().empty() ? "" : ": ") + of_file->code().message();
-  else if (const auto* of_system = dynamic_cast<const std::system_error*>(&failure))
-    words = of_system->code().message();
-  else if (dynamic_cast<const std::bad_alloc*>(&failure) || dynamic_cast<const std::length_error*>(&failure))
-    words = "not enough memory; request fewer points, results or cases at once";
-  write_error("error: " + foundation::on_one_line(words) + "\n");
 }
 
 }  // namespace trivet::cli

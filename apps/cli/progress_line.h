@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "trivet/foundation/interruption.h"
+#include "trivet/engine/program.h"
 
 namespace trivet::cli {
 

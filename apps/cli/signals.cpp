@@ -9,7 +9,7 @@
 #include <system_error>
 #include <thread>
 
-#include "trivet/foundation/leftovers.h"
+#include "trivet/engine/program.h"
 
 namespace trivet::cli {
 namespace {
@@ -28,7 +28,7 @@ void wait_and_end(sigset_t signals) {
     say("\nthe search ends with the best design so far; interrupt again to end at once\n");
   }
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends the program by default
-  foundation::remove_leftovers();
+  engine::remove_leftovers();
   say("\ninterrupted; unfinished results are removed\n");
   _exit(128 + number);
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/engine/command.h"
+
+namespace trivet::cli {
+
+enum class Form { text, json, csv };
+
+/// What a command line asks for.
+struct CommandLine {
+  const engine::Command* command = nullptr;  ///< nullptr for `new` and `schema`
+  std::string project;                       ///< file
+  std::vector<std::string> settings;         ///< of --set
+  Form form = Form::text;
+  bool strict = false;
+  engine::Request request;
+};
+
+/// Answers the command line on standard output and standard error. @returns the exit code
+[[nodiscard]] int answer(CommandLine line);
+
+}  // namespace trivet::cli
