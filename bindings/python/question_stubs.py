@@ -6,12 +6,15 @@ usage: question_stubs.py FOLDER-OF-_core TARGET
 
 import json
 import keyword
+import pathlib
+import re
 import sys
 
 folder, target = sys.argv[1:]
 sys.path.insert(0, folder)
 import _core  # noqa: E402
 
+in_project = set(re.findall(r"    def (\w+)\(", (pathlib.Path(__file__).parent / "trivet/_project.py").read_text()))
 analyses = json.loads(_core.schema())["properties"]["analyses"]["properties"]
 lines = [
     "# SPDX-License-Identifier: BSD-3-Clause",
@@ -22,8 +25,10 @@ lines = [
     "",
     "class Questions:",
 ]
-for name, about in _core.questions():
-    keys = [key for key in analyses.get(name, {}).get("properties", {}) if key != "accept"]
+for name, about, _, own_keys in _core.commands():
+    if name in in_project:
+        continue
+    keys = own_keys + [key for key in analyses.get(name, {}).get("properties", {}) if key != "accept"]
     keys = [key + "_" if keyword.iskeyword(key) else key for key in keys]
     arguments = "".join(f"        {key}: Any = ...,\n" for key in keys)
     lines += [
@@ -37,7 +42,7 @@ for name, about in _core.questions():
         f'        """{about[0].upper()}{about[1:]}."""',
     ]
 lines += [
-    "    def _ask(self, question: str, keys: dict[str, Any], case: str, threads: int,"
+    "    def _ask(self, command: str, own: dict[str, Any], keys: dict[str, Any], case: str, threads: int,"
     " progress: Progress | bool | None) -> Answer: ...",
 ]
 with open(target, "w", encoding="utf-8") as file:

@@ -88,8 +88,9 @@ def test_core_refuses_wrong_types():
         for call in (
             lambda odd=odd: core.ask(odd),
             lambda odd=odd: core.ask("response", odd),
-            lambda odd=odd: core.sweep(odd, odd, odd, odd, odd, odd, odd),
-            lambda odd=odd: core.sweep(["bodies.machine.mass"], [[1.0]], [], [], odd, "displacement", ""),
+            lambda odd=odd: core.ask("sweep", "", dict.fromkeys(("paths", "values", "of", "excitations", "band"), odd)),
+            lambda odd=odd: core.ask("sweep", "", {"paths": ["bodies.machine.mass"], "values": [[1.0]], "band": odd}),
+            lambda odd=odd: core.ask(odd, odd, odd, odd),
             lambda odd=odd: trivet._core.read(odd, "x", []),
             lambda odd=odd: trivet._core.read("", "x", odd),
             lambda odd=odd: trivet._core.in_unit(1.0, "m", odd),
@@ -102,8 +103,8 @@ def test_core_refuses_wrong_types():
 
 def test_sweep_with_paths_without_values():
     core = trivet.Project(**MACHINE)._inner
-    with pytest.raises((trivet.InputError, IndexError)):
-        core.sweep(["bodies.machine.mass", "elements.a.scale"], [[1.0]], [], [], [], "displacement", "")
+    with pytest.raises(trivet.InputError, match="a list of values for each path"):
+        core.ask("sweep", "", {"paths": ["bodies.machine.mass", "elements.a.scale"], "values": [[1.0]]})
 
 
 def test_deleted_owners():

@@ -9,10 +9,6 @@
 #include <system_error>
 #include <tuple>
 
-#include "trivet/foundation/interruption.h"
-#include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/message_list.h"
-
 namespace trivet::python {
 namespace {
 
@@ -105,7 +101,7 @@ void bind_errors(nb::module_& module) {
       [](const std::vector<Problem>& list) {
         foundation::Problems problems;
         for (const Problem& problem : list) problems.add(problem);
-        return foundation::message_list(problems);
+        return engine::message_list(problems);
       },
       nb::arg("problems"), "The messages as the command line prints them.");
   nb::register_exception_translator(translate);

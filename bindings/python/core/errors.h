@@ -6,7 +6,7 @@
 #include <exception>
 #include <utility>
 
-#include "trivet/foundation/problems.h"
+#include "trivet/engine/program.h"
 
 namespace trivet::python {
 

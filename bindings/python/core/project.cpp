@@ -10,142 +10,124 @@
 
 #include "core/errors.h"
 #include "core/task.h"
-#include "trivet/exports/format.h"
-#include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/version.h"
-#include "trivet/project/rewritten_project.h"
-#include "trivet/project/schema.h"
-#include "trivet/project/text/embedded_text.h"
-#include "trivet/project/text/model_path.h"
-#include "trivet/project/text/shown_units.h"
-#include "trivet/project/text/source_file.h"
-#include "trivet/project/text/units.h"
-#include "trivet/study/asked_questions.h"
+#include "trivet/engine/program.h"
+#include "trivet/engine/session.h"
+#include "trivet/engine/units.h"
 
 namespace trivet::python {
 namespace {
 
 namespace nb = nanobind;
+using engine::Session;
 
-/// Reads a project on another thread: finite elements may take a while.
-OpenProject read(const std::string& text, const std::string& source, const std::vector<std::string>& settings,
-                 const std::string& folder, const nb::object& progress) {
-  struct Read {
-    foundation::Expected<project::Project> project;
-    std::string content;
-  };
-  const auto read = std::make_shared<Read>();
-  run_task({0, progress, "open"}, [read, text, source, settings, folder](const Progress&) {
-    read->project = project::project_from_text(text, source, settings, folder);
-    if (read->project) read->content = project::content_hash(*read->project);
+/// Opens a project on another thread: finite elements may take a while.
+Session read(const std::string& text, const std::string& source, const std::vector<std::string>& settings,
+             const std::string& folder, const nb::object& progress) {
+  const auto read = std::make_shared<foundation::Expected<Session>>(tl::make_unexpected(foundation::Problems()));
+  run_task({0, progress, "open"}, [read, text, source, settings, folder](const foundation::Progress&) {
+    *read = Session::open({source, text, folder}, settings);
   });
-  return {std::make_shared<const project::Project>(value_or_throw(std::move(read->project))), text, source, settings,
-          read->content};
+  return value_or_throw(std::move(*read));
 }
 
-std::string unit_words(const std::string& from, const std::string& to) {
-  for (const std::string& unit : {from, to})
-    if (!project::is_known_unit(unit)) return "\"" + unit + "\" is not a unit; write it as in \"kN/mm\"";
-  return "\"" + to + "\" measures another quantity than \"" + from + "\"; give a unit of the same";
-}
-
-std::vector<std::pair<std::string, std::string>> questions() {
-  std::vector<std::pair<std::string, std::string>> list;
-  for (const study::AskedQuestion& question : study::asked_questions())
-    list.emplace_back(question.name, question.about);
+/// A value of Python as one of a request. @throws nb::type_error for a kind that no key has
+engine::Value value_of(nb::handle object) {
+  if (nb::isinstance<nb::bool_>(object)) return nb::cast<bool>(object);
+  if (nb::isinstance<nb::str>(object)) return nb::cast<std::string>(object);
+  if (nb::isinstance<nb::int_>(object) || nb::isinstance<nb::float_>(object)) return nb::cast<double>(object);
+  if (!nb::isinstance<nb::list>(object) && !nb::isinstance<nb::tuple>(object))
+    throw nb::type_error("a value of a key is a text, a number, a bool or a list of these");
+  std::vector<engine::Value> list;
+  for (nb::handle one : nb::cast<nb::sequence>(object)) list.push_back(value_of(one));
   return list;
+}
+
+/// The result of a command, computed on another thread.
+engine::Result ask(const Session& session, const std::string& command, const std::string& case_name,
+                   const nb::typed<nb::dict, nb::str, nb::any>& keys, int threads, const nb::object& progress) {
+  engine::Request request{.command = command, .case_name = case_name, .threads = threads};
+  for (const auto& [key, value] : keys) request.keys.emplace_back(nb::cast<std::string>(key), value_of(value));
+  const auto result = std::make_shared<engine::Result>();
+  run_task({threads, progress, command},
+           [result, session, request](const foundation::Progress& report) { *result = session.ask(request, report); });
+  if (result->errors.has_errors()) throw WrongInput(result->errors);
+  if (!result->failure.empty()) throw foundation::NotComputable(result->failure);
+  return std::move(*result);
+}
+
+std::vector<std::pair<std::string, std::string>> analyses() {
+  std::vector<std::pair<std::string, std::string>> list;
+  for (const engine::Command& command : engine::commands())
+    if (command.is_analysis) list.emplace_back(command.name, command.about);
+  return list;
+}
+
+/// (name, what it answers, has it a case, its keys) of commands that need no method of their own in Python.
+std::vector<std::tuple<std::string, std::string, bool, std::vector<std::string>>> commands() {
+  std::vector<std::tuple<std::string, std::string, bool, std::vector<std::string>>> list;
+  for (const engine::Command& command : engine::commands()) {
+    std::vector<std::string> keys;
+    if (!command.is_analysis)  // its keys are those of the file, too
+      for (const engine::Key& key : command.keys) keys.emplace_back(key.name);
+    list.emplace_back(command.name, command.about, command.of_one_case, std::move(keys));
+  }
+  return list;
+}
+
+template <typename Part>
+std::vector<std::string> names_of(const std::vector<Part>& parts) {
+  std::vector<std::string> names;
+  for (const Part& part : parts) names.push_back(part.name);
+  return names;
 }
 
 }  // namespace
 
 void bind_project(nb::module_& module) {
-  nb::class_<OpenProject> of(module, "Project", "A checked project.");
-  of.def_ro("text", &OpenProject::text)
-      .def_ro("source", &OpenProject::source)
-      .def_ro("settings", &OpenProject::settings)
-      .def_prop_ro("title", [](const OpenProject& open) { return open.project->title; })
-      .def_ro("content", &OpenProject::content, "a hash, equal for equal projects")
+  nb::class_<Session>(module, "Project", "A checked project.")
+      .def_prop_ro("text", &Session::text)
+      .def_prop_ro("source", &Session::source)
+      .def_prop_ro("settings", &Session::settings)
+      .def_prop_ro("title", &Session::title)
+      .def_prop_ro("content", &Session::content, "a hash, equal for equal projects")
       .def_prop_ro("cases",
-                   [](const OpenProject& open) {
-                     std::vector<std::string> names;
-                     for (const project::Case& variant : open.project->cases)
-                       if (!variant.name.empty()) names.push_back(variant.name);
+                   [](const Session& session) {
+                     std::vector<std::string> names = session.case_names();
+                     names.erase(names.begin());
                      return names;
                    })
       .def_prop_ro(
           "parts",
-          [](const OpenProject& open) {
-            const model::Description& parts = open.project->base().system.description();
-            const auto names = [](const auto& list) {
-              std::vector<std::string> all;
-              for (const auto& one : list) all.push_back(one.name);
-              return all;
-            };
-            return std::tuple(names(parts.bodies), names(parts.elements), names(parts.excitations));
+          [](const Session& session) {
+            const model::Description& parts = session.model().system.description();
+            return std::tuple(names_of(parts.bodies), names_of(parts.elements), names_of(parts.excitations));
           },
           "names of bodies, elements and excitations of the base model")
       .def(
           "to_toml",
-          [](const OpenProject& open, const std::string& target) {
+          [](const Session& session, const std::string& target) {
             const nb::gil_scoped_release released;
-            return value_or_throw(project::text_with_settings(open.text, *open.project, open.settings, target));
+            return value_or_throw(session.text_with_settings(target));
           },
-          nb::arg("target") = "", "The text with the settings, for a file.");
-  bind_commands(of);
-  bind_studies(module, of);
-  module.def(
-      "read_text", [](const std::string& file) { return value_or_throw(project::read_source(file)); }, nb::arg("file"),
-      "Text of a project file.");
+          nb::arg("target") = "", "The text with the settings, for a file.")
+      .def("ask", ask, nb::arg("command"), nb::arg("case") = "", nb::arg("keys") = nb::dict(), nb::arg("threads") = 0,
+           nb::arg("progress") = nb::none(), "The result of a command.");
   module.def("read", read, nb::arg("text"), nb::arg("source"), nb::arg("settings"), nb::arg("folder") = "",
              nb::arg("progress") = nb::none(), "Reads and checks a project. Files are relative to `folder`.");
-  module.def("path_keys", &project::path_keys, nb::arg("path"), "Keys of a path; empty if it is none.");
-  module.def("questions", questions, "(name, what it answers) of every row of the table of questions");
-  module.def("schema", &project::project_schema, "The JSON Schema of the project file.");
-  module.def("starter", [] { return std::string(project::starter_text); }, "A commented project file to begin with.");
-  module.def("use_unit_database", &project::use_unit_database, nb::arg("file"));
   module.def(
-      "in_unit",
-      [](double value, const std::string& from, const std::string& to) {
-        const auto converted = project::in_unit({value, from}, to);
-        if (!converted) throw foundation::InvalidInput(unit_words(from, to));
-        return *converted;
-      },
-      nb::arg("value"), nb::arg("from_unit"), nb::arg("to_unit"), "A number in another unit of the same quantity.");
-  nb::class_<project::ShownUnits>(module, "ShownUnits", "Units in which tables and pictures show numbers.")
-      .def(nb::init<>())
-      .def(
-          "changed",
-          [](const project::ShownUnits& units, const std::vector<std::pair<std::string, std::string>>& changes) {
-            project::ShownUnits changed = units;
-            foundation::Problems wrong;
-            for (const auto& [key, value] : changes) wrong.add(project::set_shown_unit(changed, key, value));
-            if (wrong.has_errors()) throw WrongInput(wrong);
-            return changed;
-          },
-          nb::arg("changes"))
-      .def_ro("frequency", &project::ShownUnits::frequency)
-      .def_prop_ro("level", [](const project::ShownUnits& units) { return project::level_name(units.level); })
-      .def_prop_ro("level_factor", [](const project::ShownUnits& units) { return project::level_factor(units.level); })
-      .def(
-          "unit",
-          [](const project::ShownUnits& units, const std::string& si_unit) {
-            const project::ShownUnit shown = project::shown_unit(units, si_unit);
-            return std::pair(shown.unit, shown.factor);
-          },
-          nb::arg("si_unit"), "(unit, factor) in place of an SI unit")
-      .def("axis", [](const project::ShownUnits& units) {
-        const project::ShownUnit shown = project::shown_frequency(units);
-        return std::pair(shown.unit, shown.factor);
-      });
-  module.def(
-      "formats",
-      [] {
-        std::vector<std::pair<std::string, std::string>> list;
-        for (const exports::Format& format : exports::formats()) list.emplace_back(format.name, format.about);
-        return list;
-      },
-      "(name, what it holds) of every format of `export`");
-  module.attr("version") = foundation::version();
+      "read_text", [](const std::string& file) { return value_or_throw(engine::read_source(file)); }, nb::arg("file"),
+      "Text of a project file.");
+  module.def("path_keys", &engine::path_keys, nb::arg("path"), "Keys of a path; empty if it is none.");
+  module.def("questions", analyses, "(name, what it answers) of every analysis of a case");
+  module.def("commands", commands, "(name, what it answers, is it of one case, its keys) of every command");
+  module.def("schema", &engine::project_schema, "The JSON Schema of the project file.");
+  module.def("starter", &engine::starter_text, "A commented project file to begin with.");
+  module.def("use_unit_database", &engine::use_unit_database, nb::arg("file"));
+  module.def("in_unit", &engine::in_unit, nb::arg("value"), nb::arg("from_unit"), nb::arg("to_unit"),
+             "A number in another unit of the same quantity.");
+  module.def("angular_frequency", &engine::angular_frequency, nb::arg("text"), "A frequency with its unit in rad/s.");
+  module.def("formats", &engine::export_formats, "(name, what it holds) of every format of `export`");
+  module.attr("version") = engine::version();
 }
 
 }  // namespace trivet::python

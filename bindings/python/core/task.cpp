@@ -14,9 +14,6 @@
 #include <system_error>
 #include <thread>
 
-#include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/parallel_for.h"
-
 namespace trivet::python {
 namespace {
 
@@ -75,10 +72,9 @@ InterruptedTasks& interrupted_tasks() {
 
 using Work = std::function<void(const foundation::Progress&)>;
 
-void work_through(Course& course, int threads, Work work) {
+void work_through(Course& course, Work work) {
   std::exception_ptr failure;
   try {
-    const foundation::ThreadLimit limit(threads);
     work([&course](std::string_view task, double fraction) { course.report(task, fraction); });
   } catch (...) {
     failure = std::current_exception();
@@ -146,9 +142,7 @@ void run_task(const TaskOptions& options, Work work) {
   interrupted_tasks();
   std::thread thread;
   try {
-    thread = std::thread([course, threads = options.threads, own = std::move(work)]() mutable {
-      work_through(*course, threads, std::move(own));
-    });
+    thread = std::thread([course, own = std::move(work)]() mutable { work_through(*course, std::move(own)); });
   } catch (const std::system_error&) {
     throw std::runtime_error("no thread can be started for the computation; end other programs or raise the limit");
   }

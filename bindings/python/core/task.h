@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "trivet/foundation/interruption.h"
+#include "trivet/engine/program.h"
 
 /// Long computations that leave Python running.
 namespace trivet::python {

@@ -119,12 +119,18 @@ class Project(Questions):
         replace_file(target, here._inner.to_toml(target))
 
     def _ask(
-        self, question: str, keys: dict[str, Any], case: str, threads: int, progress: Progress | bool | None
+        self,
+        command: str,
+        own: dict[str, Any],
+        keys: dict[str, Any],
+        case: str,
+        threads: int,
+        progress: Progress | bool | None,
     ) -> Answer:
         require_case_and_threads(case, threads)
-        asked = self._with_keys(question, keys)
+        asked = self._with_keys(command, keys)
         with shown(progress) as callback:
-            return asked._answer(asked._inner.ask(question, case, threads, callback))
+            return asked._answer(asked._inner.ask(command, case, own, threads, callback))
 
     def _with_keys(self, question: str, keys: dict[str, Any]) -> Project:
         """The project with other keys of one analysis."""
@@ -148,10 +154,10 @@ class Project(Questions):
         """Map of the requirements over two parameters: [analyses.map]. points: designs along both axes instead of those
         of the file. Other keywords replace its keys."""
         require_case_and_threads(case, threads)
-        nx, ny = _points(points)
+        size = {} if points is None else {"points": _points(points)}
         asked = self._with_keys("map", keys)
         with shown(progress) as callback:
-            return asked._answer(asked._inner.map(case, nx, ny, threads, callback))
+            return asked._answer(asked._inner.ask("map", case, size, threads, callback))
 
     def select(
         self, *, most: int = 10, by: str = "margin", threads: int = 0, progress: Progress | bool | None = None
@@ -161,7 +167,7 @@ class Project(Questions):
         require_case_and_threads("", threads)
         most = whole_number("most", most)
         with shown(progress) as callback:
-            return self._answer(self._inner.select(most, by, threads, callback))
+            return self._answer(self._inner.ask("select", "", {"most": most, "by": by}, threads, callback))
 
     def optimize(self, *, threads: int = 0, progress: Progress | bool | None = None, **keys: Any) -> Answer:
         """The values of [parameters] with the largest least margin, or the smallest amplitudes: [analyses.optimize].
@@ -169,19 +175,19 @@ class Project(Questions):
         require_case_and_threads("", threads)
         asked = self._with_keys("optimize", keys)
         with shown(progress) as callback:
-            return asked._answer(asked._inner.optimize(threads, callback))
+            return asked._answer(asked._inner.ask("optimize", "", {}, threads, callback))
 
     def verdict(self, *, threads: int = 0, progress: Progress | bool | None = None) -> Answer:
         """Is every requirement met in every case, which one governs, and by what margin?"""
         require_case_and_threads("", threads)
         with shown(progress) as callback:
-            return self._answer(self._inner.verdict(threads, callback))
+            return self._answer(self._inner.ask("verdict", "", {}, threads, callback))
 
     def check(self, *, deep: bool = False, threads: int = 0, progress: Progress | bool | None = None) -> Answer:
         """All checks of the data; with `deep` two independent solvers are compared."""
         require_case_and_threads("", threads)
         with shown(progress) as callback:
-            return self._answer(self._inner.check(bool(deep), threads, callback))
+            return self._answer(self._inner.ask("check", "", {"deep": bool(deep)}, threads, callback))
 
     def explain(
         self,
@@ -196,7 +202,7 @@ class Project(Questions):
         require_case_and_threads(case, threads)
         names, most = text_list("of", of), whole_number("most", most)
         with shown(progress) as callback:
-            return self._answer(self._inner.explain(names, most, case, threads, callback))
+            return self._answer(self._inner.ask("explain", case, {"of": names, "most": most}, threads, callback))
 
     def suspension(
         self,
@@ -209,10 +215,12 @@ class Project(Questions):
         """Elastic centre, roll axes, decoupling and frequency separation. torques: moments, body axes. excitations:
         frequencies to compare with the natural ones, in rad/s or with units."""
         require_case_and_threads(case, 0)
-        axes = _torques(torques)
-        frequencies = [frequency(f) for f in items("excitations", excitations)]
+        keys = {
+            "torque": _torques(torques),
+            "excitation": [frequency(f) for f in items("excitations", excitations)],
+        }
         with shown(progress) as callback:
-            return self._answer(self._inner.suspension(axes, frequencies, case, callback))
+            return self._answer(self._inner.ask("suspension", case, keys, 0, callback))
 
     def element(
         self,
@@ -227,14 +235,14 @@ class Project(Questions):
         require_case_and_threads(case, threads)
         require_text("name", name)
         with shown(progress) as callback:
-            return self._answer(self._inner.element(name, bool(all), case, threads, callback))
+            return self._answer(self._inner.ask("element", case, {"name": name, "all": bool(all)}, threads, callback))
 
     def run(self, folder: str | os.PathLike[str], *, threads: int = 0, progress: Progress | bool | None = None) -> Run:
         """All analyses of the file in all cases: tables, pictures, results.json and report.html in a folder."""
         require_case_and_threads("", threads)
         with shown(progress) as callback:
-            answers = self._inner.run(os.fspath(folder), threads, callback)
-        return Run(pathlib.Path(folder), {core.case: self._answer(core) for core in answers})
+            core = self._inner.ask("run", "", {"output": os.fspath(folder)}, threads, callback)
+        return Run(pathlib.Path(folder), {one.case: self._answer(one) for one in core.cases})
 
     def export(
         self,
@@ -257,17 +265,17 @@ class Project(Questions):
             known = ", ".join(name for name, _ in _core.formats())
             raise InputError([problem("to", target, "no format has this ending", f"name one: {known}")])
         require_case_and_threads(case, threads)
-        wanted = text_list("what", what)
+        keys = {"to": format_name, "output": target, "what": text_list("what", what)}
         with shown(progress) as callback:
-            return self._inner.export(format_name, target, wanted, case, threads, callback)
+            return self._inner.ask("export", case, keys, threads, callback).remarks
 
     def matrices(self, *, case: str = "", progress: Progress | bool | None = None) -> Matrices:
         """A, B, K, the loads, and the names of the rows."""
         require_case_and_threads(case, 0)
         with shown(progress) as callback:
-            arrays, warnings = self._inner.matrices(case, callback)
-        _errors.warn(warnings)
-        return Matrices(arrays, warnings)
+            core = self._inner.ask("matrices", case, {}, 0, callback)
+        _errors.warn(core.warnings)
+        return Matrices(core.arrays(), core.warnings)
 
     def state_space(
         self,
@@ -286,9 +294,10 @@ class Project(Questions):
         require_case_and_threads(case, 0)
         require_text("quantity", quantity)
         with shown(progress) as callback:
-            arrays, warnings = self._inner.state_space(text_list("of", of), quantity, bool(nearest), case, callback)
-        _errors.warn(warnings)
-        return StateSpace(arrays, warnings)
+            keys = {"of": text_list("of", of), "quantity": quantity, "nearest": bool(nearest)}
+            core = self._inner.ask("state_space", case, keys, 0, callback)
+        _errors.warn(core.warnings)
+        return StateSpace(core.arrays(), core.warnings)
 
     def sweep(
         self,
@@ -310,14 +319,18 @@ class Project(Questions):
         require_case_and_threads(case, threads)
         require_text("quantity", quantity)
         names, arrays = swept_values(values)
-        limits = [] if band is None else [frequency(f) for f in items("band", band)]
-        acting = text_list("excitations", excitations)
+        keys = {
+            "paths": names,
+            "values": arrays,
+            "of": text_list("of", of),
+            "excitations": text_list("excitations", excitations),
+            "band": [] if band is None else [frequency(f) for f in items("band", band)],
+            "quantity": quantity,
+        }
         with shown(progress) as callback:
-            found, warnings = self._inner.sweep(
-                names, arrays, text_list("of", of), acting, limits, quantity, case, threads, callback
-            )
-        _errors.warn(warnings)
-        return Sweep(found, warnings, self.title)
+            core = self._inner.ask("sweep", case, keys, threads, callback)
+        _errors.warn(core.warnings)
+        return Sweep(core.arrays(), core.warnings, self.title)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Project) and self._inner.content == other._inner.content
@@ -383,9 +396,7 @@ def _folder_of(source: str) -> str:
         return ""
 
 
-def _points(points: int | tuple[int, int] | None) -> tuple[int, int]:
-    if points is None:
-        return 0, 0
+def _points(points: int | tuple[int, int]) -> tuple[int, int]:
     pair = items("points", points) if isinstance(points, (tuple, list)) else [points, points]
     if len(pair) != 2:
         raise InputError([problem("points", points, "a map has two axes", "give one number, or two: (60, 40)")])

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A method for every row of the table of questions. Their signatures are in _questions.pyi, which the build writes."""
+"""A method for every command of the engine; those that need arguments of their own are in _project.py. Their signatures are
+in _questions.pyi, which the build writes."""
 
 from __future__ import annotations
 
@@ -13,26 +14,35 @@ class Questions:
     """Questions about a project."""
 
     def _ask(
-        self, question: str, keys: dict[str, Any], case: str, threads: int, progress: Progress | bool | None
+        self,
+        command: str,
+        own: dict[str, Any],
+        keys: dict[str, Any],
+        case: str,
+        threads: int,
+        progress: Progress | bool | None,
     ) -> Any:
         raise NotImplementedError
 
 
-def _method(question: str, about: str) -> Any:
+def _method(command: str, about: str, of_one_case: bool, own_keys: list[str]) -> Any:
     def ask(
         self: Questions, *, case: str = "", threads: int = 0, progress: Progress | bool | None = None, **keys: Any
     ) -> Any:
-        return self._ask(question, keys, case, threads, progress)
+        own = {key: keys.pop(key) for key in own_keys if key in keys}
+        return self._ask(command, own, keys, case, threads, progress)
 
-    ask.__name__ = question
-    ask.__qualname__ = f"Project.{question}"
+    which = "case: a case of the project instead of the base model. " if of_one_case else ""
+    own = f"{', '.join(own_keys)}: as on the command line. " if own_keys else ""
+    ask.__name__ = command
+    ask.__qualname__ = f"Project.{command}"
     ask.__doc__ = f"""{about[0].upper()}{about[1:]}.
 
-        case: a case of the project instead of the base model. Other keywords are keys of [analyses.{question}] and
+        {which}{own}Other keywords are keys of [analyses.{command}] and
         replace those of the file. threads: at most so many. progress: a function of (done, total, task), or True.
         Raises InputError, NotComputable."""
     return ask
 
 
-for _name, _about in _core.questions():
-    setattr(Questions, _name, _method(_name, _about))
+for _name, _about, _of_one_case, _keys in _core.commands():
+    setattr(Questions, _name, _method(_name, _about, _of_one_case, _keys))
