@@ -78,5 +78,21 @@ for path in sorted((source / "trivet").rglob("*")):
             wrong.append(f"{path}:{number}: {room} must not include {room_of(target)}")
         elif lower != floor and target in private:
             wrong.append(f"{path}:{number}: {target} is private to {lower}")
+
+# The command line and Python ask the engine and know nothing below it.
+root = source.parent
+behind_the_door = 0
+for path in sorted([*root.glob("apps/cli/*"), *root.glob("bindings/python/core/*")]):
+    if path.suffix not in (".h", ".cpp"):
+        continue
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        found = re.match(r'\s*#\s*include\s*[<"]trivet/([^">]+\.h)', line)
+        if not found:
+            continue
+        behind_the_door += 1
+        if not found.group(1).startswith("engine/"):
+            wrong.append(f"{path}:{number}: {found.group(1)} is behind the engine, the one door of programs")
+if behind_the_door == 0:
+    wrong.append("no program includes the engine")
 print("\n".join(wrong) or f"{includes} includes between {len(floors)} floors and {len(rooms)} rooms follow the arrows")
 sys.exit(1 if wrong or includes == 0 else 0)
