@@ -37,7 +37,7 @@ struct Picture {
   response::FrequencyResponse drawn;
 };
 
-Picture picture(const model::System& system, const response::Band& band,
+Picture picture(const model::System& system, const assembly::Band& band,
                 const std::vector<std::string>& of = {"coordinates"}) {
   assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
@@ -128,7 +128,7 @@ model::System with_damping_ratio(model::Description description, double ratio) {
   return test::checked(description);
 }
 
-response::Band band_of(const model::System& system) {
+assembly::Band band_of(const model::System& system) {
   double highest = 0;
   for (const modal::Mode& mode : modal::modes(system, assembly::assemble(system)).list)
     highest = std::max(highest, mode.angular_frequency.value_or(0));

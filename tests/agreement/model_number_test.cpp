@@ -56,7 +56,7 @@ TEST(ModelNumbers, AreThoseOfExplainByTheirPaths) {
       ASSERT_TRUE(by_file) << file << ": " << parameter.name << ": "
                            << foundation::message(by_file.error().list().front());
       const model::System by_explain = response::changed(base.system, parameter, parameter.size);
-      const Eigen::MatrixXcd expected = dynamic_stiffness(nonlinear::is_nonlinear(by_explain)
+      const Eigen::MatrixXcd expected = dynamic_stiffness(model::is_nonlinear(by_explain)
                                                               ? nonlinear::rest_position(by_explain).system
                                                               : by_explain),
                              found = dynamic_stiffness(*by_file);

@@ -164,7 +164,7 @@ TEST(Transmissibility, ForceAndDisplacementAgree) {
     const model::System system = test::checked(random_description(4, damping));
     const assembly::Assembled assembled = assembly::assemble(system);
     for (const bool rotation : {false, true}) {
-      const response::Direction here{random.vector(2), rotation}, there{random.vector(2), rotation};
+      const model::Direction here{random.vector(2), rotation}, there{random.vector(2), rotation};
       const auto force =
           response::force_transmission(system, assembled, {1, system.bodies()[1].points[0].at, here}, there);
       const auto motion = response::displacement_transmission(system, assembled, {"body 1.tip"}, there, here);
@@ -306,7 +306,7 @@ TEST(LimitLine, IsExceededWhereADenseScanExceedsIt) {
     const std::vector<double> scan = response::logarithmic_grid({10, 500}, 20000);
     const Eigen::VectorXd level =
         response::frequency_response(assembled, channels, loading, scan).curves[0].value.cwiseAbs();
-    const response::LimitLine line{
+    const assembly::LimitLine line{
         "user's",
         "m/s",
         false,
@@ -320,7 +320,7 @@ TEST(LimitLine, IsExceededWhereADenseScanExceedsIt) {
       const double margin = response::zero_to_peak_limit(line, std::clamp(scan[i], 10.0, 500.0)) / level(to_index(i));
       least = std::min(least, margin);
       const bool inside = std::any_of(found.exceeded.begin(), found.exceeded.end(),
-                                      [&](const response::Band& b) { return scan[i] >= b.from && scan[i] <= b.to; });
+                                      [&](const assembly::Band& b) { return scan[i] >= b.from && scan[i] <= b.to; });
       EXPECT_EQ(inside, margin < 1) << scan[i];
     }
     EXPECT_THAT(found.least_margin, RelativelyNear(least, between_points));

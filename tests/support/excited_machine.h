@@ -105,13 +105,13 @@ inline study::Answers answers_of_everything() {
                              {}};
 
   const auto by_order = response::order_loadings(system, assembled);
-  const response::Band speed{turn * 5, turn * 50};
+  const assembly::Band speed{turn * 5, turn * 50};
   a.of_questions["orders"] =
       study::OrdersResult{response::run_up(assembled, channels, by_order, a.modes, a.roots, {.speed = speed}),
                           response::campbell(by_order, a.modes, a.roots, speed),
                           {}};
 
-  const response::Band band{turn * 1, turn * 100};
+  const assembly::Band band{turn * 1, turn * 100};
   const auto grid = response::logarithmic_grid(band, 801);
   const auto transmission = response::force_transmission(system, assembled, {0, {0.05, 0.02, 0.35}, {}});
   const auto transmitted_peaks =
@@ -128,7 +128,7 @@ inline study::Answers answers_of_everything() {
   for (int i = 0; i <= 300; ++i) natural.push_back(turn * std::pow(10.0, 3.3 * i / 300));
   a.of_questions["shock_spectrum"] = std::vector<study::ShockSpectrumResult>{
       {"shock", "m/s²", 0.05, excitation::shock_spectrum(pulse, natural, 0.05)}};
-  const response::LimitLine line{
+  const assembly::LimitLine line{
       "class B", "m/s", true, {turn * 2, turn * 8, turn * 8, turn * 90}, {2e-2, 5e-3, 9e-3, 9e-3}};
   const auto velocity_peaks = response::peaks(assembled, velocities, harmonic, a.modes, a.roots);
   a.limit_lines = {{"machine.seat.z", line,

@@ -20,7 +20,7 @@ struct SolvedSystem {
       assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement) const {
     return assembly::channels(system, assembled, of, quantity);
   }
-  response::RunUp run_up(const std::vector<std::string>& of, const response::Band& speed, int points = 101) const {
+  response::RunUp run_up(const std::vector<std::string>& of, const assembly::Band& speed, int points = 101) const {
     return response::run_up(assembled, channels(of), response::order_loadings(system, assembled), modes, roots,
                             {speed, 1e-6, points});
   }

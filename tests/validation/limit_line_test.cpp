@@ -22,7 +22,7 @@ using test::RelativelyNear;
 constexpr double round_off = 1e-10;    // solves of one coordinate, with roots and heights from them
 constexpr double flat_minimum = 1e-7;  // the place of a minimum that values alone enclose: root of round-off
 
-response::LimitComparison velocity_of_mass(const response::LimitLine& line, const response::Band& band,
+response::LimitComparison velocity_of_mass(const assembly::LimitLine& line, const assembly::Band& band,
                                            double ratio = 0.05) {
   model::Description d = test::guided_mass(2, 30, ratio);
   d.excitations = {test::vertical_force("push", 0, 5)};
@@ -40,7 +40,7 @@ TEST(LimitLine, IsExceededBetweenTheRootsOfTheClosedForm) {
   const double s = std::sqrt(force * force / (limit * limit) - dashpot * dashpot),
                root = std::sqrt(s * s + 4 * stiffness * mass);
   for (const bool rms : {false, true}) {
-    const response::LimitLine line{
+    const assembly::LimitLine line{
         "flat",
         "m/s",
         rms,
@@ -61,7 +61,7 @@ TEST(LimitLine, IsExceededBetweenTheRootsOfTheClosedForm) {
 TEST(LimitLine, FallingWithFrequencyLimitsTheDisplacement) {
   // v/(L ω0/ω) = ω² F/(L ω0 |Z|): least margin at the peak of acceleration ω0/√(1 − 2ζ²).
   constexpr double mass = 2, natural = 30, force = 5, ratio = 0.3;
-  const response::LimitLine line{"falling", "m/s", false, {3, 300}, {10 * 1.0, 0.1 * 1.0}};  // 30/ω
+  const assembly::LimitLine line{"falling", "m/s", false, {3, 300}, {10 * 1.0, 0.1 * 1.0}};  // 30/ω
   const auto found = velocity_of_mass(line, {1, 1000}, ratio);
   EXPECT_EQ(found.compared.from, 3);
   EXPECT_EQ(found.compared.to, 300);
@@ -76,7 +76,7 @@ TEST(LimitLine, FallingWithFrequencyLimitsTheDisplacement) {
 TEST(LimitLine, FindsTheLeastMarginBesideANarrowPeak) {
   // As above, with a peak of a millionth of its frequency: where grid points are as close as that.
   constexpr double mass = 2, natural = 30, force = 5, ratio = 1e-6;
-  const response::LimitLine line{"falling", "m/s", false, {3, 300}, {10, 0.1}};  // 30/ω
+  const assembly::LimitLine line{"falling", "m/s", false, {3, 300}, {10, 0.1}};  // 30/ω
   const auto found = velocity_of_mass(line, {1, 1000}, ratio);
   EXPECT_THAT(found.least_margin,
               RelativelyNear(30 * mass * 2 * ratio * std::sqrt(1 - ratio * ratio) / force, round_off));
@@ -85,7 +85,7 @@ TEST(LimitLine, FindsTheLeastMarginBesideANarrowPeak) {
 }
 
 TEST(LimitLine, HasItsLowerValueAtAStep) {
-  const response::LimitLine line{"step", "m/s", false, {1, 35, 35, 1000}, {10, 10, 0.1, 0.1}};
+  const assembly::LimitLine line{"step", "m/s", false, {1, 35, 35, 1000}, {10, 10, 0.1, 0.1}};
   EXPECT_EQ(response::zero_to_peak_limit(line, 35), 0.1);
   EXPECT_EQ(response::zero_to_peak_limit(line, 34), 10);
   EXPECT_EQ(response::zero_to_peak_limit({"step up", "m/s", false, {1, 35, 35, 1000}, {0.1, 0.1, 10, 10}}, 35), 0.1);
@@ -97,7 +97,7 @@ TEST(LimitLine, HasItsLowerValueAtAStep) {
 }
 
 TEST(LimitLine, ContinuesAcrossAPointBetweenTwoPieces) {
-  const response::LimitLine line{"kink", "m/s", false, {1, 30, 1000}, {0.2, 0.2, 0.2}};
+  const assembly::LimitLine line{"kink", "m/s", false, {1, 30, 1000}, {0.2, 0.2, 0.2}};
   EXPECT_EQ(velocity_of_mass(line, {2, 200}).exceeded.size(), 1u);
 }
 
@@ -111,10 +111,10 @@ TEST(LimitLine, HasNoMarginAtAnUndampedResonance) {
 }
 
 TEST(LimitLine, ReportsAllErrorsOfItsTable) {
-  const response::LimitLine line{"bad", "m/s", true, {-1, 5, 4, 4, 4}, {1, 0, std::nan(""), 1, 1}};
-  EXPECT_EQ(response::check(line, "limits.bad").errors(), 5u);
-  EXPECT_EQ(response::check({"short", "m", true, {1}, {1}}, "limits").errors(), 1u);
-  EXPECT_EQ(response::check({"nowhere", "m", true, {1, 1}, {1, 2}}, "limits").errors(), 1u);
+  const assembly::LimitLine line{"bad", "m/s", true, {-1, 5, 4, 4, 4}, {1, 0, std::nan(""), 1, 1}};
+  EXPECT_EQ(assembly::check(line, "limits.bad").errors(), 5u);
+  EXPECT_EQ(assembly::check({"short", "m", true, {1}, {1}}, "limits").errors(), 1u);
+  EXPECT_EQ(assembly::check({"nowhere", "m", true, {1, 1}, {1, 2}}, "limits").errors(), 1u);
   EXPECT_THROW(velocity_of_mass({"unlike", "m", true, {1, 1000}, {1, 1}}, {2, 200}), foundation::InvalidInput);
   EXPECT_THROW(velocity_of_mass({"elsewhere", "m/s", true, {300, 1000}, {1, 1}}, {2, 200}), foundation::NotComputable);
 }

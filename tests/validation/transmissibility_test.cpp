@@ -87,7 +87,7 @@ TEST(Transmissibility, RelativeMotionHasNoCrossover) {
 
 TEST(Transmissibility, RejectsARatioOfDifferentUnits) {
   const test::SolvedSystem solved(test::guided_mass(4, 10, 0.05));
-  const response::Direction up, turn{Eigen::Vector3d::UnitX(), true};
+  const model::Direction up, turn{Eigen::Vector3d::UnitX(), true};
   EXPECT_THAT(
       [&] { (void)response::force_transmission(solved.system, solved.assembled, {0, {}, up}, turn); },
       testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("a moment over a force has the unit m")));
@@ -113,15 +113,15 @@ TEST(Transmissibility, HasTheDirectionOfAForceOfTheModel) {
   d.excitations[1].action.amplitude(3) = 1;
   d.excitations[2].action.amplitude(1) = {0, 1};
   const model::System system = test::checked(d);
-  const response::AppliedForce push = response::applied_force(system, "push");
+  const model::AppliedForce push = model::applied_force(system, "push");
   constexpr double last_digit = 4 * test::epsilon;  // a rotation and a root
   EXPECT_NEAR((push.direction.axis.normalized() - Eigen::Vector3d::UnitX()).norm(), 0, last_digit);
   EXPECT_FALSE(push.direction.rotation);
-  EXPECT_THAT([&] { (void)response::applied_force(system, "both"); },
+  EXPECT_THAT([&] { (void)model::applied_force(system, "both"); },
               testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("a force and a moment")));
-  EXPECT_THAT([&] { (void)response::applied_force(system, "round"); },
+  EXPECT_THAT([&] { (void)model::applied_force(system, "round"); },
               testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("differ in phase")));
-  EXPECT_THROW((void)response::applied_force(system, "none"), foundation::InvalidInput);
+  EXPECT_THROW((void)model::applied_force(system, "none"), foundation::InvalidInput);
 }
 
 }  // namespace transmissibility_test

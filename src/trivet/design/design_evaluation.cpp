@@ -25,7 +25,7 @@ DesignOutcome outcome_of(const Governing& least) {
 }
 
 /// Counts one natural frequency of a design that is below or in the band of the amplitudes.
-void count_mode(double squared, const response::Band& band, DesignOutcome& outcome) {
+void count_mode(double squared, const assembly::Band& band, DesignOutcome& outcome) {
   if (squared < band.from * band.from)
     outcome.modes_below += outcome.modes_below < std::numeric_limits<std::uint16_t>::max();
   else if (squared <= band.to * band.to)
@@ -42,9 +42,9 @@ constexpr std::size_t lane_piece = 256;  // designs; their matrices fit in the c
 
 /// Frequency range in which differences of K, B and A of two systems show: three decades up to the highest natural
 /// frequency, within the range of the tables.
-response::Band compared_range(const assembly::Assembled& a, const assembly::Assembled& b, double natural_frequency) {
+assembly::Band compared_range(const assembly::Assembled& a, const assembly::Assembled& b, double natural_frequency) {
   constexpr double decades = 1e-3, least = 10;  // least: one decade, if tables start above the range
-  response::Band range{decades * natural_frequency, std::numeric_limits<double>::infinity()};
+  assembly::Band range{decades * natural_frequency, std::numeric_limits<double>::infinity()};
   for (const assembly::Assembled* assembled : {&a, &b})
     for (const assembly::ElementMap& map : assembled->elements)
       range = {std::max(range.from, map.defined_from), std::min(range.to, map.defined_to)};
@@ -73,7 +73,7 @@ DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::
   if (set_.rules.size() > DesignOutcome::most_rules)
     throw foundation::NotComputable(
         fmt::format("map: {} rules; a map has at most {}", set_.rules.size(), DesignOutcome::most_rules));
-  set_.band = request.band.value_or(response::Band{0, std::numeric_limits<double>::infinity()});
+  set_.band = request.band.value_or(assembly::Band{0, std::numeric_limits<double>::infinity()});
   counts_modes_ = !request.limits.empty() && set_.band.from > 0 && std::isfinite(set_.band.to);
   set_.min_prominence = request.min_prominence;
   const std::vector<assembly::Channel> all = channels(variant.system, assembled);

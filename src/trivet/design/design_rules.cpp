@@ -20,7 +20,7 @@ constexpr double tie =
 std::vector<LargestAmplitude> maxima_in_band(const assembly::Assembled& assembled,
                                              const std::vector<assembly::Channel>& channels,
                                              const assembly::Loading& loading, const response::Peaks& found,
-                                             std::size_t curve, const response::Band& band) {
+                                             std::size_t curve, const assembly::Band& band) {
   std::vector<LargestAmplitude> maxima;
   const auto consider = [&](double amplitude, double omega) { maxima.push_back({amplitude, omega}); };
   // At ω = 0 a rigid-body mode has no steady amplitude; just above, the curve shows whether it contains that mode.
@@ -50,7 +50,7 @@ std::vector<LargestAmplitude> maxima_in_band(const assembly::Assembled& assemble
 
 LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                  const assembly::Loading& loading, const response::Peaks& found, std::size_t curve,
-                                 const response::Band& band) {
+                                 const assembly::Band& band) {
   LargestAmplitude largest{0, band.from};
   for (const LargestAmplitude& one : maxima_in_band(assembled, channels, loading, found, curve, band))
     if (one.amplitude > largest.amplitude) largest = one;

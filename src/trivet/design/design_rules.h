@@ -20,13 +20,13 @@ struct LargestAmplitude {
                                                            const std::vector<assembly::Channel>& channels,
                                                            const assembly::Loading& loading,
                                                            const response::Peaks& found, std::size_t curve,
-                                                           const response::Band& band);
+                                                           const assembly::Band& band);
 
 /// The largest of them.
 [[nodiscard]] LargestAmplitude largest_in_band(const assembly::Assembled& assembled,
                                                const std::vector<assembly::Channel>& channels,
                                                const assembly::Loading& loading, const response::Peaks& found,
-                                               std::size_t curve, const response::Band& band);
+                                               std::size_t curve, const assembly::Band& band);
 
 /// A rule that a feasible design meets.
 struct DesignRule {
@@ -50,7 +50,7 @@ inline constexpr double on_the_limit = 1e-9;
 
 struct RuleSet {
   std::vector<DesignRule> rules;
-  response::Band band;           ///< band of the amplitudes [rad/s]; may reach to infinity
+  assembly::Band band;           ///< band of the amplitudes [rad/s]; may reach to infinity
   double min_prominence = 1e-6;  ///< see PeakOptions
 };
 

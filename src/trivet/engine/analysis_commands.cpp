@@ -34,7 +34,7 @@ void set_band(const Task& task, project::Analyses& analyses) {
     throw InvalidInput(fmt::format("{} {}: a band is FROM,TO with FROM < TO", key, task.keys.text("band")));
   if (const auto broken = project::wrong_band(band[0], band[1]))
     throw InvalidInput(fmt::format("{} {}: {}", key, task.keys.text("band"), *broken));
-  analyses.response->band = response::Band{band[0], band[1]};
+  analyses.response->band = assembly::Band{band[0], band[1]};
   analyses.response->at.clear();
   analyses.limit_lines = task.variant.analyses.limit_lines;
 }

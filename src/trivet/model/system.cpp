@@ -252,6 +252,8 @@ foundation::Expected<System> System::checked(Description description) {
   return system;
 }
 
+bool is_nonlinear(const System& system) { return std::ranges::any_of(system.elements(), has_laws); }
+
 spatial::Pose end_in_ground(const std::vector<Body>& bodies, const End& end) {
   if (!end.body) return {end.at, end.axes};
   const spatial::Pose& body = bodies[*end.body].pose;

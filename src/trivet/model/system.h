@@ -245,6 +245,9 @@ class System {
   foundation::Problems warnings_;
 };
 
+/// Has any element nonlinear parts?
+[[nodiscard]] bool is_nonlinear(const System& system);
+
 /// "x", "y", "z", "rx", "ry", "rz".
 inline constexpr std::array<const char*, 6> coordinate_names = {"x", "y", "z", "rx", "ry", "rz"};
 

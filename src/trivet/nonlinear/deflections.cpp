@@ -94,11 +94,6 @@ std::array<elements::Vector12, 2> rows_across(const model::NonlinearPart& along,
   return rows;
 }
 
-bool is_nonlinear(const model::System& system) {
-  return std::any_of(system.elements().begin(), system.elements().end(),
-                     [](const model::Element& element) { return model::has_laws(element); });
-}
-
 bool has_slack_dampers(const model::System& system) {
   bool found = false;
   each_part(system.elements(),

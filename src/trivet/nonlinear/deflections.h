@@ -71,6 +71,4 @@ void add_rubbings(const model::System& system, const assembly::Assembled& assemb
 /// Has any part dampers without damping at small rates?
 [[nodiscard]] bool has_slack_dampers(const model::System& system);
 
-[[nodiscard]] bool is_nonlinear(const model::System& system);
-
 }  // namespace trivet::nonlinear

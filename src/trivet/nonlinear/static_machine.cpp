@@ -36,7 +36,7 @@ StaticMachine static_machine(const model::System& system, const assembly::Assemb
     const response::AtRest linear(given, of_it);
     return StaticMachine{linear.system(), linear.assembled()};
   };
-  if (!is_nonlinear(system) || holds_static_load(system)) return at_rest(system, assembled);
+  if (!model::is_nonlinear(system) || holds_static_load(system)) return at_rest(system, assembled);
   const model::System held = with_references(system, references_of_restoring_parts(system));
   return at_rest(held, assembly::assemble(held));
 }

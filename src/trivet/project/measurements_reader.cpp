@@ -319,11 +319,11 @@ class MeasurementTable {
 
   // ------------------------------------------------------------------------------------------- band and coherence
 
-  [[nodiscard]] std::optional<response::Band> band() const {
+  [[nodiscard]] std::optional<assembly::Band> band() const {
     if (response_.band) return response_.band;
     if (response_.at.empty()) return std::nullopt;
     const auto [low, high] = std::minmax_element(response_.at.begin(), response_.at.end());
-    return response::Band{*low, *high};
+    return assembly::Band{*low, *high};
   }
 
   void check_band(const Measurement& measurement) {

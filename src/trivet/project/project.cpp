@@ -37,7 +37,6 @@
 #include "trivet/project/text/part_tables.h"
 #include "trivet/project/text/source_file.h"
 #include "trivet/project/text/toml_text.h"
-#include "trivet/response/machinery/transmissibility.h"
 
 namespace trivet::project {
 namespace {

@@ -33,7 +33,7 @@ void check_bush_directions(const model::System& system, foundation::Problems& pr
 }  // namespace
 
 void settle(model::System& system, foundation::Problems& problems) {
-  if (!nonlinear::is_nonlinear(system)) return;
+  if (!model::is_nonlinear(system)) return;
   try {
     nonlinear::RestPosition rest = nonlinear::rest_position(system);
     for (const double share : rest.limit_loads)
@@ -54,7 +54,7 @@ void settle(model::System& system, foundation::Problems& problems) {
 }
 
 void warn_of_small_motions(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
-  if (!nonlinear::is_nonlinear(system)) return;
+  if (!model::is_nonlinear(system)) return;
   const auto warn = [&](const std::string& subject) {
     problems.warning(
         subject, "a nonlinear machine",

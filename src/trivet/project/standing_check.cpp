@@ -21,7 +21,7 @@ foundation::Problems standing_problems(const model::System& system) {
   const std::string subject = model::path_of(system.bodies()[falling->body]),
                     finding = plausibility::falling_words(system, *falling),
                     rule = "a machine stands if its elements hold it against the tilting by its weight";
-  if (nonlinear::is_nonlinear(system))
+  if (model::is_nonlinear(system))
     problems.warning(subject, finding, rule, "all analyses are about this unstable position; compare with steady");
   else
     problems.error(subject, finding, rule,

@@ -126,7 +126,7 @@ void add_speeds_of_isolation(const Case& variant, plausibility::Stated& stated) 
 
 void add_questions(const Case& variant, plausibility::Stated& stated) {
   const Analyses& asked = variant.analyses;
-  const auto add = [&](const std::string& question, const std::optional<response::Band>& band) {
+  const auto add = [&](const std::string& question, const std::optional<assembly::Band>& band) {
     if (band) stated.windows.push_back({"analyses." + question + ".band", band->from, band->to});
   };
   if (asked.response) add("response", asked.response->band);
@@ -141,7 +141,7 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
                                       {"static", &asked.requirements->statics}})
       for (const AmplitudeLimit& limit : *limits) add_limit(std::string("requirements.") + key, limit, stated);
   for (const LimitLineRequest& request : asked.limit_lines)
-    if (const response::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
+    if (const assembly::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,
                                         request.of, *std::max_element(line.limit.begin(), line.limit.end()),
                                         line.unit == "m/s", true});
@@ -184,7 +184,7 @@ std::vector<plausibility::Suspicion> suspicions(const Case& variant,
   return found;
 }
 
-foundation::Problems doubts_about_band(const Case& variant, const response::Band& band) {
+foundation::Problems doubts_about_band(const Case& variant, const assembly::Band& band) {
   foundation::Problems ignored, doubts;
   const std::vector<Acceptance> accepted = read_acceptances(variant.document, ignored);
   const std::string table = "analyses.response";

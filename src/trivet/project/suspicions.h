@@ -16,7 +16,7 @@ namespace trivet::project {
     const Case& variant, const std::vector<std::pair<std::string, std::string>>& accepted = {});
 
 /// Warnings about a band of the command line, as about that of [analyses.response], unless the file accepts them.
-[[nodiscard]] foundation::Problems doubts_about_band(const Case& variant, const response::Band& band);
+[[nodiscard]] foundation::Problems doubts_about_band(const Case& variant, const assembly::Band& band);
 
 /// Adds the slip behind impossible bodies to their errors, if a single slip explains them.
 void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems);

@@ -39,7 +39,7 @@ std::optional<Times> relaxation_times(const elements::Law& law) {
 }
 
 /// Frequencies at equal spacing over the decades, and close to the law's own natural frequencies on both sides.
-std::vector<double> frequencies(const elements::Law& law, const response::Band& band) {
+std::vector<double> frequencies(const elements::Law& law, const assembly::Band& band) {
   constexpr int even = 500, beside = 24;
   std::vector<double> grid;
   for (int i = 0; i <= even; ++i)
@@ -59,7 +59,7 @@ struct Curves {
   std::array<std::vector<double>, 6> magnitude;  ///< of the diagonal of end K
 };
 
-Curves curves(const elements::Law& law, const response::Band& band) {
+Curves curves(const elements::Law& law, const assembly::Band& band) {
   Curves result;
   for (const double omega : frequencies(law, band)) {
     try {
@@ -122,23 +122,23 @@ void draw_panel(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law, 
 
 }  // namespace
 
-std::optional<response::Band> dynamic_band(const elements::Law& law) {
-  std::optional<response::Band> band;
+std::optional<assembly::Band> dynamic_band(const elements::Law& law) {
+  std::optional<assembly::Band> band;
   const auto include = [&](double from, double to) {
-    band = band ? response::Band{std::min(band->from, from), std::max(band->to, to)} : response::Band{from, to};
+    band = band ? assembly::Band{std::min(band->from, from), std::max(band->to, to)} : assembly::Band{from, to};
   };
   if (const auto times = relaxation_times(law)) include(0.01 / times->longest, 100 / times->shortest);
   if (law.inertia && law.inertia->angular_frequencies.size() > 0)
     include(0.03 * std::sqrt(law.scale) * law.inertia->angular_frequencies.minCoeff(),
             1.2 * std::sqrt(law.scale) * law.inertia->angular_frequencies.maxCoeff());
   if (const auto& given = law.frequency_dependence; given && std::isfinite(given->to))
-    band = response::Band{std::max(given->from, 1e-3 * given->to), given->to};
+    band = assembly::Band{std::max(given->from, 1e-3 * given->to), given->to};
   if (band && !(band->to > band->from)) return std::nullopt;
   return band;
 }
 
 void draw_dynamic_stiffness(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law,
-                            const response::Band& band) {
+                            const assembly::Band& band) {
   const Curves c = curves(law, band);
   if (c.hertz.size() < 2) return;
   const bool own = law.inertia && law.inertia->angular_frequencies.size() > 0;

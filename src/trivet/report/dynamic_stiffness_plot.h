@@ -13,9 +13,9 @@ inline constexpr double dynamic_stiffness_plot_height = 330;  ///< [pixels], wid
 
 /// Frequency band in which the dynamic stiffness of a law is drawn [rad/s]: its table, its own natural frequencies, its
 /// relaxation times. Empty if it is constant except for a dashpot.
-[[nodiscard]] std::optional<response::Band> dynamic_band(const elements::Law& law);
+[[nodiscard]] std::optional<assembly::Band> dynamic_band(const elements::Law& law);
 
 /// Draws |D_ii| of end K, N held, over frequency; translations left, rotations right, own natural frequencies as lines.
-void draw_dynamic_stiffness(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law, const response::Band& band);
+void draw_dynamic_stiffness(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law, const assembly::Band& band);
 
 }  // namespace trivet::report

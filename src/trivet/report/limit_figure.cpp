@@ -35,7 +35,7 @@ std::vector<double> levels(const study::LimitLineResult& answer, double factor) 
 }
 
 /// Word for the level of the axis.
-std::string level_of(const response::LimitLine& line, const project::ShownUnits& display) {
+std::string level_of(const assembly::LimitLine& line, const project::ShownUnits& display) {
   if (line.rms) return "rms";
   return display.level == project::Level::amplitude ? "amplitude" : results::level_words(display.level);
 }
@@ -68,7 +68,7 @@ PanelRow limit_row(const study::LimitLineResult& answer, const project::ShownUni
     row.marks.push_back({in_unit(comparison.least_margin_at), unit.factor * lowest / comparison.least_margin,
                          series_colour(0), fmt::format("{:+.2f} dB", response::margin_level(comparison.least_margin))});
   }
-  for (const response::Band& band : comparison.exceeded) row.shaded.emplace_back(in_unit(band.from), in_unit(band.to));
+  for (const assembly::Band& band : comparison.exceeded) row.shaded.emplace_back(in_unit(band.from), in_unit(band.to));
   row.curves = {std::move(limit), std::move(level)};
   row.x = {std::max(in_unit(comparison.compared.from), 1e-4 * in_unit(comparison.compared.to)),
            in_unit(comparison.compared.to), true, results::frequency_heading(display)};

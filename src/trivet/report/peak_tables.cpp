@@ -47,7 +47,7 @@ Row peak_row(const study::Answers& answers, const response::Peak& p) {
   remark(unbounded, "unbounded: no damping");
   remark(!counted, fmt::format("prominence under {:.6g} %", 100 * tolerance));
   if (answers.response && answers.response->band.from < answers.response->band.to) {
-    const response::Band& band = answers.response->band;
+    const assembly::Band& band = answers.response->band;
     remark(p.angular_frequency < band.from || p.angular_frequency > band.to, "outside the band");
   }
   remark(!p.refined, "very flat, less exact");

@@ -79,7 +79,7 @@ std::string limit_line_table(const study::Answers& answers) {
   for (const study::LimitLineResult& l : answers.limit_lines) {
     const response::LimitComparison& c = l.comparison;
     std::string bands;
-    for (const response::Band& band : c.exceeded)
+    for (const assembly::Band& band : c.exceeded)
       bands += fmt::format("{}{:.4g} … {:.4g}", bands.empty() ? "" : ", ", in_unit(band.from), in_unit(band.to));
     rows.push_back({{l.of},
                     {l.line.name},

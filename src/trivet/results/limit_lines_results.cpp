@@ -14,7 +14,7 @@ Json limit_lines(const study::Answers& answers) {
   Json result = Json::array();
   for (const study::LimitLineResult& l : answers.limit_lines) {
     Json exceeded = Json::array();
-    for (const response::Band& band : l.comparison.exceeded) exceeded.push_back({band.from, band.to});
+    for (const assembly::Band& band : l.comparison.exceeded) exceeded.push_back({band.from, band.to});
     result.push_back({{"name", l.line.name},
                       {"of", l.of},
                       {"unit", l.line.unit},
@@ -39,7 +39,7 @@ std::string limit_lines_text(const study::Answers& answers) {
       {"limit line", "result", "compared" + unit, "least margin [dB]", "at" + unit, "exceeded" + unit, "verdict"});
   for (const study::LimitLineResult& l : answers.limit_lines) {
     std::string bands;
-    for (const response::Band& band : l.comparison.exceeded)
+    for (const assembly::Band& band : l.comparison.exceeded)
       bands += (bands.empty() ? "" : ", ") + fmt::format("{:.4g} … {:.4g}", in_unit(band.from), in_unit(band.to));
     table.add({l.line.name, l.of,
                fmt::format("{:.4g} … {:.4g}", in_unit(l.comparison.compared.from), in_unit(l.comparison.compared.to)),
@@ -58,7 +58,7 @@ std::string limit_lines_csv(const project::Case&, const study::Answers& answers)
       "limit line,name,unit,level,compared [Hz],least_margin,least_margin [dB],at [rad/s],exceeded [Hz],kept\n";
   for (const study::LimitLineResult& l : answers.limit_lines) {
     std::string bands;
-    for (const response::Band& band : l.comparison.exceeded)
+    for (const assembly::Band& band : l.comparison.exceeded)
       bands += (bands.empty() ? "" : "; ") + fmt::format("{} to {}", hertz(band.from), hertz(band.to));
     text += fmt::format("{},{},{},{},{} to {},{},{},{},{},{}\n", csv_field(l.line.name), csv_field(l.of),
                         csv_field(l.line.unit), l.line.rms ? "rms" : "zero_to_peak", hertz(l.comparison.compared.from),
@@ -89,7 +89,7 @@ void limit_lines_arrays(const project::Case&, const study::Answers& answers, Lab
   list.column("at", "rad/s", axis, lines, [](const auto& l) { return l.comparison.least_margin_at; });
   list.column("kept", "1", axis, lines, [](const auto& l) { return l.comparison.met(); });
   std::vector<std::string> names;
-  std::vector<response::Band> bands;
+  std::vector<assembly::Band> bands;
   for (const LimitLineResult& l : lines) {
     names.insert(names.end(), l.comparison.exceeded.size(), l.line.name);
     bands.insert(bands.end(), l.comparison.exceeded.begin(), l.comparison.exceeded.end());
@@ -99,8 +99,8 @@ void limit_lines_arrays(const project::Case&, const study::Answers& answers, Lab
   }
   list.count("exceeded", bands.size());
   list.texts("exceeded.limit_line", "exceeded", std::move(names));
-  list.column("exceeded.from", "rad/s", "exceeded", bands, &response::Band::from);
-  list.column("exceeded.to", "rad/s", "exceeded", bands, &response::Band::to);
+  list.column("exceeded.from", "rad/s", "exceeded", bands, &assembly::Band::from);
+  list.column("exceeded.to", "rad/s", "exceeded", bands, &assembly::Band::to);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ bool has(const study::DesignMap& map, RuleKind kind) {
                      [&](const design::MapRule& rule) { return rule.kind == kind; });
 }
 
-std::string band_words(const std::optional<response::Band>& band, bool in_hertz) {
+std::string band_words(const std::optional<assembly::Band>& band, bool in_hertz) {
   if (!band) return "amplitudes over all frequencies";
   const double unit = in_hertz ? foundation::two_pi : 1;
   const auto [from, to] = distinct_texts(band->from / unit, band->to / unit, 6);

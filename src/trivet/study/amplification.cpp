@@ -24,15 +24,15 @@ struct Operation {
   RequirementResult asked;
 };
 
-bool is_operating_band(const std::optional<response::Band>& band) {
+bool is_operating_band(const std::optional<assembly::Band>& band) {
   constexpr double widest = 2;
   return band && band->from > 0 && band->to <= widest * band->from;
 }
 
 /// A harmonic force, over each axis of its ellipse.
-void add_force(const CaseContext& c, const std::string& force, const response::Band& band,
+void add_force(const CaseContext& c, const std::string& force, const assembly::Band& band,
                std::vector<Operation>& result) {
-  if (!response::reason_without_transmission(c.system, force).empty()) return;
+  if (!model::reason_without_transmission(c.system, force).empty()) return;
   const std::size_t count = response::excitation_transmission(c.system, c.assembled, force).directions.size();
   for (std::size_t i = 0; i < count; ++i) {
     RequirementResult& asked = result.emplace_back(Operation{foundation::quoted(force), {}}).asked;
@@ -42,7 +42,7 @@ void add_force(const CaseContext& c, const std::string& force, const response::B
   }
 }
 
-void add_question(const CaseContext& c, const project::TransmissibilityQuestion& asked_of, const response::Band& band,
+void add_question(const CaseContext& c, const project::TransmissibilityQuestion& asked_of, const assembly::Band& band,
                   std::vector<Operation>& result) {
   if (!asked_of.force.empty()) return add_force(c, asked_of.force, band, result);
   for (const std::string& place : asked_of.selection.of) {

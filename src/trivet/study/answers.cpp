@@ -208,7 +208,7 @@ class CaseStudy {
     ResponseAnswer result;
     result.quantity = request.selection.quantity;
     const bool needs_peaks =
-        request.continuous_phase || (request.at.empty() && request.spacing == response::Spacing::automatic);
+        request.continuous_phase || (request.at.empty() && request.spacing == project::Spacing::automatic);
     const response::Peaks peaks = needs_peaks ? peaks_of(request.selection) : response::Peaks{};
     std::vector<double> grid = request.at;
     if (grid.empty()) {
@@ -216,8 +216,8 @@ class CaseStudy {
       if (!(result.band.from < result.band.to))
         throw foundation::NotComputable(
             "response: the tables of the elements and the natural frequencies have no band in common; give a band");
-      if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
-      else if (request.spacing == response::Spacing::automatic) {
+      if (request.spacing == project::Spacing::linear) grid = response::linear_grid(result.band, request.points);
+      else if (request.spacing == project::Spacing::automatic) {
         result.model = response::curve_model(c_.assembled, driven.channels, driven.load, c_.roots().poles, peaks,
                                              result.band, {}, c_.progress);
         result.extrema = response::extrema(peaks, result.band);
@@ -277,7 +277,7 @@ class CaseStudy {
 
   /// Compares a limit with the largest amplitude of its curve in a band: at an end of the band or at a peak inside it.
   LimitAnswer limit_answer(const project::Limit& limit, const project::AnswerSelection& selection,
-                           const response::Band& band) {
+                           const assembly::Band& band) {
     const response::Peaks& found = peaks_of(selection);
     const auto curve = to_size(std::find_if(found.curves.begin(), found.curves.end(),
                                             [&](const response::CurveSummary& c) { return c.name == limit.name; }) -
@@ -339,7 +339,7 @@ response::DeepCheck deep_check(const project::Case& variant) {
   const CaseContext c(variant.system, silent);
   const assembly::Assembled& assembled = c.assembled;
   const auto& request = variant.analyses.response;
-  const response::Band band = request && request->band ? *request->band : default_band(c);
+  const assembly::Band band = request && request->band ? *request->band : default_band(c);
   assembly::Loading load = assembly::harmonic_loading(variant.system, assembled);
   if (load.vanishes()) {
     Eigen::VectorXcd everywhere = Eigen::VectorXcd::Zero(assembled.layout.size());

@@ -35,7 +35,7 @@ struct ResponseAnswer {
   response::FrequencyResponse curves;
   std::vector<Eigen::VectorXd> phase;  ///< per curve [rad]
   response::DeepCheck deep;
-  response::Band band;
+  assembly::Band band;
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   /// Without given frequencies: a model of the curves between those of the table, their extrema, and whether phases are
   /// continuous.
@@ -63,7 +63,7 @@ struct LimitAnswer {
 
 struct LimitLineResult {
   std::string of;
-  response::LimitLine line;
+  assembly::LimitLine line;
   response::LimitComparison comparison;
 };
 

@@ -33,11 +33,11 @@ Eigen::VectorXcd CaseContext::resonances() const {
   return natural;
 }
 
-response::Band default_band(const CaseContext& c) {
+assembly::Band default_band(const CaseContext& c) {
   double highest = 0;
   for (const modal::Mode& mode : c.modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
   for (const modal::Root& root : c.roots().list) highest = std::max(highest, root.damped_angular_frequency.value_or(0));
-  response::Band band{0, highest > 0 ? default_band_factor * highest : 1.0};
+  assembly::Band band{0, highest > 0 ? default_band_factor * highest : 1.0};
   for (const assembly::ElementMap& map : c.assembled.elements)
     band = {std::max(band.from, map.defined_from), std::min(band.to, map.defined_to)};
   return band;
@@ -66,7 +66,7 @@ std::vector<assembly::Channel> channels_of(const CaseContext& c, const project::
 
 std::vector<double> grid_over(const CaseContext& c, const std::vector<assembly::Channel>& channels,
                               const assembly::Loading& loading, const response::Peaks& peaks,
-                              const response::Band& band) {
+                              const assembly::Band& band) {
   return response::automatic_grid(c.assembled, channels, loading, c.roots().poles, peaks, band, c.progress);
 }
 

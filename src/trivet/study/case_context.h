@@ -34,7 +34,7 @@ class CaseContext {
 };
 
 /// Band from 0 to 1.3 times the highest natural frequency, within the tables of the elements.
-[[nodiscard]] response::Band default_band(const CaseContext& context);
+[[nodiscard]] assembly::Band default_band(const CaseContext& context);
 
 /// True if the damped roots of so large a model are not computed, because only its lowest modes are asked for.
 [[nodiscard]] bool is_too_large_for_roots(const assembly::Assembled& assembled);
@@ -50,19 +50,19 @@ class CaseContext {
 /// Frequencies in a band that resolve the curves and their peaks.
 [[nodiscard]] std::vector<double> grid_over(const CaseContext& context, const std::vector<assembly::Channel>& channels,
                                             const assembly::Loading& loading, const response::Peaks& peaks,
-                                            const response::Band& band);
+                                            const assembly::Band& band);
 
 /// @throws foundation::NotComputable if elements are mounted on a modal foundation, for which a rigid motion of the
 /// ground is not defined
 void require_rigid_ground(const CaseContext& context, const std::string& question);
 
 /// The quantity that a limit line bounds, from its unit.
-[[nodiscard]] assembly::MotionQuantity quantity_of(const response::LimitLine& line);
+[[nodiscard]] assembly::MotionQuantity quantity_of(const assembly::LimitLine& line);
 
 /// @throws foundation::NotComputable with the reason if there is no answer
 [[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context,
                                                              const std::vector<project::LimitLineRequest>& requests,
                                                              const project::AnswerSelection& selection,
-                                                             const response::Band& band);
+                                                             const assembly::Band& band);
 
 }  // namespace trivet::study

@@ -54,7 +54,7 @@ void warn_of_guide_forces(const CaseContext& c, const project::Analyses& analyse
 
 /// Warns of ground motions implied by a question that the constraints of a body do not follow.
 void warn_of_guided_motions(const CaseContext& c, const project::Analyses& analyses, foundation::Problems& warnings) {
-  const auto warn = [&](const char* question, const response::Direction& direction) {
+  const auto warn = [&](const char* question, const model::Direction& direction) {
     model::Action::Amplitude motion = model::Action::Amplitude::Zero();
     (direction.rotation ? motion.tail<3>() : motion.head<3>()) = direction.axis.cast<std::complex<double>>();
     for (const model::Body& body : c.system.bodies())
@@ -65,7 +65,7 @@ void warn_of_guided_motions(const CaseContext& c, const project::Analyses& analy
   const auto* transmitted = analyses.find<project::TransmissibilityQuestion>("transmissibility");
   if (transmitted && transmitted->force.empty()) warn("transmissibility", transmitted->direction);
   if (const auto* shaken = analyses.find<project::EarthquakeQuestion>("earthquake"))
-    warn("earthquake", response::Direction{shaken->direction, false});
+    warn("earthquake", model::Direction{shaken->direction, false});
 }
 
 /// Warns of frequency-dependent elements: undamped modes use one stiffness, the static one.

@@ -46,7 +46,7 @@ std::vector<std::string> approach_names(const model::System& system) {
 
 /// The band and the excitations of the requirements, else those of the response, else all.
 struct HarmonicScope {
-  response::Band band{0, foundation::infinity};
+  assembly::Band band{0, foundation::infinity};
   std::vector<std::string> excitations;
 };
 HarmonicScope harmonic_scope(const project::Analyses& analyses) {

@@ -33,12 +33,12 @@ class CurveRequirements {
     for (const project::Limit& limit : analyses_.limits)
       limits.push_back(
           {limit.name, response ? response->selection.quantity : MotionQuantity::displacement, limit.amplitude});
-    const response::Band all{0, infinity};
+    const assembly::Band all{0, infinity};
     add_amplitudes(limits, response ? response->band.value_or(all) : all,
                    response ? response->selection.excitations : std::vector<std::string>());
   }
 
-  void add_amplitudes(const std::vector<project::AmplitudeLimit>& limits, const response::Band& band,
+  void add_amplitudes(const std::vector<project::AmplitudeLimit>& limits, const assembly::Band& band,
                       const std::vector<std::string>& excitations) {
     for (const project::AmplitudeLimit& limit : limits)
       if (limit.speed) add_under_orders(limit);
@@ -82,7 +82,7 @@ class CurveRequirements {
   }
 
   /// Those with the same drive and band together.
-  void set_amplitudes(std::size_t first, const std::vector<project::AmplitudeLimit>& limits, const response::Band& band,
+  void set_amplitudes(std::size_t first, const std::vector<project::AmplitudeLimit>& limits, const assembly::Band& band,
                       const std::vector<std::string>& excitations) {
     for (std::size_t i = 0; i < limits.size(); ++i) {
       RequirementResult& result = list_[first + i];
@@ -148,7 +148,7 @@ class CurveRequirements {
       RequirementResult& result = list_.add(RequirementKind::limit_line, line.of,
                                             fmt::format("{} within \"{}\"", line.of, line.line.name), "1", 1);
       list_.attempt(first, [&] {
-        const response::Band band = required.band ? *required.band
+        const assembly::Band band = required.band ? *required.band
             : response->band                      ? *response->band
                                                   : default_band(c_);
         project::AnswerSelection selection{.excitations = required.excitations};
@@ -208,7 +208,7 @@ class CurveRequirements {
 
   /// The places where a curve comes near its line, refined: their frequencies decide the slopes.
   std::vector<RequirementResult::Candidate> maxima_below_line(const RequirementResult& result,
-                                                              const response::LimitLine& line,
+                                                              const assembly::LimitLine& line,
                                                               const response::LimitComparison& found) const {
     constexpr double near = 2;  // times the least margin
     const DrivenResult driven(c_.system, c_.assembled, result.subject, result.quantity, result.excitations);
@@ -247,7 +247,7 @@ class CurveRequirements {
 
   /// Peaks of channels over the whole axis, at least over the band.
   response::Peaks peaks_of(const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                           const response::Band& band, double min_prominence) const {
+                           const assembly::Band& band, double min_prominence) const {
     return response::peaks(c_.assembled, channels, loading, c_.modes, c_.roots(),
                            {.min_prominence = min_prominence, .search_to = std::isfinite(band.to) ? band.to : 0},
                            c_.progress);
@@ -264,7 +264,7 @@ void set_amplitudes(const CaseContext& context, const project::Analyses& analyse
                     const std::vector<project::AmplitudeLimit>& limits, RequirementList& list) {
   const project::Requirements required = analyses.requirements.value_or(project::Requirements());
   CurveRequirements(context, analyses, list)
-      .set_amplitudes(first, limits, required.band.value_or(response::Band{0, infinity}), required.excitations);
+      .set_amplitudes(first, limits, required.band.value_or(assembly::Band{0, infinity}), required.excitations);
 }
 
 void add_curve_requirements(const CaseContext& context, const project::Analyses& analyses, RequirementList& list) {
@@ -272,7 +272,7 @@ void add_curve_requirements(const CaseContext& context, const project::Analyses&
   const project::Requirements& required = analyses.requirements ? *analyses.requirements : none;
   CurveRequirements curves(context, analyses, list);
   curves.add_limits_of_file();
-  curves.add_amplitudes(required.limits, required.band.value_or(response::Band{0, infinity}), required.excitations);
+  curves.add_amplitudes(required.limits, required.band.value_or(assembly::Band{0, infinity}), required.excitations);
   curves.add_no_peak(required);
   curves.add_limit_lines(required);
 }

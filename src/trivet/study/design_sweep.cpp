@@ -99,7 +99,7 @@ class Sweep {
 };
 
 numerics::DesignPeaks peaks_of(const design::PlainDesign& first, const Eigen::MatrixXd& entries,
-                               const response::Band& band) {
+                               const assembly::Band& band) {
   numerics::DesignPeakOptions options{.from = band.from, .to = band.to, .count_peaks = false, .threads = 1};
   options.rows = first.rows.array();
   if (!first.rows_on_velocity.isZero(0)) options.rows_on_velocity = first.rows_on_velocity.array();
@@ -108,7 +108,7 @@ numerics::DesignPeaks peaks_of(const design::PlainDesign& first, const Eigen::Ma
 }
 
 numerics::DesignPeaks peaks_of(const design::DrivenDesign& first, const Eigen::MatrixXd& entries,
-                               const response::Band& band) {
+                               const assembly::Band& band) {
   return numerics::driven_peaks(design::unpacked_like(first, entries),
                                 {.from = band.from, .to = band.to, .count_peaks = false});
 }
@@ -192,7 +192,7 @@ class Results {
   }
 
   template <typename Design>
-  void in_kernels(const Family<Design>& family, const response::Band& band, std::size_t first, std::size_t last) {
+  void in_kernels(const Family<Design>& family, const assembly::Band& band, std::size_t first, std::size_t last) {
     Eigen::MatrixXd points(to_index(last - first), sweep_.values(first).size());
     for (std::size_t i = first; i < last; ++i) points.row(to_index(i - first)) = sweep_.values(i).transpose();
     const numerics::DesignPeaks peaks = peaks_of(*family.first, family.family->designs(points), band);

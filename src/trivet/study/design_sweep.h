@@ -33,7 +33,7 @@ struct SweepRequest {
   std::vector<SweptNumber> numbers;
   std::vector<std::string> of;           ///< results as in `peaks`; empty: those of the case's peaks
   std::vector<std::string> excitations;  ///< harmonic ones that act; empty: those of the case's peaks
-  response::Band band = {0, std::numeric_limits<double>::infinity()};  ///< [rad/s]
+  assembly::Band band = {0, std::numeric_limits<double>::infinity()};  ///< [rad/s]
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
 };
 

@@ -11,9 +11,9 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/model/element_directions.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/rest_position.h"
-#include "trivet/response/steady/element_directions.h"
 #include "trivet/study/explanation_words.h"
 
 namespace trivet::study {
@@ -33,7 +33,7 @@ project::AnswerSelection selection_of(const project::Case& variant, const Explai
 /// A nonlinear machine in its new position of rest.
 model::System changed_at_rest(const model::System& system, const response::Parameter& parameter, double amount) {
   model::System found = response::changed(system, parameter, amount);
-  return nonlinear::is_nonlinear(found) ? nonlinear::rest_position(found).system : found;
+  return model::is_nonlinear(found) ? nonlinear::rest_position(found).system : found;
 }
 
 /// For each deflection of laws the number of their kinks below it at rest.
@@ -140,7 +140,7 @@ std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, 
   const std::string whole = stiffness_words(element, "stiffness");
   for (const Candidate& one :
        {Candidate{path + fmt::format("stiffness_factor.{}", model::coordinate_names[to_size(direction)]),
-                  fmt::format("the {} of \"{}\"", response::direction_words(element, static_cast<int>(direction)),
+                  fmt::format("the {} of \"{}\"", model::direction_words(element, static_cast<int>(direction)),
                               element.name)},
         Candidate{path + "scale", whole}, Candidate{path + "stiffness_factor.all", whole}})
     for (const response::Parameter& parameter : parameters)
@@ -172,7 +172,7 @@ std::optional<Candidate> strongest(const project::Case& variant, std::optional<s
     const std::string path = "elements." + foundation::path_key(elements[e].name) + ".";
     for (int j = 0; j < 6; ++j)
       consider(path + fmt::format("stiffness_factor.{}", model::coordinate_names[to_size(j)]),
-               stiffness_words(elements[e], response::direction_words(elements[e], j)));
+               stiffness_words(elements[e], model::direction_words(elements[e], j)));
     consider(path + "scale", stiffness_words(elements[e], "stiffness"));
   }
   return found;

@@ -10,7 +10,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/modal/stored_energy.h"
-#include "trivet/response/steady/element_directions.h"
+#include "trivet/model/element_directions.h"
 
 namespace trivet::study {
 namespace {
@@ -59,10 +59,10 @@ std::string energy_words(const project::Case& variant, const ExplainedPeak& peak
   std::string words = fmt::format("{} of the strain energy is in \"{}\"", percent(most->stored), element.name);
   constexpr double round_off = 1e-9;
   if (in_direction > (1 + round_off) * most->stored)  // other directions of the element give some back
-    words += ", most in its " + response::direction_words(element, static_cast<int>(direction));
+    words += ", most in its " + model::direction_words(element, static_cast<int>(direction));
   else if (in_direction > 0)
     words += fmt::format(", {} in its {}", percent(in_direction),
-                         response::direction_words(element, static_cast<int>(direction)));
+                         model::direction_words(element, static_cast<int>(direction)));
   const auto damping = std::max_element(elements.begin(), elements.end(),
                                         [](const auto& a, const auto& b) { return a.dissipated < b.dissipated; });
   if (const double returned = response::given_back(peak.shares); returned >= modal::noticeably_given_back)

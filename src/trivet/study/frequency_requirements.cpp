@@ -24,7 +24,7 @@ class FrequencyRequirements {
     std::vector<const modal::Mode*> oscillating;
     for (const modal::Mode& mode : c_.modes.list)
       if (mode.angular_frequency.value_or(0) > 0) oscillating.push_back(&mode);
-    for (const response::Band& window : required.avoided) {
+    for (const assembly::Band& window : required.avoided) {
       RequirementResult& result =
           list_.add(RequirementKind::avoided_frequencies, "",
                     fmt::format("no natural frequency in {:.6g} … {:.6g} Hz", window.from / two_pi, window.to / two_pi),

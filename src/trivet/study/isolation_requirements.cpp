@@ -17,7 +17,7 @@
 namespace trivet::study {
 namespace {
 
-std::string isolated_band_words(const response::Band& band) {
+std::string isolated_band_words(const assembly::Band& band) {
   const double from = band.from / foundation::two_pi, to = band.to / foundation::two_pi;
   return band.from == band.to ? fmt::format("at {:.5g} Hz", from) : fmt::format("at {:.5g} … {:.5g} Hz", from, to);
 }
@@ -28,7 +28,7 @@ std::string least_isolation_words(const project::Isolation& wanted) {
                             : fmt::format("≥ {:.5g} %", percent * (1 - wanted.transmitted));
 }
 
-std::string isolated_direction_words(const response::Direction& direction) {
+std::string isolated_direction_words(const model::Direction& direction) {
   return (direction.rotation ? " about " : " along ") + modal::direction_words(direction.axis.normalized());
 }
 
@@ -36,7 +36,7 @@ std::string isolated_direction_words(const response::Direction& direction) {
 struct IsolationRow {
   std::string subject, words;
   RequirementResult::Transmitted transmitted;
-  std::vector<response::Band> at;
+  std::vector<assembly::Band> at;
 };
 
 std::vector<IsolationRow> isolation_rows(const CaseContext& c, const project::Isolation& wanted) {
@@ -71,7 +71,7 @@ double isolation_magnitude(const CaseContext& c, const RequirementCurve& curve, 
 void judge_transmitted(const CaseContext& c, RequirementResult& result) {
   if (result.transmitted->force.empty()) require_rigid_ground(c, "isolation");
   const RequirementCurve curve = requirement_curve(c.system, c.assembled, result);
-  const response::Band& band = result.band;
+  const assembly::Band& band = result.band;
   std::vector<design::LargestAmplitude> maxima;
   if (band.from == band.to) {
     maxima.push_back({isolation_magnitude(c, curve, band.from), band.from});
@@ -93,7 +93,7 @@ void judge_transmitted(const CaseContext& c, RequirementResult& result) {
 void add_isolation_requirements(const CaseContext& c, const project::Requirements& required, RequirementList& list) {
   for (const project::Isolation& wanted : required.isolation) {
     for (const IsolationRow& row : isolation_rows(c, wanted))
-      for (const response::Band& band : row.at) {
+      for (const assembly::Band& band : row.at) {
         const std::size_t place = list.size();
         RequirementResult& result =
             list.add(RequirementKind::isolation, row.subject,

@@ -4,7 +4,7 @@
 
 namespace trivet::study {
 
-assembly::MotionQuantity quantity_of(const response::LimitLine& line) {
+assembly::MotionQuantity quantity_of(const assembly::LimitLine& line) {
   if (line.unit == "m/s" || line.unit == "rad/s") return assembly::MotionQuantity::velocity;
   if (line.unit == "m/s²" || line.unit == "rad/s²") return assembly::MotionQuantity::acceleration;
   return assembly::MotionQuantity::displacement;
@@ -12,7 +12,7 @@ assembly::MotionQuantity quantity_of(const response::LimitLine& line) {
 
 std::vector<LimitLineResult> limit_line_answer(const CaseContext& c,
                                                const std::vector<project::LimitLineRequest>& requests,
-                                               const project::AnswerSelection& selection, const response::Band& band) {
+                                               const project::AnswerSelection& selection, const assembly::Band& band) {
   const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, selection.excitations);
   std::vector<LimitLineResult> results;
   for (const project::LimitLineRequest& request : requests) {

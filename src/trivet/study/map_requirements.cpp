@@ -78,7 +78,7 @@ std::optional<std::vector<double>> MapRequirements::frequency_margins(const Eige
   if (any_may_be_free(squared_frequencies)) return std::nullopt;
   std::vector<double> frequencies, margins;
   for (const double squared : squared_frequencies) frequencies.push_back(std::sqrt(squared));
-  for (const response::Band& window : frequencies_.avoided) {
+  for (const assembly::Band& window : frequencies_.avoided) {
     double least = foundation::infinity;
     for (const double omega : frequencies) least = std::min(least, margin_outside(window, omega));
     margins.push_back(least);

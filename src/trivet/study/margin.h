@@ -23,7 +23,7 @@ inline constexpr double least_met = -1e-9;
 
 /// Factor from a natural frequency ω to the nearer end of a window without natural frequencies; below 1 inside it,
 /// but 1 within nine digits of its ends.
-[[nodiscard]] inline double margin_outside(const response::Band& window, double omega) {
+[[nodiscard]] inline double margin_outside(const assembly::Band& window, double omega) {
   return std::max(margin_of(window.from, omega), margin_of(omega, window.to));
 }
 

@@ -33,7 +33,7 @@ bool is_excited_as(const model::System& system, const project::AnswerSelection& 
 }
 
 /// The lines of a measured curve inside the band.
-ChannelComparison lines_inside(const project::MeasuredCurve& curve, const response::Band& band) {
+ChannelComparison lines_inside(const project::MeasuredCurve& curve, const assembly::Band& band) {
   ChannelComparison inside{.result = curve.result, .source = curve.source};
   std::vector<std::complex<double>> values;
   std::vector<double> coherence;
@@ -97,7 +97,7 @@ void set_computed(const CaseContext& c, const std::vector<assembly::Channel>& ch
 
 std::vector<ChannelComparison> channel_comparisons(const CaseContext& c, const project::Measurement& measurement,
                                                    const project::AnswerSelection& selection,
-                                                   const response::Band& band) {
+                                                   const assembly::Band& band) {
   std::vector<ChannelComparison> compared;
   std::vector<std::string> names;
   for (const project::MeasuredCurve& curve : measurement.curves) {
@@ -235,7 +235,7 @@ std::vector<PeakDifference> measured_peaks(const std::vector<double>& angular_fr
 
 std::vector<MeasurementComparison> measurement_comparisons(const CaseContext& context,
                                                            const project::Analyses& analyses,
-                                                           const response::Band& band) {
+                                                           const assembly::Band& band) {
   std::vector<MeasurementComparison> results;
   for (const auto& measurement : analyses.measurements) {
     MeasurementComparison result{

@@ -62,7 +62,7 @@ struct MeasurementComparison {
   std::string name, file;
   std::string excitation;   ///< the only one that acts; empty: those of the response
   bool of_response = true;  ///< the excitations are those of the response
-  response::Band band;      ///< of the response
+  assembly::Band band;      ///< of the response
   std::vector<ChannelComparison> channels;
   std::size_t components = 0;  ///< of the shapes
   std::vector<ShapeComparison> shapes;
@@ -82,6 +82,6 @@ struct MeasurementComparison {
 /// @throws foundation::NotComputable with the reason if there is no answer
 [[nodiscard]] std::vector<MeasurementComparison> measurement_comparisons(const CaseContext& context,
                                                                          const project::Analyses& analyses,
-                                                                         const response::Band& band);
+                                                                         const assembly::Band& band);
 
 }  // namespace trivet::study

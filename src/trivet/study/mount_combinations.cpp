@@ -38,7 +38,7 @@ void judge_frequencies(const project::Requirements& required, const Eigen::Vecto
   for (const double square : squares) {
     if (square <= at_rest * squares.tail<1>()(0)) continue;
     const double omega = std::sqrt(square);
-    for (const response::Band& window : required.avoided)
+    for (const assembly::Band& window : required.avoided)
       judge(MountTest::natural_frequencies, margin_outside(window, omega));
     if (required.separation > 0 && lower > 0)
       judge(MountTest::natural_frequencies, margin_of_least(required.separation, omega / lower));

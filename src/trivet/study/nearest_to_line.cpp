@@ -7,7 +7,7 @@
 
 namespace trivet::study {
 
-ComparedPlace nearest_to_line(const DrivenResult& driven, const response::LimitLine& line, const response::Band& band,
+ComparedPlace nearest_to_line(const DrivenResult& driven, const assembly::LimitLine& line, const assembly::Band& band,
                               const ComparedPlace& place) {
   constexpr double beside = 1e-5;  // to measure the slope of the line, straight on logarithmic axes
   constexpr double near = 1e-3;    // the search by values was nearer
@@ -17,7 +17,8 @@ ComparedPlace nearest_to_line(const DrivenResult& driven, const response::LimitL
   const double below = start * (1 - beside), above = start * (1 + beside);
   if (below <= band.from || above >= band.to) return place;
   const double exponent =
-      std::log(zero_to_peak_limit(line, above) / zero_to_peak_limit(line, below)) / std::log(above / below);
+      std::log(response::zero_to_peak_limit(line, above) / response::zero_to_peak_limit(line, below)) /
+      std::log(above / below);
   double omega = start;
   for (int i = 0; i < most_steps; ++i) {
     try {
@@ -28,7 +29,7 @@ ComparedPlace nearest_to_line(const DrivenResult& driven, const response::LimitL
       omega += step;
       if (std::abs(step) > settled * omega) continue;
       const double level = std::exp(logarithmic_slope(response::motion(driven.at(omega))).value);
-      return {omega, zero_to_peak_limit(line, omega) / level};
+      return {omega, response::zero_to_peak_limit(line, omega) / level};
     } catch (const foundation::NotComputable&) {  // an undamped resonance
       return place;
     }

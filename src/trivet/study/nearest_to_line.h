@@ -15,7 +15,7 @@ struct ComparedPlace {
 /// The least margin near a place, by Newton steps on ln|y| − ln limit: a search by values leaves eight digits of the
 /// frequency, and the slopes at it would have as few. The place itself if it is an end of the band or a corner of the
 /// line.
-[[nodiscard]] ComparedPlace nearest_to_line(const DrivenResult& driven, const response::LimitLine& line,
-                                            const response::Band& band, const ComparedPlace& place);
+[[nodiscard]] ComparedPlace nearest_to_line(const DrivenResult& driven, const assembly::LimitLine& line,
+                                            const assembly::Band& band, const ComparedPlace& place);
 
 }  // namespace trivet::study

@@ -41,7 +41,7 @@ class PackedCase {
 
   /// Results that are searched together.
   struct Search {
-    response::Band band;  ///< from = to: one frequency
+    assembly::Band band;  ///< from = to: one frequency
     bool count_peaks = false;
     double min_prominence = 1e-6;
     std::vector<std::size_t> results;
@@ -63,7 +63,7 @@ class PackedCase {
   [[nodiscard]] const std::vector<Search>& searches() const { return searches_; }
   [[nodiscard]] const std::vector<RestValue>& at_rest() const { return at_rest_; }
   [[nodiscard]] const std::vector<Decoupled>& decoupled() const { return decoupled_; }
-  [[nodiscard]] const std::vector<response::Band>& avoided() const { return avoided_; }
+  [[nodiscard]] const std::vector<assembly::Band>& avoided() const { return avoided_; }
 
   /// One or more lists as designs, one design per row of `entries`.
   struct Unpacked {
@@ -109,7 +109,7 @@ class PackedCase {
   std::vector<Search> searches_;
   std::vector<RestValue> at_rest_;
   std::vector<Decoupled> decoupled_;
-  std::vector<response::Band> avoided_;
+  std::vector<assembly::Band> avoided_;
   std::string reason_;
   bool has_static_stiffness_ = false;  ///< of rubber: it is another one than that of vibration
   bool has_loads_ = false;             ///< constant forces on a machine whose forces at rest are part of K

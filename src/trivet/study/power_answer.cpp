@@ -13,7 +13,7 @@ response::PowerFlow answer_power(const CaseContext& c, const project::BandQuesti
   if (loading.vanishes()) throw without_excitation("power");
   const std::vector<assembly::Channel> channels =
       assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::MotionQuantity::velocity);
-  const response::Band band = asked.band ? *asked.band : default_band(c);
+  const assembly::Band band = asked.band ? *asked.band : default_band(c);
   // They only choose the frequencies.
   const response::Peaks peaks = response::peaks(c.assembled, channels, loading, c.modes, c.roots(),
                                                 {.search_to = band.to, .refine = false}, c.progress);

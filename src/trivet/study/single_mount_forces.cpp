@@ -83,7 +83,7 @@ MountShares mount_shares(const CaseContext& c, const MountTransmission& of, doub
 }
 
 /// The ends of a band and its natural frequencies.
-std::vector<double> examined_frequencies(const CaseContext& c, const response::Band& band) {
+std::vector<double> examined_frequencies(const CaseContext& c, const assembly::Band& band) {
   std::vector<double> omegas = {band.from};
   if (band.to > band.from && std::isfinite(band.to)) omegas.push_back(band.to);
   for (const modal::Mode& mode : c.modes.list)
@@ -102,7 +102,7 @@ double allowed_singly(const CaseContext& c, const MountTransmission& of) {
   return std::isfinite(slow) ? std::max(1.0, slow) : 1;
 }
 
-std::optional<MountShares> worst_shares(const CaseContext& c, const MountTransmission& of, const response::Band& band) {
+std::optional<MountShares> worst_shares(const CaseContext& c, const MountTransmission& of, const assembly::Band& band) {
   constexpr double round_off = 1e-9;
   const double allowed = (1 + round_off) * allowed_singly(c, of);
   std::optional<MountShares> worst;
@@ -156,12 +156,12 @@ void warn_of_shares(const CaseContext& c, const std::string& force, const MountT
 foundation::Problems single_mount_warnings(const CaseContext& c, const project::Analyses& analyses) {
   foundation::Problems warnings;
   if (!analyses.requirements) return warnings;
-  std::vector<std::pair<std::string, response::Band>> done;
+  std::vector<std::pair<std::string, assembly::Band>> done;
   for (const project::Isolation& wanted : analyses.requirements->isolation)
     for (const std::string& force : project::isolated_forces(wanted, c.system)) {
-      if (!response::reason_without_transmission(c.system, force).empty()) continue;  // the requirement says so
+      if (!model::reason_without_transmission(c.system, force).empty()) continue;  // the requirement says so
       const MountTransmission of = mount_transmission(c, force);
-      for (const response::Band& band : project::isolated_at(wanted, c.system, force)) {
+      for (const assembly::Band& band : project::isolated_at(wanted, c.system, force)) {
         if (std::find(done.begin(), done.end(), std::pair(force, band)) != done.end()) continue;
         done.emplace_back(force, band);
         const auto found = worst_shares(c, of, band);

@@ -18,7 +18,7 @@ namespace {
 
 /// From a tenth of the lowest to 1.5 times the highest natural frequency about rest, or the speeds at which orders are
 /// there. Modes of parts that float, such as decouplers, do not count.
-response::Band usual_band(const CaseContext& c, const std::vector<std::string>& excitations) {
+assembly::Band usual_band(const CaseContext& c, const std::vector<std::string>& excitations) {
   std::vector<double> frequencies;
   for (const modal::Mode& mode : c.modes.list)
     if (mode.angular_frequency && *mode.angular_frequency > 0) frequencies.push_back(*mode.angular_frequency);
@@ -53,7 +53,7 @@ std::vector<double> places_asked_for(const project::SteadyQuestion& asked, const
 
 nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::SteadyQuestion& asked,
                                        const std::vector<assembly::MotionQuantity>& quantities) {
-  if (!nonlinear::is_nonlinear(c.system))
+  if (!model::is_nonlinear(c.system))
     throw foundation::InvalidInput(
         "steady: the machine is linear; take response, or give an element laws or a stop (docs/nonlinear.md)");
   nonlinear::SteadyOptions options;

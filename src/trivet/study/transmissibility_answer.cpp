@@ -13,26 +13,26 @@
 namespace trivet::study {
 namespace {
 
-std::string direction_words(const response::Direction& direction) {
+std::string direction_words(const model::Direction& direction) {
   return (direction.rotation ? "about " : "along ") + modal::direction_words(direction.axis.normalized());
 }
 
 response::Transmission transmission_of(const CaseContext& c, const project::TransmissibilityQuestion& asked) {
   if (!asked.force.empty())
-    return response::force_transmission(c.system, c.assembled, response::applied_force(c.system, asked.force));
+    return response::force_transmission(c.system, c.assembled, model::applied_force(c.system, asked.force));
   require_rigid_ground(c, "transmissibility");
   return response::displacement_transmission(c.system, c.assembled, asked.selection.of, asked.direction);
 }
 
 /// @throws foundation::NotComputable if it is empty
-response::Band band_of(const CaseContext& c, const project::TransmissibilityQuestion& asked) {
-  const response::Band band = asked.band ? *asked.band : default_band(c);
+assembly::Band band_of(const CaseContext& c, const project::TransmissibilityQuestion& asked) {
+  const assembly::Band band = asked.band ? *asked.band : default_band(c);
   if (band.from < band.to) return band;
   throw foundation::NotComputable(
       "transmissibility: the tables of the elements and the natural frequencies have no band in common; give a band");
 }
 
-response::Peaks peaks_of(const CaseContext& c, const response::Transmission& transmission, const response::Band& band) {
+response::Peaks peaks_of(const CaseContext& c, const response::Transmission& transmission, const assembly::Band& band) {
   return response::peaks(c.assembled, transmission.channels, transmission.loading, c.modes, c.roots(),
                          {.search_to = band.to}, c.progress);
 }
@@ -62,7 +62,7 @@ TransmissibilityResult answer_transmissibility(const CaseContext& c, const proje
 
 double largest_transmissibility(const CaseContext& context, const project::TransmissibilityQuestion& asked) {
   const response::Transmission transmission = transmission_of(context, asked);
-  const response::Band band = band_of(context, asked);
+  const assembly::Band band = band_of(context, asked);
   return design::largest_in_band(context.assembled, transmission.channels, transmission.loading,
                                  peaks_of(context, transmission, band), 0, band)
       .amplitude;

@@ -19,7 +19,7 @@ struct TransmissibilityResult {
   response::FrequencyResponse curves;
   response::Peaks peaks;
   std::vector<response::Crossover> crossovers;
-  response::Band band;
+  assembly::Band band;
   std::vector<design::LargestAmplitude> in_band;  ///< per curve
   bool of_force = false;  ///< forces on the ground, in total and of each mount; otherwise motions
 

@@ -63,12 +63,12 @@ struct RequirementResult {
   std::vector<Candidate> candidates;  ///< for a search; empty where a single value decides
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of curves and rms
   std::vector<std::string> excitations;                                        ///< of these; empty: all
-  response::Band band;                                                         ///< of curves; from = to: one frequency
+  assembly::Band band;                                                         ///< of curves; from = to: one frequency
   /// The curve of an isolation: of a force, or of a motion of the ground.
   struct Transmitted {
     std::string force;          ///< empty: of `of` over a motion of the ground
     std::string of;             ///< body or point
-    response::Direction base;   ///< of the motion of the ground
+    model::Direction base;      ///< of the motion of the ground
     std::size_t direction = 0;  ///< of a rotating force: along which axis of its ellipse
     bool operator==(const Transmitted&) const = default;
   };

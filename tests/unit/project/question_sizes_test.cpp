@@ -61,7 +61,7 @@ TEST(QuestionSizes, AllPeaksAreAcceptedButCurvesOfTwoHundredBodiesAreNot) {
 
 TEST(QuestionSizes, PointsTimesCurvesHaveALimit) {
   project::Analyses asked;
-  asked.response.emplace().spacing = response::Spacing::linear;
+  asked.response.emplace().spacing = project::Spacing::linear;
   asked.response->points = 500'000;
   EXPECT_FALSE(project::too_large(tower(1), asked).has_errors());
   asked.response->points = 500'001;

@@ -77,7 +77,7 @@ TEST_F(UnitsInRows, LimitLinesHaveThemInRowsHeadingsAndAKey) {
         "file = \"bracket.csv\"\n", "file = \"plain.csv\"\nunit = \"mm/s\"\n"}) {
     const auto project = read(std::string(line_of_velocity) + rows);
     ASSERT_TRUE(project.has_value()) << rows << errors(std::string(line_of_velocity) + rows);
-    const response::LimitLine& line = project->base().analyses.limit_lines.front().line;
+    const assembly::LimitLine& line = project->base().analyses.limit_lines.front().line;
     EXPECT_THAT(line.angular_frequency.front(), test::RelativelyNear(20 * pi, round_off)) << rows;
     EXPECT_THAT(line.angular_frequency.back(), test::RelativelyNear(100 * pi, round_off)) << rows;
     for (const double limit : line.limit) EXPECT_THAT(limit, test::RelativelyNear(4.5e-3, round_off)) << rows;

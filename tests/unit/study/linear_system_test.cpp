@@ -117,7 +117,7 @@ force = [0, 0, 7]
 )",
                     pull = "[excitations.pull]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [0, 0, -7]\n";
   const study::SweepRequest request{
-      .numbers = {{"bodies.a.mass", {4, 6}}}, .of = {"a.z"}, .band = response::Band{0, 200}};
+      .numbers = {{"bodies.a.mass", {4, 6}}}, .of = {"a.z"}, .band = assembly::Band{0, 200}};
   const study::DesignSweep found = study::design_sweep(test::project(head + pull).base(), request);
   for (const auto& [row, mass] : {std::pair{0, 4.0}, {1, 6.0}}) {
     const double reduced = mass * 12 / (mass + 12), ratio = b / (2 * std::sqrt(k * reduced)),

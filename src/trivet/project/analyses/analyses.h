@@ -8,20 +8,23 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/assembly/limit_line.h"
 #include "trivet/project/analyses/design_axis.h"
 #include "trivet/project/analyses/measurement.h"
 #include "trivet/project/analyses/mount_choice.h"
 #include "trivet/project/analyses/optimize_request.h"
 #include "trivet/project/analyses/question.h"
 #include "trivet/project/analyses/requirements.h"
-#include "trivet/response/machinery/limit_line.h"
 
 namespace trivet::project {
 
+/// Of the frequencies of a response.
+enum class Spacing { automatic, linear, logarithmic };
+
 struct ResponseRequest {
   AnswerSelection selection;
-  std::optional<response::Band> band;  ///< none: from 0 to 1.3 times the highest natural frequency
-  response::Spacing spacing = response::Spacing::automatic;
+  std::optional<assembly::Band> band;  ///< none: from 0 to 1.3 times the highest natural frequency
+  Spacing spacing = Spacing::automatic;
   int points = 1001;       ///< of a linear or logarithmic grid
   std::vector<double> at;  ///< single ω instead of a band [rad/s]
   bool continuous_phase = false;
@@ -42,7 +45,7 @@ struct Limit {
 /// An answer of the response with a user's limit line.
 struct LimitLineRequest {
   std::string of;
-  response::LimitLine line;
+  assembly::LimitLine line;
 };
 
 /// Most designs of one map.
@@ -52,7 +55,7 @@ inline constexpr double most_designs = 1e7;
 struct MapRequest {
   DesignAxis x, y;
   std::vector<std::pair<DesignAxis, DesignAxis>> pairs;  ///< a map for each of them, instead of x and y
-  std::optional<response::Band> band;                    ///< of the amplitudes; none: 0 ≤ ω < ∞
+  std::optional<assembly::Band> band;                    ///< of the amplitudes; none: 0 ≤ ω < ∞
   std::vector<AmplitudeLimit> limits;
   bool limits_of_file = true;        ///< the map has none: take those of the file
   std::vector<std::string> no_peak;  ///< answers that must have no resonance peak at any frequency

@@ -32,9 +32,9 @@ ResponseRequest read_response(const Node& node, const ResultNames& names, const 
   read_selection(reader, names, in_file.harmonic_excitations, "harmonic", request.selection);
   request.band = read_band(reader, "band");
   const auto spacing = reader.choice("spacing", {"automatic", "linear", "logarithmic"});
-  if (spacing == "linear") request.spacing = response::Spacing::linear;
-  if (spacing == "logarithmic") request.spacing = response::Spacing::logarithmic;
-  if (request.spacing == response::Spacing::logarithmic && request.band && !(request.band->from > 0))
+  if (spacing == "linear") request.spacing = Spacing::linear;
+  if (spacing == "logarithmic") request.spacing = Spacing::logarithmic;
+  if (request.spacing == Spacing::logarithmic && request.band && !(request.band->from > 0))
     reader.error("band", "a band from 0", "a logarithmic grid starts above 0", "raise the lower end");
   if (const auto points = reader.number("points", Quantity::pure)) {
     if (*points >= 2 && *points <= most_points && *points == static_cast<int>(*points))

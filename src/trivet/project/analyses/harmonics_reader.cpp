@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "trivet/nonlinear/deflections.h"
-
 namespace trivet::project {
 
 void read_harmonics(TableReader& reader, int& harmonics, double& tolerance) {
@@ -33,7 +31,7 @@ void read_harmonics(TableReader& reader, int& harmonics, double& tolerance) {
 
 void require_nonlinear(const char* question, const char* remedy, const model::System& system,
                        foundation::Problems& problems) {
-  if (!nonlinear::is_nonlinear(system))
+  if (!model::is_nonlinear(system))
     problems.error(question, "a linear machine", "its motions are those of machines with nonlinear parts", remedy);
 }
 

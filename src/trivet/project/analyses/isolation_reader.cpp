@@ -169,7 +169,7 @@ std::vector<std::string> isolated_forces(const Isolation& isolation, const model
   return forces;
 }
 
-std::vector<response::Band> isolated_at(const Isolation& isolation, const model::System& system,
+std::vector<assembly::Band> isolated_at(const Isolation& isolation, const model::System& system,
                                         const std::string& force) {
   if (!isolation.at.empty()) return isolation.at;
   const model::Excitation* excitation = excitation_named(system, force);
@@ -187,7 +187,7 @@ void check_isolation(const std::vector<Isolation>& isolation, const model::Syste
       problems.error(place, "no harmonic force on a body", "an isolation is that of a force from the ground",
                      "add an unbalance or a harmonic force, or base = \"z\" for a motion of the ground");
     for (const std::string& force : forces) {
-      if (const std::string reason = response::reason_without_transmission(system, force); !reason.empty())
+      if (const std::string reason = model::reason_without_transmission(system, force); !reason.empty())
         problems.error(place, foundation::quoted(force), reason, "name forces that have one: force = [\"EXCITATION\"]");
       else if (isolated_at(one, system, force).empty())
         problems.error(place, "neither at nor band", foundation::quoted(force) + " has no service_speed either",

@@ -16,7 +16,7 @@ namespace trivet::project {
 [[nodiscard]] std::vector<std::string> isolated_forces(const Isolation& isolation, const model::System& system);
 
 /// Frequencies of an entry for one force: those given, or the service speed of this unbalance.
-[[nodiscard]] std::vector<response::Band> isolated_at(const Isolation& isolation, const model::System& system,
+[[nodiscard]] std::vector<assembly::Band> isolated_at(const Isolation& isolation, const model::System& system,
                                                       const std::string& force);
 
 /// Reports forces without a transmissibility and unbalances without a service speed.

@@ -53,7 +53,7 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     if (!rows || !measured) continue;
     for (const double hertz : rows->col(0)) request.line.angular_frequency.push_back(2 * std::numbers::pi * hertz);
     for (const double limit : rows->col(1)) request.line.limit.push_back(level.bare * limit);
-    const foundation::Problems findings = response::check(request.line, reader.has("rows") ? "rows" : "file");
+    const foundation::Problems findings = assembly::check(request.line, reader.has("rows") ? "rows" : "file");
     reader.add(findings);
     if (!findings.has_errors()) result.limit_lines.push_back(std::move(request));
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/response/steady/curve_model.h"
+#include "trivet/assembly/band.h"
 
 /// Measured curves and mode shapes, expressed in results and places of the model.
 namespace trivet::project {
@@ -36,7 +36,7 @@ struct MeasuredMode {
 };
 
 /// True for a frequency inside a band, ends included.
-[[nodiscard]] inline bool covers(const response::Band& band, double omega) {
+[[nodiscard]] inline bool covers(const assembly::Band& band, double omega) {
   constexpr double rounding = 1e-9;
   return omega >= band.from * (1 - rounding) && omega <= band.to * (1 + rounding);
 }

@@ -13,7 +13,7 @@ std::unique_ptr<Question> read_orders_question(TableReader& reader, const Result
   read_selection(reader, names, in_file.order_excitations, "order", asked->selection);
   if (!reader.has("speed"))
     reader.missing("speed", "give the range of shaft speeds: speed = [\"600 rpm\", \"3000 rpm\"]");
-  asked->speed = read_band(reader, "speed").value_or(response::Band{0, 1});
+  asked->speed = read_band(reader, "speed").value_or(assembly::Band{0, 1});
   return asked;
 }
 

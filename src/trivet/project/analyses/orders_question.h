@@ -7,7 +7,7 @@ namespace trivet::project {
 
 /// Run-up: all orders over the speed of the shaft.
 struct OrdersQuestion : Question {
-  response::Band speed;  ///< [rad/s]
+  assembly::Band speed;  ///< [rad/s]
 };
 
 }  // namespace trivet::project

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "trivet/assembly/band.h"
 #include "trivet/assembly/channels.h"
-#include "trivet/response/steady/frequency_grid.h"
 
 namespace trivet::project {
 
@@ -28,7 +28,7 @@ struct Question {
 
 /// A question about a band of frequencies. None: the study chooses one.
 struct BandQuestion : Question {
-  std::optional<response::Band> band;
+  std::optional<assembly::Band> band;
 };
 
 }  // namespace trivet::project

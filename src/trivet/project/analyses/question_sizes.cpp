@@ -100,12 +100,11 @@ class Sizes {
 
 void check_response(Sizes& sizes, const ResponseRequest& asked) {
   const double count = sizes.curves(asked.selection.of);
-  const bool searched = asked.continuous_phase || (asked.at.empty() && asked.spacing == response::Spacing::automatic);
+  const bool searched = asked.continuous_phase || (asked.at.empty() && asked.spacing == Spacing::automatic);
   if (searched) sizes.check_search("analyses.response", count, asked.at.empty());
   else sizes.check_curves("analyses.response", count);
   if (!asked.at.empty()) sizes.check_values("analyses.response.at", static_cast<double>(asked.at.size()), count);
-  else if (asked.spacing != response::Spacing::automatic)
-    sizes.check_values("analyses.response.points", asked.points, count);
+  else if (asked.spacing != Spacing::automatic) sizes.check_values("analyses.response.points", asked.points, count);
 }
 
 void check_inputs(Sizes& sizes, const model::Description& description) {
@@ -135,8 +134,7 @@ std::size_t coordinates(const model::Description& description, bool with_laws) {
 bool lowest_modes_suffice(const Analyses& asked) {
   const bool at_given_frequencies = !asked.response ||
       (!asked.response->continuous_phase &&
-       (!asked.response->at.empty() ||
-        (asked.response->band && asked.response->spacing != response::Spacing::automatic)));
+       (!asked.response->at.empty() || (asked.response->band && asked.response->spacing != Spacing::automatic)));
   return asked.lowest_modes > 0 && at_given_frequencies && !asked.roots && !asked.peaks && !asked.static_of &&
       !asked.load_sharing && !asked.map && asked.limit_lines.empty() && asked.measurements.empty() &&
       asked.limits.empty() && !asked.requirements && asked.questions.empty();

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "trivet/model/harmonic_force.h"
 #include "trivet/model/system.h"
 #include "trivet/project/analyses/question.h"
-#include "trivet/response/machinery/transmissibility.h"
 
 namespace trivet::project {
 
@@ -16,9 +16,9 @@ struct AmplitudeLimit {
   std::string name;
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   double amplitude = 0;
-  std::optional<response::Band> band;                   ///< of its own, if it has one
+  std::optional<assembly::Band> band;                   ///< of its own, if it has one
   std::optional<std::vector<std::string>> excitations;  ///< of its own, if it has them
-  std::optional<response::Band> speed;                  ///< of a shaft, whose orders then drive it one by one
+  std::optional<assembly::Band> speed;                  ///< of a shaft, whose orders then drive it one by one
 
   /// True if it is judged in the band and under the excitations of all limits.
   [[nodiscard]] bool has_common_scope() const { return !band && !excitations && !speed; }
@@ -29,8 +29,8 @@ struct AmplitudeLimit {
 struct Isolation {
   std::vector<std::string> forces;  ///< harmonic ones on bodies; empty without `of`: all
   std::vector<std::string> of;      ///< bodies and points that a motion of the ground reaches; empty: forces
-  response::Direction base;         ///< of that motion
-  std::vector<response::Band> at;   ///< from = to: one frequency [rad/s]; empty: the service speeds of the forces
+  model::Direction base;            ///< of that motion
+  std::vector<assembly::Band> at;   ///< from = to: one frequency [rad/s]; empty: the service speeds of the forces
   double transmitted = 1;           ///< largest allowed transmissibility, > 0
   bool in_decibels = false;         ///< it was given as a level
 
@@ -40,7 +40,7 @@ struct Isolation {
 
 /// What a design has to meet: the table [requirements]. Formulas: docs/design.md.
 struct Requirements {
-  std::optional<response::Band>
+  std::optional<assembly::Band>
       band;  ///< of the amplitudes and limit lines; none: that of the response, else 0 ≤ ω < ∞
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of `no_peak`
   std::vector<std::string> excitations;                                        ///< harmonic ones; empty: all
@@ -48,7 +48,7 @@ struct Requirements {
   std::vector<std::string> no_peak;                     ///< results that must have no resonance peak at any frequency
   double min_prominence = 1e-6, peak_tolerance = 0.01;  ///< as of `peaks`
   std::vector<std::string> limit_lines;                 ///< names in [limit_lines]
-  std::vector<response::Band> avoided;                  ///< without natural frequencies [rad/s]
+  std::vector<assembly::Band> avoided;                  ///< without natural frequencies [rad/s]
   double separation = 0;     ///< least ratio of neighbouring natural frequencies, ≥ 1; 0: not required
   double damping_ratio = 0;  ///< least one of every oscillating root, < 1; 0: not required
   struct Decoupling {

@@ -54,11 +54,11 @@ double read_least(TableReader& reader, const std::string& key, double from, doub
 }
 
 /// Windows that together reach from 0 to where no body of a machine moves as a rigid one.
-void refuse_windows_without_gap(TableReader& reader, std::vector<response::Band> windows) {
+void refuse_windows_without_gap(TableReader& reader, std::vector<assembly::Band> windows) {
   constexpr double highest = 2 * std::numbers::pi * 1e6;
   std::sort(windows.begin(), windows.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
   double covered = 0;
-  for (const response::Band& window : windows)
+  for (const assembly::Band& window : windows)
     if (window.from <= covered) covered = std::max(covered, window.to);
   if (covered >= highest)
     reader.error("avoid", fmt::format("windows that cover 0 … {:.4g} Hz", covered / (2 * std::numbers::pi)),

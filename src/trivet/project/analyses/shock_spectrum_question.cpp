@@ -19,7 +19,7 @@ std::unique_ptr<Question> read_shock_spectrum(TableReader& reader, const ResultN
   const auto band = read_band(reader, "band");
   if (!reader.has("band")) reader.missing("band", "give the natural frequencies: band = [\"5 Hz\", \"2000 Hz\"]");
   if (band && !(band->from > 0)) reader.error("band", "from 0", "natural frequencies are > 0", "raise the lower end");
-  asked->band = band.value_or(response::Band{1, 2});
+  asked->band = band.value_or(assembly::Band{1, 2});
   return asked;
 }
 

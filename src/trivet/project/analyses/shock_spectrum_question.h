@@ -8,7 +8,7 @@ namespace trivet::project {
 /// Shock response spectra of time excitations.
 struct ShockSpectrumQuestion : Question {
   double damping_ratio = 0.05;
-  response::Band band;  ///< of natural frequencies [rad/s]
+  assembly::Band band;  ///< of natural frequencies [rad/s]
 };
 
 }  // namespace trivet::project

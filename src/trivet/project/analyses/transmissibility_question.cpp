@@ -54,7 +54,7 @@ void check_force(const Question& asked, const model::System& system, foundation:
   const std::string& force = static_cast<const TransmissibilityQuestion&>(asked).force;
   if (force.empty()) return;
   try {
-    static_cast<void>(response::applied_force(system, force));
+    static_cast<void>(model::applied_force(system, force));
   } catch (const foundation::InvalidInput& reason) {
     problems.error("analyses.transmissibility.force", "\"" + force + "\"", reason.what(),
                    "name a harmonic force along one direction");

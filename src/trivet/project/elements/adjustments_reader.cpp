@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "trivet/foundation/index.h"
-#include "trivet/response/sensitivity/adjustments.h"
+#include "trivet/model/adjustments.h"
 
 namespace trivet::project {
 namespace {
@@ -55,18 +55,18 @@ void read_stiffness_factor(TableReader& reader, const model::Element& element, b
   for (std::size_t j = 0; j < 6; ++j) {
     const std::string key = model::coordinate_names[j];
     factors(to_index(j)) = read_factor(inside, key);
-    if (inside.has(key) && !response::has_plain_stiffness(element))
+    if (inside.has(key) && !model::has_plain_stiffness(element))
       inside.error(key, "a factor for one direction of an element with mass or frequency-dependent stiffness",
                    "such an element has one factor for its whole stiffness", "use `all`, or `scale` of the element");
   }
   inside.finish();
   if (all != 1)
     change_element(in_file, element.name, [gain = all - 1](model::Description& d, std::size_t e) {
-      response::add_deformation_stiffness(d, e, gain);
+      model::add_deformation_stiffness(d, e, gain);
     });
   if (!factors.isOnes(0))
     change_element(in_file, element.name, [factors](model::Description& d, std::size_t e) {
-      response::scale_stiffness_by_direction(d, e, factors);
+      model::scale_stiffness_by_direction(d, e, factors);
     });
 }
 
@@ -75,25 +75,25 @@ void read_stiffness_factor(TableReader& reader, const model::Element& element, b
 void read_element_adjustments(TableReader& reader, const model::Element& element, bool complete, NamesInFile& in_file) {
   read_stiffness_factor(reader, element, complete, in_file);
   const double damping = read_factor(reader, "damping_factor");
-  if (complete && reader.has("damping_factor") && !response::has_damping(element))
+  if (complete && reader.has("damping_factor") && !model::has_damping(element))
     reader.error("damping_factor", "an element without damping", "there is nothing to scale",
                  "give it a damping, or remove the factor");
   if (damping != 1)
     change_element(in_file, element.name,
-                   [damping](model::Description& d, std::size_t e) { response::scale_damping(d, e, damping); });
+                   [damping](model::Description& d, std::size_t e) { model::scale_damping(d, e, damping); });
   const Eigen::Vector3d by = read_shift(reader, "moved");
   if (!by.isZero(0))
     change_element(in_file, element.name,
-                   [by](model::Description& d, std::size_t e) { response::move_element(d, e, by); });
+                   [by](model::Description& d, std::size_t e) { model::move_element(d, e, by); });
 }
 
 void read_body_adjustments(TableReader& reader, const model::Body& body, std::size_t index, NamesInFile& in_file) {
   const double mass = read_factor(reader, "mass_about_center");
   if (mass != 1)
-    in_file.adjustments.push_back([index, mass](model::Description& d) { response::scale_mass(d, index, mass); });
+    in_file.adjustments.push_back([index, mass](model::Description& d) { model::scale_mass(d, index, mass); });
   const Eigen::Vector3d by = read_shift(reader, "center_moved");
   if (!by.isZero(0))
-    in_file.adjustments.push_back([index, by](model::Description& d) { response::move_center_of_mass(d, index, by); });
+    in_file.adjustments.push_back([index, by](model::Description& d) { model::move_center_of_mass(d, index, by); });
   const Node* table = reader.table("inertia_about_center");
   if (!table) return;
   TableReader inside(*table, reader.path() + ".inertia_about_center", reader.problems());
@@ -105,7 +105,7 @@ void read_body_adjustments(TableReader& reader, const model::Body& body, std::si
     const double share = i == j ? read_factor(inside, key) - 1 : inside.number(key, Quantity::pure).value_or(0);
     if (share != 0)
       in_file.adjustments.push_back(
-          [index, i = i, j = j, share](model::Description& d) { response::change_inertia(d, index, i, j, share); });
+          [index, i = i, j = j, share](model::Description& d) { model::change_inertia(d, index, i, j, share); });
   }
   inside.finish();
 }
@@ -116,7 +116,7 @@ void read_damping_adjustment(TableReader& reader, NamesInFile& in_file) {
     reader.error("modal_factor", "a factor without modal damping", "there is nothing to scale",
                  "give modal = …, or remove the factor");
   if (factor != 1)
-    in_file.adjustments.push_back([factor](model::Description& d) { response::scale_modal_damping(d, factor); });
+    in_file.adjustments.push_back([factor](model::Description& d) { model::scale_modal_damping(d, factor); });
 }
 
 }  // namespace trivet::project

@@ -79,7 +79,7 @@ std::optional<excitation::Spectrum> read_flat(TableReader& psd, const ColumnQuan
   else if (const auto value = to_density(given->text, unit.quantity)) density = *value, warn_of_idle_unit(psd);
   else psd.error("flat", value_text(*given), value.error(), "give a number in " + unit.unit() + ", or one with a unit");
   const bool is_number = psd.errors() == before;
-  const std::optional<response::Band> band = read_band(psd, "band");
+  const std::optional<assembly::Band> band = read_band(psd, "band");
   if (!psd.has("band")) psd.missing("band", "give the band: band = [\"5 Hz\", \"500 Hz\"]");
   if (is_number && !(density > 0))
     psd.error("flat", fmt::format("{:.6g}", density), "a spectral density is > 0",

@@ -20,7 +20,7 @@ bool has_mixed_units(const Node& list) {
 
 }  // namespace
 
-std::optional<response::Band> read_band(TableReader& reader, const std::string& key) {
+std::optional<assembly::Band> read_band(TableReader& reader, const std::string& key) {
   const auto band = reader.numbers(key, Quantity::angular_frequency);
   if (!band) return std::nullopt;
   if (has_mixed_units(*reader.node(key))) {
@@ -31,7 +31,7 @@ std::optional<response::Band> read_band(TableReader& reader, const std::string& 
   const std::string kind = key == "band" ? "band" : "range";
   const auto broken = band->size() == 2 ? wrong_band((*band)[0], (*band)[1])
                                         : std::optional<std::string>("[from, to] with 0 ≤ from < to");
-  if (!broken) return response::Band{(*band)[0], (*band)[1]};
+  if (!broken) return assembly::Band{(*band)[0], (*band)[1]};
   const bool near = band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0];
   reader.error(key,
                fmt::format("{} numbers{}", band->size(),

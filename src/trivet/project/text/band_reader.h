@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
+#include "trivet/assembly/band.h"
 #include "trivet/project/text/table_reader.h"
-#include "trivet/response/steady/frequency_grid.h"
 
 namespace trivet::project {
 
 /// `key = [from, to]` in rad/s or with units, 0 ≤ from < to.
-[[nodiscard]] std::optional<response::Band> read_band(TableReader& reader, const std::string& key);
+[[nodiscard]] std::optional<assembly::Band> read_band(TableReader& reader, const std::string& key);
 
 }  // namespace trivet::project

@@ -22,7 +22,7 @@ std::vector<NaturalLine> natural_lines(const modal::Roots& roots) {
 }  // namespace
 
 Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes, const modal::Roots& roots,
-                  const Band& speed) {
+                  const assembly::Band& speed) {
   if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
     throw foundation::InvalidInput("campbell: the speed range must satisfy 0 ≤ from < to");
   Campbell result{speed, {}, natural_lines(roots), {}};

@@ -36,7 +36,7 @@ inline constexpr double excited_from = 1e-6;
 
 /// Campbell diagram of a system without gyroscopic terms.
 struct Campbell {
-  Band speed;  ///< [rad/s]
+  assembly::Band speed;  ///< [rad/s]
   std::vector<double> orders;
   std::vector<NaturalLine> natural;  ///< ascending
   std::vector<Interference> points;  ///< ascending speed
@@ -44,6 +44,6 @@ struct Campbell {
 
 /// @throws foundation::InvalidInput unless 0 ≤ from < to
 [[nodiscard]] Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes,
-                                const modal::Roots& roots, const Band& speed);
+                                const modal::Roots& roots, const assembly::Band& speed);
 
 }  // namespace trivet::response

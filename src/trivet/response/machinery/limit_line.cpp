@@ -22,14 +22,14 @@ using foundation::infinity;
 
 /// One straight piece of the line on logarithmic axes; limits zero-to-peak.
 struct Piece {
-  Band band;
+  assembly::Band band;
   double from_limit = 0, to_limit = 0;
   double at(double omega) const {
     return from_limit * std::pow(omega / band.from, std::log(to_limit / from_limit) / std::log(band.to / band.from));
   }
 };
 
-std::vector<Piece> pieces(const LimitLine& line) {
+std::vector<Piece> pieces(const assembly::LimitLine& line) {
   const double factor = line.rms ? std::numbers::sqrt2 : 1;
   std::vector<Piece> result;
   for (std::size_t i = 0; i + 1 < line.limit.size(); ++i)
@@ -112,7 +112,7 @@ void add_maxima(const Comparison& comparison, const foundation::Progress& progre
 }
 
 void add_exceeded(const Comparison& comparison, const foundation::Progress& progress, const std::vector<Node>& nodes,
-                  std::vector<Band>& exceeded) {
+                  std::vector<assembly::Band>& exceeded) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     foundation::report_progress(progress, "limit line", static_cast<double>(i) / static_cast<double>(nodes.size()));
     const bool above = nodes[i].ratio > 1, before = i > 0 && nodes[i - 1].ratio > 1;
@@ -128,40 +128,7 @@ void add_exceeded(const Comparison& comparison, const foundation::Progress& prog
 
 }  // namespace
 
-foundation::Problems check(const LimitLine& line, const std::string& subject) {
-  foundation::Problems problems;
-  const std::string named = "limit line \"" + line.name + "\"";
-  if (line.angular_frequency.size() != line.limit.size() || line.limit.size() < 2)
-    problems.error(
-        subject,
-        fmt::format("{}: {} frequencies and {} limits", named, line.angular_frequency.size(), line.limit.size()),
-        "a limit line has at least two points, each with frequency and limit", "complete the table");
-  for (std::size_t i = 0; i < line.limit.size(); ++i)
-    if (!(line.limit[i] > 0 && std::isfinite(line.limit[i])))
-      problems.error(subject, fmt::format("{}: limit {:g} in row {}", named, line.limit[i], i + 1),
-                     "a limit is a number > 0", "correct or remove the row");
-  const std::vector<double>& omega = line.angular_frequency;
-  for (std::size_t i = 0; i < omega.size(); ++i) {
-    const double hertz = omega[i] / (2 * std::numbers::pi);
-    if (!(omega[i] > 0 && std::isfinite(omega[i])))
-      problems.error(subject, fmt::format("{}: {:g} Hz in row {}", named, hertz, i + 1),
-                     "frequencies are > 0, as the axis is logarithmic", "correct or remove the row");
-    else if (i > 0 && omega[i] < omega[i - 1])
-      problems.error(subject,
-                     fmt::format("{}: {:g} Hz in row {} after {:g} Hz", named, hertz, i + 1,
-                                 omega[i - 1] / (2 * std::numbers::pi)),
-                     "frequencies ascend", "sort the table by frequency");
-    else if (i > 1 && omega[i] == omega[i - 2])
-      problems.error(subject, fmt::format("{}: {:g} Hz three times, row {}", named, hertz, i + 1),
-                     "two rows of equal frequency form a step", "remove the middle row");
-  }
-  if (omega.size() > 1 && omega.front() == omega.back())
-    problems.error(subject, fmt::format("{}: all rows at {:g} Hz", named, omega[0] / (2 * std::numbers::pi)),
-                   "a limit line covers a band", "give a second frequency");
-  return problems;
-}
-
-double zero_to_peak_limit(const LimitLine& line, double angular_frequency) {
+double zero_to_peak_limit(const assembly::LimitLine& line, double angular_frequency) {
   double lowest = infinity;
   for (const Piece& piece : pieces(line))
     if (angular_frequency >= piece.band.from && angular_frequency <= piece.band.to)
@@ -174,7 +141,8 @@ double zero_to_peak_limit(const LimitLine& line, double angular_frequency) {
 
 LimitComparison compared_with_limit(const assembly::Assembled& assembled, const assembly::Channel& channel,
                                     const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
-                                    const LimitLine& line, const Band& band, const foundation::Progress& progress) {
+                                    const assembly::LimitLine& line, const assembly::Band& band,
+                                    const foundation::Progress& progress) {
   if (const foundation::Problems problems = check(line, "limit line"); problems.has_errors())
     throw foundation::InvalidInput(foundation::message(problems.list().front()));
   if (line.unit != channel.unit)
@@ -191,7 +159,8 @@ LimitComparison compared_with_limit(const assembly::Assembled& assembled, const 
       automatic_grid(assembled, {channel}, loading, poles, peaks, result.compared, progress);
   std::vector<Node> all;
   for (const Piece& piece : pieces(line)) {
-    const Band part{std::max(piece.band.from, result.compared.from), std::min(piece.band.to, result.compared.to)};
+    const assembly::Band part{std::max(piece.band.from, result.compared.from),
+                              std::min(piece.band.to, result.compared.to)};
     if (!(part.to > part.from)) continue;
     std::vector<double> omega = {part.from};
     std::copy_if(grid.begin(), grid.end(), std::back_inserter(omega),

@@ -2,38 +2,24 @@
 #pragma once
 
 #include <limits>
-#include <string>
 #include <vector>
 
-#include "trivet/foundation/problems.h"
+#include "trivet/assembly/limit_line.h"
 #include "trivet/response/steady/frequency_grid.h"
 
 namespace trivet::response {
 
-/// A limit over frequency: straight lines between its points on logarithmic axes, undefined outside them. Two points of
-/// equal frequency form a step; there the lower limit applies.
-struct LimitLine {
-  std::string name;
-  std::string unit;                       ///< SI, of the result it limits: "m", "m/s", "m/s²", "N" …
-  bool rms = true;                        ///< root mean square; otherwise zero-to-peak
-  std::vector<double> angular_frequency;  ///< [rad/s] > 0, ascending
-  std::vector<double> limit;              ///< > 0
-};
-
-/// All errors of the table; `subject` is its path in the project.
-[[nodiscard]] foundation::Problems check(const LimitLine& line, const std::string& subject);
-
 /// Zero-to-peak limit at ω within the line.
-[[nodiscard]] double zero_to_peak_limit(const LimitLine& line, double angular_frequency);
+[[nodiscard]] double zero_to_peak_limit(const assembly::LimitLine& line, double angular_frequency);
 
 /// Comparison of a result with a limit line in the band where both are defined.
 struct LimitComparison {
-  Band compared;                          ///< [rad/s]: the part of the band that the line covers
+  assembly::Band compared;                ///< [rad/s]: the part of the band that the line covers
   std::vector<double> angular_frequency;  ///< frequencies of `margin` [rad/s]
   Eigen::VectorXd margin;                 ///< limit / level: ≥ 1 meets the limit; infinite if the level is 0
   double least_margin = std::numeric_limits<double>::infinity();  ///< 0 at an undamped resonance
   double least_margin_at = 0;                                     ///< [rad/s]
-  std::vector<Band> exceeded;  ///< [rad/s], ends by root search on the exact response
+  std::vector<assembly::Band> exceeded;  ///< [rad/s], ends by root search on the exact response
   [[nodiscard]] bool met() const { return exceeded.empty(); }
 };
 
@@ -45,7 +31,7 @@ struct LimitComparison {
 [[nodiscard]] LimitComparison compared_with_limit(const assembly::Assembled& assembled,
                                                   const assembly::Channel& channel, const assembly::Loading& loading,
                                                   const Eigen::VectorXcd& poles, const Peaks& peaks,
-                                                  const LimitLine& line, const Band& band,
+                                                  const assembly::LimitLine& line, const assembly::Band& band,
                                                   const foundation::Progress& progress = {});
 
 /// Margin level 20 lg(margin) [dB]; positive if the limit is met.

@@ -82,7 +82,7 @@ Overall overall(const RunUp& run_up, std::size_t curve) {
 RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
              const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes, const modal::Roots& roots,
              const RunUpOptions& options, const foundation::Progress& progress) {
-  const Band& speed = options.speed;
+  const assembly::Band& speed = options.speed;
   if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
     throw foundation::InvalidInput("run-up: the speed range must satisfy 0 ≤ from < to");
   if (order_loadings.empty())

@@ -13,7 +13,7 @@
 namespace trivet::response {
 
 struct RunUpOptions {
-  Band speed;                    ///< of the shaft [rad/s], 0 ≤ from < to
+  assembly::Band speed;          ///< of the shaft [rad/s], 0 ≤ from < to
   double min_prominence = 1e-6;  ///< see PeakOptions
   int points = 501;  ///< equally spaced speeds, at least 2, in addition to critical speeds and points around them
   double tall_from =

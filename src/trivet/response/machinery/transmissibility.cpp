@@ -27,7 +27,7 @@ using foundation::infinity;
 
 /// Components x … z or rx … rz of a unit vector along the direction, in axes rotated by `rotation` relative to the
 /// ground.
-spatial::Vector6 unit_six(const Direction& direction, const Eigen::Matrix3d& rotation) {
+spatial::Vector6 unit_six(const model::Direction& direction, const Eigen::Matrix3d& rotation) {
   const double length = direction.axis.norm();
   if (!(length > 0 && std::isfinite(length)))
     throw foundation::InvalidInput("transmissibility: a direction needs a finite length > 0");
@@ -36,8 +36,8 @@ spatial::Vector6 unit_six(const Direction& direction, const Eigen::Matrix3d& rot
   return six;
 }
 
-Direction checked_direction(const Direction& applied, const std::optional<Direction>& wanted, const char* translation,
-                            const char* rotation) {
+model::Direction checked_direction(const model::Direction& applied, const std::optional<model::Direction>& wanted,
+                                   const char* translation, const char* rotation) {
   if (wanted && wanted->rotation != applied.rotation)
     throw foundation::InvalidInput(
         fmt::format("transmissibility: a {} over a {} has the unit {}, not 1; use the same kind for both",
@@ -96,42 +96,6 @@ const model::Body& body_of(const model::System& system, const std::string& word)
   throw foundation::InvalidInput("transmissibility: \"" + word + "\" is not a body or BODY.POINT of this model");
 }
 
-/// The harmonic force, or the moment, of an excitation: exactly one of them, in body axes.
-struct HarmonicForce {
-  const model::Action& action;
-  Eigen::Vector3cd vector;
-  bool rotation = false;
-};
-
-HarmonicForce harmonic_force(const model::System& system, const std::string& excitation) {
-  const auto& all = system.description().excitations;
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const model::Excitation& e) { return e.name == excitation; });
-  if (found == all.end() || !std::holds_alternative<model::Harmonic>(found->course))
-    throw foundation::InvalidInput("transmissibility: \"" + excitation +
-                                   "\" is not a harmonic excitation of this model");
-  const model::Action& action = found->action;
-  if (!action.body)
-    throw foundation::InvalidInput("transmissibility: \"" + excitation +
-                                   "\" moves the ground; force transmissibility needs a force on a body");
-  const Eigen::Vector3cd force = action.amplitude.head<3>(), moment = action.amplitude.tail<3>();
-  if (force.isZero(0) == moment.isZero(0))
-    throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" has " +
-                                   (force.isZero(0) ? "neither force nor moment" : "a force and a moment") +
-                                   "; it needs exactly one of them");
-  return {action, force.isZero(0) ? moment : force, force.isZero(0)};
-}
-
-/// Components of other phases below this share of a force are round-off.
-constexpr double phase_round_off = 1e-12;
-
-/// A vector times the factor e^{−iφ} that makes its largest component real.
-Eigen::Vector3cd in_phase_with_largest(const Eigen::Vector3cd& vector) {
-  Eigen::Index largest = 0;
-  vector.cwiseAbs().maxCoeff(&largest);
-  return vector * std::conj(vector(largest)) / std::abs(vector(largest));
-}
-
 /// Unit vectors along the axes of the ellipse Re(vector e^{iωt}), the larger one first; of a circle, see
 /// spatial::axes_along.
 std::vector<Eigen::Vector3d> axes_of_ellipse(const Eigen::Vector3cd& vector) {
@@ -163,28 +127,10 @@ double root_between(double above, double below, const Size& size) {
 
 }  // namespace
 
-std::string reason_without_transmission(const model::System& system, const std::string& excitation) {
-  try {
-    static_cast<void>(harmonic_force(system, excitation));
-    return "";
-  } catch (const foundation::InvalidInput& reason) {
-    return reason.what();
-  }
-}
-
-AppliedForce applied_force(const model::System& system, const std::string& excitation) {
-  const HarmonicForce force = harmonic_force(system, excitation);
-  const Eigen::Vector3cd in_phase = in_phase_with_largest(force.vector);
-  if (in_phase.imag().norm() > phase_round_off * force.vector.norm())
-    throw foundation::InvalidInput("transmissibility: the components of \"" + excitation +
-                                   "\" differ in phase, so its direction is not constant; give them the same phase");
-  const model::Action& action = force.action;
-  return {*action.body, action.at, {system.bodies()[*action.body].pose.rotation * in_phase.real(), force.rotation}};
-}
-
 Transmission force_transmission(const model::System& system, const assembly::Assembled& assembled,
-                                const AppliedForce& applied, const std::optional<Direction>& transmitted) {
-  const Direction out = checked_direction(applied.direction, transmitted, "force", "moment");
+                                const model::AppliedForce& applied,
+                                const std::optional<model::Direction>& transmitted) {
+  const model::Direction out = checked_direction(applied.direction, transmitted, "force", "moment");
   if (applied.body >= system.bodies().size())
     throw foundation::InvalidInput("transmissibility: the force does not act on a body of this model");
   model::Action action;
@@ -203,12 +149,10 @@ Transmission force_transmission(const model::System& system, const assembly::Ass
 
 ExcitationTransmission excitation_transmission(const model::System& system, const assembly::Assembled& assembled,
                                                const std::string& excitation) {
-  const HarmonicForce force = harmonic_force(system, excitation);
-  const Eigen::Vector3cd in_phase = in_phase_with_largest(force.vector);
+  const model::HarmonicForce force = model::harmonic_force(system, excitation);
   const Eigen::Matrix3d& to_ground = system.bodies()[*force.action.body].pose.rotation;
-  const bool rotates = in_phase.imag().norm() > phase_round_off * force.vector.norm();
-  std::vector<Eigen::Vector3d> axes = {(to_ground * in_phase.real()).normalized()};
-  if (rotates) axes = axes_of_ellipse(to_ground.cast<Complex>() * force.vector);
+  std::vector<Eigen::Vector3d> axes = {(to_ground * force.in_phase_with_largest().real()).normalized()};
+  if (force.rotates()) axes = axes_of_ellipse(to_ground.cast<Complex>() * force.vector);
   double largest = 0;  // magnitude over a period
   for (Eigen::Vector3d& axis : axes) {
     Eigen::Index at = 0;
@@ -232,9 +176,10 @@ ExcitationTransmission excitation_transmission(const model::System& system, cons
 }
 
 Transmission displacement_transmission(const model::System& system, const assembly::Assembled& assembled,
-                                       const std::vector<std::string>& of, const Direction& moved,
-                                       const std::optional<Direction>& answered, const Eigen::Vector3d& base_at) {
-  const Direction out = checked_direction(moved, answered, "translation", "rotation");
+                                       const std::vector<std::string>& of, const model::Direction& moved,
+                                       const std::optional<model::Direction>& answered,
+                                       const Eigen::Vector3d& base_at) {
+  const model::Direction out = checked_direction(moved, answered, "translation", "rotation");
   model::Action action;
   action.at = base_at;
   action.amplitude = unit_six(moved, Eigen::Matrix3d::Identity()).cast<Complex>();

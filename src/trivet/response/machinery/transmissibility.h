@@ -5,32 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "trivet/model/harmonic_force.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 
 namespace trivet::response {
-
-/// Axis along which two quantities of the same kind are compared, ground axes.
-struct Direction {
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< any length > 0
-  bool rotation = false;  ///< moment or rotation about the axis instead of force or translation along it
-  bool operator==(const Direction&) const = default;
-};
-
-/// Force (or moment) applied to determine force transmissibility.
-struct AppliedForce {
-  std::size_t body = 0;
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< body frame [m]
-  Direction direction;
-};
-
-/// Point and direction of a harmonic force excitation of the model.
-/// @throws foundation::InvalidInput if there is no such excitation, or if it moves the ground, has both force and
-/// moment, or components of different phase (a rotating force)
-[[nodiscard]] AppliedForce applied_force(const model::System& system, const std::string& excitation);
-
-/// Why there is no `excitation_transmission` of an excitation; empty if there is one.
-[[nodiscard]] std::string reason_without_transmission(const model::System& system, const std::string& excitation);
 
 /// Transmissibilities: a unit load and the channels to compute, unit "1".
 struct Transmission {
@@ -44,8 +23,8 @@ struct Transmission {
 /// @throws foundation::InvalidInput for a direction of length 0, or if only one of `applied` and `transmitted` is a
 /// moment: the units differ
 [[nodiscard]] Transmission force_transmission(const model::System& system, const assembly::Assembled& assembled,
-                                              const AppliedForce& applied,
-                                              const std::optional<Direction>& transmitted = {});
+                                              const model::AppliedForce& applied,
+                                              const std::optional<model::Direction>& transmitted = {});
 
 /// Total force on the ground per unit of a harmonic force excitation of the model, whatever its course over frequency.
 /// A force along one direction has one channel, along it. A rotating force (an unbalance) has two: along the axes of
@@ -53,7 +32,7 @@ struct Transmission {
 /// magnitude.
 /// @throws foundation::InvalidInput as `applied_force`, except for rotating forces
 struct ExcitationTransmission : Transmission {
-  std::vector<Direction> directions;  ///< of the channels
+  std::vector<model::Direction> directions;  ///< of the channels
 };
 [[nodiscard]] ExcitationTransmission excitation_transmission(const model::System& system,
                                                              const assembly::Assembled& assembled,
@@ -64,8 +43,8 @@ struct ExcitationTransmission : Transmission {
 /// @param of  names BODY or BODY.POINT
 /// @throws foundation::InvalidInput for a direction of length 0, for different units, or for an unknown body or point
 [[nodiscard]] Transmission displacement_transmission(const model::System& system, const assembly::Assembled& assembled,
-                                                     const std::vector<std::string>& of, const Direction& moved,
-                                                     const std::optional<Direction>& answered = {},
+                                                     const std::vector<std::string>& of, const model::Direction& moved,
+                                                     const std::optional<model::Direction>& answered = {},
                                                      const Eigen::Vector3d& base_at = Eigen::Vector3d::Zero());
 
 /// Frequency above which a curve isolates.

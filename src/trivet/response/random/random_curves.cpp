@@ -25,7 +25,7 @@ std::vector<double> dense_grid(const Eigen::VectorXcd& poles, const RandomLoadin
   double from = std::numeric_limits<double>::infinity(), to = 0;
   for (const RandomInput& input : loading.inputs)
     from = std::min(from, input.spectrum.from()), to = std::max(to, input.spectrum.to());
-  const Band band{from, to};
+  const assembly::Band band{from, to};
   for (const double w : linear_grid(band, 301)) points.push_back(w);
   for (const double w : logarithmic_grid({from > 0 ? from : 1e-4 * to, to}, 301)) points.push_back(w);
   for (Eigen::Index k = 0; k < poles.size(); ++k) {

@@ -8,9 +8,9 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/model/adjustments.h"
+#include "trivet/model/element_directions.h"
 #include "trivet/model/point_mass.h"
-#include "trivet/response/sensitivity/adjustments.h"
-#include "trivet/response/steady/element_directions.h"
 
 namespace trivet::response {
 namespace {
@@ -47,24 +47,25 @@ class List {
   void add_element(std::size_t e) {
     const model::Element& element = system_.elements()[e];
     const std::string path = "elements." + foundation::path_key(element.name);
-    const Matrix6 k = element_directions(system_.bodies(), element).stiffness;
+    const Matrix6 k = model::element_directions(system_.bodies(), element).stiffness;
     if (!k.isZero(0) && !element.over_deflection) {  // whose stiffness is that of its deflection
       if (element.law.preload)
         relative(path + ".stiffness_factor.all", [e](Description& d, double amount) {
-          add_deformation_stiffness(d, e, amount);
+          model::add_deformation_stiffness(d, e, amount);
         }).law = e;
       else
         relative(path + ".scale", [e](Description& d, double amount) { d.elements[e].law.scale *= 1 + amount; }).law =
             e;
-      if (has_plain_stiffness(element)) add_directions(e, path, k);
+      if (model::has_plain_stiffness(element)) add_directions(e, path, k);
     }
-    if (has_damping(element))
-      relative(path + ".damping_factor", [e](Description& d, double amount) { scale_damping(d, e, 1 + amount); }).law =
-          e;
+    if (model::has_damping(element))
+      relative(path + ".damping_factor", [e](Description& d, double amount) {
+        model::scale_damping(d, e, 1 + amount);
+      }).law = e;
     const double length = std::max(0.1, std::max(element.k.at.norm(), element.n.at.norm()));
     for (int j = 0; j < 3; ++j)
       place(fmt::format("{}.moved.{}", path, "xyz"[j]), length,
-            [e, j](Description& d, double amount) { move_element(d, e, amount * Eigen::Vector3d::Unit(j)); });
+            [e, j](Description& d, double amount) { model::move_element(d, e, amount * Eigen::Vector3d::Unit(j)); });
   }
 
   void add_directions(std::size_t e, const std::string& path, const Matrix6& k) {
@@ -76,7 +77,7 @@ class List {
                [e, j](Description& d, double amount) {
                  spatial::Vector6 factors = spatial::Vector6::Ones();
                  factors(j) = 1 + amount;
-                 scale_stiffness_by_direction(d, e, factors);
+                 model::scale_stiffness_by_direction(d, e, factors);
                })
           .law = e;
     }
@@ -87,19 +88,20 @@ class List {
     const std::string path = "bodies." + foundation::path_key(body.name);
     const bool turns = body.free[3] || body.free[4] || body.free[5];
     relative(path + (turns ? ".mass_about_center" : ".mass"),
-             [b](Description& d, double amount) { scale_mass(d, b, 1 + amount); });
+             [b](Description& d, double amount) { model::scale_mass(d, b, 1 + amount); });
     if (!turns || model::is_point_mass(body)) return;
     const Eigen::Matrix3d j = body.mass.inertia_about_centre;
     const double length = std::max(0.1, std::sqrt(std::abs(j.trace() / body.mass.mass)));
     for (int i = 0; i < 3; ++i)
-      place(fmt::format("{}.center_moved.{}", path, "xyz"[i]), length,
-            [b, i](Description& d, double amount) { move_center_of_mass(d, b, amount * Eigen::Vector3d::Unit(i)); });
+      place(fmt::format("{}.center_moved.{}", path, "xyz"[i]), length, [b, i](Description& d, double amount) {
+        model::move_center_of_mass(d, b, amount * Eigen::Vector3d::Unit(i));
+      });
     for (int row = 0; row < 3; ++row)
       for (int column = row; column < 3; ++column) {
         if (j(row, row) * j(column, column) == 0) continue;
-        Parameter& parameter =
-            relative(fmt::format("{}.inertia_about_center.{}{}", path, "xyz"[row], "xyz"[column]),
-                     [b, row, column](Description& d, double amount) { change_inertia(d, b, row, column, amount); });
+        Parameter& parameter = relative(
+            fmt::format("{}.inertia_about_center.{}{}", path, "xyz"[row], "xyz"[column]),
+            [b, row, column](Description& d, double amount) { model::change_inertia(d, b, row, column, amount); });
         if (row != column) parameter.change = fmt::format("+1 % of √(J{0}{0} J{1}{1})", "xyz"[row], "xyz"[column]);
       }
   }
@@ -115,7 +117,8 @@ class List {
         });
     }
     if (std::holds_alternative<model::ModalDamping>(system_.description().damping))
-      relative("damping.modal_factor", [](Description& d, double amount) { scale_modal_damping(d, 1 + amount); });
+      relative("damping.modal_factor",
+               [](Description& d, double amount) { model::scale_modal_damping(d, 1 + amount); });
   }
 
   const model::System& system_;

@@ -7,12 +7,12 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/model/element_directions.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
 #include "trivet/numerics/linalg/orthogonal.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/response/steady/body_dynamics.h"
-#include "trivet/response/steady/element_directions.h"
 
 namespace trivet::response {
 namespace {
@@ -85,7 +85,7 @@ ElementEnergy energy(const model::System& system, std::size_t e, const assembly:
                      const std::optional<Jet<elements::Matrix12c>>& jet, const VectorXcd& q, const VectorXcd& ground,
                      double omega) {
   ElementEnergy result;
-  ElementDirections directions = element_directions(system.bodies(), system.elements()[e]);
+  model::ElementDirections directions = model::element_directions(system.bodies(), system.elements()[e]);
   Vector12c ends = Vector12c::Zero();
   for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>() * q(map.rows[to_size(j)]);
   if (ground.size() > 0) ends += map.moved_by_ground(ground).head<12>();

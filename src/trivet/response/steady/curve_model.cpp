@@ -32,7 +32,7 @@ double as_error(double difference) {
 using Samples = std::map<double, Eigen::VectorXcd>;  // ω → a value per delay and curve
 
 /// Three frequencies for each pole of the band and, if `spread_too`, a few over all of it.
-std::vector<double> first_frequencies(const Eigen::VectorXcd& poles, const Band& band, bool spread_too) {
+std::vector<double> first_frequencies(const Eigen::VectorXcd& poles, const assembly::Band& band, bool spread_too) {
   constexpr int spread = 9, decades = 4;
   constexpr double undamped = 1e-9;
   std::vector<double> omega;
@@ -103,7 +103,7 @@ class CurveModelBuilder {
   }
 
   /// Adds the pieces between the corners of the tables, if they are few.
-  void add_pieces_between_corners(const Band& band, const Eigen::VectorXcd& poles) {
+  void add_pieces_between_corners(const assembly::Band& band, const Eigen::VectorXcd& poles) {
     std::vector<double> corners = {band.from};
     for (const double knot : knots_)
       if (knot > corners.back() * (1 + apart) && knot < band.to * (1 - apart)) corners.push_back(knot);
@@ -118,7 +118,7 @@ class CurveModelBuilder {
   }
 
   /// Fits a piece of the band, or its halves.
-  void add_pieces(const Band& band) {
+  void add_pieces(const assembly::Band& band) {
     const Samples::const_iterator from = samples_.lower_bound(band.from), to = samples_.upper_bound(band.to);
     std::size_t known = to_size(std::distance(from, to));
     Eigen::VectorXd nodes;  // of the last fit, for those that take long
@@ -169,7 +169,7 @@ class CurveModelBuilder {
   }
 
   /// Frequency at which a piece is cut: the corner of a table nearest to the middle of its samples, or that middle.
-  double cut_frequency(const Band& band) {
+  double cut_frequency(const assembly::Band& band) {
     std::vector<double> inside;
     for (auto s = samples_.lower_bound(band.from); s != samples_.end() && s->first <= band.to; ++s)
       inside.push_back(s->first);
@@ -182,7 +182,7 @@ class CurveModelBuilder {
     return place;
   }
 
-  [[nodiscard]] numerics::RationalFit fitted(const Band& band, const Eigen::VectorXd& nodes) const {
+  [[nodiscard]] numerics::RationalFit fitted(const assembly::Band& band, const Eigen::VectorXd& nodes) const {
     const auto from = samples_.lower_bound(band.from), to = samples_.upper_bound(band.to);
     const Eigen::Index count = std::distance(from, to);
     Eigen::VectorXd x(count);
@@ -220,7 +220,7 @@ class CurveModelBuilder {
   }
 
   /// Real poles of the fit, and points in the gaps between samples where the fit changes most without its last node.
-  [[nodiscard]] std::vector<double> doubtful(const Band& band, const numerics::RationalFit& fit,
+  [[nodiscard]] std::vector<double> doubtful(const assembly::Band& band, const numerics::RationalFit& fit,
                                              std::size_t known) const {
     std::vector<double> places, gaps;
     auto s = samples_.lower_bound(band.from);
@@ -265,7 +265,7 @@ class CurveModelBuilder {
   }
 
   /// Poles so near the axis that they lie between samples: they may not be real.
-  [[nodiscard]] std::vector<double> false_poles(const Band& band, const numerics::RationalFit& fit) const {
+  [[nodiscard]] std::vector<double> false_poles(const assembly::Band& band, const numerics::RationalFit& fit) const {
     std::vector<double> places;
     if (fit.nodes.size() < 2) return places;
     const Eigen::VectorXcd poles = fit.poles();
@@ -315,7 +315,7 @@ class CurveModelBuilder {
   }
 
   /// Largest error at the extrema. They come from another method, so the comparison needs no solve.
-  double error_at_extrema(const Band& band, const numerics::RationalFit& fit) {
+  double error_at_extrema(const assembly::Band& band, const numerics::RationalFit& fit) {
     double worst = 0;
     tests_ = 0;
     for (std::size_t c = 0; c < extrema_.size(); ++c)
@@ -357,7 +357,8 @@ class CurveModelBuilder {
 
 CurveModel curve_model(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                        const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
-                       const Band& band, const CurveModelOptions& options, const foundation::Progress& progress) {
+                       const assembly::Band& band, const CurveModelOptions& options,
+                       const foundation::Progress& progress) {
   CurveModel model;
   model.band = band;
   model.curves = std::ssize(channels);

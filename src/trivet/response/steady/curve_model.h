@@ -3,29 +3,23 @@
 
 #include <vector>
 
+#include "trivet/assembly/band.h"
 #include "trivet/numerics/linalg/rational_fit.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 
 namespace trivet::response {
 
-/// Frequency band [rad/s].
-struct Band {
-  double from = 0;
-  double to = 0;
-  bool operator==(const Band&) const = default;
-};
-
 /// Rational functions for all curves over a part of the band, one row of values per delay and curve.
 struct ModelPiece {
-  Band band;
+  assembly::Band band;
   numerics::RationalFit fit;
 };
 
 /// All curves of a loading over a band, evaluated anywhere in it from few solves. Parts of different delay are
 /// separate: y_c(ω) = Σ_d e^{−iωd} r_{d,c}(ω).
 struct CurveModel {
-  Band band;
+  assembly::Band band;
   Eigen::Index curves = 0;
   std::vector<double> delays;      ///< [s], at least one
   std::vector<ModelPiece> pieces;  ///< ascending, adjacent; missing where no solve succeeded
@@ -53,11 +47,11 @@ struct CurveModelOptions {
 /// @param peaks  of the same curves; may be empty
 [[nodiscard]] CurveModel curve_model(const assembly::Assembled& assembled,
                                      const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
-                                     const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band,
+                                     const Eigen::VectorXcd& poles, const Peaks& peaks, const assembly::Band& band,
                                      const CurveModelOptions& options = {}, const foundation::Progress& progress = {});
 
 /// All finite extrema of each curve inside a band, ascending, with the refined frequencies and heights of the peaks.
-[[nodiscard]] std::vector<std::vector<Extremum>> extrema(const Peaks& peaks, const Band& band);
+[[nodiscard]] std::vector<std::vector<Extremum>> extrema(const Peaks& peaks, const assembly::Band& band);
 
 /// The curves of a model on a grid, with the exact amplitudes at the maxima.
 [[nodiscard]] FrequencyResponse interpolated(const CurveModel& model, const std::vector<assembly::Channel>& channels,

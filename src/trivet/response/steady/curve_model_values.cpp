@@ -31,7 +31,7 @@ Eigen::MatrixXcd CurveModel::at(const std::vector<double>& omega) const {
   return result;
 }
 
-std::vector<std::vector<Extremum>> extrema(const Peaks& peaks, const Band& band) {
+std::vector<std::vector<Extremum>> extrema(const Peaks& peaks, const assembly::Band& band) {
   std::vector<std::vector<Extremum>> result(peaks.turnings.size());
   const auto inside = [&](double w, double amplitude) {
     return w >= band.from && w <= band.to && std::isfinite(amplitude);

@@ -22,13 +22,13 @@ constexpr double invisible = 1e-6;         // of a curve's largest amplitude: no
 constexpr double model_round_off = 1e-10;  // of the largest curve of its unit: below it a model contains only round-off
 constexpr double least_step = 1e-9;
 
-void keep_inside(std::vector<double>& grid, const Band& band) {
+void keep_inside(std::vector<double>& grid, const assembly::Band& band) {
   std::erase_if(grid, [&](double w) { return !(w >= band.from && w <= band.to); });
   std::sort(grid.begin(), grid.end());
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
 }
 
-std::vector<double> first_guess(const Band& band, const Peaks& peaks, const std::vector<double>& more = {}) {
+std::vector<double> first_guess(const assembly::Band& band, const Peaks& peaks, const std::vector<double>& more = {}) {
   std::vector<double> grid = linear_grid(band, 65);
   if (band.from > 0) {
     const std::vector<double> decades = logarithmic_grid(band, 33);
@@ -88,14 +88,14 @@ struct Interval {
 
 }  // namespace
 
-std::vector<double> linear_grid(const Band& band, int points) {
+std::vector<double> linear_grid(const assembly::Band& band, int points) {
   std::vector<double> grid;
   for (int i = 0; i < points; ++i)
     grid.push_back(i + 1 == points ? band.to : band.from + (band.to - band.from) * i / (points - 1));
   return grid;
 }
 
-std::vector<double> logarithmic_grid(const Band& band, int points) {
+std::vector<double> logarithmic_grid(const assembly::Band& band, int points) {
   std::vector<double> grid;
   for (int i = 0; i < points; ++i)
     grid.push_back(i + 1 == points ? band.to
@@ -151,7 +151,7 @@ std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
 
 std::vector<double> automatic_grid(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                    const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
-                                   const Band& band, const foundation::Progress& progress) {
+                                   const assembly::Band& band, const foundation::Progress& progress) {
   // With constant matrices, solving takes less time than fitting a model and evaluating it.
   if (!assembled.frequency_dependent())
     return halved(

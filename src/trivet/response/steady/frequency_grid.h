@@ -7,11 +7,9 @@
 
 namespace trivet::response {
 
-enum class Spacing { automatic, linear, logarithmic };
-
-[[nodiscard]] std::vector<double> linear_grid(const Band& band, int points);
+[[nodiscard]] std::vector<double> linear_grid(const assembly::Band& band, int points);
 /// Requires band.from > 0.
-[[nodiscard]] std::vector<double> logarithmic_grid(const Band& band, int points);
+[[nodiscard]] std::vector<double> logarithmic_grid(const assembly::Band& band, int points);
 
 /// A grid on which straight lines between the points follow every curve of a model. It includes every extremum and is
 /// halved until amplitudes between points are right to 0.07 % and phases change by less than 20° per step. Steps are at
@@ -23,7 +21,7 @@ enum class Spacing { automatic, linear, logarithmic };
 [[nodiscard]] std::vector<double> automatic_grid(const assembly::Assembled& assembled,
                                                  const std::vector<assembly::Channel>& channels,
                                                  const assembly::Loading& loading, const Eigen::VectorXcd& poles,
-                                                 const Peaks& peaks, const Band& band,
+                                                 const Peaks& peaks, const assembly::Band& band,
                                                  const foundation::Progress& progress = {});
 
 }  // namespace trivet::response

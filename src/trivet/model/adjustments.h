@@ -7,43 +7,42 @@
 
 /// Changes of a model description, each with all else kept. `explain` tries them; a project file, its cases and --set
 /// apply them under the same names (docs/project-file.md, "Adjustments").
-namespace trivet::response {
+namespace trivet::model {
 
 /// Adds `gain` times the stiffness of the deformation and keeps a preload: `stiffness_factor.all` = 1 + gain.
-void add_deformation_stiffness(model::Description& description, std::size_t element, double gain);
+void add_deformation_stiffness(Description& description, std::size_t element, double gain);
 
 /// Replaces K by S K S at the elastic centre, in the local axes of end K, with S_jj = √factor_j: diagonal entries grow
 /// by their factors, couplings accordingly, and no energy becomes negative. `stiffness_factor.x … rz`.
 /// @param factors  each > 0
-void scale_stiffness_by_direction(model::Description& description, std::size_t element,
-                                  const spatial::Vector6& factors);
+void scale_stiffness_by_direction(Description& description, std::size_t element, const spatial::Vector6& factors);
 
 /// True if the stiffness can be scaled by direction: the element has no mass and no frequency dependence.
-[[nodiscard]] bool has_plain_stiffness(const model::Element& element);
+[[nodiscard]] bool has_plain_stiffness(const Element& element);
 
 /// True if the element has damping that a factor can scale.
-[[nodiscard]] bool has_damping(const model::Element& element);
+[[nodiscard]] bool has_damping(const Element& element);
 
 /// Multiplies loss factor, matrix or proportional factor by `factor`; for viscoelastic laws all branch ratios:
 /// `damping_factor`.
-void scale_damping(model::Description& description, std::size_t element, double factor);
+void scale_damping(Description& description, std::size_t element, double factor);
 
 /// Moves both ends by the same vector [m], given in the frame of the body at K. A foundation moves with its end; the
 /// law does not change: `moved.x …`.
-void move_element(model::Description& description, std::size_t element, const Eigen::Vector3d& by);
+void move_element(Description& description, std::size_t element, const Eigen::Vector3d& by);
 
 /// Multiplies the mass by `factor`; centre of mass and inertia about it are kept: `mass_about_center`.
-void scale_mass(model::Description& description, std::size_t body, double factor);
+void scale_mass(Description& description, std::size_t body, double factor);
 
 /// Moves the centre of mass by a vector [m] in the body frame; mass and inertia about the centre are kept:
 /// `center_moved.x …`.
-void move_center_of_mass(model::Description& description, std::size_t body, const Eigen::Vector3d& by);
+void move_center_of_mass(Description& description, std::size_t body, const Eigen::Vector3d& by);
 
 /// Adds `share` of J_ii to an entry of the inertia about the centre of mass, or of √(J_ii J_jj) to a product of inertia
 /// J_ij, with the sign of the project file (Jxy = ∫xy dm): `inertia_about_center.xx …`.
-void change_inertia(model::Description& description, std::size_t body, int i, int j, double share);
+void change_inertia(Description& description, std::size_t body, int i, int j, double share);
 
 /// Multiplies all modal damping ratios by `factor`: `damping.modal_factor`.
-void scale_modal_damping(model::Description& description, double factor);
+void scale_modal_damping(Description& description, double factor);
 
-}  // namespace trivet::response
+}  // namespace trivet::model

@@ -6,7 +6,7 @@
 
 #include "trivet/model/system.h"
 
-namespace trivet::response {
+namespace trivet::model {
 
 /// Deformation of an element in six directions: motion of end K relative to end N at the elastic centre, in the local
 /// axes of K. There the directions are coupled least, so a share of the energy can be called "lateral" or "torsional".
@@ -15,14 +15,13 @@ struct ElementDirections {
   Eigen::Matrix<double, 6, 12> deformation;          ///< from the displacements of the ends
   spatial::Matrix6 stiffness;                        ///< static, with N fixed
 };
-[[nodiscard]] ElementDirections element_directions(const std::vector<model::Body>& bodies,
-                                                   const model::Element& element);
+[[nodiscard]] ElementDirections element_directions(const std::vector<Body>& bodies, const Element& element);
 
 /// The 12×12 stiffness of the ends for a 6×6 in these directions.
 [[nodiscard]] elements::Matrix12 between_ends(const ElementDirections& directions, const spatial::Matrix6& stiffness);
 
 /// Name of a stiffness: "lateral stiffness along x", "axial stiffness", "torsional stiffness", or "stiffness along y",
 /// "stiffness about z" for an element without an axis along z. @param direction 0 … 5
-[[nodiscard]] std::string direction_words(const model::Element& element, int direction);
+[[nodiscard]] std::string direction_words(const Element& element, int direction);
 
-}  // namespace trivet::response
+}  // namespace trivet::model

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/response/steady/element_directions.h"
+#include "trivet/model/element_directions.h"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include "trivet/elements/stiffness_properties.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace trivet::response {
+namespace trivet::model {
 
-ElementDirections element_directions(const std::vector<model::Body>& bodies, const model::Element& element) {
-  const model::Span span = model::span(bodies, element.n, element.k);
+ElementDirections element_directions(const std::vector<Body>& bodies, const Element& element) {
+  const Span span = model::span(bodies, element.n, element.k);
   const elements::Matrix12 stiffness = element.law.scale * element.law.nominal_stiffness;
   ElementDirections result;
   result.centre = elements::stiffness_properties(stiffness).elastic_centre;
@@ -29,7 +29,7 @@ elements::Matrix12 between_ends(const ElementDirections& directions, const spati
   return directions.deformation.transpose() * stiffness * directions.deformation;
 }
 
-std::string direction_words(const model::Element& element, int direction) {
+std::string direction_words(const Element& element, int direction) {
   static constexpr std::array<const char*, 5> along_z = {"coil_spring", "rubber_disc", "rubber_bush", "beam", "damper"};
   const char axis = "xyz"[direction % 3];
   const bool has_axis =
@@ -41,4 +41,4 @@ std::string direction_words(const model::Element& element, int direction) {
                        : fmt::format("tilting stiffness about {}", axis);
 }
 
-}  // namespace trivet::response
+}  // namespace trivet::model

@@ -1,33 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/response/sensitivity/adjustments.h"
+#include "trivet/model/adjustments.h"
 
 #include <cmath>
 
-#include "trivet/response/steady/element_directions.h"
+#include "trivet/model/element_directions.h"
 
-namespace trivet::response {
-
-using model::Description;
+namespace trivet::model {
 
 void add_deformation_stiffness(Description& description, std::size_t element, double gain) {
-  model::Element& changed = description.elements[element];
+  Element& changed = description.elements[element];
   const ElementDirections directions = element_directions(description.bodies, changed);
   changed.law.nominal_stiffness += gain * between_ends(directions, directions.stiffness) / changed.law.scale;
 }
 
 void scale_stiffness_by_direction(Description& description, std::size_t element, const spatial::Vector6& factors) {
-  model::Element& changed = description.elements[element];
+  Element& changed = description.elements[element];
   const ElementDirections directions = element_directions(description.bodies, changed);
   const spatial::Vector6 s = factors.cwiseSqrt();
   const spatial::Matrix6 gained = s.asDiagonal() * directions.stiffness * s.asDiagonal() - directions.stiffness;
   changed.law.nominal_stiffness += between_ends(directions, gained) / changed.law.scale;
 }
 
-bool has_plain_stiffness(const model::Element& element) {
-  return !element.law.inertia && !element.law.frequency_dependence;
-}
+bool has_plain_stiffness(const Element& element) { return !element.law.inertia && !element.law.frequency_dependence; }
 
-bool has_damping(const model::Element& element) {
+bool has_damping(const Element& element) {
   const elements::Damping& damping = element.law.damping;
   if (const auto* given = std::get_if<elements::DampingMatrix>(&damping)) return !given->matrix.isZero(0);
   if (const auto* loss = std::get_if<elements::LossFactor>(&damping)) return loss->value > 0;
@@ -50,15 +46,15 @@ void scale_damping(Description& description, std::size_t element, double factor)
 }
 
 void move_element(Description& description, std::size_t element, const Eigen::Vector3d& by) {
-  model::Element& moved = description.elements[element];
-  const auto rotation = [&](const model::End& end) {
+  Element& moved = description.elements[element];
+  const auto rotation = [&](const End& end) {
     return end.body ? description.bodies[*end.body].pose.rotation : Eigen::Matrix3d::Identity().eval();
   };
   const Eigen::Vector3d in_ground = rotation(moved.k) * by;
   moved.k.at += by;
   moved.n.at += rotation(moved.n).transpose() * in_ground;
   if (!moved.n.foundation) return;
-  for (model::Element& joint : description.elements) {
+  for (Element& joint : description.elements) {
     if (!joint.is_foundation) continue;
     const bool here = joint.k.foundation && joint.k.foundation->foundation == moved.n.foundation->foundation;
     if (here) joint.k.at = moved.n.at;
@@ -84,8 +80,8 @@ void change_inertia(Description& description, std::size_t body, int i, int j, do
 }
 
 void scale_modal_damping(Description& description, double factor) {
-  if (auto* modal = std::get_if<model::ModalDamping>(&description.damping))
+  if (auto* modal = std::get_if<ModalDamping>(&description.damping))
     for (double& ratio : modal->ratios) ratio *= factor;
 }
 
-}  // namespace trivet::response
+}  // namespace trivet::model
