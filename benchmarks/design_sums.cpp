@@ -6,6 +6,7 @@
 #include "measure.h"
 #include "support/many_numbers.h"
 #include "trivet/foundation/index.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/study/design_objective.h"
 
 using namespace trivet;
@@ -14,7 +15,7 @@ using namespace trivet::benchmarks;
 int main() {
   const OneCore one_core;
   auto project =
-      project::project_from_text(test::machine_with_twenty_numbers("damping = {loss_factor = 0.08}\n"), "machine.toml");
+      judging::project_from_text(test::machine_with_twenty_numbers("damping = {loss_factor = 0.08}\n"), "machine.toml");
   if (!project) return 1;
   const study::DesignObjective objective(*project, {});
   const study::CaseFamily& found = objective.families().front();

@@ -18,6 +18,7 @@
 #include "trivet/assembly/assembled.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/project/project.h"
 
 namespace {
@@ -129,7 +130,7 @@ int main() {
         Goals{50, 0.1, 0.6, 0.5, 4}, Goals{100, 0.4, 4.5, 1.2, 0}}) {
     const std::string file = (folder.path() / fmt::format("chain{}.toml", goal.bodies)).string();
     std::ofstream(file) << chain(goal.bodies);
-    const auto project = project::read_project(file);
+    const auto project = judging::read_project(file);
     if (!project) return 1;
     const numerics::DynamicMatrices m = assembly::assemble(project->base().system).matrices;
     double eigh = 0;

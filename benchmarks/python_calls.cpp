@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/judging/read_project.h"
 #include "trivet/study/answers.h"
 #include "trivet/study/asked_questions.h"
 #include "trivet/study/design_sweep.h"
@@ -40,7 +41,7 @@ std::vector<double> spread(double from, double to, int count) {
 
 int main(int count, char** words) {
   if (count != 2) return std::fputs("usage: python_calls PROJECT\n", stderr), 2;
-  const auto project = project::read_project(words[1]);
+  const auto project = judging::read_project(words[1]);
   if (!project) return std::fputs("the project has errors\n", stderr), 2;
   const project::Case& base = project->base();
   const study::AskedQuestion& response = study::asked_question("response");

@@ -17,6 +17,7 @@
 #include "trivet/foundation/freed_memory.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/rest_position.h"
 #include "trivet/numerics/linalg/lane_lu.h"
@@ -75,7 +76,7 @@ force = [0, 0, 400]
 )";
 
 model::System machine(const char* text) {
-  const auto project = project::project_from_text(text, "benchmark");
+  const auto project = judging::project_from_text(text, "benchmark");
   if (!project) {
     for (const foundation::Problem& problem : project.error().list())
       std::fprintf(stderr, "%s\n", problem.finding.c_str());

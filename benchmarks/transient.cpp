@@ -19,6 +19,7 @@
 #include "trivet/foundation/child_process.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/project/project.h"
 #include "trivet/response/transient/transient.h"
 
@@ -32,7 +33,7 @@ constexpr Eigen::Index steps = 100000;
 constexpr double step = 0.002;
 
 struct Machine {
-  project::Project project = project::read_project(TRIVET_PAPER).value();
+  project::Project project = judging::read_project(TRIVET_PAPER).value();
   const model::System& system = project.base().system;
   assembly::Assembled assembled = assembly::assemble(system);
   std::vector<assembly::Channel> coordinates =
@@ -182,7 +183,7 @@ struct Chain {
   assembly::Assembled assembled = assembly::assemble(system);
   std::vector<assembly::Channel> last_body;
 
-  explicit Chain(long bodies) : project(project::project_from_text(text(bodies), "chain").value()) {
+  explicit Chain(long bodies) : project(judging::project_from_text(text(bodies), "chain").value()) {
     last_body =
         assembly::channels(system, assembled, {"b" + std::to_string(bodies)}, assembly::MotionQuantity::displacement);
   }

@@ -3,12 +3,13 @@
 #include <cstdio>
 #include <numbers>
 
+#include "trivet/judging/read_project.h"
 #include "trivet/modal/modes.h"
 #include "trivet/project/project.h"
 
 int main(int count, char** arguments) {
   if (count != 2) return std::fprintf(stderr, "usage: natural_frequencies PROJECT.toml\n"), 2;
-  const auto project = trivet::project::read_project(arguments[1]);
+  const auto project = trivet::judging::read_project(arguments[1]);
   if (!project) {
     for (const auto& problem : project.error().list()) std::fprintf(stderr, "%s\n", message(problem).c_str());
     return 2;

@@ -10,6 +10,7 @@
 #include "support/projects.h"
 #include "support/random_system.h"
 #include "trivet/foundation/index.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/response/steady/curve_model.h"
 #include "trivet/response/steady/frequency_grid.h"
 
@@ -164,7 +165,7 @@ TEST(AdaptiveCurves, FollowUndampedResonancesAndRigidBodyModes) {
 
 /// A sample project with a force on its frame.
 model::System sample(const std::string& file) {
-  auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + file,
+  auto project = judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + file,
                                        {"excitations.push.type=\"harmonic\"", "excitations.push.on=\"frame\"",
                                         "excitations.push.at=[0.1,0,0.2]", "excitations.push.force=[1,2,5]"});
   if (!project) throw std::runtime_error(foundation::message(project.error().list().front()));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "support/projects.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/study/design_map.h"
 
 namespace design_map_test {
@@ -17,7 +18,7 @@ using namespace trivet;
 constexpr double of_a_float = 2e-7;
 
 project::Project paper() {
-  const auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
+  const auto project = judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
   EXPECT_TRUE(project);
   return *project;
 }

@@ -7,6 +7,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/response/machinery/order_loading.h"
 #include "trivet/response/steady/frequency_response.h"
@@ -223,7 +224,7 @@ TEST(DrivenParts, TwoVerdictsOnStabilityAgree) {
   const char* examples[] = {"roll_stop/engine.toml", "isolator/hardening.toml", "snubber/genset.toml"};
   for (const char* example : examples) {
     SCOPED_TRACE(example);
-    const auto read = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/" + example);
+    const auto read = judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/" + example);
     ASSERT_TRUE(read);
     nonlinear::SteadyOptions options{.from = 20, .to = 220, .harmonics = 5};
     options.deep = true;

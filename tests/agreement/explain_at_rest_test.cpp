@@ -8,6 +8,7 @@
 #include "support/harmonic_question.h"
 #include "support/peak_slopes.h"
 #include "support/projects.h"
+#include "trivet/judging/changed_case.h"
 #include "trivet/project/model_number.h"
 #include "trivet/study/explanation.h"
 
@@ -90,7 +91,7 @@ TEST(PeakSensitivities, FollowThePositionOfRestOfANonlinearMachine) {
       const bool is_added = parameter.change != "+1 %";
       const double step = test::step_by_circles * (is_added ? 0.2 : 1);
       const auto changed = [&](double amount) {
-        return project::changed_system(base, {{number, is_added ? before + amount : before * (1 + amount)}}).value();
+        return judging::changed_system(base, {{number, is_added ? before + amount : before * (1 + amount)}}).value();
       };
       const test::PeakSlopes difference =
           test::peak_slopes(changed, step, asked, {{0, peak.peak.angular_frequency, {}}}).front();

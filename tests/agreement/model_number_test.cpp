@@ -7,11 +7,13 @@
 #include "support/projects.h"
 #include "trivet/assembly/assembled.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/judging/changed_case.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/rest_position.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/project.h"
-#include "trivet/project/text/names_in_file.h"
+#include "trivet/project/text/known_model.h"
 #include "trivet/response/sensitivity/model_parameters.h"
 
 namespace model_number_test {
@@ -45,14 +47,14 @@ std::vector<std::filesystem::path> examples() {
 TEST(ModelNumbers, AreThoseOfExplainByTheirPaths) {
   int compared = 0;
   for (const std::filesystem::path& file : examples()) {
-    const auto project = project::read_project(file);
+    const auto project = judging::read_project(file);
     ASSERT_TRUE(project) << file << ": " << foundation::message(project.error().list().front());
     const project::Case& base = project->base();
     for (const response::Parameter& parameter : response::model_parameters(base.system)) {
       const project::ModelNumber number(parameter.name, "");
       const std::optional<double> before = number.read(base);
       ASSERT_TRUE(before) << file << ": " << parameter.name;
-      const auto by_file = project::changed_system(base, {{number, changed_value(*before, parameter)}});
+      const auto by_file = judging::changed_system(base, {{number, changed_value(*before, parameter)}});
       ASSERT_TRUE(by_file) << file << ": " << parameter.name << ": "
                            << foundation::message(by_file.error().list().front());
       const model::System by_explain = response::changed(base.system, parameter, parameter.size);
@@ -94,15 +96,15 @@ translation = [1e5, 1e5, 2e5]
 )";
 
 TEST(ModelNumbers, ArraysAreListedByTheirComponents) {
-  const auto project = project::project_from_text(machine, "machine.toml");
+  const auto project = judging::project_from_text(machine, "machine.toml");
   ASSERT_TRUE(project);
   const project::ModelNumber y("elements.\"front left\".at.y", "mm"), z("elements.rear.translation.z", "kN/m");
   EXPECT_DOUBLE_EQ(y.read(project->base()).value(), 200);
   EXPECT_DOUBLE_EQ(z.read(project->base()).value(), 200);
-  const auto changed = project::changed_system(project->base(), {{y, 250}, {z, 300}});
+  const auto changed = judging::changed_system(project->base(), {{y, 250}, {z, 300}});
   ASSERT_TRUE(changed);
   EXPECT_EQ(changed->elements()[0].k.at, Eigen::Vector3d(0.3, 0.25, 0));
-  const auto whole = project::project_from_text(
+  const auto whole = judging::project_from_text(
       machine, "machine.toml",
       {"elements.\"front left\".at = [0.3, 0.25, 0]", "elements.rear.translation = [1e5, 1e5, 3e5]"});
   ASSERT_TRUE(whole);
@@ -110,16 +112,16 @@ TEST(ModelNumbers, ArraysAreListedByTheirComponents) {
 }
 
 TEST(ModelNumbers, LeaveOtherNumbersUnchanged) {
-  const auto project = project::project_from_text(
+  const auto project = judging::project_from_text(
       machine, "machine.toml", {"bodies.machine.mass_about_center = 1.1", "elements.side.moved.x = 0.01"});
   ASSERT_TRUE(project);
   for (const auto& [path, value] : {std::pair{"elements.rear.scale", 1.2},
                                     {"bodies.machine.position.x", 0.1},
                                     {"elements.side.stiffness_factor.z", 1.1},
                                     {"bodies.machine.mass", 120.0}}) {
-    const auto quick = project::changed_system(project->base(), {{project::ModelNumber(path, ""), value}});
+    const auto quick = judging::changed_system(project->base(), {{project::ModelNumber(path, ""), value}});
     const auto read_again =
-        project::project_from_text(machine, "machine.toml",
+        judging::project_from_text(machine, "machine.toml",
                                    {"bodies.machine.mass_about_center = 1.1", "elements.side.moved.x = 0.01",
                                     path + (" = " + std::to_string(value))});
     ASSERT_TRUE(quick && read_again) << path;
@@ -153,10 +155,10 @@ at = [0, 0, 0]
 
 /// Masses and springs by hand: A = diag(3, 2), K from 2 k + k and k.
 TEST(ModelNumbers, ReachElementsThroughTheirTypesAndBodies) {
-  const auto project = project::project_from_text(pair_of_masses, "pair.toml");
+  const auto project = judging::project_from_text(pair_of_masses, "pair.toml");
   ASSERT_TRUE(project);
   const auto stiffness = [&](const std::string& path, double value) {
-    const auto system = project::changed_system(project->base(), {{project::ModelNumber(path, ""), value}});
+    const auto system = judging::changed_system(project->base(), {{project::ModelNumber(path, ""), value}});
     EXPECT_TRUE(system) << path;
     return assembly::assemble(*system).matrices.K;
   };
@@ -177,7 +179,7 @@ TEST(ModelNumbers, ReachElementsThroughTheirTypesAndBodies) {
 
 TEST(KnownModel, SharesUnchangedPartsAndHasNoAdjustments) {
   const auto project =
-      project::project_from_text(pair_of_masses, "pair.toml", {"elements.foot.stiffness_factor.z = 1.1"});
+      judging::project_from_text(pair_of_masses, "pair.toml", {"elements.foot.stiffness_factor.z = 1.1"});
   ASSERT_TRUE(project);
   const project::Case& base = project->base();
   const project::KnownModel known{base.document, base.system.description()};

@@ -2,6 +2,7 @@
 // Elements with frequency-dependent stiffness, evaluated by several threads at once.
 #include "trivet/response/steady/steady_solution.h"
 #include "trivet/foundation/index.h"
+#include "trivet/judging/read_project.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ using namespace trivet;
 class LawsOnThreads : public testing::TestWithParam<const char*> {};
 
 TEST_P(LawsOnThreads, SixteenGiveTheBytesOfOne) {
-  const auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + GetParam(),
+  const auto project = judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + GetParam(),
                                              {"excitations.push.type=\"harmonic\"", "excitations.push.on=\"frame\"",
                                               "excitations.push.at=[0.1,0,0.2]", "excitations.push.force=[1,2,5]"});
   ASSERT_TRUE(project);

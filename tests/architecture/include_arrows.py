@@ -37,7 +37,13 @@ def room_of(path):
     return str(pathlib.PurePosixPath(path).parent)
 
 
-wrong = []
+# Reading only reads: it ends at a checked description, which judging settles and judges.
+never_below = {"project": {"response", "nonlinear", "plausibility", "judging"}}
+wrong = [
+    f"{upper} must not be built on {lower}"
+    for upper, forbidden in never_below.items()
+    for lower in sorted(forbidden & below(upper))
+]
 includes = 0
 for path in sorted((source / "trivet").rglob("*")):
     if path.suffix not in (".h", ".cpp", ".in"):

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "trivet/judging/read_project.h"
 #include "trivet/modal/modes.h"
 #include "trivet/project/project.h"
 
@@ -25,6 +26,6 @@ int main() {
   std::printf("%.17g\n", *modes.list.at(0).angular_frequency);
   constexpr double round_off = 1e-12;  // a root of a quotient
   const bool right = std::abs(*modes.list.at(0).angular_frequency - 5.0) < round_off;
-  const bool rejects = !trivet::project::project_from_text("trivet = 1", "empty").has_value();
+  const bool rejects = !trivet::judging::project_from_text("trivet = 1", "empty").has_value();
   return right && rejects ? 0 : 1;
 }

@@ -18,6 +18,7 @@
 #include "trivet/fem/msh_file.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/analyses/random_question.h"
 #include "trivet/project/elements/catalogue.h"
@@ -92,7 +93,7 @@ void ask_quick_questions(const project::Project& project) {
 
 void read_text(const std::string& text, const fs::path& source) {
   if (is_slow(text)) return;
-  const auto project = project::project_from_text(text, source.string());
+  const auto project = judging::project_from_text(text, source.string());
   if (!project) {
     static_cast<void>(results::problems_json(project.error(), {}));
     return;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "trivet/judging/read_project.h"
 #include "trivet/study/answers.h"
 
 namespace golden_test {
@@ -18,7 +19,7 @@ struct Pinned {
 
 TEST(Golden, PeaksOfThePaperInAllCases) {
   constexpr double round_off = 1e-9;  // of another compiler or instruction set; the file has 13 digits
-  const auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
+  const auto project = judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
   std::vector<Pinned> found;
   for (const auto& variant : project.cases) {
     const auto answers = study::answers(variant, variant.analyses);

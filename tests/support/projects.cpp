@@ -5,11 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include "trivet/judging/read_project.h"
 
 namespace trivet::test {
 
 project::Project project(const std::string& text, const std::vector<std::string>& settings) {
-  auto result = project::project_from_text(text, "test.toml", settings);
+  auto result = judging::project_from_text(text, "test.toml", settings);
   if (!result)
     for (const auto& problem : result.error().list()) ADD_FAILURE() << foundation::message(problem);
   return std::move(result).value();

@@ -7,6 +7,7 @@
 #include "support/matchers.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/index.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
@@ -22,7 +23,7 @@ constexpr double of_a_square = 2 * printed_digits;
 constexpr double round_off = 1e-9;  // rad/s: six coordinates, condition of the inertia 1e3
 
 project::Project paper(const std::string& file) {
-  return project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/" + file).value();
+  return judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/" + file).value();
 }
 
 struct Natural {

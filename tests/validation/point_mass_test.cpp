@@ -8,6 +8,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/model/nodes.h"
 #include "trivet/study/transient_answer.h"
 #include "trivet/study/whole_study.h"
@@ -113,7 +114,7 @@ modes = {}
   for (const auto& [i, omega] : {std::pair{0, 20.0}, {1, 30.0}, {2, 40.0}})
     EXPECT_THAT(*modes.list[static_cast<std::size_t>(i)].angular_frequency, RelativelyNear(omega, of_solves));
   for (const study::CheckLine& line : study::check_lines(project.base())) EXPECT_TRUE(line.passed) << line.what;
-  const auto turned = project::project_from_text(text +
+  const auto turned = judging::project_from_text(text +
                                                      "[excitations.moment]\ntype = \"harmonic\"\non = \"m\"\nat = [0, "
                                                      "0, 0]\nforce = [0, 0, 0]\nmoment = [1, 0, 0]\n",
                                                  "test.toml");

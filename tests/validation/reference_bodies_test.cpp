@@ -10,6 +10,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
+#include "trivet/judging/read_project.h"
 
 namespace reference_bodies_test {
 
@@ -98,9 +99,9 @@ TEST(Inertia, ImpossibleOnesAreRejectedAndTheCorrectedOneIsAccepted) {
         "trivet = 1\n[bodies.b]\nmass = 205.176\ncenter_of_mass = [-0.624, -0.502, -0.226]\n"
         "inertia = {{about = \"pole\", xx = 66.289, yy = 91.643, zz = {}, xy = {}, xz = 28.935, yz = 23.973}}\n",
         given.zz, given.xy);
-    const auto refused_or_not = project::project_from_text(text, "test.toml");
+    const auto refused_or_not = judging::project_from_text(text, "test.toml");
     EXPECT_EQ(refused_or_not.has_value(), given.physical) << given.name;
-    const auto allowed = project::project_from_text(text + "allow_unphysical = true\n", "test.toml");
+    const auto allowed = judging::project_from_text(text + "allow_unphysical = true\n", "test.toml");
     ASSERT_TRUE(allowed.has_value());
     EXPECT_EQ(allowed->base().warnings.list().empty(), given.physical) << given.name;
     const Eigen::Vector3d moments = spatial::principal_inertia(allowed->base().system.bodies()[0].mass).moments;

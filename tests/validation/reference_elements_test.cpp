@@ -8,6 +8,7 @@
 #include "support/projects.h"
 #include "trivet/elements/law.h"
 #include "trivet/elements/matrix_checks.h"
+#include "trivet/judging/read_project.h"
 
 namespace reference_elements_test {
 
@@ -91,8 +92,8 @@ TEST(ThreeEqualElements, TogetherAreTheStiffnessOfThePaper) {
   // A realisation of the paper's K by three identical 12×12 elements, found by a separate linear solution.
   constexpr double all_digits = 1e-12;  // of the matrices in the file
   const auto three =
-      project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/three_elements.toml").value();
-  const auto one = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
+      judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/three_elements.toml").value();
+  const auto one = judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
   const Eigen::MatrixXd expected = assembly::assemble(one.base().system).matrices.K;
   const Eigen::VectorXd scale = expected.diagonal().cwiseSqrt();
   EXPECT_THAT(assembly::assemble(three.base().system).matrices.K, test::NearInUnits(expected, scale, all_digits));

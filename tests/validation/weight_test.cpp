@@ -8,6 +8,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/modal/modes.h"
 
 namespace weight_test {
@@ -128,7 +129,7 @@ TEST(Weight, IsLeftOutToSecondOrderAsAsked) {
 
 /// 9,680 N m/rad of the mounts against 10,983 N m/rad of the weight.
 TEST(Weight, MakesACabinetFallOver) {
-  const auto refused = project::project_from_text(Cabinet{.height = 1.4}.text(), "cabinet.toml", {}, "");
+  const auto refused = judging::project_from_text(Cabinet{.height = 1.4}.text(), "cabinet.toml", {}, "");
   ASSERT_FALSE(refused);
   ASSERT_EQ(refused.error().list().size(), 1u);
   const foundation::Problem& problem = refused.error().list().front();
@@ -138,8 +139,8 @@ TEST(Weight, MakesACabinetFallOver) {
               testing::HasSubstr("it falls over: when it tilts, the weight causes an overturning "
                                  "moment of 10983 N m/rad, the elements a restoring moment of 9680 "
                                  "N m/rad; with its centre of mass below 1.234 m over its pole"));
-  EXPECT_TRUE(project::project_from_text(Cabinet{.height = 1.233}.text(), "cabinet.toml", {}, ""));
-  EXPECT_FALSE(project::project_from_text(Cabinet{.height = 1.235}.text(), "cabinet.toml", {}, ""));
+  EXPECT_TRUE(judging::project_from_text(Cabinet{.height = 1.233}.text(), "cabinet.toml", {}, ""));
+  EXPECT_FALSE(judging::project_from_text(Cabinet{.height = 1.235}.text(), "cabinet.toml", {}, ""));
 }
 
 }  // namespace weight_test

@@ -30,6 +30,12 @@ Session read(const std::string& text, const std::string& source, const std::vect
   return value_or_throw(std::move(*read));
 }
 
+/// The same with these changes of the file in place of the earlier ones.
+Session changed(const Session& session, const std::vector<std::string>& settings) {
+  const nb::gil_scoped_release released;
+  return value_or_throw(session.changed(settings));
+}
+
 /// A value of Python as one of a request. @throws nb::type_error for a kind that no key has
 engine::Value value_of(nb::handle object) {
   if (nb::isinstance<nb::bool_>(object)) return nb::cast<bool>(object);
@@ -110,6 +116,7 @@ void bind_project(nb::module_& module) {
             return value_or_throw(session.text_with_settings(target));
           },
           nb::arg("target") = "", "The text with the settings, for a file.")
+      .def("changed", changed, nb::arg("settings"), "The project with these settings in place of its own.")
       .def("ask", ask, nb::arg("command"), nb::arg("case") = "", nb::arg("keys") = nb::dict(), nb::arg("threads") = 0,
            nb::arg("progress") = nb::none(), "The result of a command.");
   module.def("read", read, nb::arg("text"), nb::arg("source"), nb::arg("settings"), nb::arg("folder") = "",

@@ -97,13 +97,21 @@ class Project(Questions):
         return self._with_settings(settings_of(changes))
 
     def _with_settings(self, new: Iterable[tuple[str, str]]) -> Project:
-        text, settings = self._inner.text, dict(setting.split(" = ", 1) for setting in self._inner.settings)
+        of_text, settings = self, dict(setting.split(" = ", 1) for setting in self._inner.settings)
         for path, value in new:
             if any(path.startswith(earlier + ".") for earlier in settings):
-                text, settings = Project._read(text, self.source, _lines(settings), self._folder).to_toml(), {}
+                text = of_text._changed(settings).to_toml()
+                of_text, settings = Project._read(text, self.source, [], self._folder), {}
             settings = {one: old for one, old in settings.items() if one != path and not one.startswith(path + ".")}
             settings[path] = value
-        return Project._read(text, self.source, _lines(settings), self._folder)
+        return of_text._changed(settings)
+
+    def _changed(self, settings: Mapping[str, str]) -> Project:
+        """The project of the text with these settings in place of its own."""
+        changed = type(self).__new__(type(self))
+        changed._folder = self._folder
+        changed._inner = self._inner.changed([f"{path} = {value}" for path, value in settings.items()])
+        return changed
 
     def to_toml(self) -> str:
         """The project file again, with the changes; its comments, order and format stay. Raises InputError for a change
@@ -382,10 +390,6 @@ def _unpickled(text: str, source: str, settings: list[str], folder: str) -> Proj
 def _key(word: str) -> str:
     """The key of a keyword argument: "from_" stands for "from", which is a word of Python."""
     return word[:-1] if word.endswith("_") and keyword.iskeyword(word[:-1]) else word
-
-
-def _lines(settings: Mapping[str, str]) -> list[str]:
-    return [f"{path} = {value}" for path, value in settings.items()]
 
 
 def _folder_of(source: str) -> str:

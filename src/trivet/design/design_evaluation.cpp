@@ -11,6 +11,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
+#include "trivet/judging/changed_case.h"
 #include "trivet/modal/highest_frequency.h"
 #include "trivet/numerics/batch/driven_peaks.h"
 #include "trivet/numerics/linalg/cholesky.h"
@@ -245,7 +246,7 @@ std::vector<assembly::Channel> DesignEvaluation::channels(const model::System& s
 }
 
 foundation::Expected<model::System> DesignEvaluation::system_at(const DesignPoint& point) const {
-  return project::changed_system(case_, {{x_, point.x}, {y_, point.y}});
+  return judging::changed_system(case_, {{x_, point.x}, {y_, point.y}});
 }
 
 bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& point) const {

@@ -10,9 +10,9 @@
 #include "trivet/engine/key_reader.h"
 #include "trivet/engine/solved_cases.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/judging/suspicions.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/analyses/steady_question.h"
-#include "trivet/project/suspicions.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/results/written_answers.h"
 #include "trivet/study/asked_questions.h"
@@ -72,7 +72,7 @@ Result run_analysis(const Task& task) {
   study::Answers found =
       study::answers(variant, analyses, task.progress, whole_model ? task.solved.of(variant) : nullptr);
   if (task.command.name == "response" && task.keys.has("band"))
-    found.warnings.add(project::doubts_about_band(variant, *analyses.response->band));
+    found.warnings.add(judging::doubts_about_band(variant, *analyses.response->band));
   found.warnings = without_unused(*task.project, found.warnings);
   const bool only_limits_failed = name == "response" && found.response;
   if (!found.failures.empty() && !only_limits_failed) throw foundation::NotComputable(found.failures.front());

@@ -11,6 +11,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/foundation/temporary_folder.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/project/questions.h"
 #include "trivet/project/rewritten_project.h"
 #include "trivet/project/text/source_file.h"
@@ -84,28 +85,32 @@ Result run_with_picture(const Task& task) {
 foundation::Expected<Session> Session::open(const Source& source, const std::vector<std::string>& settings,
                                             const Request* only_for) {
   foundation::remove_abandoned_folders();
-  Session session;
-  session.settings_ = settings;
-  foundation::Expected<project::Project> read;
   if (only_for) {
-    read = project::read_project_for(looked_at(only_for), source.name, settings);
-  } else {
-    foundation::Expected<std::string> text = source.text ? *source.text : project::read_source(source.name);
-    if (!text) return tl::make_unexpected(std::move(text.error()));
-    session.text_ = std::move(*text);
-    read = project::project_from_text(session.text_, source.name, settings, source.folder);
+    auto read = judging::read_project_for(looked_at(only_for), source.name, settings);
+    if (!read) return tl::make_unexpected(std::move(read.error()));
+    return of(std::move(*read), "", settings);
   }
+  foundation::Expected<std::string> text = source.text ? *source.text : project::read_source(source.name);
+  if (!text) return tl::make_unexpected(std::move(text.error()));
+  auto read = judging::project_from_text(*text, source.name, settings, source.folder);
   if (!read) return tl::make_unexpected(std::move(read.error()));
-  session.project_ = std::make_shared<const project::Project>(std::move(*read));
-  if (!only_for) session.content_ = project::content_hash(*session.project_);
+  return of(std::move(*read), std::move(*text), settings);
+}
+
+Session Session::of(project::Project project, std::string text, const std::vector<std::string>& settings) {
+  Session session;
+  if (!text.empty()) session.content_ = project::content_hash(project);
+  session.text_ = std::move(text);
+  session.settings_ = settings;
+  session.project_ = std::make_shared<const project::Project>(std::move(project));
   session.solved_ = std::make_shared<SolvedCases>();
   return session;
 }
 
 foundation::Expected<Session> Session::changed(const std::vector<std::string>& settings) const {
-  std::vector<std::string> all = settings_;
-  all.insert(all.end(), settings.begin(), settings.end());
-  return open({project_->source, text_, project_->folder}, all);
+  auto changed = judging::changed_project(*project_, settings);
+  if (!changed) return tl::make_unexpected(std::move(changed.error()));
+  return of(std::move(*changed), text_, settings);
 }
 
 Result Session::ask(const Request& request, const foundation::Progress& progress) const {

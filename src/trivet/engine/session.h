@@ -32,7 +32,8 @@ class Session {
                                                           const std::vector<std::string>& settings = {},
                                                           const Request* only_for = nullptr);
 
-  /// The project with further changes; one of an earlier change's value replaces it. Only what moved is read again.
+  /// The project with these changes of its file in place of the earlier ones; the same as opening it so, but only what
+  /// moved is read again, and files are not.
   [[nodiscard]] foundation::Expected<Session> changed(const std::vector<std::string>& settings) const;
 
   /// The result of a command. Data that are wrong are errors of the result, nothing is thrown for them.
@@ -60,6 +61,7 @@ class Session {
 
  private:
   Session() = default;
+  static Session of(project::Project project, std::string text, const std::vector<std::string>& settings);
 
   std::string text_, content_;
   std::vector<std::string> settings_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "trivet/project/text/known_model.h"
 #include "trivet/project/text/names_in_file.h"
 
 namespace trivet::project {

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "trivet/model/system.h"
 #include "trivet/project/analyses/analyses.h"
 #include "trivet/project/text/document.h"
 
@@ -48,17 +47,5 @@ class ModelNumber {
 
 /// Values for some numbers of a model.
 using Design = std::vector<std::pair<ModelNumber, double>>;
-
-/// Model of a case with these values, without questions; or all problems at once. Reads only the changed parts again,
-/// and may run on any number of threads at once.
-[[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const Design& design);
-
-/// The same with changes of the file.
-/// @param may_fall  also of a machine that its weight makes fall over, which is no valid model otherwise
-[[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes,
-                                                                 bool may_fall = false);
-
-/// The case with changes of its model: its analyses and warnings are those of `variant`.
-[[nodiscard]] foundation::Expected<Case> changed_case(const Case& variant, const std::vector<Node>& changes);
 
 }  // namespace trivet::project

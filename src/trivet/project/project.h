@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,16 +14,24 @@
 
 namespace trivet::project {
 
-/// One variant of the model: the base ("" as its name) or a case.
+/// One variant of the model: the base ("" as its name) or a case, as the layer judging completes it.
 struct Case {
   std::string name;
   std::vector<std::string> changes;  ///< "elements.suspension.scale = 1.5"
-  model::System system;
+  model::System system;              ///< a nonlinear machine is in its position of rest
   Analyses analyses;
   foundation::Problems warnings;  ///< of reading and checking, with their places
   Node written;                   ///< the file with the changes applied
   Node document;                  ///< `written` with the element types merged in: the input of the model
   ShownUnits display;             ///< of its tables and pictures
+  foundation::Problems of_text;   ///< warnings of reading alone
+};
+
+/// The text of a project file, parsed, before settings and cases.
+struct ParsedText {
+  std::string text;
+  Node document;                  ///< with its tables in place
+  foundation::Problems problems;  ///< of these tables
 };
 
 /// A project file that passed every check, in all its cases.
@@ -33,6 +42,8 @@ struct Project {
   std::string sha256;                 ///< of the text of the file and of the settings
   std::vector<Case> cases;            ///< the base model first
   foundation::Problems unused_parts;  ///< those warnings of the base model that are about the analyses of the file
+  std::vector<std::string> settings;  ///< with which it was read
+  std::shared_ptr<const ParsedText> parsed;
 
   [[nodiscard]] const Case& base() const { return cases.front(); }
   [[nodiscard]] const Case* find(const std::string& name) const;
@@ -40,14 +51,5 @@ struct Project {
 
 /// The folder to which names of files in the project are relative.
 [[nodiscard]] std::filesystem::path folder_of_files(const Project& project);
-
-/// Reads and checks a project file with the given `--set` changes; all problems of all cases at once.
-[[nodiscard]] foundation::Expected<Project> read_project(const std::filesystem::path& path,
-                                                         const std::vector<std::string>& settings = {});
-
-/// As `read_project`, from text. @param folder  to which names of files are relative; empty: that of `source`
-[[nodiscard]] foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,
-                                                              const std::vector<std::string>& settings = {},
-                                                              const std::string& folder = "");
 
 }  // namespace trivet::project

@@ -10,6 +10,7 @@
 #include "trivet/project/analyses/isolation_reader.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/analyses/requirements_reader.h"
 #include "trivet/project/text/outside_features.h"
 
 namespace trivet::project {
@@ -183,6 +184,21 @@ Analyses counted_part(const Questions& questions, const Analyses& analyses) {
     if (questions.requested) counted.lowest_modes = 0;  // this command may need all modes
   }
   return counted;
+}
+
+void check_analyses(const model::System& system, const Analyses& asked, const Questions& questions,
+                    const std::string& of_case, foundation::Problems& problems) {
+  const auto answered = [&](const std::string& question) { return !is_only_setting(question, questions, of_case); };
+  check_questions(system, asked, answered, problems);
+  check_requirements(system, asked, problems);
+}
+
+std::vector<std::pair<std::string, assembly::Band>> asked_bands(const Analyses& asked) {
+  std::vector<std::pair<std::string, assembly::Band>> bands;
+  for (const QuestionReader& reader : question_readers())
+    if (const auto* question = asked.find<BandQuestion>(reader.name); question && question->band)
+      bands.emplace_back(reader.name, *question->band);
+  return bands;
 }
 
 foundation::Problems without_unrequested(const foundation::Problems& found, const Questions& questions,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trivet/project/project.h"
@@ -29,10 +29,14 @@ struct Questions {
 /// it: `modes` takes only these, `response` only the response with its limits.
 [[nodiscard]] Analyses counted_part(const Questions& questions, const Analyses& analyses);
 
-/// As `read_project`, but questions with errors that were not requested are removed from the analyses of their case.
-[[nodiscard]] foundation::Expected<Project> read_project_for(const Questions& questions,
-                                                             const std::filesystem::path& path,
-                                                             const std::vector<std::string>& settings = {});
+/// Reports analyses and requirements that do not suit the model. An analysis of which requirements only take the
+/// settings is not judged: one that has no answer has its reason beside all others.
+/// @param system  a nonlinear one at rest
+void check_analyses(const model::System& system, const Analyses& asked, const Questions& questions,
+                    const std::string& of_case, foundation::Problems& problems);
+
+/// Bands of the questions of question_table.h that have one, by their names, in the order of the table.
+[[nodiscard]] std::vector<std::pair<std::string, assembly::Band>> asked_bands(const Analyses& asked);
 
 /// True if the file asks for a response or for peaks that were removed from a case because of errors.
 [[nodiscard]] bool has_broken_curves(const Case& variant);

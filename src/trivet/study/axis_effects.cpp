@@ -9,6 +9,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/judging/changed_case.h"
 #include "trivet/modal/highest_frequency.h"
 #include "trivet/project/model_number.h"
 #include "trivet/response/steady/visible_amplitudes.h"
@@ -60,7 +61,7 @@ AxisEffects axis_effects(const project::Case& variant, const project::MapRequest
   for (std::size_t i = 0; i < shares.size(); ++i)
     for (std::size_t j = 0; j < shares.size(); ++j) try {
         const auto system =
-            project::changed_system(variant, {{x, request.x.at(shares[i])}, {y, request.y.at(shares[j])}});
+            judging::changed_system(variant, {{x, request.x.at(shares[i])}, {y, request.y.at(shares[j])}});
         if (!system) return {};
         designs[i][j] = amplitudes(*system, request, names, top);
         largest = largest.max(designs[i][j]);

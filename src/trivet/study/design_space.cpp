@@ -7,6 +7,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/judging/changed_case.h"
 
 namespace trivet::study {
 
@@ -56,7 +57,7 @@ double DesignSpace::slope(std::size_t axis, double share) const {
 model::System DesignSpace::system(const project::Case& variant, const Eigen::VectorXd& values) const {
   project::Design design;
   for (std::size_t j = 0; j < numbers_.size(); ++j) design.emplace_back(numbers_[j], values(to_index(j)));
-  auto changed = project::changed_system(variant, design);
+  auto changed = judging::changed_system(variant, design);
   if (changed) return std::move(*changed);
   for (const foundation::Problem& problem : changed.error().list())
     if (problem.severity == foundation::Severity::error)

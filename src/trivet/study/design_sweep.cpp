@@ -15,6 +15,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
+#include "trivet/judging/changed_case.h"
 #include "trivet/numerics/batch/driven_peaks.h"
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/project/analyses/drive.h"
@@ -64,7 +65,7 @@ class Sweep {
   [[nodiscard]] foundation::Expected<model::System> system(const Eigen::VectorXd& values) const {
     project::Design design;
     for (std::size_t i = 0; i < numbers_.size(); ++i) design.emplace_back(numbers_[i], values(to_index(i)));
-    return project::changed_system(case_, design);
+    return judging::changed_system(case_, design);
   }
 
   [[nodiscard]] std::vector<assembly::Channel> channels(const model::System& system,
@@ -224,7 +225,7 @@ void require_numbers(const project::Case& variant, const SweepRequest& request) 
     const project::ModelNumber in_model(number.path, "");
     const auto value = in_model.read(variant);
     const auto same =
-        value ? project::changed_system(variant, {{in_model, *value}}) : tl::make_unexpected(foundation::Problems());
+        value ? judging::changed_system(variant, {{in_model, *value}}) : tl::make_unexpected(foundation::Problems());
     if (!same) throw InvalidInput(fmt::format("sweep: {}: {}", number.path, no_number));
     if (number.values.empty()) throw InvalidInput(fmt::format("sweep: {}: no values; give at least one", number.path));
     for (const double each : number.values)

@@ -13,6 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/judging/changed_case.h"
 #include "trivet/project/analyses/map_of_case.h"
 
 namespace trivet::study {
@@ -61,7 +62,7 @@ bool takes_numbers(const project::Case& variant, const project::MapRequest& requ
   for (const project::DesignAxis* axis : {&request.x, &request.y}) {
     const project::ModelNumber number(*axis);
     if (number.read(variant)) continue;
-    if (project::changed_system(variant, {{number, axis->at(inside)}})) continue;
+    if (judging::changed_system(variant, {{number, axis->at(inside)}})) continue;
     const std::string finding =
         fmt::format("case {} has no number {}", foundation::quoted(variant.name), foundation::quoted(axis->parameter));
     if (as_asked)
@@ -183,7 +184,7 @@ void MapJudge::judge_separately(const Part& part, std::size_t index, const desig
     missing_.note(index, rule + of_case, words + of_case);
     outcome = {0, kind};
   };
-  const auto system = project::changed_system(
+  const auto system = judging::changed_system(
       part.variant, {{project::ModelNumber(part.request.x), point.x}, {project::ModelNumber(part.request.y), point.y}});
   if (!system) {
     const foundation::Problem& first = first_error(system.error());
@@ -243,7 +244,7 @@ design::JudgedDesign MapJudge::judged_design(const model::System& system,
   append(*parts_.front(), system, result);
   for (std::size_t p = 1; design && p < parts_.size(); ++p) {
     const Part& part = *parts_[p];
-    const auto there = project::changed_system(
+    const auto there = judging::changed_system(
         part.variant,
         {{project::ModelNumber(part.request.x), design->x}, {project::ModelNumber(part.request.y), design->y}});
     if (!there)

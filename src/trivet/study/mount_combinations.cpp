@@ -14,6 +14,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/judging/changed_case.h"
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/project/model_number.h"
@@ -195,7 +196,7 @@ std::vector<std::size_t> MountCombinations::mounts(std::size_t combination) cons
 
 model::System MountCombinations::system_with(const project::Case& variant, std::size_t choice,
                                              std::size_t mount) const {
-  return valid(project::changed_system(variant, std::vector{change_of(choices_[choice], mount)}, true));
+  return valid(judging::changed_system(variant, std::vector{change_of(choices_[choice], mount)}, true));
 }
 
 std::vector<project::Node> MountCombinations::changes(std::size_t combination) const {
@@ -206,7 +207,7 @@ std::vector<project::Node> MountCombinations::changes(std::size_t combination) c
 }
 
 model::System MountCombinations::system(const project::Case& variant, std::size_t combination) const {
-  return valid(project::changed_system(variant, changes(combination)));
+  return valid(judging::changed_system(variant, changes(combination)));
 }
 
 project::Project MountCombinations::project(const project::Project& given, std::size_t combination) const {
@@ -214,7 +215,7 @@ project::Project MountCombinations::project(const project::Project& given, std::
   for (const project::Case& variant : given.cases) {
     const bool decides = std::find(cases_.begin(), cases_.end(), &variant) != cases_.end();
     if (decides || &variant == &given.base())
-      result.cases.push_back(valid(project::changed_case(variant, changes(combination))));
+      result.cases.push_back(valid(judging::changed_case(variant, changes(combination))));
   }
   return result;
 }

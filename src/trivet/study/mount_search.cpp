@@ -11,6 +11,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
+#include "trivet/judging/changed_case.h"
 #include "trivet/study/design_looks.h"
 #include "trivet/study/design_search.h"
 #include "trivet/study/margin.h"
@@ -217,7 +218,7 @@ class Combinations {
       changes.push_back(project::ModelNumber(space_.axes()[j]).change(values(to_index(j))));
     project::Project result{project_.title, project_.source, project_.folder, project_.sha256, {}};
     for (const project::Case& variant : project_.cases) {
-      auto changed = project::changed_case(variant, changes);
+      auto changed = judging::changed_case(variant, changes);
       if (!changed) return std::nullopt;
       result.cases.push_back(std::move(*changed));
     }

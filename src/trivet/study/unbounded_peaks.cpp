@@ -9,6 +9,7 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/judging/changed_case.h"
 #include "trivet/modal/modes.h"
 #include "trivet/project/model_number.h"
 #include "trivet/response/steady/vanishing_ends.h"
@@ -39,7 +40,7 @@ project::Design middle_of(const std::vector<project::DesignAxis>& axes) {
 /// The base model may have a symmetry that the designs do not have. Without a model in the middle all names remain.
 void keep_unbounded_at_middle(const project::Case& variant, const project::MapRequest& request,
                               const std::vector<project::DesignAxis>& axes, std::vector<std::string>& names) {
-  const auto system = project::changed_system(variant, middle_of(axes));
+  const auto system = judging::changed_system(variant, middle_of(axes));
   if (!system) return;
   try {
     const std::vector<std::string> there = unbounded(*system, request);

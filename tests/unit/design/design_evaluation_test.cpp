@@ -6,6 +6,7 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/results/map_json.h"
 #include "trivet/results/map_verdicts.h"
 #include "trivet/study/design_map.h"
@@ -102,7 +103,7 @@ TEST(DesignEvaluation, ResultsThatGrowBeyondTheBandAreJudgedByTheFamily) {
 }
 
 TEST(DesignEvaluation, CountsDesignsByTheMethodThatJudgedThem) {
-  const project::Project project = *project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
+  const project::Project project = *judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {30, 30, {}});
   EXPECT_EQ(map.report.proven + map.report.fallback + map.report.assembled_separately, 900u);
   EXPECT_GT(map.report.proven, 800u);

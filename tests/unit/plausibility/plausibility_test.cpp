@@ -8,9 +8,10 @@
 
 #include "support/projects.h"
 #include "trivet/assembly/assembled.h"
+#include "trivet/judging/read_project.h"
+#include "trivet/judging/suspicions.h"
 #include "trivet/plausibility/overturning.h"
 #include "trivet/plausibility/unit_slips.h"
-#include "trivet/project/suspicions.h"
 
 namespace plausibility_test {
 
@@ -48,7 +49,7 @@ struct Cube {
 std::vector<std::string> kinds(const std::string& text) {
   std::vector<std::string> found;
   const project::Project project = test::project(text);
-  for (const auto& suspicion : project::suspicions(project.base())) found.push_back(suspicion.kind);
+  for (const auto& suspicion : judging::suspicions(project.base())) found.push_back(suspicion.kind);
   return found;
 }
 
@@ -272,7 +273,7 @@ TEST(Plausibility, DetectsAMachineThatFallsOver) {
   EXPECT_THAT(overturning_notes(rack(0.27)), IsEmpty());  // 24.8 %
   EXPECT_THAT(overturning_notes(rack(0.28)), ElementsAre(testing::HasSubstr("26 % of the stiffness is lost")));
   EXPECT_THAT(overturning_notes(rack(1.08)), ElementsAre(testing::HasSubstr("99 % of the stiffness is lost")));
-  const auto refused = project::project_from_text(rack(1.09), "rack.toml", {}, "");
+  const auto refused = judging::project_from_text(rack(1.09), "rack.toml", {}, "");
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().list().front().finding,
               testing::HasSubstr("of 3207.9 N m/rad, the elements a restoring moment of 3200 N m/rad"));
@@ -372,7 +373,7 @@ TEST(Plausibility, DetectsProductsOfInertiaAboutThePoleWithTheOtherSign) {
         xy);
   };
   EXPECT_THAT(kinds(body(4)), IsEmpty());
-  const auto refused = project::project_from_text(body(-4), "p.toml");  // 8 kg m² remain, more than Jxx = 6
+  const auto refused = judging::project_from_text(body(-4), "p.toml");  // 8 kg m² remain, more than Jxx = 6
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(foundation::message(refused.error().list().front()), HasSubstr("suspicion \"products of inertia\""));
   std::string far = body(-4);

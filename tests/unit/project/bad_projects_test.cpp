@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "trivet/judging/read_project.h"
 #include "trivet/project/project.h"
 
 namespace bad_projects_test {
@@ -18,7 +19,7 @@ class BadProject : public testing::TestWithParam<fs::path> {};
 
 TEST_P(BadProject, IsRejectedWithTheExpectedMessages) {
   setenv("TRIVET_CACHE", "", 1);  // no results of earlier runs
-  const auto refused = project::read_project(GetParam());
+  const auto refused = judging::read_project(GetParam());
   ASSERT_FALSE(refused.has_value()) << "it was accepted";
   std::vector<std::string> messages;
   int errors = 0;

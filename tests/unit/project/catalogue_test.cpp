@@ -14,6 +14,7 @@
 #include "support/matchers.h"
 #include "support/matrix_files.h"
 #include "trivet/elements/rubber_layer.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/project/project.h"
 
 namespace trivet::test {
@@ -113,7 +114,7 @@ TEST(Catalogue, IsWarnedAboutOnceForAllItsElements) {
         "[elements.{}]\ntype = \"catalogue:M 20\"\ncatalogue = \"c.toml\"\non = \"m\"\nat = [0, 0, 0]\naxis = \"z\"\n",
         name);
   std::ofstream(folder / "m.toml") << text;
-  const auto project = project::read_project(folder / "m.toml");
+  const auto project = judging::read_project(folder / "m.toml");
   std::filesystem::remove_all(folder);
   ASSERT_TRUE(project.has_value()) << foundation::message(project.error().list().front());
   const auto& warnings = project->base().warnings.list();

@@ -4,6 +4,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "trivet/judging/read_project.h"
 #include "trivet/project/project.h"
 #include "trivet/project/text/default_number.h"
 #include "trivet/project/text/model_path.h"
@@ -14,7 +15,7 @@ using namespace trivet;
 using project::Quantity;
 
 project::Case base_of(const std::string& text) {
-  auto read = project::project_from_text(text, "machine.toml");
+  auto read = judging::project_from_text(text, "machine.toml");
   if (!read) throw std::runtime_error(read.error().list().front().finding);
   return read->base();
 }
@@ -79,7 +80,7 @@ TEST(QuantityOfANumber, IsKnownForKeysThatAreNotWritten) {
 /// Every number of the bodies, elements and excitations of the examples has a quantity, unless it counts something.
 TEST(QuantityOfANumber, IsKnownInTheExamples) {
   for (const char* example : {"paper/corrected.toml", "genset/genset.toml", "two_stage/pump_on_raft.toml"}) {
-    const auto read = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/" + example);
+    const auto read = judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/" + example);
     ASSERT_TRUE(read) << example;
     std::vector<std::string> unknown;
     const std::function<void(const project::Node&, const std::string&)> look = [&](const project::Node& node,

@@ -6,6 +6,7 @@
 
 #include "support/projects.h"
 #include "trivet/elements/lugre_friction.h"
+#include "trivet/judging/read_project.h"
 
 namespace law_readers_test {
 
@@ -55,7 +56,7 @@ TEST(LawReaders, ReadTheDissipationOfAStopWithItsUnit) {
         << axis << " " << dissipation;
   }
   for (const auto& [axis, dissipation] : {std::pair{"x", "\"0.4 s/rad\""}, {"rx", "\"0.4 s/m\""}})
-    EXPECT_FALSE(project::project_from_text(with_gap_stop(axis, dissipation), "p.toml")) << axis << " " << dissipation;
+    EXPECT_FALSE(judging::project_from_text(with_gap_stop(axis, dissipation), "p.toml")) << axis << " " << dissipation;
 }
 
 }  // namespace law_readers_test

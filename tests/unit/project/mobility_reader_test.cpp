@@ -11,6 +11,7 @@
 #include "trivet/exchange/universal_writing.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/project/project.h"
 
 namespace mobility_reader_test {
@@ -55,7 +56,7 @@ std::vector<std::string> messages(const std::vector<exchange::UniversalFunction>
   std::string bytes = exchange::universal_text(file, exchange::FunctionForm::binary);
   if (edited) bytes = edited(std::move(bytes));
   std::ofstream(path, std::ios::binary) << bytes;
-  const auto project = project::project_from_text(
+  const auto project = judging::project_from_text(
       fmt::format(
           "trivet = 1\n[bodies.m]\nmass = 100\nfree = [\"z\"]\n"
           "[elements.left]\ntype = \"three_springs\"\non = \"m\"\nat = [1, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\n"
@@ -181,7 +182,7 @@ TEST(MobilityReader, RejectsTablesInOtherUnitsThanMobilities) {
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / fmt::format("trivet-mobility-units-{}.csv", ::getpid());
     std::ofstream(path) << heading << "\n10,1e-5,0\n20,1e-5,0\n";
-    const auto project = project::project_from_text(
+    const auto project = judging::project_from_text(
         fmt::format("trivet = 1\n[bodies.m]\nmass = 100\nfree = [\"z\"]\n[elements.left]\ntype = \"three_springs\"\n"
                     "on = \"m\"\nat = [1, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\nfoundation = \"deck\"\n"
                     "[foundations.deck]\ntype = \"mobility\"\nfile = \"{}\"\n",

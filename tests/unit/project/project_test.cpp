@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "support/projects.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/project/text/embedded_text.h"
 #include "trivet/results/written_answers.h"
 
@@ -63,7 +64,7 @@ TEST(Project, SettingsChangeTheBaseAndEveryCase) {
 }
 
 TEST(Project, ASettingOnAnUnknownThingIsAnErrorWithASuggestion) {
-  const auto refused = project::project_from_text(two_bodies, "t.toml", {"bodies.zuli.mass=3"});
+  const auto refused = judging::project_from_text(two_bodies, "t.toml", {"bodies.zuli.mass=3"});
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(foundation::message(refused.error().list()[0]), testing::HasSubstr("did you mean \"zulu\""));
 }

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "support/projects.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/project/text/admissible_range.h"
 
 namespace question_sizes_test {
@@ -83,7 +84,7 @@ TEST(QuestionSizes, AreReportedWithTheLineOfTheQuestion) {
       "\"bushing\"\non = \"b\"\nat = [0, 0, 0]\n"
       "translation = [1, 1, 1]\n[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [0, 0, "
       "1]\n[analyses]\nresponse = {spacing = \"linear\", points = 2000000}\n";
-  const auto refused = project::project_from_text(text, "machine.toml");
+  const auto refused = judging::project_from_text(text, "machine.toml");
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(messages(refused.error()),
               HasSubstr("machine.toml:16: error: analyses.response.points: 2000000 points × 6 curves"));

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <string>
 
+#include "trivet/judging/read_project.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/project.h"
 
@@ -21,7 +22,7 @@ class SampleProject : public testing::TestWithParam<fs::path> {};
 
 TEST_P(SampleProject, IsReadWithItsElement) {
   setenv("TRIVET_CACHE", "", 1);  // no results of earlier runs
-  const auto project = project::read_project(GetParam());
+  const auto project = judging::read_project(GetParam());
   std::string all;
   if (!project)
     for (const auto& problem : project.error().list()) all += foundation::message(problem) + "\n";

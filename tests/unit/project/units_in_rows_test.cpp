@@ -11,6 +11,7 @@
 #include <string>
 
 #include "support/matchers.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/project/analyses/earthquake_question.h"
 #include "trivet/project/project.h"
 
@@ -48,7 +49,7 @@ on = "box"
 at = [0, 0, 0]
 force = [0, 0, "1 kN"]
 )" + parts);
-    return project::read_project((folder_ / "machine.toml").string());
+    return judging::read_project((folder_ / "machine.toml").string());
   }
 
   [[nodiscard]] std::string errors(const std::string& parts) const {

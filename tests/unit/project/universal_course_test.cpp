@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/matchers.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/project/project.h"
 
 /// Functions of universal files as histories and spectra of excitations.
@@ -75,7 +76,7 @@ at = [0, 0, 0]
 translation = [0, 0, "800 N/mm"]
 damping = {translation = [0, 0, 2000]}
 )" + excitation;
-    return project::read_project((folder_ / "machine.toml").string());
+    return judging::read_project((folder_ / "machine.toml").string());
   }
 
   [[nodiscard]] std::string messages(const std::string& excitation) const {

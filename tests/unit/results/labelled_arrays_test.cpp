@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "support/projects.h"
+#include "trivet/judging/read_project.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/written_answers.h"
 #include "trivet/study/transient_answer.h"
@@ -186,7 +187,7 @@ TEST(LabelledArrays, HaveUniqueNamesAndOneSizePerAxisInEveryAnswer) {
 }
 
 TEST(LabelledArrays, OfMeasurementsAreConsistentToo) {
-  const auto read = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/measured_response/machine.toml");
+  const auto read = judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/measured_response/machine.toml");
   ASSERT_TRUE(read);
   const study::Answers answers = study::run(*read).front();
   expect_consistent(results::answer_arrays("measurements", read->base(), answers), "measurements");

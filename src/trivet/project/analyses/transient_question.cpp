@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "trivet/project/analyses/question_reader.h"
-#include "trivet/response/transient/transient_refusals.h"
 
 namespace trivet::project {
 namespace {
@@ -69,21 +68,12 @@ bool starts_from_initial_values(const Node& table) {
   return table.find("initial_displacement") || table.find("initial_velocity");
 }
 
-void check_transient(const Question& asked, const model::System& system, foundation::Problems& problems) {
-  const assembly::Assembled assembled = assembly::assemble(system);
-  const auto problem = response::without_motion_in_time(
-      system, assembled, response::time_inputs(system, assembled, asked.selection.excitations),
-      static_cast<const TransientQuestion&>(asked).nearest_linear_system);
-  if (problem) problems.error("analyses.transient", problem->finding, problem->rule, problem->remedy);
-}
-
 }  // namespace
 
 const QuestionReader transient_question = {.drive = Drive::time,
                                            .read = read_transient,
                                            .of_large_systems = true,
                                            .moves_by_itself = starts_from_initial_values,
-                                           .check = check_transient,
                                            .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},

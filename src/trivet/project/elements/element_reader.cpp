@@ -166,7 +166,7 @@ const model::Element* known_element(const KnownModel& known, const std::string& 
   const auto& elements = known.description.elements;
   const auto found =
       std::find_if(elements.begin(), elements.end(), [&](const model::Element& e) { return e.name == name; });
-  if (found == elements.end()) return nullptr;
+  if (found == elements.end() || (known.of_text && model::has_laws(*found))) return nullptr;
   const auto same_place = [&](const model::End& end) {
     if (!end.body) return true;
     if (*end.body >= description.bodies.size()) return false;

@@ -6,15 +6,6 @@
 #include "trivet/foundation/plain_text.h"
 
 namespace trivet::project {
-const Node* KnownModel::unchanged(const char* table, const std::string& name, const Node& now) const {
-  const Node* parts = document.find(table);
-  const Node* before = parts ? parts->find(name) : nullptr;
-  if (!before || !same_content(*before, now)) return nullptr;
-  for (const char* adjusted :
-       {"stiffness_factor", "damping_factor", "moved", "mass_about_center", "center_moved", "inertia_about_center"})
-    if (now.find(adjusted)) return nullptr;
-  return before;
-}
 
 std::optional<std::size_t> body_named(TableReader& reader, const std::string& key,
                                       const model::Description& description, const NamesInFile& in_file) {

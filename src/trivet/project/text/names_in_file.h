@@ -27,16 +27,6 @@ struct NamesInFile {
   std::vector<std::function<void(model::Description&)>> adjustments;  ///< applied after all is read
 };
 
-/// A document that was read earlier: parts that another document has in common with it need not be read again.
-struct KnownModel {
-  const Node& document;
-  const model::Description& description;
-
-  /// The part of this name in a table ("bodies", "elements"), if it is the same in both documents and has no
-  /// adjustments, which change the description later.
-  [[nodiscard]] const Node* unchanged(const char* table, const std::string& name, const Node& now) const;
-};
-
 /// Index of the body or node named at `key`, if it was read; an unknown name is a problem.
 [[nodiscard]] std::optional<std::size_t> body_named(TableReader& reader, const std::string& key,
                                                     const model::Description& description, const NamesInFile& in_file);

@@ -9,7 +9,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/acceptances.h"
+#include "trivet/project/text/accepting_tables.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/outside_features.h"
 #include "trivet/spatial/rigid_motion.h"

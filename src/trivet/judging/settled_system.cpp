@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/settled_system.h"
+#include "trivet/judging/settled_system.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,9 @@
 #include <utility>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/rest_position.h"
 
-namespace trivet::project {
+namespace trivet::judging {
 namespace {
 
 /// Bushes stiffen along e1 only: does the weight act across it?
@@ -53,7 +52,8 @@ void settle(model::System& system, foundation::Problems& problems) {
   }
 }
 
-void warn_of_small_motions(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
+void warn_of_small_motions(const model::System& system, const project::Analyses& asked,
+                           foundation::Problems& problems) {
   if (!model::is_nonlinear(system)) return;
   const auto warn = [&](const std::string& subject) {
     problems.warning(
@@ -64,7 +64,7 @@ void warn_of_small_motions(const model::System& system, const Analyses& asked, f
   };
   if (!asked.limits.empty() || !asked.limit_lines.empty()) warn(asked.limits.empty() ? "limit_lines" : "limits");
   if (asked.requirements) {
-    Requirements of_small_motions = *asked.requirements;
+    project::Requirements of_small_motions = *asked.requirements;
     of_small_motions.no_jump = of_small_motions.no_contact = of_small_motions.mount_load = false;
     of_small_motions.steady.clear();
     of_small_motions.statics.clear();
@@ -82,4 +82,4 @@ void warn_of_small_motions(const model::System& system, const Analyses& asked, f
     if (asked.questions.contains(name)) warn(std::string("analyses.") + name);
 }
 
-}  // namespace trivet::project
+}  // namespace trivet::judging

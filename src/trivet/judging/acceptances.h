@@ -11,7 +11,7 @@
 #include "trivet/plausibility/suspicion.h"
 #include "trivet/project/text/document.h"
 
-namespace trivet::project {
+namespace trivet::judging {
 
 /// `accept = {"mass" = "reason"}` of one table: a suspicion that its author has checked.
 struct Acceptance {
@@ -20,11 +20,8 @@ struct Acceptance {
   foundation::Origin origin;
 };
 
-/// True if the table at this path may have a key `accept`; false for the top of the file, which may have one too.
-[[nodiscard]] bool may_accept(const std::string& path);
-
 /// All acceptances of the document; unknown kinds and empty reasons are problems.
-[[nodiscard]] std::vector<Acceptance> read_acceptances(const Node& document, foundation::Problems& problems);
+[[nodiscard]] std::vector<Acceptance> read_acceptances(const project::Node& document, foundation::Problems& problems);
 
 /// Acceptances of all cases of a project, and those of them that suppress a warning.
 class AcceptanceBook {
@@ -32,7 +29,7 @@ class AcceptanceBook {
   /// Warnings of the suspicions that are not accepted, with their places in the document. A number of the file has the
   /// same warning in all cases; if it belongs to a case, each case has its own, with the name of the case.
   [[nodiscard]] foundation::Problems warnings(const std::vector<plausibility::Suspicion>& suspicions,
-                                              const std::vector<Acceptance>& acceptances, const Node& document,
+                                              const std::vector<Acceptance>& acceptances, const project::Node& document,
                                               const std::string& case_name);
   /// An error for each acceptance that suppresses no warning in any case. @param changed  the command line changes
   /// numbers: only its own acceptances are checked
@@ -46,4 +43,4 @@ class AcceptanceBook {
   std::map<Key, foundation::Problem> reported_;
 };
 
-}  // namespace trivet::project
+}  // namespace trivet::judging

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/suspicions.h"
+#include "trivet/judging/suspicions.h"
 
 #include <fmt/format.h>
 
@@ -7,63 +7,64 @@
 #include <string_view>
 #include <utility>
 
+#include "trivet/judging/acceptances.h"
 #include "trivet/plausibility/inertia_slips.h"
 #include "trivet/project/analyses/orders_question.h"
-#include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/transient_question.h"
-#include "trivet/project/text/acceptances.h"
+#include "trivet/project/questions.h"
 #include "trivet/project/text/table_reader.h"
 
-namespace trivet::project {
+namespace trivet::judging {
 namespace {
 
-const Node* find(const Node& document, const std::string& group, const std::string& name) {
-  const Node* parts = document.find(group);
+const project::Node* find(const project::Node& document, const std::string& group, const std::string& name) {
+  const project::Node* parts = document.find(group);
   return parts ? parts->find(name) : nullptr;
 }
 
-bool is_about_pole(const Node& document, const std::string& body) {
-  const Node* table = find(document, "bodies", body);
-  const Node* inertia = table ? table->find("inertia") : nullptr;
-  const Node* about = inertia ? inertia->find("about") : nullptr;
+bool is_about_pole(const project::Node& document, const std::string& body) {
+  const project::Node* table = find(document, "bodies", body);
+  const project::Node* inertia = table ? table->find("inertia") : nullptr;
+  const project::Node* about = inertia ? inertia->find("about") : nullptr;
   return about && about->text == "pole";
 }
 
-void add_bodies(const Case& variant, plausibility::Stated& stated) {
+void add_bodies(const project::Case& variant, plausibility::Stated& stated) {
   for (const model::Body& body : variant.system.bodies()) {
-    const Node* table = find(variant.document, "bodies", body.name);
+    const project::Node* table = find(variant.document, "bodies", body.name);
     stated.inertia_about_pole.push_back(is_about_pole(variant.document, body.name));
     stated.from_solids.push_back(table && table->find("solids"));
   }
 }
 
 /// Oscillating mass (pistons and rods) of an engine.
-void add_engine(const Node& table, const model::Excitation& excitation, plausibility::Stated& stated) {
-  const Node* engine = table.find("engine");
-  if (!engine || engine->kind != Node::Kind::table) return;
+void add_engine(const project::Node& table, const model::Excitation& excitation, plausibility::Stated& stated) {
+  const project::Node* engine = table.find("engine");
+  if (!engine || engine->kind != project::Node::Kind::table) return;
   foundation::Problems ignored;
-  TableReader reader(*engine, "excitations." + excitation.name + ".engine", ignored);
-  const auto mass = reader.number("oscillating_mass", Quantity::mass);
-  const auto cylinders = reader.number("cylinders", Quantity::pure);
+  project::TableReader reader(*engine, "excitations." + excitation.name + ".engine", ignored);
+  const auto mass = reader.number("oscillating_mass", project::Quantity::mass);
+  const auto cylinders = reader.number("cylinders", project::Quantity::pure);
   if (mass && cylinders)
     stated.engines.push_back(
         {"excitations." + excitation.name + ".engine.oscillating_mass", *excitation.action.body, *mass, *cylinders});
 }
 
-void add_rotors(const Case& variant, plausibility::Stated& stated) {
+void add_rotors(const project::Case& variant, plausibility::Stated& stated) {
   for (const model::Excitation& excitation : variant.system.description().excitations) {
-    const Node* table = find(variant.document, "excitations", excitation.name);
+    const project::Node* table = find(variant.document, "excitations", excitation.name);
     if (!table || !excitation.action.body) continue;
-    const Node* type = table->find("type");
+    const project::Node* type = table->find("type");
     add_engine(*table, excitation, stated);
     if (!type || type->text != "unbalance") continue;
     foundation::Problems ignored;
-    TableReader reader(*table, "excitations." + excitation.name, ignored);
-    const auto speed = reader.number("service_speed", Quantity::angular_frequency);
-    stated.rotors.push_back({excitation.name, *excitation.action.body, reader.number("rotor_mass", Quantity::mass),
-                             reader.number("mass_eccentricity", Quantity::mass_length),
-                             reader.number("grade", Quantity::pure), speed});
-    if (speed && table->find("service_speed")->kind != Node::Kind::text)
+    project::TableReader reader(*table, "excitations." + excitation.name, ignored);
+    const auto speed = reader.number("service_speed", project::Quantity::angular_frequency);
+    stated.rotors.push_back({excitation.name, *excitation.action.body,
+                             reader.number("rotor_mass", project::Quantity::mass),
+                             reader.number("mass_eccentricity", project::Quantity::mass_length),
+                             reader.number("grade", project::Quantity::pure), speed});
+    if (speed && table->find("service_speed")->kind != project::Node::Kind::text)
       stated.speeds.push_back({"excitations." + excitation.name + ".service_speed", *speed});
   }
 }
@@ -75,31 +76,32 @@ bool is_translation(const std::string& name) {
 }
 
 /// @param table  of the limit: "limits"
-void add_limit(const std::string& table, const AmplitudeLimit& limit, plausibility::Stated& stated) {
+void add_limit(const std::string& table, const project::AmplitudeLimit& limit, plausibility::Stated& stated) {
   if (!is_translation(limit.name) || limit.quantity == assembly::MotionQuantity::acceleration) return;
   stated.allowed_motions.push_back({limit.name.substr(0, limit.name.find('.')), table + "." + limit.name, limit.name,
                                     limit.amplitude, limit.quantity == assembly::MotionQuantity::velocity});
 }
 
 /// A range of two numbers of which one that is not 0 has no unit.
-bool is_bare_range(const Node& range) {
-  return range.items.size() == 2 && std::any_of(range.items.begin(), range.items.end(), [](const Node& end) {
-           return end.kind != Node::Kind::text && end.number != 0;
+bool is_bare_range(const project::Node& range) {
+  return range.items.size() == 2 && std::any_of(range.items.begin(), range.items.end(), [](const project::Node& end) {
+           return end.kind != project::Node::Kind::text && end.number != 0;
          });
 }
 
 /// Ranges of [requirements] without units. With units they are meant: an operating range without a resonance is good.
-void add_windows_of_requirements(const Case& variant, plausibility::Stated& stated) {
-  const Node* table = variant.document.find("requirements");
+void add_windows_of_requirements(const project::Case& variant, plausibility::Stated& stated) {
+  const project::Node* table = variant.document.find("requirements");
   if (!table || !variant.analyses.requirements) return;
-  const Node* band = table->find("band");
+  const project::Node* band = table->find("band");
   if (const auto& read = variant.analyses.requirements->band; band && read && is_bare_range(*band))
     stated.windows.push_back({"requirements.band", read->from, read->to});
-  const Node* natural = table->find("natural_frequencies");
-  const Node* avoid = natural ? natural->find("avoid") : nullptr;
+  const project::Node* natural = table->find("natural_frequencies");
+  const project::Node* avoid = natural ? natural->find("avoid") : nullptr;
   if (!avoid) return;
-  for (const Node& window : avoid->items)
-    if (is_bare_range(window) && window.items[0].kind != Node::Kind::text && window.items[1].kind != Node::Kind::text)
+  for (const project::Node& window : avoid->items)
+    if (is_bare_range(window) && window.items[0].kind != project::Node::Kind::text &&
+        window.items[1].kind != project::Node::Kind::text)
       stated.windows.push_back({.subject = "requirements.natural_frequencies.avoid",
                                 .from = window.items[0].number,
                                 .to = window.items[1].number,
@@ -107,72 +109,71 @@ void add_windows_of_requirements(const Case& variant, plausibility::Stated& stat
 }
 
 /// Speeds of `isolation` without a unit.
-void add_speeds_of_isolation(const Case& variant, plausibility::Stated& stated) {
-  const Node* isolation = find(variant.document, "requirements", "isolation");
+void add_speeds_of_isolation(const project::Case& variant, plausibility::Stated& stated) {
+  const project::Node* isolation = find(variant.document, "requirements", "isolation");
   if (!isolation) return;
-  const auto add = [&](const Node& speed) {
-    if (speed.kind == Node::Kind::integer || speed.kind == Node::Kind::real)
+  const auto add = [&](const project::Node& speed) {
+    if (speed.kind == project::Node::Kind::integer || speed.kind == project::Node::Kind::real)
       stated.speeds.push_back({"requirements.isolation.at", speed.number});
   };
-  const auto add_of = [&](const Node& table) {
-    const Node* at = table.kind == Node::Kind::table ? table.find("at") : nullptr;
+  const auto add_of = [&](const project::Node& table) {
+    const project::Node* at = table.kind == project::Node::Kind::table ? table.find("at") : nullptr;
     if (!at) return;
-    if (at->kind != Node::Kind::array) return add(*at);
-    for (const Node& item : at->items) add(item);
+    if (at->kind != project::Node::Kind::array) return add(*at);
+    for (const project::Node& item : at->items) add(item);
   };
-  if (isolation->kind != Node::Kind::array) return add_of(*isolation);
-  for (const Node& table : isolation->items) add_of(table);
+  if (isolation->kind != project::Node::Kind::array) return add_of(*isolation);
+  for (const project::Node& table : isolation->items) add_of(table);
 }
 
-void add_questions(const Case& variant, plausibility::Stated& stated) {
-  const Analyses& asked = variant.analyses;
+void add_questions(const project::Case& variant, plausibility::Stated& stated) {
+  const project::Analyses& asked = variant.analyses;
   const auto add = [&](const std::string& question, const std::optional<assembly::Band>& band) {
     if (band) stated.windows.push_back({"analyses." + question + ".band", band->from, band->to});
   };
   if (asked.response) add("response", asked.response->band);
-  for (const QuestionReader& reader : question_readers())
-    if (const auto* question = asked.find<BandQuestion>(reader.name)) add(reader.name, question->band);
+  for (const auto& [question, band] : project::asked_bands(asked)) add(question, band);
   const assembly::MotionQuantity quantity =
       asked.response ? asked.response->selection.quantity : assembly::MotionQuantity::displacement;
-  for (const Limit& limit : asked.limits) add_limit("limits", {limit.name, quantity, limit.amplitude}, stated);
+  for (const project::Limit& limit : asked.limits) add_limit("limits", {limit.name, quantity, limit.amplitude}, stated);
   if (asked.requirements)
     for (const auto& [key, limits] : {std::pair{"limits", &asked.requirements->limits},
                                       {"steady", &asked.requirements->steady},
                                       {"static", &asked.requirements->statics}})
-      for (const AmplitudeLimit& limit : *limits) add_limit(std::string("requirements.") + key, limit, stated);
-  for (const LimitLineRequest& request : asked.limit_lines)
+      for (const project::AmplitudeLimit& limit : *limits) add_limit(std::string("requirements.") + key, limit, stated);
+  for (const project::LimitLineRequest& request : asked.limit_lines)
     if (const assembly::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,
                                         request.of, *std::max_element(line.limit.begin(), line.limit.end()),
                                         line.unit == "m/s", true});
   add_windows_of_requirements(variant, stated);
-  const Node* orders = find(variant.document, "analyses", "orders");
-  const Node* speeds = orders ? orders->find("speed") : nullptr;
-  const auto* run_up = asked.find<OrdersQuestion>("orders");
-  if (run_up && speeds && speeds->items.size() == 2 && speeds->items[1].kind != Node::Kind::text)
+  const project::Node* orders = find(variant.document, "analyses", "orders");
+  const project::Node* speeds = orders ? orders->find("speed") : nullptr;
+  const auto* run_up = asked.find<project::OrdersQuestion>("orders");
+  if (run_up && speeds && speeds->items.size() == 2 && speeds->items[1].kind != project::Node::Kind::text)
     stated.speeds.push_back({"analyses.orders.speed", run_up->speed.to});
   add_speeds_of_isolation(variant, stated);
   for (const model::Excitation& excitation : variant.system.description().excitations)
     if (const auto* random = std::get_if<model::Random>(&excitation.course))
       stated.windows.push_back(
           {"excitations." + excitation.name + ".psd", random->spectrum.from(), random->spectrum.to(), true});
-  if (const auto* in_time = asked.find<TransientQuestion>("transient"))
+  if (const auto* in_time = asked.find<project::TransientQuestion>("transient"))
     stated.transient = plausibility::TimeQuestion{in_time->to, in_time->selection.excitations};
 }
 
 /// Renames a subject to the foundation of the file: the impedance of a ground point has the name of its element.
-void name_foundation(const Node& document, std::string& subject) {
+void name_foundation(const project::Node& document, std::string& subject) {
   constexpr std::string_view group = "foundations.";
   if (!subject.starts_with(group)) return;
   const std::size_t dot = subject.find('.', group.size());
-  const Node* element = find(document, "elements", subject.substr(group.size(), dot - group.size()));
-  if (const Node* name = element ? element->find("foundation") : nullptr)
+  const project::Node* element = find(document, "elements", subject.substr(group.size(), dot - group.size()));
+  if (const project::Node* name = element ? element->find("foundation") : nullptr)
     subject = std::string(group) + name->text + (dot == std::string::npos ? "" : subject.substr(dot));
 }
 
 }  // namespace
 
-std::vector<plausibility::Suspicion> suspicions(const Case& variant,
+std::vector<plausibility::Suspicion> suspicions(const project::Case& variant,
                                                 const std::vector<std::pair<std::string, std::string>>& accepted) {
   plausibility::Stated stated;
   add_bodies(variant, stated);
@@ -184,7 +185,7 @@ std::vector<plausibility::Suspicion> suspicions(const Case& variant,
   return found;
 }
 
-foundation::Problems doubts_about_band(const Case& variant, const assembly::Band& band) {
+foundation::Problems doubts_about_band(const project::Case& variant, const assembly::Band& band) {
   foundation::Problems ignored, doubts;
   const std::vector<Acceptance> accepted = read_acceptances(variant.document, ignored);
   const std::string table = "analyses.response";
@@ -198,7 +199,7 @@ foundation::Problems doubts_about_band(const Case& variant, const assembly::Band
   return doubts;
 }
 
-void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems) {
+void name_slips(const std::vector<model::Body>& bodies, const project::Node& document, foundation::Problems& problems) {
   for (const model::Body& body : bodies)
     for (foundation::Problem& problem : problems.list()) {
       if (problem.severity != foundation::Severity::error || problem.subject != "bodies." + body.name + ".inertia")
@@ -209,4 +210,4 @@ void name_slips(const std::vector<model::Body>& bodies, const Node& document, fo
     }
 }
 
-}  // namespace trivet::project
+}  // namespace trivet::judging

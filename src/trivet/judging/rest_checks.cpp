@@ -1,15 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/standing_check.h"
+#include "trivet/judging/rest_checks.h"
+
+#include <string>
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/second_order.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/model/static_stiffness.h"
-#include "trivet/nonlinear/deflections.h"
+#include "trivet/nonlinear/static_machine.h"
 #include "trivet/plausibility/overturning.h"
+#include "trivet/response/steady/static_response.h"
 
-namespace trivet::project {
+namespace trivet::judging {
 
-foundation::Problems standing_problems(const model::System& system) {
+foundation::Problems without_rest(const project::Case& variant) {
+  foundation::Problems problems;
+  if (variant.system.description().clearances.empty()) return problems;
+  try {
+    const nonlinear::StaticMachine held = nonlinear::static_machine(variant.system, assembly::assemble(variant.system));
+    static_cast<void>(response::static_response(held.system, held.assembled, {}));
+  } catch (const foundation::NotComputable& reason) {
+    problems
+        .error("clearances", reason.what(),
+               "a clearance is judged at rest and in motion, so every case needs a position of rest",
+               "give the load or the support that is missing, or remove [clearances]")
+        .origin = project::deepest(variant.document, "clearances").origin;
+  }
+  return problems;
+}
+
+foundation::Problems standing_problems(const project::Case& variant) {
+  const model::System& system = variant.system;
   foundation::Problems problems;
   if (!assembly::has_second_order(system)) return problems;
   // What stands is a question of statics: rubber resists a slow tilt with its static stiffness.
@@ -27,7 +48,8 @@ foundation::Problems standing_problems(const model::System& system) {
     problems.error(subject, finding, rule,
                    "lower the centre of mass, or take stiffer mounts or mounts farther apart; second_order = false "
                    "leaves the effect of the weight out");
+  project::locate(problems, variant.document);
   return problems;
 }
 
-}  // namespace trivet::project
+}  // namespace trivet::judging

@@ -5,13 +5,13 @@
 #include "trivet/project/analyses/analyses.h"
 
 /// Nonlinear machines: the project file gives them undeformed, analyses are about rest.
-namespace trivet::project {
+namespace trivet::judging {
 
 /// Puts a nonlinear machine into its position of rest; an error if there is none. A linear one stays as it is.
 void settle(model::System& system, foundation::Problems& problems);
 
 /// Warns of questions about a nonlinear machine that large motions decide, but that are answered for small motions
 /// about rest.
-void warn_of_small_motions(const model::System& system, const Analyses& asked, foundation::Problems& problems);
+void warn_of_small_motions(const model::System& system, const project::Analyses& asked, foundation::Problems& problems);
 
-}  // namespace trivet::project
+}  // namespace trivet::judging

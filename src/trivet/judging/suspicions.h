@@ -8,17 +8,17 @@
 #include "trivet/plausibility/suspicion.h"
 #include "trivet/project/project.h"
 
-namespace trivet::project {
+namespace trivet::judging {
 
 /// Suspicions about the machine and the questions of a case, accepted or not.
 /// @param accepted  (table, kind); accepted values raise no suspicion about other values
 [[nodiscard]] std::vector<plausibility::Suspicion> suspicions(
-    const Case& variant, const std::vector<std::pair<std::string, std::string>>& accepted = {});
+    const project::Case& variant, const std::vector<std::pair<std::string, std::string>>& accepted = {});
 
 /// Warnings about a band of the command line, as about that of [analyses.response], unless the file accepts them.
-[[nodiscard]] foundation::Problems doubts_about_band(const Case& variant, const assembly::Band& band);
+[[nodiscard]] foundation::Problems doubts_about_band(const project::Case& variant, const assembly::Band& band);
 
 /// Adds the slip behind impossible bodies to their errors, if a single slip explains them.
-void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems);
+void name_slips(const std::vector<model::Body>& bodies, const project::Node& document, foundation::Problems& problems);
 
-}  // namespace trivet::project
+}  // namespace trivet::judging

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/acceptances.h"
-#include "trivet/foundation/plain_text.h"
+#include "trivet/judging/acceptances.h"
 
 #include <fmt/format.h>
 
@@ -8,12 +7,11 @@
 #include <cctype>
 #include <iterator>
 
-namespace trivet::project {
-namespace {
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/accepting_tables.h"
 
-/// Tables that accept suspicions about themselves, and those whose tables do.
-constexpr const char* singles[] = {"damping", "limits", "requirements"};
-constexpr const char* holders[] = {"bodies", "elements", "excitations", "foundations", "analyses", "limit_lines"};
+namespace trivet::judging {
+namespace {
 
 std::string join(const std::string& path, const std::string& key) { return path.empty() ? key : path + "." + key; }
 
@@ -28,20 +26,20 @@ std::string header(const std::string& table) {
   return "in [" + table.substr(0, dot + 1) + (bare ? name : "\"" + name + "\"") + "]";
 }
 
-void read_table(const Node& table, const std::string& path, std::vector<Acceptance>& found,
+void read_table(const project::Node& table, const std::string& path, std::vector<Acceptance>& found,
                 foundation::Problems& problems) {
-  const Node* accept = table.find("accept");
+  const project::Node* accept = table.find("accept");
   if (!accept) return;
   const std::string subject = join(path, "accept"), example = "for instance accept = {\"mass\" = \"with its water\"}";
-  if (accept->kind != Node::Kind::table) {
-    problems.error(subject, value_text(*accept), "it is a table of kinds of suspicions and reasons", example).origin =
-        accept->origin;
+  if (accept->kind != project::Node::Kind::table) {
+    problems.error(subject, project::value_text(*accept), "it is a table of kinds of suspicions and reasons", example)
+        .origin = accept->origin;
     return;
   }
   const std::vector<std::string> kinds(std::begin(plausibility::kinds), std::end(plausibility::kinds));
   for (std::size_t i = 0; i < accept->keys.size(); ++i) {
     const std::string& kind = accept->keys[i];
-    const Node& reason = accept->items[i];
+    const project::Node& reason = accept->items[i];
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
       const std::string guess = foundation::nearest_name(kind, kinds);
       problems
@@ -50,10 +48,10 @@ void read_table(const Node& table, const std::string& path, std::vector<Acceptan
           .origin = reason.origin;
       continue;
     }
-    if (reason.kind != Node::Kind::text || reason.text.find_first_not_of(" \t\n") == std::string::npos) {
+    if (reason.kind != project::Node::Kind::text || reason.text.find_first_not_of(" \t\n") == std::string::npos) {
       problems
-          .error(subject, fmt::format("\"{}\" = {}", kind, value_text(reason)), "an acceptance needs a reason in words",
-                 example)
+          .error(subject, fmt::format("\"{}\" = {}", kind, project::value_text(reason)),
+                 "an acceptance needs a reason in words", example)
           .origin = reason.origin;
       continue;
     }
@@ -63,31 +61,24 @@ void read_table(const Node& table, const std::string& path, std::vector<Acceptan
 
 }  // namespace
 
-bool may_accept(const std::string& path) {
-  if (std::find(std::begin(singles), std::end(singles), path) != std::end(singles)) return true;
-  const std::size_t dot = path.find('.');
-  return dot != std::string::npos && path.find('.', dot + 1) == std::string::npos &&
-      std::find(std::begin(holders), std::end(holders), path.substr(0, dot)) != std::end(holders);
-}
-
-std::vector<Acceptance> read_acceptances(const Node& document, foundation::Problems& problems) {
+std::vector<Acceptance> read_acceptances(const project::Node& document, foundation::Problems& problems) {
   std::vector<Acceptance> found;
   read_table(document, "", found, problems);
-  for (const char* single : singles)
-    if (const Node* table = document.find(single); table && table->kind == Node::Kind::table)
+  for (const char* single : project::accepting_tables)
+    if (const project::Node* table = document.find(single); table && table->kind == project::Node::Kind::table)
       read_table(*table, single, found, problems);
-  for (const char* holder : holders) {
-    const Node* parts = document.find(holder);
-    if (!parts || parts->kind != Node::Kind::table) continue;
+  for (const char* holder : project::holders_of_accepting_tables) {
+    const project::Node* parts = document.find(holder);
+    if (!parts || parts->kind != project::Node::Kind::table) continue;
     for (std::size_t i = 0; i < parts->keys.size(); ++i)
-      if (parts->items[i].kind == Node::Kind::table)
+      if (parts->items[i].kind == project::Node::Kind::table)
         read_table(parts->items[i], join(holder, parts->keys[i]), found, problems);
   }
   return found;
 }
 
 foundation::Problems AcceptanceBook::warnings(const std::vector<plausibility::Suspicion>& suspicions,
-                                              const std::vector<Acceptance>& acceptances, const Node& document,
+                                              const std::vector<Acceptance>& acceptances, const project::Node& document,
                                               const std::string& case_name) {
   for (const Acceptance& a : acceptances)
     if (known_.insert(key(a)).second) all_.push_back(a);
@@ -106,7 +97,7 @@ foundation::Problems AcceptanceBook::warnings(const std::vector<plausibility::Su
         s.by_case && !case_name.empty() ? s.finding + " in case " + foundation::quoted(case_name) : s.finding,
         fmt::format("suspicion \"{}\": {}", s.kind, s.rule),
         fmt::format("{}; if it is right: accept = {{\"{}\" = \"reason\"}} {}", s.probable, s.kind, header(table)));
-    locate(one, document);
+    project::locate(one, document);
     const foundation::Origin& origin = one.list().front().origin;
     result.add(reported_
                    .try_emplace(Key{origin.source, origin.line, origin.column, s.subject,
@@ -128,4 +119,4 @@ foundation::Problems AcceptanceBook::unused_acceptances(bool changed) const {
   return result;
 }
 
-}  // namespace trivet::project
+}  // namespace trivet::judging

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/written_project.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/settings.h"
+#include "trivet/project/text/changes.h"
+#include "trivet/project/text/part_tables.h"
+#include "trivet/project/text/source_file.h"
+#include "trivet/project/text/toml_text.h"
+
+namespace trivet::project {
+namespace {
+
+constexpr std::size_t most_cases = 1000;
+
+/// Number of bodies, nodes, elements and excitations in all cases together; each case has a separate model.
+std::size_t parts_of_cases(const Node& document) {
+  const auto count = [&](const char* table) { return document.find(table) ? document.find(table)->keys.size() : 0; };
+  return count("cases") * (count("bodies") + count("nodes") + count("elements") + count("excitations"));
+}
+
+/// Reports cases that are not tables, or too many; false if there is none to read.
+bool are_readable(const Node* cases, std::size_t parts, foundation::Problems& problems) {
+  if (parts > most_parts_of_cases) {
+    problems
+        .error("cases", fmt::format("{} bodies, nodes, elements and excitations in all cases together", parts),
+               fmt::format("at most {} are allowed", most_parts_of_cases), "split the file")
+        .origin = cases->origin;
+  } else if (cases && cases->kind != Node::Kind::table) {
+    problems.error("cases", kind_name(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
+  } else if (cases && cases->keys.size() > most_cases) {
+    problems
+        .error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases),
+               "split the file")
+        .origin = cases->origin;
+  } else {
+    return cases != nullptr;
+  }
+  return false;
+}
+
+/// @param written  the document without the settings of the command line
+WrittenCase written_case(const std::string& name, const Node& change, const Node& written, const Settings& settings) {
+  WrittenCase result{.name = name};
+  if (change.kind != Node::Kind::table || name.empty()) {
+    result.is_readable = false;
+    result.problems
+        .error("cases." + name, name.empty() ? "name \"\"" : kind_name(change.kind), "a case is a table with a name",
+               "write [cases.NAME] and the changed numbers below")
+        .origin = change.origin;
+    return result;
+  }
+  result.document = written;
+  apply_changes(result.document, change, "", result.problems);
+  for (const Node& setting : settings.changes)
+    apply_changes(result.document, setting, "", result.problems);  // the command line overrides the case
+  result.changes = change_lines(&change, settings, result.document);
+  return result;
+}
+
+/// The cases of a document with its settings.
+std::vector<WrittenCase> written_cases(const Node& document, const Node& written, const Settings& settings) {
+  std::vector<WrittenCase> result;
+  const Node* cases = document.find("cases");
+  WrittenCase refused{.is_readable = false};
+  if (!are_readable(cases, parts_of_cases(document), refused.problems)) {
+    if (!refused.problems.list().empty()) result.push_back(std::move(refused));
+    return result;
+  }
+  for (std::size_t i = 0; i < cases->keys.size(); ++i)
+    result.push_back(written_case(cases->keys[i], cases->items[i], written, settings));
+  return result;
+}
+
+WrittenProject with_settings(Project project, const std::vector<std::string>& given) {
+  WrittenProject result;
+  std::string hashed = project.parsed->text;
+  for (const std::string& setting : given) hashed += "\n" + setting;
+  project.sha256 = sha256(hashed);
+  project.settings = given;
+  const Node& written = project.parsed->document;
+  const Settings settings = read_settings(given, folder_of_files(project), result.problems);
+  result.problems.add(project.parsed->problems);
+  result.base.document = written;
+  for (const Node& change : settings.changes) apply_changes(result.base.document, change, "", result.of_settings);
+  result.problems.add(result.of_settings);
+  result.base.changes = change_lines(nullptr, settings, result.base.document);
+  result.cases = written_cases(result.base.document, written, settings);
+  result.project = std::move(project);
+  return result;
+}
+
+}  // namespace
+
+foundation::Expected<WrittenProject> written_project(const std::string& text, const std::string& source,
+                                                     const std::vector<std::string>& settings,
+                                                     const std::string& folder) {
+  foundation::Expected<Node> document = parse_toml(text, source);
+  if (!document) return tl::make_unexpected(document.error());
+  if (!folder.empty()) set_folder(*document, folder);
+  ParsedText parsed{text, std::move(*document), {}};
+  put_tables_in_place(parsed.document, parsed.problems);
+  Project project;
+  project.source = source;
+  project.folder = folder;
+  project.parsed = std::make_shared<const ParsedText>(std::move(parsed));
+  return with_settings(std::move(project), settings);
+}
+
+WrittenProject written_project(const Project& earlier, const std::vector<std::string>& settings) {
+  Project project;
+  project.source = earlier.source;
+  project.folder = earlier.folder;
+  project.parsed = earlier.parsed;
+  return with_settings(std::move(project), settings);
+}
+
+}  // namespace trivet::project
