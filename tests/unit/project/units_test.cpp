@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "support/matchers.h"
 #include "trivet/project/text/derived_units.h"
@@ -136,6 +139,35 @@ TEST(Units, CompareTwoUnits) {
   EXPECT_THAT(unit_ratio("m/s^2", "g").value(), trivet::test::RelativelyNear(1 / 9.80665, round_off));
   EXPECT_FALSE(unit_ratio("m", "s").has_value());
   EXPECT_FALSE(unit_ratio("m", "").has_value());
+}
+
+TEST(Units, AreTheSameWithAndWithoutTheDatabase) {
+  using trivet::project::Quantity, trivet::project::to_si, trivet::project::unit_ratio;
+  for (const auto& [unit, quantity] :
+       std::vector<std::pair<std::string, Quantity>>{{"mm", Quantity::length},
+                                                     {"cm", Quantity::length},
+                                                     {"Hz", Quantity::angular_frequency},
+                                                     {"rpm", Quantity::angular_velocity},
+                                                     {"deg", Quantity::angle},
+                                                     {"g", Quantity::mass},
+                                                     {"t", Quantity::mass},
+                                                     {"ms", Quantity::time},
+                                                     {"mm/s", Quantity::velocity},
+                                                     {"kN", Quantity::force},
+                                                     {"kN m", Quantity::moment},
+                                                     {"N/mm", Quantity::force_per_length},
+                                                     {"kN/m", Quantity::force_per_length},
+                                                     {"kN/mm", Quantity::force_per_length},
+                                                     {"kN m/rad", Quantity::moment_per_angle},
+                                                     {"N s/mm", Quantity::damping_force_per_length},
+                                                     {"kN s/m", Quantity::damping_force_per_length},
+                                                     {"kPa", Quantity::pressure},
+                                                     {"bar", Quantity::pressure},
+                                                     {"MPa", Quantity::pressure},
+                                                     {"GPa", Quantity::pressure},
+                                                     {"N/mm2", Quantity::pressure}})
+    EXPECT_EQ(to_si("1.2345678 " + unit, quantity).value(), 1.2345678 * unit_ratio(unit, si_unit(quantity)).value())
+        << unit;
 }
 
 /// SI prefixes before customary units are slips: "mmi" is no thousandth of a mile.

@@ -394,6 +394,40 @@ std::string printed_si_unit(Quantity quantity) {
 
 namespace {
 
+/// Factor of a usual unit, the same as that of the database; 0 for others. Reading the database takes longer than all
+/// else that a small question needs.
+double usual_factor(std::string_view unit, std::string_view si) {
+  struct Usual {
+    std::string_view unit, si;
+    double factor;
+  };
+  static constexpr std::array<Usual, 22> usual = {{{"mm", "m", 1e-3},
+                                                   {"cm", "m", 1e-2},
+                                                   {"Hz", "rad/s", 2 * std::numbers::pi},
+                                                   {"rpm", "rad/s", 2 * std::numbers::pi / 60},
+                                                   {"deg", "rad", std::numbers::pi / 180},
+                                                   {"g", "kg", 1e-3},
+                                                   {"t", "kg", 1e3},
+                                                   {"ms", "s", 1e-3},
+                                                   {"mm/s", "m/s", 1e-3},
+                                                   {"kN", "N", 1e3},
+                                                   {"kN m", "N m", 1e3},
+                                                   {"N/mm", "N/m", 1e3},
+                                                   {"kN/m", "N/m", 1e3},
+                                                   {"kN/mm", "N/m", 1e6},
+                                                   {"kN m/rad", "N m/rad", 1e3},
+                                                   {"N s/mm", "N s/m", 1e3},
+                                                   {"kN s/m", "N s/m", 1e3},
+                                                   {"kPa", "Pa", 1e3},
+                                                   {"bar", "Pa", 1e5},
+                                                   {"MPa", "Pa", 1e6},
+                                                   {"GPa", "Pa", 1e9},
+                                                   {"N/mm2", "Pa", 1e6}}};
+  const auto found =
+      std::ranges::find_if(usual, [&](const Usual& known) { return known.unit == unit && known.si == si; });
+  return found == usual.end() ? 0 : found->factor;
+}
+
 /// A number and its unit in this SI unit.
 tl::expected<double, std::string> converted(std::string_view text, const std::string& expected) {
   text = trimmed(text);
@@ -409,6 +443,7 @@ tl::expected<double, std::string> converted(std::string_view text, const std::st
   if (!is_plain_unit(unit_text)) return tl::make_unexpected(foundation::quoted(unit_text) + " is not a unit");
   if (unit_text == "g" && expected == si_unit(Quantity::acceleration)) return value * standard_gravity;
   if (unit_text == expected) return value;  // SI needs no database; reading it takes longer than a small question
+  if (const double factor = usual_factor(unit_text, expected); factor > 0) return value * factor;
   const Conversion found = conversion(std::string(unit_text), expected);
   if (!found.converter) return tl::make_unexpected(found.reason);
   return cv_convert_double(found.converter.get(), value);
