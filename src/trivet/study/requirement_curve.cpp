@@ -8,6 +8,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/response/machinery/order_loading.h"
+#include "trivet/response/machinery/transmissibility.h"
 
 namespace trivet::study {
 
