@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# find_package(trivet) gives trivet::results and every floor below it.
+# find_package(trivet) gives trivet::LAYER for every layer.
 include(CMakePackageConfigHelpers)
 get_property(floors GLOBAL PROPERTY TRIVET_FLOORS)
 list(TRANSFORM floors PREPEND trivet_ OUTPUT_VARIABLE floor_targets)
