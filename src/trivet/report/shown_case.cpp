@@ -9,14 +9,7 @@ namespace trivet::report {
 
 std::string ShownCase::name() const { return answers.case_name.empty() ? "Base model" : answers.case_name; }
 
-std::vector<std::string> ShownCase::failed_checks() const {
-  std::vector<std::string> failed;
-  for (const study::CheckLine& line : checks)
-    if (!line.passed) failed.push_back(line.subject + ", “" + line.what + "”: " + line.value);
-  if (answers.response && !answers.response->deep.passed)
-    failed.push_back("response: the second solver does not agree");
-  return failed;
-}
+std::vector<std::string> ShownCase::failed_checks() const { return results::failed_checks(checks, answers); }
 
 std::vector<foundation::Problem> ShownCase::warnings() const {
   foundation::Problems found;
@@ -52,10 +45,6 @@ std::vector<ShownCase> shown_cases(const project::Project& project, const std::v
   for (std::size_t i = 0; i < answers.size(); ++i)
     shown.push_back({project.cases[i], answers[i], study::check_lines(project.cases[i])});
   return shown;
-}
-
-std::string count_words(std::size_t count, const std::string& one) {
-  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
 }  // namespace trivet::report

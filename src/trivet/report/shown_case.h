@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/results/judgements.h"
 #include "trivet/study/answers.h"
 #include "trivet/study/whole_study.h"
 
@@ -28,7 +29,6 @@ struct ShownCase {
 [[nodiscard]] std::vector<ShownCase> shown_cases(const project::Project& project,
                                                  const std::vector<study::Answers>& answers);
 
-/// "1 warning", "2 warnings"
-[[nodiscard]] std::string count_words(std::size_t count, const std::string& one);
+using results::count_words;
 
 }  // namespace trivet::report

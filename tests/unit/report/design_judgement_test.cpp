@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/projects.h"
+#include "trivet/results/judgements.h"
 
 namespace design_judgement_test {
 
@@ -17,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
-using Outcome = report::Judgement::Outcome;
+using Outcome = results::Judgement::Outcome;
 
 // ω0 = 15 rad/s, ζ = 45/(2·60) = 0.375: the largest amplitude is (18/900)/(2ζ√(1 − ζ²)) = 28.766 mm at 12.7 rad/s.
 constexpr const char* machine = R"(
@@ -42,15 +43,17 @@ response = {band = ["0 Hz", "6 Hz"]}
 )";
 
 struct Box {
-  std::vector<report::Judgement> list;
+  std::vector<results::Judgement> list;
   std::string html;
 };
 
 Box box_of(const std::string& text) {
   const project::Project project = test::project(text);
   const std::vector<study::Answers> answers = study::run(project);
+  std::vector<const study::Answers*> pointers;
+  for (const study::Answers& one : answers) pointers.push_back(&one);
   const std::vector<report::ShownCase> cases = report::shown_cases(project, answers);
-  return {report::judgements(cases), report::judgement_box(cases)};
+  return {results::judgements(pointers), report::judgement_box(cases)};
 }
 
 double peak() { return 0.02 / (2 * 0.375 * std::sqrt(1 - 0.375 * 0.375)); }
