@@ -262,7 +262,7 @@ stiffness = 20000
 
     def test_run_and_check(self):
         path, target = self.file(genset()), self.folder / "out"
-        done = trivet("run", path, "-o", target)
+        done = trivet("run", path, "-o", target, "--full")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("casing, gap left", done.stdout)
         results = json.loads((target / "results.json").read_text())

@@ -252,14 +252,14 @@ class Map(unittest.TestCase):
     def test_picture_and_report_state_the_question(self):
         asked = "amplitudes over all frequencies; resonance peaks at all frequencies, from 1 % above the adjacent minimum (rises below 1e-06 of the curve maximum are ignored)"
         out = self.folder / "out"
-        self.assertIn(asked, run("run", self.project, "-o", str(out))[0])
+        self.assertIn(asked, run("run", self.project, "-o", str(out), "--full")[0])
         self.assertIn("Criteria: " + asked, (out / "00-base" / "map.svg").read_text())
         report = (out / "report.html").read_text()
         self.assertGreater(report.count("Criteria: " + asked), 1)  # section and picture
 
     def test_text_and_report_name_axes_and_order_rules_alike(self):
         out = self.folder / "out"
-        text = run("run", self.project, "-o", str(out))[0]
+        text = run("run", self.project, "-o", str(out), "--full")[0]
         report = (out / "report.html").read_text()
         best = re.search("Best design: .*", text).group()
         self.assertTrue(best.startswith("Best design: stiffness scale of spring = 4, "), best)
@@ -267,7 +267,7 @@ class Map(unittest.TestCase):
         pathlib.Path(self.project).write_text(
             ONE_MASS.replace("30 mm", "1 m").replace("300 ms", "60 ms")
         )  # now peaks govern most designs
-        text = run("run", self.project, "-o", str(self.folder / "wide"))[0]
+        text = run("run", self.project, "-o", str(self.folder / "wide"), "--full")[0]
         report = (self.folder / "wide" / "report.html").read_text()
         for page in (text, report):
             table = page[page.index("governs, feasible") :]
@@ -310,7 +310,7 @@ class Map(unittest.TestCase):
     def test_a_case_that_asks_for_another_map_has_it_in_the_run(self):
         pathlib.Path(self.project).write_text(ONE_MASS + '[cases.strict]\nanalyses.map.limits = {"mass.z" = "12 mm"}\n')
         out = self.folder / "out"
-        text = run("run", self.project, "-o", str(out))[0]
+        text = run("run", self.project, "-o", str(out), "--full")[0]
         self.assertIn("Map of 81 designs of case strict", text)
         cases = {c["name"]: c for c in json.loads((out / "results.json").read_text())["cases"]}
         self.assertNotIn("map", cases["good"])
@@ -319,7 +319,7 @@ class Map(unittest.TestCase):
 
     def test_a_run_contains_map_table_picture_and_section(self):
         out = self.folder / "out"
-        text = run("run", self.project, "-o", str(out))[0]
+        text = run("run", self.project, "-o", str(out), "--full")[0]
         self.assertIn("Map of 81 designs", text)
         self.assertTrue((out / "00-base" / "map.csv").exists())
         xml.etree.ElementTree.parse(out / "00-base" / "map.svg")

@@ -557,7 +557,7 @@ class Measurements(unittest.TestCase):
         self.export()
         self.machine.write_text(MACHINE + RIG)
         out = self.folder / "out"
-        said = trivet("run", self.machine, "-o", out).stdout
+        said = trivet("run", self.machine, "-o", out, "--full").stdout
         self.assertIn("Measurement rig (m.uff) minus computed", said)
         self.assertIn("FRAC", said)
         self.assertIn("MAC", said)

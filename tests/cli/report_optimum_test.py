@@ -12,7 +12,7 @@ from trivet_test import InTemporaryFolder, answer, trivet
 class ReportOptimum(InTemporaryFolder):
     def run_of(self, text):
         project = self.file(text)
-        done = trivet("run", project, "-o", self.folder / "out")
+        done = trivet("run", project, "-o", self.folder / "out", "--full")
         self.assertEqual(done.returncode, 0, done.stderr)
         results = json.loads((self.folder / "out/results.json").read_text())
         cases = results["cases"] if "cases" in results else [results]

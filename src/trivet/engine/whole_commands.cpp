@@ -9,6 +9,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/study_folder.h"
 #include "trivet/results/project_json.h"
+#include "trivet/results/study_summary.h"
 #include "trivet/results/verdict_results.h"
 #include "trivet/results/verdict_words.h"
 #include "trivet/results/written_answers.h"
@@ -56,11 +57,13 @@ Result run(const Task& task) {
     result.complete = result.complete && result.cases.back().complete;
     result.findings.add(held->found.answers[i]);
   }
-  result.text = [held, folder, cases = result.cases](const Sink& sink) {
-    sink(verdicts_text(held->found));
-    for (std::size_t i = 0; i < cases.size(); ++i)
+  const bool full = task.keys.flag("full");
+  result.text = [held, folder, full, cases = result.cases](const Sink& sink) {
+    sink(results::study_summary(*held->project, held->found.answers));
+    if (full) sink(verdicts_text(held->found));
+    for (std::size_t i = 0; full && i < cases.size(); ++i)
       sink(case_heading(held->project->cases[i]) + preface(cases[i]) + whole(cases[i].text) + "\n");
-    sink(fmt::format("Report: {}/report.html\n", folder));
+    sink(fmt::format("Report: {}/report.html{}\n", folder, full ? "" : " (with all tables, also printed by --full)"));
   };
   return result;
 }
@@ -86,7 +89,7 @@ Result exported(const Task& task) {
 std::vector<Command> whole_commands() {
   return {
       {.name = "run",
-       .about = "all analyses of the file: tables on the screen, numbers and report.html in a folder",
+       .about = "all analyses of the file: a summary on the screen, numbers and report.html in a folder",
        .group = Group::whole,
        .of_one_case = false,
        .all_tables = true,
@@ -94,7 +97,8 @@ std::vector<Command> whole_commands() {
                  .kind = KeyKind::file,
                  .about = "result folder",
                  .by_default = "trivet-results",
-                 .short_name = "o"}},
+                 .short_name = "o"},
+                {.name = "full", .kind = KeyKind::flag, .about = "print the tables of all results, too"}},
        .json = false,
        .strict = true,
        .warnings = WarningsPlace::within,

@@ -11,25 +11,19 @@
 namespace trivet::results {
 namespace {
 
-/// Number of characters on the screen: UTF-8 continuation bytes do not count.
-std::size_t width(const std::string& text) {
-  return to_size(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 bool is_number(const std::string& text) {
   return !text.empty() &&
       (text == "–" || text == "∞" || text.find_first_not_of("0123456789+-.e%°") == std::string::npos);
 }
 
-constexpr std::size_t screen = 150, gap = 3;  // columns of characters
+constexpr std::size_t gap = 3;  // characters between columns
 
 /// The first column of a row, and the columns `first` … `last` − 1.
 std::string line(const std::vector<std::string>& row, std::size_t first, std::size_t last,
                  const std::vector<std::size_t>& widest, const std::vector<bool>& numeric) {
   std::string text;
   const auto add = [&](std::size_t c) {
-    const std::string pad(widest[c] - width(row[c]), ' ');
+    const std::string pad(widest[c] - width_on_screen(row[c]), ' ');
     text += (c == 0 ? "  " : "   ") + (numeric[c] ? pad + row[c] : row[c] + pad);
   };
   add(0);
@@ -39,6 +33,11 @@ std::string line(const std::vector<std::string>& row, std::size_t first, std::si
 }
 
 }  // namespace
+
+std::size_t width_on_screen(const std::string& text) {
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };  // a character of UTF-8
+  return text.size() - to_size(std::count_if(text.begin(), text.end(), continues));
+}
 
 std::string number_text(double value, int digits) {
   if (std::isnan(value)) return "–";
@@ -64,7 +63,7 @@ std::string TextTable::text() const {
   std::vector<bool> numeric(columns, true);
   for (std::size_t r = 0; r < rows_.size(); ++r)
     for (std::size_t c = 0; c < columns; ++c) {
-      widest[c] = std::max(widest[c], width(rows_[r][c]));
+      widest[c] = std::max(widest[c], width_on_screen(rows_[r][c]));
       if (r > 0 && !rows_[r][c].empty() && !is_number(rows_[r][c])) numeric[c] = false;
     }
   std::string text;
@@ -74,7 +73,7 @@ std::string TextTable::text() const {
     for (std::size_t next = last; next < columns; last = next) {
       const std::size_t end = std::min(next + together_, columns);
       for (std::size_t c = next; c < end; ++c) wide += gap + widest[c];
-      if (wide > screen) break;
+      if (wide > screen_) break;
       next = end;
     }
     if (first > 1) text += "\n";

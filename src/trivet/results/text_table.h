@@ -14,15 +14,19 @@ namespace trivet::results {
 class TextTable {
  public:
   /// @param together  number of columns after the first that are not separated: 2 for amplitude and phase
-  explicit TextTable(std::vector<std::string> header, std::size_t together = 1)
-      : rows_{std::move(header)}, together_(together) {}
+  /// @param screen    width of the screen [characters]
+  explicit TextTable(std::vector<std::string> header, std::size_t together = 1, std::size_t screen = 150)
+      : rows_{std::move(header)}, together_(together), screen_(screen) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   [[nodiscard]] std::string text() const;
 
  private:
   std::vector<std::vector<std::string>> rows_;
-  std::size_t together_;
+  std::size_t together_, screen_;
 };
+
+/// Number of characters of a text of UTF-8 on the screen.
+[[nodiscard]] std::size_t width_on_screen(const std::string& text);
 
 /// A number with six significant digits, or a dash for NaN.
 [[nodiscard]] std::string number_text(double value, int digits = 6);
