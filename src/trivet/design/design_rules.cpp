@@ -12,8 +12,6 @@ namespace trivet::design {
 namespace {
 
 using foundation::infinity;
-constexpr double tie =
-    1e-6;  // of margins: far above the round-off of peaks, far below differences that matter in a design
 
 }  // namespace
 
@@ -97,7 +95,7 @@ Governing governing(const std::vector<double>& margins) {
   double least = infinity;
   for (const double m : margins) least = std::min(least, m);
   for (std::size_t r = 0; r < margins.size(); ++r)
-    if (const double m = margins[r]; m <= least * (1 + tie) && (m >= 1) == (least >= 1)) return {r, least};
+    if (const double m = margins[r]; m <= least * (1 + tie_of_margins) && (m >= 1) == (least >= 1)) return {r, least};
   return {0, infinity};
 }
 

@@ -65,7 +65,11 @@ struct RuleValues {
                                      const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
                                      const response::Peaks& found, const RuleSet& set);
 
-/// The first rule with a margin within 1e-6 of the least, so that round-off does not choose among equals; violated
+/// Margins that differ by less than this share are equal: far above the round-off of peaks, far below differences that
+/// matter in a design.
+inline constexpr double tie_of_margins = 1e-6;
+
+/// The first rule with a margin within a tie of the least, so that round-off does not choose among equals; violated
 /// rules before met ones.
 struct Governing {
   std::size_t rule = 0;

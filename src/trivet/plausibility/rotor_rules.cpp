@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/plausibility/rules.h"
 
 namespace trivet::plausibility {
@@ -16,8 +17,6 @@ constexpr double largest_throw = 0.03;
 constexpr double coarsest_grade = 4000;  ///< [mm/s] of ISO 21940-11: large rigid engines
 constexpr double fastest_rim = 600;      ///< [m/s] steel bursts
 constexpr double density_of_steel = 7850;
-
-double rpm(double angular_frequency) { return angular_frequency * 30 / std::numbers::pi; }
 
 /// Radius of a steel cylinder twice as long as thick: m = ρ π r² 4r [m].
 double radius_of(double mass) { return std::cbrt(mass / (4 * std::numbers::pi * density_of_steel)); }
@@ -31,7 +30,8 @@ void judge_balancing(const Rotor& rotor, const std::string& subject, Suspicions&
   if (!rotor.mass || !rotor.service_speed || !(*rotor.mass > 0)) return;
   const double rim = radius_of(*rotor.mass) * *rotor.service_speed;
   if (rim > fastest_rim)
-    found.push_back({"speed", subject + ".service_speed", fmt::format("{:.6g} rpm", rpm(*rotor.service_speed)),
+    found.push_back({"speed", subject + ".service_speed",
+                     fmt::format("{:.6g} rpm", *rotor.service_speed * foundation::rpm_per_rad_s),
                      fmt::format("the rim of a steel rotor of {:.4g} kg would run at {:.0f} m/s", *rotor.mass, rim),
                      "check its unit: rpm, Hz or rad/s"});
 }
@@ -62,7 +62,7 @@ void judge_speeds(const std::vector<Speed>& speeds, Suspicions& found) {
         std::any_of(std::begin(synchronous), std::end(synchronous),
                     [&](double usual) { return speed.value <= usual && speed.value >= (1 - slip) * usual; }))
       found.push_back({"speed", speed.subject,
-                       fmt::format("{:.0f}, which is {:.0f} rpm", speed.value, rpm(speed.value)),
+                       fmt::format("{:.0f}, which is {:.0f} rpm", speed.value, speed.value * foundation::rpm_per_rad_s),
                        "a number without a unit is in rad/s",
                        fmt::format("write \"{:.0f} rpm\" if revolutions per minute are meant", speed.value)});
 }

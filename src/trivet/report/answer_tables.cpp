@@ -102,12 +102,11 @@ std::string transient_table(const study::Answers& answers) {
 std::string run_up_tables(const study::Answers& answers) {
   const auto* orders = answers.find<study::OrdersResult>("orders");
   if (!orders) return "";
-  constexpr double worth_naming = 0.01;
   const response::RunUp& run_up = orders->run_up;
   std::vector<std::vector<Cell>> rows;
   for (const response::CriticalSpeed& c : run_up.critical) {
     const response::Overall& curve = run_up.overall[c.curve];
-    if (std::isfinite(c.amplitude) && c.relative_height < worth_naming) continue;
+    if (std::isfinite(c.amplitude) && c.relative_height < study::listed_height) continue;
     rows.push_back({{curve.name},
                     number_cell(c.order),
                     number_cell(c.speed * rpm_per_rad_s, 5),

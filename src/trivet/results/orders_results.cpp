@@ -69,8 +69,7 @@ namespace {
 
 using foundation::two_pi;
 
-constexpr double worth_a_row = 0.01;
-
+/// Revolutions per minute, in this order of operations: CSV files have all digits of it.
 double rpm(double omega) { return omega * 60 / two_pi; }
 
 std::string orders_csv(const project::Case&, const study::Answers& answers) {
@@ -82,7 +81,7 @@ std::string orders_csv(const project::Case&, const study::Answers& answers) {
       text += "," + csv_field(fmt::format("{} order {} [{}]", c.name, order.order, c.unit));
   text += "\n";
   for (std::size_t k = 0; k < run.speed.size(); ++k) {
-    text += fmt::format("{},{}", run.speed[k], run.speed[k] * 60 / two_pi);
+    text += fmt::format("{},{}", run.speed[k], rpm(run.speed[k]));
     for (const response::Overall& o : run.overall) append_csv_number(text, o.rms(to_index(k)));
     for (const response::OrderCurves& order : run.orders)
       for (const response::Curve& c : order.curves) append_csv_number(text, std::abs(c.value(to_index(k))));
@@ -97,7 +96,7 @@ std::string critical_speeds_csv(const project::Case&, const study::Answers& answ
       "name,order,speed [rad/s],speed [rpm],angular_frequency [rad/s],amplitude,unit,relative_height,nearest_mode\n";
   for (const response::CriticalSpeed& c : run.critical)
     text += fmt::format("{},{},{},{},{},{},{},{},{}\n", csv_field(run.overall[c.curve].name), c.order, c.speed,
-                        c.speed * 60 / two_pi, c.angular_frequency, csv_number(c.amplitude),
+                        rpm(c.speed), c.angular_frequency, csv_number(c.amplitude),
                         csv_field(run.overall[c.curve].unit), c.relative_height, csv_number(c.nearest_mode));
   return text;
 }
@@ -107,7 +106,7 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
   const response::RunUp& run = answers.find<study::OrdersResult>("orders")->run_up;
   std::vector<response::CriticalSpeed> tall;
   for (const response::CriticalSpeed& c : run.critical)
-    if (!(c.relative_height < worth_a_row)) tall.push_back(c);
+    if (!(c.relative_height < study::listed_height)) tall.push_back(c);
   std::stable_sort(tall.begin(), tall.end(), [](const auto& a, const auto& b) { return a.speed < b.speed; });
   const std::string frequency = frequency_heading(answers.display);
   const auto in_unit = [&](double omega) { return number_text(shown_frequency(answers.display, omega)); };

@@ -21,11 +21,10 @@ namespace {
 
 using design::DesignOutcome;
 
-/// Another rule of a design. As in design::governing, the first within a millionth of the least margin governs, and
-/// violated rules go before met ones.
+/// Another rule of a design. As in design::governing, the first within a tie of the least margin governs, and violated
+/// rules go before met ones.
 void consider(double margin, std::size_t rule, DesignOutcome& outcome) {
-  constexpr double tie = 1e-6;
-  const bool less = margin < outcome.margin * (1 - tie) || (margin < 1 && outcome.margin >= 1);
+  const bool less = margin < outcome.margin * (1 - design::tie_of_margins) || (margin < 1 && outcome.margin >= 1);
   if (less) {
     outcome.margin = design::rounded_margin(margin);
     outcome.governing = static_cast<std::uint8_t>(rule);

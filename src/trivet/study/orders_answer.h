@@ -6,6 +6,9 @@
 
 namespace trivet::study {
 
+/// Share of the highest peak of the same result above which tables for people list a critical speed.
+inline constexpr double listed_height = 0.01;
+
 struct OrdersResult {
   response::RunUp run_up;
   response::Campbell campbell;

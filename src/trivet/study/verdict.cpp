@@ -39,13 +39,13 @@ std::string cause_of(const project::Case& variant, const RequirementResult& resu
              explained =
                  clearance || result.kind == RequirementKind::amplitude || result.kind == RequirementKind::no_peak;
   if (!explained || !result.angular_frequency || result.order > 0) return "";
-  constexpr double same = 1e-6;
+  constexpr double same_peak = 1e-6;  // of its frequency: both searches refine it to round-off
   constexpr int all = 1000;
   try {
     const Explanation found = explanation(
         variant, {.of = {clearance ? result.subject + "." + model::approach_component : result.subject}, .most = all});
     for (const ExplainedPeak& peak : found.peaks)
-      if (std::abs(peak.peak.angular_frequency - *result.angular_frequency) <= same * *result.angular_frequency)
+      if (std::abs(peak.peak.angular_frequency - *result.angular_frequency) <= same_peak * *result.angular_frequency)
         return peak.sentence;
   } catch (const foundation::NotComputable&) {  // the verdict stands without its cause
   }
