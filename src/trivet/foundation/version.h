@@ -3,7 +3,7 @@
 
 namespace trivet::foundation {
 
-/// "0.1.0".
+/// "1.2.3", as in CMakeLists.txt.
 [[nodiscard]] const char* version();
 
 }  // namespace trivet::foundation

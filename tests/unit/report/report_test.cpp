@@ -3,6 +3,7 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
+#include "trivet/foundation/version.h"
 #include "trivet/project/text/embedded_text.h"
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/figures.h"
@@ -49,7 +50,7 @@ TEST(Report, ContainsItsDataAndNoExternalLinks) {
   for (const auto& variant : project.cases) all.push_back(study::answers(variant, variant.analyses));
   const std::string page = report::report_page(project, all, results::page_json(project, all));
   EXPECT_THAT(page, testing::HasSubstr(project.sha256));
-  EXPECT_THAT(page, testing::HasSubstr("trivet 0.1.0"));
+  EXPECT_THAT(page, testing::HasSubstr(std::string("trivet ") + foundation::version()));
   EXPECT_THAT(page, testing::Not(testing::HasSubstr("{{")));
   for (const char* outside : {"src=\"http", "href=\"http", "@import", "url(http"})
     EXPECT_THAT(page, testing::Not(testing::HasSubstr(outside)));
