@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Lists that documents repeat are complete: layers and their sub-folders, commands, and the version.
+"""Lists that documents repeat are complete: layers and their sub-folders, commands, documents, and the version.
 
     documented_lists.py SOURCE TRIVET
 
 Layers and sub-folders: CMake, the table of ARCHITECTURE.md and that of docs/api.md. Commands: the help of
-the program, the tables of README.md, and the documents. Version: CMake, which Python's package reads, CITATION.cff, the newest
+the program, the tables of README.md, and the documents. Documents: the index
+docs/README.md. Version: CMake, which Python's package reads, CITATION.cff, the newest
 heading of CHANGELOG.md and `trivet --version`."""
 import pathlib
 import re
@@ -61,6 +62,13 @@ for path, one in documents.items():
     for called in re.findall(r"^(?:\$ )?trivet ([a-z_]+)", one, re.MULTILINE):
         if called not in commands:
             problems.append(f"{path.relative_to(source)}: trivet {called} is no command")
+
+index = documents[source / "docs/README.md"]
+problems.extend(
+    f"docs/README.md: {path.relative_to(source)} is missing"
+    for path in documents
+    if path.name != "README.md" and f"{path.relative_to(source / 'docs')})" not in index.replace("#", ")")
+)
 
 version = re.search(r"^project\(trivet VERSION ([0-9.]+)", text("CMakeLists.txt"), re.MULTILINE)[1]
 for where, found in {
