@@ -10,6 +10,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/modal/motion_words.h"
 #include "trivet/project/analyses/isolation_reader.h"
+#include "trivet/response/machinery/transmissibility.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/study/margin.h"
 #include "trivet/study/requirement_curve.h"
