@@ -27,7 +27,8 @@ const Node* KnownModel::unchanged(const char* table, const std::string& name, co
   for (const char* adjusted :
        {"stiffness_factor", "damping_factor", "moved", "mass_about_center", "center_moved", "inertia_about_center"})
     if (now.find(adjusted)) return nullptr;
-  if (of_text && has_problem_of(*of_text, std::string(table) + "." + name)) return nullptr;
+  if (of_text && (now.find("catalogue") || has_problem_of(*of_text, std::string(table) + "." + name)))
+    return nullptr;  // warnings of a catalogue are about the catalogue
   take_quantities(*before, now);
   return before;
 }

@@ -13,8 +13,9 @@ namespace trivet::project {
 struct KnownModel {
   const Node& document;
   const model::Description& description;
-  /// Of reading it. Parts with warnings and elements with nonlinear laws are then read again, so that all is as if no
-  /// part were known. Null if warnings and the position of rest from which a machine settles do not matter.
+  /// Of reading it. Parts with warnings or a catalogue and elements with nonlinear laws are then read again, so that
+  /// all is as if no part were known. Null if warnings, and the position of rest from which a machine settles, do not
+  /// matter.
   const foundation::Problems* of_text = nullptr;
 
   /// The part of this name in a table ("bodies", "elements"), if it is the same in both documents and has no
