@@ -65,9 +65,9 @@ def table(text, first):
     split = lambda line: re.split(r" {2,}", line.strip())
     rows = []
     for line in lines[start + 1 :]:
-        if len(split(line)) != len(split(lines[start])):
+        if len(split(lines[start])) - len(split(line)) not in (0, 1):  # the last cell, a remark, may be empty
             break
-        rows.append(dict(zip(split(lines[start]), split(line), strict=True)))
+        rows.append(dict(zip(split(lines[start]), split(line), strict=False)))
     return rows
 
 
@@ -78,7 +78,7 @@ class Display(InTemporaryFolder):
         self.shown = self.file(MACHINE + DISPLAY, "shown.toml")
 
     def near(self, cell, value, digits=5):
-        self.assertAlmostEqual(float(cell) / value, 1, delta=10 ** (1 - digits))
+        self.assertAlmostEqual(float(cell.split()[0]) / value, 1, delta=10 ** (1 - digits))
 
     def test_numbers_on_the_screen_are_the_si_numbers_times_their_factors(self):
         shown = trivet("response", self.shown).stdout
@@ -92,7 +92,7 @@ class Display(InTemporaryFolder):
         peak, row = answer("peaks", self.si)["peaks"][0], table(trivet("peaks", self.shown).stdout, "curve")[0]
         self.near(row["amplitude"], 2 * peak["amplitude"] / INCH)
         self.near(row["f [rpm]"], peak["angular_frequency"] / RPM)
-        self.assertEqual(row["unit"], "in p-p")
+        self.assertTrue(row["amplitude"].endswith(" in p-p"))
 
     def test_values_at_rest_in_time_and_rms_have_no_level(self):
         results = answer("static", self.si)["results"]
@@ -107,7 +107,7 @@ class Display(InTemporaryFolder):
         ):
             first = answer(name, self.si)["results"][0]
             row = table(trivet(name, self.shown).stdout, "result")[0]
-            self.assertEqual((first["unit"], row["unit"]), ("m", "in"))
+            self.assertEqual((first["unit"], row[key].split()[1]), ("m", "in"))
             self.near(row[key], number(first) / INCH)
 
     def test_the_stiffness_of_an_element_has_the_units_of_loads_and_motions(self):
@@ -122,7 +122,7 @@ class Display(InTemporaryFolder):
     def test_limits_are_at_the_level_of_what_they_limit(self):
         row = table(trivet("response", self.shown).stdout, "limit on")[0]
         self.near(row["allowed"], 2 * 0.001 / INCH)
-        self.assertEqual(row["unit"], "in p-p")
+        self.assertTrue(row["allowed"].endswith(" in p-p"))
         verdict = trivet("verdict", self.shown).stdout
         self.assertIn("ground.force.z ≤ 26.98 lbf p-p", verdict)
         self.assertIn("machine.z ≤ 0.1181 in ", verdict)

@@ -98,12 +98,12 @@ class Extremes(InTemporaryFolder):
         base = '[excitations.floor]\ntype = "base"\nquantity = "acceleration"\ntranslation = [0, 0, 1]\n[analyses]\nresponse = {of = ["b"], band = [5, 500]}\n[limits]\n"b.z" = 1\n"b.relative.z" = 1\n'
         done = trivet("response", self.file(BODY + mount("m") + base))
         rows = {
-            line.split()[0]: line.split()
+            line.split()[0]: re.split(r" {2,}", line.strip())
             for line in done.stdout.splitlines()
             if line.strip().startswith("b.") and " met" in line
         }
-        self.assertEqual(rows["b.z"][4], "∞", done.stdout[-600:])
-        self.assertEqual(rows["b.relative.z"][4], rows["b.relative.z"][2])
+        self.assertEqual(rows["b.z"][-2], "∞", done.stdout[-600:])
+        self.assertEqual(rows["b.relative.z"][-2], rows["b.relative.z"][2])
 
 
 class Foundations(InTemporaryFolder):

@@ -116,10 +116,17 @@ inline study::Answers answers_of_everything() {
   const auto transmission = response::force_transmission(system, assembled, {0, {0.05, 0.02, 0.35}, {}});
   const auto transmitted_peaks =
       response::peaks(assembled, transmission.channels, transmission.loading, a.modes, a.roots);
+  std::vector<design::LargestAmplitude> in_band;
+  for (std::size_t c = 0; c < transmission.channels.size(); ++c)
+    in_band.push_back(
+        design::largest_in_band(assembled, transmission.channels, transmission.loading, transmitted_peaks, c, band));
   a.of_questions["transmissibility"] = study::TransmissibilityResult{
       "force on the ground over piston",
-      response::frequency_response(assembled, transmission.channels, transmission.loading, grid), transmitted_peaks,
-      response::crossovers(assembled, transmission, transmitted_peaks), band};
+      response::frequency_response(assembled, transmission.channels, transmission.loading, grid),
+      transmitted_peaks,
+      response::crossovers(assembled, transmission, transmitted_peaks),
+      band,
+      in_band};
 
   const assembly::Loading harmonic = assembly::harmonic_loading(system, assembled, {"piston"});
   a.of_questions["power"] = response::power_flow(system, assembled, harmonic, grid);

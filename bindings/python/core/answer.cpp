@@ -17,9 +17,9 @@ namespace trivet::python {
 namespace {
 
 namespace nb = nanobind;
+using documents::LabelledArray;
 using engine::DisplayUnits;
 using engine::Result;
-using results::LabelledArray;
 
 using ArrayList =
     nb::typed<nb::list, nb::typed<nb::tuple, nb::str, nb::str, nb::typed<nb::tuple, nb::str, nb::ellipsis>, nb::any>>;
@@ -46,14 +46,14 @@ nb::object values_of(const LabelledArray& array, const std::shared_ptr<const voi
   return array.is_complex() ? view<std::complex<double>>(array, held) : view<double>(array, held);
 }
 
-results::LabelledArrays arrays_of(const Result& result) {
-  return result.arrays ? result.arrays() : results::LabelledArrays();
+documents::LabelledArrays arrays_of(const Result& result) {
+  return result.arrays ? result.arrays() : documents::LabelledArrays();
 }
 
 /// (name, unit, axes, numbers or texts) of each array; numbers are read-only views that keep the result alive.
 ArrayList python_arrays(const Result& result) {
   ArrayList list;
-  const results::LabelledArrays arrays = arrays_of(result);
+  const documents::LabelledArrays arrays = arrays_of(result);
   for (const LabelledArray& array : arrays.list())
     list.append(nb::make_tuple(array.name, array.unit, nb::tuple(nb::cast(array.axes)), values_of(array, result.held)));
   return list;
@@ -61,7 +61,7 @@ ArrayList python_arrays(const Result& result) {
 
 std::vector<std::string> harmonic_names(const Result& result) {
   std::vector<std::string> names;
-  const results::LabelledArrays arrays = arrays_of(result);
+  const documents::LabelledArrays arrays = arrays_of(result);
   for (const LabelledArray& array : arrays.list())
     if (array.harmonic) names.push_back(array.name);
   return names;

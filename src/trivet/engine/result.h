@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/documents/labelled_arrays.h"
 #include "trivet/engine/findings.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/project/text/shown_units.h"
-#include "trivet/results/labelled_arrays.h"
 
 namespace trivet::engine {
 
@@ -46,7 +46,7 @@ struct Result {
   std::function<std::string(const project::ShownUnits& display)> text_in = {};
   NamedWriters tables = {};   ///< "random.csv", CSV; --csv prints the first
   NamedWriters figures = {};  ///< "front.svg", SVG
-  std::function<results::LabelledArrays()> arrays = {};
+  std::function<documents::LabelledArrays()> arrays = {};
   std::vector<Result> cases = {};  ///< of `run`: the results of each case
 
   std::shared_ptr<const void> held = {};  ///< what the arrays refer to

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "trivet/documents/labelled_arrays.h"
 #include "trivet/foundation/interruption.h"
 #include "trivet/project/project.h"
-#include "trivet/results/labelled_arrays.h"
+#include "trivet/results/in_documents.h"
 #include "trivet/study/answers.h"
 
 namespace trivet::exports {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "trivet/documents/csv_field.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/part_tables.h"
-#include "trivet/results/csv_field.h"
+#include "trivet/results/in_documents.h"
 #include "trivet/results/written_answers.h"
 
 /// The tables of the result folder, and the parts of the model as tables that a project file reads.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "trivet/documents/csv_field.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/results/csv_field.h"
+#include "trivet/results/in_documents.h"
 
 /// Matrices as coordinate files of Matrix Market, and the names of their rows.
 namespace trivet::exports {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/documents/csv_field.h"
 #include "trivet/exchange/universal_writing.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/universal_model.h"
@@ -12,7 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/drive.h"
-#include "trivet/results/csv_field.h"
+#include "trivet/results/in_documents.h"
 #include "trivet/study/asked_questions.h"
 
 /// Universal files: units, nodes, lines, modes (set 55), and the response as functions (set 58). In text, frequencies

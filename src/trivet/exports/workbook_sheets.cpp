@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/exports/workbook_sheets.h"
+#include "trivet/results/in_documents.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/exports/unique_names.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/toml_value.h"
-#include "trivet/results/shown_numbers.h"
-#include "trivet/results/text_table.h"
 #include "trivet/results/verdict_words.h"
 #include "trivet/study/verdict.h"
 

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/report/amplitude_stiffness_plot.h"
+#include "trivet/report/in_documents.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
-#include "trivet/results/shown_numbers.h"
 
 namespace trivet::report {
 

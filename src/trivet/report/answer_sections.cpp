@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "trivet/documents/html_table.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/answer_tables.h"
-#include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
+#include "trivet/results/written_answers.h"
 
 namespace trivet::report {
 namespace {
@@ -22,6 +23,7 @@ std::string shown(std::string html, const std::vector<Figure>& figures) {
 /// Title, tables and figures of an answer, or of several that belong together.
 struct Shown {
   const char* title;
+  const char* answer;  ///< whose document it is; nullptr: `tables` has its tables
   std::string (*tables)(const study::Answers& answers);
   std::vector<std::vector<Figure> (*)(const study::Answers& answers)> figures;
 };
@@ -29,22 +31,22 @@ struct Shown {
 /// Tables and figures in addition to the harmonic characteristics, in the order of the page. Add new ones here.
 const std::vector<Shown>& all_shown() {
   static const std::vector<Shown> list = {
-      {"Map of designs", map_tables, {map_figures}},
-      {"Best design", optimum_tables, {}},
-      {"Front", front_tables, {front_figures}},
-      {"Random response", random_table, {random_figures}},
-      {"Time history", transient_table, {transient_figures}},
-      {"Run-up", run_up_tables, {campbell_figures, waterfall_figures, run_up_figures}},
-      {"Transmissibility", transmissibility_table, {transmissibility_figures}},
-      {"Power into the ground", power_table, {power_figures}},
-      {"Steady motion of the nonlinear machine", steady_tables, {steady_figures, orbit_figures}},
-      {"Nonlinear modes", backbone_tables, {backbone_figures}},
-      {"Shock response spectrum", shock_table, {shock_figures}},
-      {"Earthquake", earthquake_tables, {}},
-      {"Limit lines", limit_line_table, {limit_figures}},
-      {"Measurements", measurement_tables, {measurement_figures}},
-      {"Operating shapes", nullptr, {shape_figures}},
-      {"Load sharing", load_sharing_table, {}},
+      {"Map of designs", nullptr, map_tables, {map_figures}},
+      {"Best design", nullptr, optimum_tables, {}},
+      {"Front", nullptr, front_tables, {front_figures}},
+      {"Random response", "random", nullptr, {random_figures}},
+      {"Time history", "transient", nullptr, {transient_figures}},
+      {"Run-up", "orders", nullptr, {campbell_figures, waterfall_figures, run_up_figures}},
+      {"Transmissibility", "transmissibility", nullptr, {transmissibility_figures}},
+      {"Power into the ground", "power", nullptr, {power_figures}},
+      {"Steady motion of the nonlinear machine", nullptr, steady_tables, {steady_figures, orbit_figures}},
+      {"Nonlinear modes", nullptr, backbone_tables, {backbone_figures}},
+      {"Shock response spectrum", "shock_spectrum", nullptr, {shock_figures}},
+      {"Earthquake", "earthquake", nullptr, {}},
+      {"Limit lines", "limit_lines", nullptr, {limit_figures}},
+      {"Measurements", nullptr, measurement_tables, {measurement_figures}},
+      {"Operating shapes", nullptr, nullptr, {shape_figures}},
+      {"Load sharing", "load_sharing", nullptr, {}},
   };
   return list;
 }
@@ -65,13 +67,16 @@ std::vector<Figure> answer_figures(const study::Answers& answers) {
   return all;
 }
 
-std::string answer_sections(const study::Answers& answers) {
+std::string answer_sections(const project::Case& variant, const study::Answers& answers) {
   std::string html;
   for (const Shown& kinds : all_shown()) {
     std::vector<Figure> figures;
     for (const auto& kind : kinds.figures)
       for (Figure& figure : kind(answers)) figures.push_back(std::move(figure));
-    html += section("answer", kinds.title, shown(kinds.tables ? kinds.tables(answers) : "", figures));
+    const std::string tables = kinds.answer ? results::answer_html(kinds.answer, variant, answers)
+        : kinds.tables                      ? kinds.tables(answers)
+                                            : "";
+    html += section("answer", kinds.title, shown(tables, figures));
   }
   return html;
 }

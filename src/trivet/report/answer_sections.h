@@ -11,7 +11,7 @@ namespace trivet::report {
 
 /// Sections of the page for the answers of a case in addition to its harmonic characteristics: pictures and tables of
 /// their key numbers. HTML without scripts.
-[[nodiscard]] std::string answer_sections(const study::Answers& answers);
+[[nodiscard]] std::string answer_sections(const project::Case& variant, const study::Answers& answers);
 
 /// Only their figures, numbered by kind in their file names.
 [[nodiscard]] std::vector<Figure> answer_figures(const study::Answers& answers);

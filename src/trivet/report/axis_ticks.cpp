@@ -68,18 +68,4 @@ std::vector<Tick> angle_ticks(double from, double to) {
   return ticks;
 }
 
-UnitPrefix unit_prefix(double largest, const std::string& unit) {
-  static const char* const names[] = {"n", "µ", "m", "", "k", "M"};
-  if (!(largest > 0) || !std::isfinite(largest)) return {1, unit};
-  int n = static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
-  n = std::max(-3,
-               std::min(unit.starts_with("N") || unit.starts_with("W") ? 2 : 0, n));  // "km/s²" and "krad" are unusual
-  return {std::pow(10.0, -3 * n), names[n + 3] + unit};
-}
-
-UnitPrefix unit_prefix(double largest, const results::DisplayUnit& unit) {
-  const UnitPrefix prefix = unit.si ? unit_prefix(largest * unit.factor, unit.unit) : UnitPrefix{1, unit.unit};
-  return {prefix.factor * unit.factor, prefix.unit + unit.level};
-}
-
 }  // namespace trivet::report

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "trivet/results/shown_numbers.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/report/in_documents.h"
 
 namespace trivet::report {
 
@@ -22,15 +23,5 @@ struct Tick {
 
 /// Multiples of 30°, 45°, 90° or 180° inside [from, to] degrees.
 [[nodiscard]] std::vector<Tick> angle_ticks(double from, double to);
-
-/// A factor 10^(3n) that brings `largest` near 1 … 1000, and the resulting unit: 0.01 m → 1000, "mm". Only newtons and
-/// watts get larger units.
-struct UnitPrefix {
-  double factor = 1;
-  std::string unit;
-};
-[[nodiscard]] UnitPrefix unit_prefix(double largest, const std::string& unit);
-/// From SI numbers to shown ones; only SI units get a prefix.
-[[nodiscard]] UnitPrefix unit_prefix(double largest, const results::DisplayUnit& unit);
 
 }  // namespace trivet::report

@@ -3,14 +3,15 @@
 
 #include <algorithm>
 
+#include "trivet/documents/html_table.h"
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/backbone.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/answer_tables.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
-#include "trivet/report/html_table.h"
-#include "trivet/results/shown_numbers.h"
+#include "trivet/report/in_documents.h"
 
 /// Nonlinear modes.
 namespace trivet::report {

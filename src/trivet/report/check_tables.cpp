@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/report/check_tables.h"
+#include "trivet/report/in_documents.h"
 
 #include <fmt/format.h>
 
-#include "trivet/report/html_table.h"
+#include "trivet/documents/html_table.h"
 
 namespace trivet::report {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "trivet/report/html_table.h"
+#include "trivet/documents/html_table.h"
 #include "trivet/report/svg_canvas.h"
 #include "trivet/results/judgements.h"
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 
+#include "trivet/documents/html_table.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/model/point_mass.h"
-#include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
 #include "trivet/results/law_words.h"
 #include "trivet/results/model_words.h"
-#include "trivet/results/text_table.h"
 
 namespace trivet::report {
 namespace {

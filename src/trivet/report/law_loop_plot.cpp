@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/report/law_loop_plot.h"
+#include "trivet/report/in_documents.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
-#include "trivet/results/shown_numbers.h"
 
 namespace trivet::report {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "trivet/documents/html_table.h"
 #include "trivet/report/answer_tables.h"
-#include "trivet/report/html_table.h"
 #include "trivet/report/map_words.h"
 #include "trivet/report/svg_canvas.h"
 #include "trivet/results/axis_words.h"

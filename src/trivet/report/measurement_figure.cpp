@@ -6,12 +6,13 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/documents/html_table.h"
 #include "trivet/foundation/index.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/answer_tables.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
-#include "trivet/report/html_table.h"
+#include "trivet/report/in_documents.h"
 
 /// Measured curves over the computed ones, and the tables of their differences.
 namespace trivet::report {

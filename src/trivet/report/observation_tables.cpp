@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "trivet/documents/html_table.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/report/html_table.h"
+#include "trivet/report/in_documents.h"
 #include "trivet/report/input_tables.h"
 
 namespace trivet::report {

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/documents/html_table.h"
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/report/answer_tables.h"
-#include "trivet/report/html_table.h"
 #include "trivet/report/result_tables.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/optimization_results.h"
-#include "trivet/results/shown_numbers.h"
 #include "trivet/study/design_front.h"
 #include "trivet/study/optimization.h"
 

@@ -5,12 +5,13 @@
 #include <array>
 #include <cmath>
 
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
-#include "trivet/results/shown_numbers.h"
+#include "trivet/report/in_documents.h"
 #include "trivet/results/varied_parameter.h"
 
 /// Paths of bodies and points over one period.

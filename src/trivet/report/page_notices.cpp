@@ -9,8 +9,8 @@
 #include <set>
 #include <utility>
 
+#include "trivet/documents/html_table.h"
 #include "trivet/report/design_judgement.h"
-#include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
 
 namespace trivet::report {

@@ -6,16 +6,17 @@
 #include <filesystem>
 #include <functional>
 
+#include "trivet/documents/html_table.h"
 #include "trivet/foundation/version.h"
 #include "trivet/report/answer_sections.h"
 #include "trivet/report/check_tables.h"
 #include "trivet/report/drawing_json.h"
 #include "trivet/report/figures.h"
-#include "trivet/report/html_table.h"
 #include "trivet/report/input_tables.h"
 #include "trivet/report/page_notices.h"
 #include "trivet/report/result_tables.h"
 #include "trivet/report/svg_canvas.h"
+#include "trivet/results/written_answers.h"
 
 namespace trivet::report {
 
@@ -89,18 +90,19 @@ std::string level_note(const project::ShownUnits& display) {
 
 std::string above_pictures(const ShownCase& shown, std::size_t cases) {
   return case_head(shown, cases) + section("requirements", "Requirements", requirements_table(shown.answers)) +
-      section("limits", "Limits", limits_table(shown.variant, shown.answers));
+      section("limits", "Limits", results::limits_html(shown.answers));
 }
 
 std::string below_pictures(const ShownCase& shown) {
-  return section("response", "Response", response_table(shown.variant, shown.answers)) +
-      section("peaks", "Resonance peaks", peaks_table(shown.variant, shown.answers)) + answer_sections(shown.answers);
+  return section("response", "Response", results::answer_html("response", shown.variant, shown.answers)) +
+      section("peaks", "Resonance peaks", results::answer_html("peaks", shown.variant, shown.answers)) +
+      answer_sections(shown.variant, shown.answers);
 }
 
 std::string below_comparison(const ShownCase& shown) {
   const project::Case& variant = shown.variant;
-  return section("modes", "Undamped modes", modes_tables(variant, shown.answers)) +
-      section("roots", "Damped roots", roots_table(variant, shown.answers)) +
+  return section("modes", "Undamped modes", results::answer_html("modes", variant, shown.answers)) +
+      section("roots", "Damped roots", results::answer_html("roots", variant, shown.answers)) +
       section("static", "Static results", static_tables(variant, shown.answers)) +
       section("inputs", "Inputs", input_tables(variant)) + section("checks", "Checks", checks_table(shown));
 }

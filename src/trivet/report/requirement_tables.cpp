@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/report/html_table.h"
+#include "trivet/documents/html_table.h"
 #include "trivet/report/result_tables.h"
 #include "trivet/results/verdict_words.h"
 

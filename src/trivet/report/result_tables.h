@@ -3,20 +3,13 @@
 
 #include <string>
 
-#include "trivet/report/html_table.h"
+#include "trivet/documents/html_table.h"
+#include "trivet/report/in_documents.h"
 #include "trivet/study/answers.h"
 
-/// Tables of the modes, the roots and the answers to constant and harmonic excitations as HTML; empty if the case did
+/// Tables of the answers to constant and harmonic excitations as HTML; empty if the case did
 /// not request them.
 namespace trivet::report {
-
-/// Undamped modes with their energies, and their shapes.
-[[nodiscard]] std::string modes_tables(const project::Case& variant, const study::Answers& answers);
-
-[[nodiscard]] std::string roots_table(const project::Case& variant, const study::Answers& answers);
-
-/// Resonance peaks, and the curves without one.
-[[nodiscard]] std::string peaks_table(const project::Case& variant, const study::Answers& answers);
 
 /// "✓ met", "✗ VIOLATED" or "? NOT JUDGED", and the style of its row.
 [[nodiscard]] Cell requirement_cell(const study::RequirementResult& result);
@@ -27,11 +20,6 @@ namespace trivet::report {
 
 /// Least and largest static values over all cases.
 [[nodiscard]] std::string envelope_table(const study::Envelope& envelope);
-
-[[nodiscard]] std::string limits_table(const project::Case& variant, const study::Answers& answers);
-
-/// A response at a few given frequencies; empty for longer ones, which are only drawn.
-[[nodiscard]] std::string response_table(const project::Case& variant, const study::Answers& answers);
 
 /// Static motions and forces, one row for each place.
 [[nodiscard]] std::string static_tables(const project::Case& variant, const study::Answers& answers);

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "trivet/documents/html_table.h"
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/curve_groups.h"
-#include "trivet/report/html_table.h"
 #include "trivet/report/result_tables.h"
 
 namespace trivet::report {

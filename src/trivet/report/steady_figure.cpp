@@ -5,6 +5,9 @@
 #include <cmath>
 #include <set>
 
+#include "trivet/documents/html_table.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/backbone.h"
@@ -14,11 +17,9 @@
 #include "trivet/report/answer_tables.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
-#include "trivet/report/html_table.h"
-#include "trivet/results/shown_numbers.h"
+#include "trivet/report/in_documents.h"
 #include "trivet/results/steady_changes_text.h"
 #include "trivet/results/steady_kinds.h"
-#include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 
 /// Periodic motions of nonlinear machines.

@@ -6,6 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "trivet/documents/html_table.h"
+#include "trivet/report/in_documents.h"
+
 namespace trivet::report {
 
 struct PixelPoint {
@@ -47,8 +50,5 @@ class SvgCanvas {
   std::string body_;
   std::vector<Break> breaks_;
 };
-
-/// Text escaped for XML and HTML.
-[[nodiscard]] std::string escaped(std::string_view text);
 
 }  // namespace trivet::report

@@ -26,6 +26,12 @@ Json warnings(const foundation::Problems& problems) {
 
 Json curve(const response::Curve& c) { return {{"name", c.name}, {"unit", c.unit}, {"complex", list(c.value)}}; }
 
+Json curves(const std::vector<response::Curve>& list) {
+  Json result = Json::array();
+  for (const response::Curve& one : list) result.push_back(curve(one));
+  return result;
+}
+
 }  // namespace json
 
 namespace {
@@ -81,14 +87,47 @@ const AnswerWriter optimize_results = {
 
 }  // namespace
 
+namespace {
+
+std::vector<AnswerWriter> with_tables(std::vector<AnswerWriter> list) {
+  for (AnswerWriter& writer : list)
+    for (const char* file : writer.files)
+      writer.tables.push_back(
+          {file, [document = writer.document, file](const project::Case& variant, const study::Answers& answers) {
+             return as_csv(document(variant, answers), file);
+           }});
+  return list;
+}
+
+}  // namespace
+
 const std::vector<AnswerWriter>& answer_writers() {
 #define TRIVET_WRITER(name) project::named(#name, name##_results),
-  static const std::vector<AnswerWriter> list = {
-      TRIVET_WRITER(modes) TRIVET_WRITER(roots) TRIVET_WRITER(response) TRIVET_WRITER(peaks) TRIVET_WRITER(static)
-          TRIVET_QUESTIONS(TRIVET_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(measurements) TRIVET_WRITER(map)
-              TRIVET_WRITER(optimize) TRIVET_WRITER(load_sharing)};
+  static const std::vector<AnswerWriter> list = with_tables(
+      {TRIVET_WRITER(modes) TRIVET_WRITER(roots) TRIVET_WRITER(response) TRIVET_WRITER(peaks) TRIVET_WRITER(static)
+           TRIVET_QUESTIONS(TRIVET_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(measurements) TRIVET_WRITER(map)
+               TRIVET_WRITER(optimize) TRIVET_WRITER(load_sharing)});
 #undef TRIVET_WRITER
   return list;
+}
+
+json::Json written_json(const AnswerWriter& writer, const project::Case& variant, const study::Answers& answers) {
+  return writer.document ? as_json(writer.document(variant, answers)) : writer.json(variant, answers);
+}
+
+std::string written_text(const AnswerWriter& writer, const project::Case& variant, const study::Answers& answers,
+                         Form form) {
+  if (writer.document) return as_text(writer.document(variant, answers), variant.display, form);
+  return (form == in_summary && writer.summary ? writer.summary : writer.text)(variant, answers);
+}
+
+Single warnings_part(const study::Answers& answers) {
+  return {.name = "warnings", .value = json::warnings(answers.warnings)};
+}
+
+Sentence excited_part(const project::Case& variant, const std::string& question) {
+  const std::string line = excited_at_once(variant, question);
+  return {.parts = {line.substr(0, line.find('\n'))}, .forms = on_screen | on_page};
 }
 
 namespace {
@@ -104,7 +143,7 @@ const AnswerWriter& writer_of(const std::string& question) {
 }  // namespace
 
 std::string answer_json(const std::string& question, const project::Case& variant, const study::Answers& answers) {
-  return json::text(writer_of(question).json(variant, answers), 1) + "\n";
+  return json::text(written_json(writer_of(question), variant, answers), 1) + "\n";
 }
 
 std::string answer_csv(const std::string& question, const project::Case& variant, const study::Answers& answers) {
@@ -112,14 +151,21 @@ std::string answer_csv(const std::string& question, const project::Case& variant
 }
 
 std::string answer_text(const std::string& question, const project::Case& variant, const study::Answers& answers) {
-  return writer_of(question).text(variant, answers);
+  return written_text(writer_of(question), variant, answers, on_screen);
+}
+
+std::string answer_html(const std::string& question, const project::Case& variant, const study::Answers& answers) {
+  const AnswerWriter& writer = writer_of(question);
+  return writer.is_there(variant, answers) ? as_html(writer.document(variant, answers), variant.display) : "";
 }
 
 const std::vector<AnswerTable>& answer_tables(const std::string& question) { return writer_of(question).tables; }
 
 LabelledArrays answer_arrays(const std::string& question, const project::Case& variant, const study::Answers& answers) {
   LabelledArrays list;
-  writer_of(question).arrays(variant, answers, list);
+  const AnswerWriter& writer = writer_of(question);
+  if (writer.document) add_arrays(writer.document(variant, answers), list);
+  else writer.arrays(variant, answers, list);
   return list;
 }
 
@@ -135,7 +181,7 @@ std::string answers_summary(const project::Case& variant, const study::Answers& 
   std::string text;
   for (const AnswerWriter& writer : answer_writers()) {
     if (!writer.is_there(variant, answers)) continue;
-    const std::string one = (writer.summary ? writer.summary : writer.text)(variant, answers);
+    const std::string one = written_text(writer, variant, answers, in_summary);
     if (!one.empty()) text += one + "\n";
   }
   return text;

@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
+#include "trivet/documents/csv_field.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/backbone.h"
 #include "trivet/results/answer_writer.h"
-#include "trivet/results/csv_field.h"
 #include "trivet/results/motion_numbers.h"
-#include "trivet/results/shown_numbers.h"
 #include "trivet/results/steady_kinds.h"
-#include "trivet/results/text_table.h"
 
 /// Nonlinear modes.
 namespace trivet::results {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/element_text.h"
+#include "trivet/results/in_documents.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +10,11 @@
 #include <optional>
 #include <variant>
 
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/results/law_words.h"
-#include "trivet/results/shown_numbers.h"
-#include "trivet/results/text_table.h"
 
 namespace trivet::results {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/documents/csv_field.h"
 #include "trivet/foundation/index.h"
-#include "trivet/results/csv_field.h"
 #include "trivet/results/json_parts.h"
 #include "trivet/study/explanation.h"
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/documents/csv_field.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/results/axis_words.h"
-#include "trivet/results/csv_field.h"
 #include "trivet/results/json_parts.h"
-#include "trivet/results/text_table.h"
 
 namespace trivet::results {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <optional>
 
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/nonlinear/stable_motions.h"
 #include "trivet/nonlinear/steady_branch.h"
-#include "trivet/results/shown_numbers.h"
 #include "trivet/results/steady_changes_text.h"
 #include "trivet/results/varied_parameter.h"
 

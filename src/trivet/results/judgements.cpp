@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/documents/text_table.h"
 #include "trivet/nonlinear/backbone.h"
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/results/map_verdicts.h"
-#include "trivet/results/text_table.h"
 #include "trivet/results/verdict_words.h"
 #include "trivet/study/optimization.h"
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/law_words.h"
+#include "trivet/results/in_documents.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <variant>
 
-#include "trivet/results/text_table.h"
+#include "trivet/documents/text_table.h"
 
 namespace trivet::results {
 namespace {

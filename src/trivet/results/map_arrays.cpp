@@ -2,10 +2,10 @@
 #include <cmath>
 #include <functional>
 
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/axis_words.h"
-#include "trivet/results/text_table.h"
 
 /// The grid, the rules and the boundary of a map as arrays.
 namespace trivet::results {

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "trivet/documents/csv_field.h"
 #include "trivet/results/axis_words.h"
-#include "trivet/results/csv_field.h"
 #include "trivet/results/json_parts.h"
 #include "trivet/results/map_verdicts.h"
 

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/map_text.h"
+#include "trivet/results/in_documents.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/documents/text_table.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/distinct_texts.h"
 #include "trivet/results/map_summary.h"
 #include "trivet/results/map_verdicts.h"
-#include "trivet/results/text_table.h"
 
 namespace trivet::results {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "trivet/documents/csv_field.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/results/answer_writer.h"
-#include "trivet/results/csv_field.h"
-#include "trivet/results/shown_numbers.h"
-#include "trivet/results/text_table.h"
 
 /// Measured curves and mode shapes compared with computed ones.
 namespace trivet::results {

@@ -35,6 +35,12 @@ std::string optimization_json(const Optimization& found, const foundation::Probl
   return json::text(result, 1) + "\n";
 }
 
+json::Json json::differenced(const std::vector<std::string>& kinds, std::size_t evaluations) {
+  Json list = Json::array();
+  for (const std::string& kind : kinds) list.push_back({{"requirement", kind}, {"evaluations", evaluations}});
+  return list;
+}
+
 json::Json json::optimization(const Optimization& found) {
   const auto number = [](double value) { return json::number(value); };
   const bool cheapest = found.mounts && found.mounts->price;

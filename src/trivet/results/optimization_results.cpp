@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/optimization_results.h"
+#include "trivet/results/in_documents.h"
 
 #include <fmt/format.h>
 
@@ -8,13 +9,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "trivet/documents/csv_field.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/price.h"
 #include "trivet/results/axis_words.h"
-#include "trivet/results/csv_field.h"
 #include "trivet/results/selection_results.h"
-#include "trivet/results/text_table.h"
 #include "trivet/results/verdict_words.h"
 
 namespace trivet::results {

@@ -155,7 +155,7 @@ Json case_json(const project::Case& variant, const study::Answers& answers) {
     if (!writer.is_there(variant, answers)) continue;
     const std::string name = writer.name;
     if (name == "response") result["band"] = {answers.response->band.from, answers.response->band.to};
-    result[name] = writer.json(variant, answers);
+    result[name] = written_json(writer, variant, answers);
   }
   return result;
 }

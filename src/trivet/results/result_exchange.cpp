@@ -17,7 +17,7 @@
 namespace trivet::results {
 namespace {
 
-using Kind = foundation::FolderHandle::Kind;
+using EntryKind = foundation::FolderHandle::Kind;
 
 constexpr const char* manifest_of_both = "manifest-of-both.json";  // only in the folder of the new result
 
@@ -44,8 +44,8 @@ void put_in_place(const std::string& path, const ResultExchange& exchange, std::
   const Place place(path);
   foundation::FolderHandle from_inner, to_inner;
   if (!place.folder.empty()) {
-    const Kind kind = exchange.current.kind(place.folder);
-    if (kind != Kind::none && kind != Kind::folder)
+    const EntryKind kind = exchange.current.kind(place.folder);
+    if (kind != EntryKind::none && kind != EntryKind::folder)
       put_aside(place.folder, exchange.current, place.folder, false, notes);
     from_inner = exchange.next.folder(place.folder);
     to_inner = exchange.current.made_folder(place.folder);
@@ -53,8 +53,8 @@ void put_in_place(const std::string& path, const ResultExchange& exchange, std::
   }
   const foundation::FolderHandle& from = place.folder.empty() ? exchange.next : from_inner;
   const foundation::FolderHandle& to = place.folder.empty() ? exchange.current : to_inner;
-  const bool free = to.kind(place.name) == Kind::none ||
-      (to.kind(place.name) == Kind::file && exchange.ours.is_ours(path, to, place.name));
+  const bool free = to.kind(place.name) == EntryKind::none ||
+      (to.kind(place.name) == EntryKind::file && exchange.ours.is_ours(path, to, place.name));
   if (!free) put_aside(path, to, place.name, exchange.ours.names(path), notes);
   require(renameat(from.descriptor(), place.name.c_str(), to.descriptor(), place.name.c_str()) == 0, path);
 }
@@ -64,7 +64,7 @@ void remove_from(const foundation::FolderHandle& current, const std::string& pat
   const foundation::FolderHandle inner =
       place.folder.empty() ? foundation::FolderHandle() : current.folder(place.folder);
   const foundation::FolderHandle& folder = place.folder.empty() ? current : inner;
-  if (folder.kind(place.name) == Kind::file && ours.is_ours(path, folder, place.name))
+  if (folder.kind(place.name) == EntryKind::file && ours.is_ours(path, folder, place.name))
     unlinkat(folder.descriptor(), place.name.c_str(), 0);
   if (!place.folder.empty())
     unlinkat(current.descriptor(), place.folder.c_str(), AT_REMOVEDIR);  // fails if the user has files in it

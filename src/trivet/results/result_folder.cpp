@@ -21,7 +21,7 @@ namespace trivet::results {
 namespace {
 
 namespace fs = std::filesystem;
-using Kind = foundation::FolderHandle::Kind;
+using FileKind = foundation::FolderHandle::Kind;
 
 constexpr const char* advice = "choose another folder with -o";
 
@@ -60,7 +60,7 @@ ResultManifest earlier_result(const foundation::FolderHandle& folder, const fs::
 }
 
 /// Kind of the file or folder at the target. @throws std::runtime_error for an error of the system
-Kind kind_at(const foundation::FolderHandle& parent, const fs::path& target) {
+FileKind kind_at(const foundation::FolderHandle& parent, const fs::path& target) {
   struct stat status;
   if (fstatat(parent.descriptor(), target.filename().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 && errno != ENOENT)
     refuse_writing(target, std::strerror(errno));
@@ -124,19 +124,19 @@ void ResultFolder::remove_parents() {
 
 void ResultFolder::check(const foundation::FolderHandle& parent, const std::vector<std::string>& folders) {
   const FolderLock lock(parent, target_.parent_path());
-  const Kind kind = kind_at(parent, target_);
-  if (kind == Kind::none) return;
-  if (kind == Kind::link) refuse(target_, "is a symbolic link, which is neither followed nor replaced");
-  if (kind != Kind::folder) refuse(target_, fmt::format("is {}, not a folder", kind_name(kind)));
+  const FileKind kind = kind_at(parent, target_);
+  if (kind == FileKind::none) return;
+  if (kind == FileKind::link) refuse(target_, "is a symbolic link, which is neither followed nor replaced");
+  if (kind != FileKind::folder) refuse(target_, fmt::format("is {}, not a folder", kind_name(kind)));
   const foundation::FolderHandle current = parent.folder(target_.filename().string());
   const ResultManifest ours = earlier_result(current, target_);
   for (const char* name : {"results.json", "report.html", manifest_name}) {
-    const Kind found = current.kind(name);
-    if (found != Kind::none && (found != Kind::file || !ours.names(name)))
+    const FileKind found = current.kind(name);
+    if (found != FileKind::none && (found != FileKind::file || !ours.names(name)))
       refuse(target_ / name, fmt::format("is {} not written by trivet, and its name is needed", kind_name(found)));
   }
   for (const std::string& name : folders)
-    if (const Kind found = current.kind(name); found != Kind::none && found != Kind::folder)
+    if (const FileKind found = current.kind(name); found != FileKind::none && found != FileKind::folder)
       refuse(target_ / name, fmt::format("is {}, but the result needs a folder of this name", kind_name(found)));
   one_by_one_ = is_mount_point(current, parent);
 }
@@ -160,11 +160,11 @@ std::vector<std::string> ResultFolder::publish() {
   const FolderLock lock(parent, target_.parent_path());
   const foundation::Undisturbed step;
   std::vector<std::string> notes;
-  const Kind kind = kind_at(parent, target_);
-  if (kind == Kind::none && renameat(temporary.descriptor(), new_result, parent.descriptor(), name.c_str()) != 0)
+  const FileKind kind = kind_at(parent, target_);
+  if (kind == FileKind::none && renameat(temporary.descriptor(), new_result, parent.descriptor(), name.c_str()) != 0)
     throw std::runtime_error(fmt::format("cannot create {}: {}", target_.string(), std::strerror(errno)));
-  if (kind != Kind::none) {
-    if (kind != Kind::folder) refuse(target_, fmt::format("has become {}", kind_name(kind)));
+  if (kind != FileKind::none) {
+    if (kind != FileKind::folder) refuse(target_, fmt::format("has become {}", kind_name(kind)));
     const foundation::FolderHandle current = parent.folder(name);
     const ResultManifest ours = earlier_result(current, target_);
     const ResultExchange exchange{current, ours, working_, manifest_};

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/price.h"
 #include "trivet/response/machinery/transmissibility.h"
 #include "trivet/results/json_parts.h"
-#include "trivet/results/text_table.h"
 
 namespace trivet::results {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/documents/csv_field.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/response/machinery/deflection_shape.h"
 #include "trivet/results/answer_writer.h"
-#include "trivet/results/csv_field.h"
-#include "trivet/results/shown_numbers.h"
-#include "trivet/results/text_table.h"
 
 /// Operating deflection shapes.
 namespace trivet::results {
@@ -111,9 +111,15 @@ void shapes_arrays(const project::Case&, const study::Answers& answers, Labelled
 
 }  // namespace
 
+void add_motion_coordinates(Document& document) {
+  document.add(Words{.axis = "coordinate", .list = {model::coordinate_names.begin(), model::coordinate_names.end()}});
+  document.add(Words{.axis = "coordinate", .list = {"m", "m", "m", "rad", "rad", "rad"}, .name = "coordinate.unit"});
+}
+
 void add_motion_coordinates(LabelledArrays& list) {
-  list.texts("coordinate", "coordinate", {model::coordinate_names.begin(), model::coordinate_names.end()});
-  list.texts("coordinate.unit", "coordinate", {"m", "m", "m", "rad", "rad", "rad"});
+  Document coordinates;
+  add_motion_coordinates(coordinates);
+  add_arrays(coordinates, list);
 }
 
 const AnswerWriter shapes_results = {

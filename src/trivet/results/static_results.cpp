@@ -5,12 +5,12 @@
 #include <cmath>
 #include <string>
 
+#include "trivet/documents/csv_field.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/results/answer_writer.h"
-#include "trivet/results/csv_field.h"
-#include "trivet/results/shown_numbers.h"
-#include "trivet/results/text_table.h"
 
-/// Static displacements and forces, and the load on each mount.
+/// Static displacements and forces.
 namespace trivet::results {
 namespace json {
 namespace {
@@ -31,17 +31,6 @@ Json statics(const project::Case&, const study::Answers& answers) {
   return result;
 }
 
-Json load_sharing(const project::Case&, const study::Answers& answers) {
-  Json mounts = Json::array();
-  for (const response::MountLoad& m : answers.load_sharing->mounts)
-    mounts.push_back({{"element", m.element},
-                      {"force", list(m.force)},
-                      {"bearing", m.bearing},
-                      {"share", m.share},
-                      {"deflection", list(m.deflection)}});
-  return {{"mounts", std::move(mounts)}, {"bearing_in_total", answers.load_sharing->bearing_in_total}};
-}
-
 }  // namespace
 }  // namespace json
 
@@ -52,33 +41,6 @@ std::string static_csv(const project::Case&, const study::Answers& answers) {
   for (const response::StaticValue& value : answers.statics->values)
     text += fmt::format("{},{},{}\n", csv_field(value.name), csv_field(value.unit), csv_number(value.value));
   return text;
-}
-
-std::string load_sharing_csv(const project::Case&, const study::Answers& answers) {
-  std::string text = "element,bearing [N],share,deflection x [m],deflection y [m],deflection z [m]\n";
-  for (const response::MountLoad& m : answers.load_sharing->mounts)
-    text += fmt::format("{},{},{},{},{},{}\n", csv_field(m.element), csv_number(m.bearing), csv_number(m.share),
-                        csv_number(m.deflection(0)), csv_number(m.deflection(1)), csv_number(m.deflection(2)));
-  return text;
-}
-
-std::string load_sharing_text(const study::Answers& answers) {
-  const DisplayUnit force = display_unit(answers.display, "N"), length = display_unit(answers.display, "m");
-  const std::string in_length = " [" + length.unit + "]";
-  TextTable table(
-      {"mount", "load [" + force.unit + "]", "share", "deflection x" + in_length, "y" + in_length, "z" + in_length});
-  LargestOfKind largest;
-  for (const response::MountLoad& m : answers.load_sharing->mounts) {
-    largest.add("N", m.bearing);
-    for (const double deflection : m.deflection) largest.add("m", deflection);
-  }
-  for (const response::MountLoad& m : answers.load_sharing->mounts) {
-    std::vector<std::string> row = {m.element, number_text(largest.shown("N", m.bearing) * force.factor),
-                                    percent(m.share)};
-    for (int j = 0; j < 3; ++j) row.push_back(number_text(largest.shown("m", m.deflection(j)) * length.factor, 4));
-    table.add(row);
-  }
-  return "Load sharing (deflection of end K relative to N in the element's axes)\n" + table.text();
 }
 
 /// Deflections of the nonlinear parts in every position of rest.
@@ -128,19 +90,6 @@ void static_arrays(const project::Case&, const study::Answers& answers, Labelled
   }
 }
 
-void load_sharing_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
-  using response::MountLoad;
-  const std::vector<MountLoad>& mounts = answers.load_sharing->mounts;
-  list.texts("element", "element", mounts, &MountLoad::element);
-  list.field("bearing", "N", "element", mounts, &MountLoad::bearing);
-  list.field("share", "1", "element", mounts, &MountLoad::share);
-  list.texts("direction", "direction", {"x", "y", "z"});
-  list.lists("force", "N", {"element", "direction"}, 3, mounts, &MountLoad::force);
-  add_motion_coordinates(list);
-  list.lists("deflection", unit_of_the_row, {"element", "coordinate"}, 6, mounts, &MountLoad::deflection);
-  list.value("bearing_in_total", "N", answers.load_sharing->bearing_in_total);
-}
-
 }  // namespace
 
 const AnswerWriter static_results = {
@@ -149,14 +98,6 @@ const AnswerWriter static_results = {
     .tables = {{"static.csv", static_csv}},
     .text = static_text,
     .arrays = static_arrays,
-};
-
-const AnswerWriter load_sharing_results = {
-    .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.load_sharing.has_value(); },
-    .json = json::load_sharing,
-    .tables = {{"load_sharing.csv", load_sharing_csv}},
-    .text = [](const project::Case&, const study::Answers&) { return std::string(); },
-    .arrays = load_sharing_arrays,
 };
 
 }  // namespace trivet::results

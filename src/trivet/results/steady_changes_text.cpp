@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/steady_changes_text.h"
+#include "trivet/results/in_documents.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +9,10 @@
 #include <optional>
 #include <utility>
 
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/nonlinear/stable_motions.h"
-#include "trivet/results/shown_numbers.h"
-#include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 
 namespace trivet::results {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/steady_harmonics.h"
+#include "trivet/results/in_documents.h"
 
 #include <fmt/format.h>
 
@@ -8,13 +9,13 @@
 #include <complex>
 #include <vector>
 
+#include "trivet/documents/csv_field.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/results/csv_field.h"
-#include "trivet/results/shown_numbers.h"
 #include "trivet/results/steady_changes_text.h"
 #include "trivet/results/steady_kinds.h"
-#include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 
 namespace trivet::results {

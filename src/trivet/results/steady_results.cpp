@@ -4,19 +4,19 @@
 #include <algorithm>
 #include <utility>
 
+#include "trivet/documents/csv_field.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/nonlinear/stable_motions.h"
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/results/answer_writer.h"
-#include "trivet/results/csv_field.h"
 #include "trivet/results/motion_numbers.h"
-#include "trivet/results/shown_numbers.h"
 #include "trivet/results/steady_changes_text.h"
 #include "trivet/results/steady_harmonics.h"
 #include "trivet/results/steady_kinds.h"
-#include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 #include "trivet/results/written_answers.h"
 

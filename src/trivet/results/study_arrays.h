@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "trivet/results/labelled_arrays.h"
+#include "trivet/documents/labelled_arrays.h"
+#include "trivet/results/in_documents.h"
 #include "trivet/study/design_sweep.h"
 #include "trivet/study/linear_system.h"
 #include "trivet/study/system_matrices.h"

@@ -7,15 +7,16 @@
 #include <cmath>
 #include <iterator>
 
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/message_list.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/highest_peak.h"
+#include "trivet/results/in_documents.h"
 #include "trivet/results/judgements.h"
 #include "trivet/results/map_summary.h"
 #include "trivet/results/optimization_results.h"
-#include "trivet/results/shown_numbers.h"
-#include "trivet/results/text_table.h"
 #include "trivet/study/design_front.h"
 #include "trivet/study/optimization.h"
 

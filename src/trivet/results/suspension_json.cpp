@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "trivet/documents/csv_field.h"
 #include "trivet/foundation/index.h"
-#include "trivet/results/csv_field.h"
 #include "trivet/results/json_parts.h"
 
 namespace trivet::results {

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/suspension_text.h"
+#include "trivet/results/in_documents.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/motion_words.h"
-#include "trivet/results/shown_numbers.h"
-#include "trivet/results/text_table.h"
 
 namespace trivet::results {
 namespace {

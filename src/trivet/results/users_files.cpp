@@ -13,7 +13,7 @@
 namespace trivet::results {
 namespace {
 
-using Kind = foundation::FolderHandle::Kind;
+using FileKind = foundation::FolderHandle::Kind;
 
 constexpr std::size_t longest_stem = 200, longest_extension = 30;  // names have at most 255 bytes
 constexpr int most_kept = 10000;
@@ -41,7 +41,7 @@ std::string kept_name(const std::string& name, const foundation::FolderHandle& o
   for (int i = 1; i <= most_kept; ++i) {
     const std::string free =
         fmt::format("{}.kept-{}{}", stem, i, extension.size() > longest_extension ? "" : extension);
-    if (one.kind(free) == Kind::none && other.kind(free) == Kind::none) return free;
+    if (one.kind(free) == FileKind::none && other.kind(free) == FileKind::none) return free;
   }
   throw std::runtime_error(fmt::format("{}: found no free name to keep it under; move it away", name));
 }
@@ -60,19 +60,19 @@ bool UsersFiles::link(const std::string& path, const foundation::FolderHandle& f
   if (!from.is_open() || !to.is_open()) return false;  // no permission to read it: the other method reports the path
   for (const std::string& name : from.names()) {
     const std::string whole = inside(path, name);
-    const Kind kind = from.kind(name);
-    if (kind == Kind::folder && to.kind(name) == Kind::folder) {  // in both: a case of both results
+    const FileKind kind = from.kind(name);
+    if (kind == FileKind::folder && to.kind(name) == FileKind::folder) {  // in both: a case of both results
       if (!link(whole, from.folder(name), to.folder(name))) return false;
       continue;
     }
-    if (kind == Kind::file && ours_.is_ours(whole, from, name)) continue;
+    if (kind == FileKind::file && ours_.is_ours(whole, from, name)) continue;
     std::string new_name = name;
-    if (to.kind(name) != Kind::none) {
+    if (to.kind(name) != FileKind::none) {
       new_name = kept_name(name, from, to);
       notes_.push_back(kept_words(whole, new_name, ours_.names(whole)));
       new_names_[whole] = new_name;
     }
-    const bool done = kind == Kind::folder
+    const bool done = kind == FileKind::folder
         ? link_folder(whole, new_name, from.folder(name), to)
         : linkat(from.descriptor(), name.c_str(), to.descriptor(), new_name.c_str(), 0) == 0;
     if (!done) return false;
@@ -103,21 +103,21 @@ bool UsersFiles::move(const std::string& path, const foundation::FolderHandle& f
     const std::string whole = inside(path, name);
     const auto renamed = new_names_.find(whole);
     const std::string new_name = renamed == new_names_.end() ? name : renamed->second;
-    const Kind kind = from.kind(name);
-    if (kind == Kind::folder && to.kind(new_name) == Kind::folder) {
+    const FileKind kind = from.kind(name);
+    if (kind == FileKind::folder && to.kind(new_name) == FileKind::folder) {
       complete = move(whole, from.folder(name), to.folder(new_name)) && complete;
       continue;
     }
     const bool done_with =
-        (kind == Kind::file && ours_.is_ours(whole, from, name)) || from.is_same_file(name, to, new_name);
-    if (done_with || (kind == Kind::folder && ours_.names_folder(whole) && from.folder(name).names().empty())) continue;
-    if (kind == Kind::folder && ours_.names_folder(whole)) {
+        (kind == FileKind::file && ours_.is_ours(whole, from, name)) || from.is_same_file(name, to, new_name);
+    if (done_with || (kind == FileKind::folder && ours_.names_folder(whole) && from.folder(name).names().empty())) continue;
+    if (kind == FileKind::folder && ours_.names_folder(whole)) {
       complete = move(whole, from.folder(name), to.made_folder(name)) && complete;
       if (to.folder(name).names().empty()) unlinkat(to.descriptor(), name.c_str(), AT_REMOVEDIR);
       continue;
     }
     std::string free = new_name;
-    if (to.kind(free) != Kind::none) {
+    if (to.kind(free) != FileKind::none) {
       free = kept_name(name, from, to);
       notes_.push_back(kept_words(whole, free, ours_.names(whole)));
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/varied_parameter.h"
+#include "trivet/results/in_documents.h"
 
 #include <fmt/format.h>
 
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
-#include "trivet/results/text_table.h"
 
 namespace trivet::results {
 

@@ -3,8 +3,9 @@
 
 #include <string>
 
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/nonlinear/steady_branch.h"
-#include "trivet/results/shown_numbers.h"
+#include "trivet/results/in_documents.h"
 
 /// Words and numbers of what is varied along steady motions: frequency of the excitation, speed of a shaft, or load.
 namespace trivet::results {

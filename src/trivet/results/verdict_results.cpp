@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "trivet/results/csv_field.h"
+#include "trivet/documents/csv_field.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/results/json_parts.h"
-#include "trivet/results/shown_numbers.h"
-#include "trivet/results/text_table.h"
 #include "trivet/results/verdict_words.h"
 
 namespace trivet::results {

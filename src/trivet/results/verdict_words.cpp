@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/verdict_words.h"
+#include "trivet/results/in_documents.h"
 
 #include <fmt/format.h>
 
@@ -7,9 +8,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/response/machinery/transmissibility.h"
-#include "trivet/results/shown_numbers.h"
-#include "trivet/results/text_table.h"
 #include "trivet/study/explanation.h"
 
 namespace trivet::results {

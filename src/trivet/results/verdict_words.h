@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "trivet/results/shown_numbers.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/results/in_documents.h"
 #include "trivet/study/verdict.h"
 
 /// A verdict in words, for the screen and the report.

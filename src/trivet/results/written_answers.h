@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "trivet/results/labelled_arrays.h"
+#include "trivet/documents/labelled_arrays.h"
+#include "trivet/results/in_documents.h"
 #include "trivet/study/answers.h"
 
 /// Answers as JSON and CSV (docs/json.md) and as text, by the name of their question in [analyses]; their table is in
@@ -18,10 +20,14 @@ namespace trivet::results {
 [[nodiscard]] std::string answer_text(const std::string& question, const project::Case& variant,
                                       const study::Answers& answers);
 
+/// Its tables and sentences for the page; empty if the case has no such answer. Only for answers with a document.
+[[nodiscard]] std::string answer_html(const std::string& question, const project::Case& variant,
+                                      const study::Answers& answers);
+
 /// A table in a result folder.
 struct AnswerTable {
   const char* file;  ///< "random.csv"
-  std::string (*csv)(const project::Case& variant, const study::Answers& answers);
+  std::function<std::string(const project::Case& variant, const study::Answers& answers)> csv;
 };
 /// The tables of an answer; `answer_csv` is the first one.
 [[nodiscard]] const std::vector<AnswerTable>& answer_tables(const std::string& question);
@@ -44,7 +50,7 @@ struct AnswerFile {
 [[nodiscard]] std::string excited_at_once(const project::Case& variant, const std::string& question);
 [[nodiscard]] std::string excited_at_once(const std::vector<std::string>& names);
 
-[[nodiscard]] std::string limits_text(const study::Answers& answers);
-[[nodiscard]] std::string limit_lines_text(const study::Answers& answers);
+/// The limits on the response for the page; empty without limits.
+[[nodiscard]] std::string limits_html(const study::Answers& answers);
 
 }  // namespace trivet::results

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/results/labelled_arrays.h"
+#include "trivet/documents/labelled_arrays.h"
+#include "trivet/results/in_documents.h"
 
 #include <gmock/gmock.h>
 

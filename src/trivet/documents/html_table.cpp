@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/documents/html_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace trivet::documents {
+namespace {
+
+constexpr std::size_t tall_from = 19;  // rows; from this number on the table scrolls
+
+const char* class_of(Tone tone) {
+  return tone == Tone::bad ? "bad" : tone == Tone::good ? "good" : tone == Tone::doubt ? "unsure" : "quiet";
+}
+
+std::string content(const Cell& c) {
+  const std::string text = c.html ? c.text : escaped(c.text);
+  return c.tone == Tone::plain ? text : fmt::format("<span class=\"{}\">{}</span>", class_of(c.tone), text);
+}
+
+std::string table_cell(const Cell& c) {
+  return fmt::format("<td{}{}>{}</td>", c.number ? " class=\"number\"" : "",
+                     c.columns > 1 ? fmt::format(" colspan=\"{}\"", c.columns) : "", content(c));
+}
+
+/// A heading whose unit stays on one line with the word before it.
+std::string heading(const Cell& c) {
+  std::string text;
+  bool in_unit = false;
+  for (std::size_t i = 0; i < c.text.size(); ++i) {
+    if (c.text[i] == '[' || c.text.compare(i, 2, " [") == 0) in_unit = true;
+    else if (c.text[i] == ']') in_unit = false;
+    text += in_unit && c.text[i] == ' ' ? "\u00a0" : std::string(1, c.text[i]);
+  }
+  return fmt::format("<th scope=\"col\"{}>{}</th>", c.number ? " class=\"number\"" : "", escaped(text));
+}
+
+}  // namespace
+
+Cell quantity_cell(double value, const std::string& unit) {
+  if (!std::isfinite(value)) return {"∞", true};
+  const UnitPrefix prefix = unit_prefix(std::abs(value), unit);
+  return {fmt::format("{:.4g}\u00a0{}", value * prefix.factor, prefix.unit), true};
+}
+
+Cell quantity_cell(double value, const DisplayUnit& unit) {
+  if (!std::isfinite(value)) return {"∞", true};
+  const UnitPrefix prefix = unit_prefix(std::abs(value), unit);
+  return {fmt::format("{:.4g}\u00a0{}", value * prefix.factor, prefix.unit), true};
+}
+
+Cell aligned_quantity_cell(double value, const DisplayUnit& unit) {
+  if (!std::isfinite(value)) return {"∞", true};
+  const UnitPrefix prefix = unit_prefix(std::abs(value), unit);
+  return {aligned_number(value * prefix.factor) + "\u00a0" + prefix.unit, true};
+}
+
+Cell number_cell(double value, int digits) {
+  return {std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "∞", true};
+}
+
+std::string aligned_number(double value, int digits) {
+  if (!std::isfinite(value)) return "–";
+  if (value == 0) return "0";
+  std::string text = fmt::format("{:#.{}g}", value, digits);
+  // fmt writes one zero after the point of a number that needs none: "1116.0" with four digits.
+  const std::size_t point = text.find('.'), first = text.find_first_of("123456789");
+  if (first < point && point - first >= static_cast<std::size_t>(digits)) text.erase(point, text.find('e') - point);
+  return text;
+}
+
+Cell aligned_cell(double value, int digits) { return {aligned_number(value, digits), true}; }
+
+Cell right(std::string text) { return {std::move(text), true}; }
+
+std::string percent_words(double share) {
+  const double percent = 100 * share;
+  return fmt::format("{:.1f}\u00a0%", std::abs(percent) < 0.05 ? 0 : percent);
+}
+
+Cell percent_cell(double share) { return right(std::isfinite(share) ? percent_words(share) : "∞"); }
+
+Cell frequency_cell(double angular_frequency, const project::ShownUnits& display) {
+  return number_cell(shown_frequency(display, angular_frequency), 5);
+}
+
+Cell frequency_cell_heading(const std::string& words, const project::ShownUnits& display) {
+  return right(words + " [" + frequency_unit(display) + "]");
+}
+
+void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::ShownUnits& display) {
+  for (const std::string& unit : frequency_units(display))
+    row.push_back(aligned_cell(shown_frequency(display, angular_frequency, unit), 6));
+}
+
+void add_frequency_headings(std::vector<Cell>& row, const project::ShownUnits& display) {
+  for (const std::string& unit : frequency_units(display)) row.push_back(right(frequency_heading(display, unit)));
+}
+
+Cell verdict_cell(bool passed, const std::string& yes, const std::string& no) {
+  return {passed ? "✓ " + yes : "✗ " + no, false, passed ? Tone::good : Tone::bad};
+}
+
+Cell missing_verdict_cell(const std::string& words) { return {"? " + words, false, Tone::doubt}; }
+
+Cell html_cell(std::string html) { return {std::move(html), false, Tone::plain, 1, true}; }
+
+std::string section(const std::string& style, const std::string& title, const std::string& html) {
+  return html.empty() ? ""
+                      : fmt::format("<section class=\"{}\"><h2>{}</h2>\n{}</section>\n", style, escaped(title), html);
+}
+
+std::string hint(const std::string& text) { return paragraph(text, "hint"); }
+
+std::string paragraph(const std::string& text, const std::string& style) {
+  return fmt::format("<p{}>{}</p>\n", style.empty() ? "" : " class=\"" + style + "\"", escaped(text));
+}
+
+std::string folded(const std::string& title, const std::string& html) {
+  return "<details><summary>" + escaped(title) + "</summary>" + html + "</details>\n";
+}
+
+std::string html_table(const std::vector<Cell>& headings, const std::vector<Row>& rows, const std::string& style) {
+  std::string html =
+      fmt::format("<div class=\"scroll{}\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table{}><thead><tr>",
+                  rows.size() >= tall_from ? " tall" : "", style.empty() ? "" : " class=\"" + style + "\"");
+  for (const Cell& each : headings) html += heading(each);
+  html += "</tr></thead><tbody>";
+  for (const Row& row : rows) {
+    html += row.style.empty() ? "<tr>" : "<tr class=\"" + row.style + "\">";
+    for (const Cell& each : row.cells) html += table_cell(each);
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows) {
+  std::vector<Row> plain;
+  for (const auto& cells : rows) plain.push_back({cells, ""});
+  return html_table(headings, plain);
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace trivet::documents

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/documents/table.h"
+
+#include <algorithm>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::documents {
+namespace {
+
+const Column& column_of(const Table& table, const std::string& name, unsigned form) {
+  const auto found = std::ranges::find_if(
+      table.columns, [&](const Column& column) { return column.name == name && (column.forms & form); });
+  if (found == table.columns.end()) throw foundation::InvalidInput("the table has no column \"" + name + "\"");
+  return *found;
+}
+
+}  // namespace
+
+std::vector<UsedColumn> used_columns(const Table& table, const std::vector<Use>& uses, unsigned form) {
+  std::vector<UsedColumn> used;
+  if (uses.empty()) {
+    for (const Column& column : table.columns)
+      if (column.forms & form) used.push_back({column.name, &column, column.unit});
+    return used;
+  }
+  for (const Use& use : uses) {
+    const std::size_t bracket = use.column.find(" [");
+    const Column& column = column_of(table, use.column.substr(0, bracket), form);
+    const bool other = use.column.ends_with(" [Hz]") || use.column.ends_with(" [rpm]");
+    used.push_back(
+        {use.name, &column, other ? use.column.substr(bracket + 2, use.column.size() - bracket - 3) : column.unit});
+  }
+  return used;
+}
+
+double converted(double value, const std::string& from, const std::string& to) {
+  if (from != "rad/s" || from == to) return value;
+  if (to == "Hz") return value / foundation::two_pi;
+  return to == "rpm" ? value * 60 / foundation::two_pi : value;
+}
+
+Json value_of(const UsedColumn& used, std::size_t row) {
+  Json value = used.column->value(row);
+  if (value.is_number_float() && used.unit != used.column->unit)
+    return converted(value.get<double>(), used.column->unit, used.unit);
+  return value;
+}
+
+std::string unit_in_row(const Table& table, const Column& column, std::size_t row) {
+  const bool own = column.unit.starts_with('@');
+  if (!own && column.unit != unit_of_the_row) return column.unit;
+  return column_of(table, own ? column.unit.substr(1) : "unit", everywhere).value(row).get<std::string>();
+}
+
+}  // namespace trivet::documents

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include "trivet/documents/shown_numbers.h"
+
+namespace shown_numbers_test {
+
+using namespace trivet;
+
+constexpr double inch = 0.0254;
+
+project::ShownUnits inches_peak_to_peak() {
+  project::ShownUnits display;
+  display.length = "in";
+  display.level = project::Level::peak_to_peak;
+  return display;
+}
+
+TEST(ShownNumbers, OnlyHarmonicAmplitudesHaveALevel) {
+  const documents::DisplayUnit amplitude = documents::amplitude_unit(inches_peak_to_peak(), "m");
+  EXPECT_EQ(amplitude.label(), "in p-p");
+  EXPECT_NEAR(amplitude.factor, 2 / inch, 1e-12 / inch);
+  const documents::DisplayUnit at_rest = documents::display_unit(inches_peak_to_peak(), "m");
+  EXPECT_EQ(at_rest.label(), "in");
+  EXPECT_NEAR(at_rest.factor, 1 / inch, 1e-12 / inch);
+}
+
+TEST(ShownNumbers, ARatioStays) {
+  const documents::DisplayUnit ratio = documents::amplitude_unit(inches_peak_to_peak(), "1");
+  EXPECT_EQ(ratio.label(), "1");
+  EXPECT_EQ(ratio.factor, 1);
+}
+
+TEST(ShownNumbers, OnlySiUnitsGetAPrefix) {
+  const project::ShownUnits display = inches_peak_to_peak();
+  EXPECT_EQ(documents::value_text(2.54e-5, documents::amplitude_unit(display, "m")), "0.002 in p-p");
+  EXPECT_EQ(documents::value_text(600, documents::amplitude_unit(display, "N")), "1.2 kN p-p");
+  EXPECT_EQ(documents::value_text(0.0005, documents::display_unit({}, "m")), "500 µm");
+}
+
+TEST(ShownNumbers, FrequenciesAreThoseOfTheTableUnlessTheDisplayHasOne) {
+  EXPECT_THAT(documents::frequency_units({}), testing::ElementsAre("rad/s", "Hz"));
+  EXPECT_EQ(documents::frequency_heading({}, "rad/s"), "ω [rad/s]");
+  EXPECT_EQ(documents::shown_frequency({}, 3, "rad/s"), 3);
+  project::ShownUnits display;
+  display.frequency = "rpm";
+  EXPECT_THAT(documents::frequency_units(display), testing::ElementsAre("rpm"));
+  EXPECT_EQ(documents::frequency_heading(display, "rad/s"), "f [rpm]");
+  EXPECT_NEAR(documents::shown_frequency(display, 3.141592653589793), 30, 1e-12);
+}
+
+}  // namespace shown_numbers_test
