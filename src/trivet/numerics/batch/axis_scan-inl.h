@@ -11,6 +11,7 @@
 #endif
 
 #include <bit>
+#include <cassert>
 #include <cstdint>
 
 #include "trivet/numerics/batch/found_extremum.h"
@@ -70,6 +71,7 @@ constexpr double slope_of_rest = 7;
 template <typename Size>
 HWY_NOINLINE Pack half_width(const SquarePoles<Size>& poles, const Pack& x, const Pack& share) {
   const Pack square = hn::Mul(share, share);
+  // h = s |x + h − z| gives h = (s² a + s √(a² + (1 − s²) b²))/(1 − s²), a = x − Re z, b = Im z; √(1 − s²) ≥ 0.9.
   Pack least = all(1e300);
   each(poles.count, [&](int k) TRIVET_LANES {
     const Pack b = hn::Abs(poles.aside[k]),
@@ -89,6 +91,8 @@ HWY_NOINLINE void form_powers(const SquarePoles<Size>& poles, const Pack& centre
   constexpr double round_off = round_off_of<Size>;
   each(poles.count, [&](int k) TRIVET_LANES {
     PanelPowers& p = powers[k];
+    // 1/(x − z)² = Σ_i (−1)ⁱ (i + 1) wⁱ⁺² tⁱ hⁱ at x = centre + t h, w = 1/(centre − z): i ≤ 4 by powers of w, the
+    // others are at most |w|² Σ_{i ≥ 5} (i + 1) ρⁱ, ρ = h |w|.
     p.w[0] = inverse_distance(poles, k, centre);
     const Pack unit_aside = hn::Mul(poles.unit[k], p.w[0].second);
     for (int m = 1; m < 6; ++m) p.w[m] = times_turned(p.w[m - 1], p.w[0], unit_aside);
@@ -148,7 +152,8 @@ HWY_NOINLINE LaneMask bound_slope(const ScannedPack<Size>& pack, const PanelPowe
     s4 = sum_of(C, p.w[5], s4);
     rest = hn::MulAdd(hn::Abs(C.first), p.plain, hn::MulAdd(hn::Abs(C.second), p.turned, rest));
   });
-  // The slope at centre + t half, |t| ≤ 1, is Σ cᵢ tⁱ plus a remainder.
+  // The slope at x = centre + t h, |t| ≤ 1, is f'(x) = slope − Σ_k C_k/(x − z_k)² = Σ_{i ≤ 4} cᵢ tⁱ + rest,
+  // cᵢ = −(−h)ⁱ (i + 1) Σ_k C_k w_kⁱ⁺², and half of its bend is p1 + …: p_i = cᵢ/hⁱ.
   const Pack square = hn::Mul(half, half);
   Pack c0 = hn::Sub(curve.f.slope, s0), p1 = hn::Add(s1, s1), p2 = hn::Mul(all(-3.0), s2), c1 = hn::Mul(half, p1),
        c2 = hn::Mul(square, p2);
@@ -216,6 +221,7 @@ HWY_NOINLINE void note_change(const ScannedCurve<Size>& curve, const LaneMask& l
                       hn::And(hn::Lt(curve.after, zero), hn::Ge(curve.most, hn::Mul(all(1 - 1e-13), curve.best))));
   }
   if (hn::AllFalse(Lanes(), changed)) return;
+  // Root of p0 + p1 y + p2 y²: y₁ = −p0/p1, then y₂ = −(p0 + p2 y₁²)/p1, kept within the panel.
   const Pack first = hn::Neg(hn::Div(curve.p0, curve.p1));
   const Pack second = hn::Neg(hn::Div(hn::MulAdd(hn::Mul(curve.p2, first), first, curve.p0), curve.p1));
   const Pack root = hn::Max(hn::Neg(half), hn::Min(half, second));
@@ -228,6 +234,7 @@ HWY_NOINLINE void note_change(const ScannedCurve<Size>& curve, const LaneMask& l
   hn::StoreMaskBits(Lanes(), changed, flags);
   for (unsigned left_over = flags[0]; left_over != 0; left_over &= left_over - 1) {
     const int lane = std::countr_zero(left_over);
+    assert(lane < lane_count() && lower[lane] <= upper[lane] && "a sign changes in a lane that exists");
     found.push_back({lane, channel, at[lane], lower[lane], upper[lane], after[lane] < 0});
   }
 }

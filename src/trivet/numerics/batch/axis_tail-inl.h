@@ -8,6 +8,7 @@
 #define TRIVET_NUMERICS_AXIS_TAIL_INL_H_
 #endif
 
+#include <cassert>
 #include <memory>
 #include <vector>
 
@@ -42,11 +43,13 @@ HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve<
   const std::unique_ptr<ScannedCurve<Size>[]> inverted_curves(new ScannedCurve<Size>[to_size(channels)]);
   for (int c = 0; c < channels; ++c) {
     ScannedCurve<Size>& curve = inverted_curves[to_size(c)];
+    assert(!curves[c].f.grows && "curves with powers of x beyond 1 have a finite band");
     curve.f = curves[c].f;
     curve.best = curves[c].best;
     curve.sign = curves[c].sign;
     curve.f.slope = hn::Zero(Lanes());
     for (int k = 0; k < poles.count; ++k) {
+      // C/(x − z) = C u/(1 − z u) = −C/z − (C/z²)/(u − 1/z) with u = 1/x.
       const LaneMask real = poles.real[k];
       const PairPack C = at_poles(real, curve.f.C[k]), part = times(real, C, inverted.poles.z[k]);
       curve.f.C[k] = for_half_sum(real, times(real, C, weight[k]));

@@ -8,6 +8,8 @@
 #define TRIVET_NUMERICS_CURVE_RESIDUES_INL_H_
 #endif
 
+#include <cassert>
+
 #include "trivet/numerics/batch/peak_question.h"
 #include "trivet/numerics/batch/round_off-inl.h"
 #include "trivet/numerics/batch/tabled_roots-inl.h"
@@ -45,6 +47,8 @@ HWY_INLINE void residues_in_table(Size n, const RootTable& table, int lane, cons
   });
   each(n, [&](int k) TRIVET_LANES {
     const Pack decay = roots.lambda[k].first;
+    // Squares at the distance |Re λ| of the axis from pole k: |r_k|² itself, or (at rest) max_l |r_l|²/|λ_l|² (Re
+    // λ_k)².
     residues.visible[k] = hn::Max(motion[k], hn::Mul(at_rest, hn::Mul(decay, decay)));
     residues.possible[k] = hn::Max(motion[k], hn::Mul(accelerated, by_modulus[k]));
   });
@@ -52,6 +56,7 @@ HWY_INLINE void residues_in_table(Size n, const RootTable& table, int lane, cons
 
 /// A row times the residues of one pair of poles; zeros of the row are skipped.
 HWY_INLINE PairPack row_times(const Eigen::VectorXd& row, const PairPack* r) {
+  assert(row.size() <= most_pairs);
   PairPack sum = {hn::Zero(Lanes()), hn::Zero(Lanes())};
   for (Eigen::Index j = 0; j < row.size(); ++j)
     if (row(j) != 0)
@@ -71,6 +76,7 @@ HWY_INLINE Pack weight_of(const Eigen::VectorXd& row, const Pack* unit) {
 template <typename Size>
 HWY_NOINLINE LaneMask residues_of(Size n, const PackOfResidues& residues, const PolePairs& poles,
                                   const ObservedRow& row, PairPack* r) {
+  assert(row.on_displacement.size() == n && (row.on_velocity.size() == 0 || row.on_velocity.size() == n));
   const Pack plain = weight_of(row.on_displacement, residues.unit), of_rate = weight_of(row.on_velocity, residues.unit);
   Pack weight[most_pairs];
   for (int k = 0; k < n; ++k) {

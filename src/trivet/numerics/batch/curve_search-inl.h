@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -96,6 +97,8 @@ class CurveSearch {
         round_off_(formed.round_off),
         complete_(formed.complete) {
     pack_.from = all(band_.x(band_.from));
+    assert(band.from >= 0 && band.to > band.from && std::isfinite(band.from) && "the band has a beginning");
+    assert(lane % lane_count() == 0 && lane + lane_count() <= table_lanes && "packs divide the table");
     pack_.to = all(band_.x(band_.to));
     for (int c = 0; c < channels_; ++c) {
       ScannedCurve<Size>& curve = curves_[c];
@@ -127,6 +130,7 @@ class CurveSearch {
   }
 
   void write_answers(TablePeaks& peaks) const {
+    assert(peaks.channels.size() == to_size(channels_ * table_lanes));
     const int lanes = lane_count();
     alignas(64) double numbers[5][table_lanes], highest[table_lanes], highest_at[table_lanes],
         start_doubts[table_lanes] = {}, end_doubts[table_lanes] = {};
@@ -136,6 +140,7 @@ class CurveSearch {
     std::vector<int> first(to_size(channels_ * lanes), -1), next(found_.size(), -1);
     for (std::size_t e = found_.size(); e-- > 0;) {
       int& head = first[to_size(found_[e].channel * lanes + found_[e].lane)];
+      assert((head < 0 || found_[e].lower <= found_[to_size(head)].lower) && "the scan goes along the axis");
       next[e] = head;
       head = static_cast<int>(e);
     }
@@ -193,6 +198,7 @@ class CurveSearch {
   [[nodiscard]] bool count(const std::vector<double>& heights, const std::vector<double>& doubts, double doubtful,
                            ChannelPeaks& answer) const {
     const double least = band_.min_prominence * answer.highest;
+    assert(heights.size() == doubts.size() && heights.size() >= 2 && "both ends of the band, and what is between");
     const PeakCount found = prominent_peaks(heights, least);
     answer.peaks = found.peaks;
     answer.largest_rise = found.largest_rise;

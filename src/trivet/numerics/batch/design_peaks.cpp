@@ -2,6 +2,7 @@
 #include "trivet/numerics/batch/design_peaks.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -94,6 +95,7 @@ class Piece {
   DesignStatus& status(Eigen::Index d) { return result_.status[to_size(d)]; }
 
   void store(Eigen::Index d, std::size_t channel, const ChannelPeaks& answer) {
+    assert(channel < question_.rows.size() && d < designs_.count());
     const auto c = to_index(channel);
     result_.highest(d, c) = answer.highest;
     result_.highest_at(d, c) = answer.highest_at;
@@ -105,6 +107,7 @@ class Piece {
   /// Takes the results of one lane of a table if their proof is complete.
   bool accept(Eigen::Index d, int lane, DesignStatus as) {
     if (!answers_.complete[lane]) return false;
+    assert(answers_.channels.size() == question_.rows.size() * table_lanes && lane < table_lanes);
     for (std::size_t c = 0; c < question_.rows.size(); ++c)
       store(d, c, answers_.channels[c * table_lanes + to_size(lane)]);
     status(d) = as;

@@ -10,6 +10,7 @@
 #define TRIVET_NUMERICS_DRIVEN_CURVES_INL_H_
 #endif
 
+#include <cassert>
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
@@ -31,8 +32,14 @@ class PackList {
   PackList() = default;
   explicit PackList(std::size_t size) : size_(size), items_(new Item[size]) {}
   [[nodiscard]] std::size_t size() const { return size_; }
-  Item& operator[](std::size_t i) { return items_[i]; }
-  const Item& operator[](std::size_t i) const { return items_[i]; }
+  Item& operator[](std::size_t i) {
+    assert(i < size_);
+    return items_[i];
+  }
+  const Item& operator[](std::size_t i) const {
+    assert(i < size_);
+    return items_[i];
+  }
   [[nodiscard]] const Item* begin() const { return items_.get(); }
   [[nodiscard]] const Item* end() const { return items_.get() + size_; }
 
@@ -120,6 +127,7 @@ class DrivenCurves {
 
   /// Poles and |y|² of all curves.
   HWY_NOINLINE void form(FormedCurves<Poles>& formed) {
+    assert(formed.ends.size() == designs_.curves.size() && first_ < designs_.count() + table_lanes);
     formed.round_off = all(round_off);
     formed.pack.asked = find_poles();
     place_poles(formed.pack.poles);
@@ -242,6 +250,7 @@ class DrivenCurves {
       for (const ModalTerm<Size>& value : loads_[curve.load].terms) {
         const int beyond = row.power + value.power - most_power;
         if (beyond < 0) continue;
+        assert(beyond <= 2 && "checked designs have powers of s up to s⁴");
         add(row.value, value.value, c.of[beyond]);
         if (beyond == 0) continue;
         c.grows = true;
@@ -324,6 +333,7 @@ class DrivenCurves {
     for (int k = 0; k < count; ++k) size[k] = hn::Sqrt(squared_size(r[k]));
     for (int k = 0; k < count; ++k) {
       ComplexPack y = conjugate(constant.value);
+      // ȳ(p_k) = c̄(p_k) + Σ_l ρ̄_l/(p_k − p̄_l)
       Pack moduli = constant.moduli;
       if (c.grows) {
         const ComplexPack at = pole(k);
@@ -381,6 +391,7 @@ class DrivenCurves {
     PackList<ModalTerm<Size>> rows(curve.rows.size());
     for (std::size_t t = 0; t < rows.size(); ++t) in_modes_of_term(n_, modes_, curve.rows[t], first_, rows[t]);
     const DrivenLoad<Size>& load = loads_[curve.load];
+    // ρ_p = −i (Σ rows λ_pᵃ rowᵀv_p)(Σ values λ_pᵇ v_pᵀvalue)/slope_p, slope_p = v_pᵀ Z'(λ_p) v_p
     const Polynomial c = constants_of(curve, rows);
     PairPack r[Poles::most];
     Pack weight[Poles::most];

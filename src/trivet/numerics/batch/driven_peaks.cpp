@@ -4,6 +4,7 @@
 #include <hwy/foreach_target.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ void answer_driven(Size n, Poles, const DrivenDesigns& designs, const std::vecto
 void driven_peaks_in_lanes(int n, const DrivenDesigns& designs, const std::vector<CurveEnds>& ends,
                            const SearchedBand& band, Eigen::Index first, TablePeaks& peaks) {
   peaks.channels.resize(ends.size() * table_lanes);
+  assert(n >= 1 && n <= most_driven_coordinates && ends.size() == designs.curves.size() && !band.squared);
   for (int lane = 0; lane < table_lanes; lane += lane_count())
     n == 6 ? answer_driven(six_coordinates(), AtMost<12>{12}, designs, ends, band, first, lane, peaks)
            : answer_driven(AtMostTwelve{n}, AtMost<24>{2 * n}, designs, ends, band, first, lane, peaks);

@@ -83,6 +83,7 @@ HWY_NOINLINE Top find_top(const ScannedPack<Size>& pack, const Pack* above_poles
   Slopes s = slopes_at(pack.poles, f, x);
   Pack step = step_to_extremum(s);
   LaneMask converged;
+  // Halley's steps on f'(x) = 0, kept within `off_centre` half widths of the resonance.
   for (int i = 0;; ++i) {
     converged = hn::Le(hn::Abs(hn::Mul(s.first, step)), hn::Mul(all(settled), s.value));
     if (i == steps || hn::AllTrue(Lanes(), hn::Or(converged, hn::Not(pack.asked)))) break;

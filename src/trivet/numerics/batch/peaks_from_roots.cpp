@@ -3,6 +3,7 @@
 #define HWY_TARGET_INCLUDE "trivet/numerics/batch/peaks_from_roots.cpp"
 #include <hwy/foreach_target.h>
 
+#include <cassert>
 #include <vector>
 
 #include "trivet/numerics/batch/curve_residues-inl.h"
@@ -53,6 +54,7 @@ void answer(Size n, const RootTable& table, const PeakQuestion& question, int la
 
 void peaks_in_lanes(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {
   peaks.channels.resize(question.rows.size() * table_lanes);
+  assert(table.coordinates >= 1 && table.coordinates <= most_pairs && question.band.squared);
   for (int lane = 0; lane < table_lanes; lane += lane_count())
     table.coordinates == 6 ? answer(six_coordinates(), table, question, lane, peaks)
                            : answer(AtMostTwelve{table.coordinates}, table, question, lane, peaks);

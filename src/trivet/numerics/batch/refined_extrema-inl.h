@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <cassert>
 #include <vector>
 
 #include "trivet/foundation/index.h"
@@ -77,11 +78,13 @@ class LaneStore {
         keep(C.second);
         keep(parts);
       }
+      assert(to == C_.data() + (c + 1) * of_channel_ * table_lanes && "each channel has the same room");
     }
   }
 
   /// Loads the curve of each extremum into its own lane; past the end, the last one is repeated.
   void gather(const FoundExtremum* found, int count, SquarePoles<Size>& poles, GatheredCurve<Size>& curve_of) const {
+    assert(count > 0 && "lanes past the end repeat the last extremum");
     const hn::RebindToSigned<Lanes> integers;
     HWY_ALIGN std::int64_t lane[table_lanes], curve[table_lanes];
     for (int i = 0; i < lane_count(); ++i) {

@@ -10,6 +10,8 @@
 #define TRIVET_NUMERICS_SQUARED_RESPONSE_INL_H_
 #endif
 
+#include <cassert>
+
 #include "trivet/numerics/roots/modes-inl.h"
 #include "trivet/numerics/roots/root_table.h"
 
@@ -141,6 +143,7 @@ template <int most>
 HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts& products, const PairPack* r,
                                       int derivative, bool proper, SquaredResponse<most>& f) {
   const int n = poles.count;
+  assert(n >= 0 && n <= most && derivative >= 0 && derivative <= 2 && "up to the acceleration");
   Pack beta[most_pairs], alpha[most_pairs];
   for (int l = 0; l < n; ++l) {
     const PairPack a = poles.lambda[l];
@@ -150,6 +153,7 @@ HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts
   }
   for (int k = 0; k < n; ++k) {
     PairPack y = {hn::Zero(Lanes()), hn::Zero(Lanes())};
+    // y(−λ_k) = Σ_l (β_l (s − p_l) + α_l)/D_l at s = −λ_k, over pairs l of roots
     Pack moduli = hn::Zero(Lanes());
     for (int l = 0; l < n; ++l) {
       const PairPack linear = products.linear[k][l], inverse = products.inverse[k][l];

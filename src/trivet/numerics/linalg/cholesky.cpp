@@ -12,6 +12,7 @@ namespace trivet::numerics {
 
 template <typename Matrix, typename Right>
 Right cholesky_solution(const Eigen::PlainObjectBase<Matrix>& A, const Eigen::PlainObjectBase<Right>& B) {
+  assert(A.rows() == A.cols() && A.rows() == B.rows());
   return Eigen::LLT<Matrix>(A.derived()).solve(B.derived());
 }
 

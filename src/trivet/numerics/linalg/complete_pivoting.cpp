@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/complete_pivoting.h"
 
+#include <cassert>
+
 #include <Eigen/LU>
 
 namespace trivet::numerics {
@@ -11,6 +13,7 @@ using Vector6 = Eigen::Matrix<double, 6, 1>;
 bool is_regular(const Matrix6& A) { return Eigen::FullPivLU<Matrix6>(A).isInvertible(); }
 
 bool is_regular(const Eigen::MatrixXd& A, double share) {
+  assert(A.rows() == A.cols() && share >= 0 && share < 1);
   return Eigen::FullPivLU<Eigen::MatrixXd>(A).setThreshold(share).isInvertible();
 }
 

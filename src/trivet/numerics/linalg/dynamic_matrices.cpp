@@ -2,10 +2,12 @@
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace trivet::numerics {
 
 std::vector<Eigen::Index> rows_without(Eigen::Index n, const std::vector<Eigen::Index>& rows) {
+  assert(std::is_sorted(rows.begin(), rows.end()) && (rows.empty() || (rows.front() >= 0 && rows.back() < n)));
   std::vector<Eigen::Index> result;
   for (Eigen::Index i = 0; i < n; ++i)
     if (!std::binary_search(rows.begin(), rows.end(), i)) result.push_back(i);
@@ -20,6 +22,7 @@ std::vector<Eigen::Index> massive_rows(const Eigen::MatrixXd& A) {
 }
 
 Eigen::VectorXd unit_scale(const DynamicMatrices& m) {
+  assert(m.B.rows() == m.size() && m.K.rows() == m.size() && "A, B and K have one size");
   Eigen::VectorXd d = unit_scale(m.A);
   double stiffest = 0;
   for (const Eigen::Index i : massive_rows(m.A)) stiffest = std::max(stiffest, d(i) * d(i) * std::abs(m.K(i, i)));

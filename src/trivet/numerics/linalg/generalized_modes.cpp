@@ -19,15 +19,25 @@ namespace {
 
 using foundation::epsilon;
 
+/// YᵀPY = 1 but for round-off? Triangular factors of P lose some n ε of (|L||Lᵀ|)_ij ≤ √(P_ii P_jj).
+[[maybe_unused]] bool are_orthonormal(const Eigen::MatrixXd& Y, const Eigen::MatrixXd& P) {
+  const double round_off = 64 * static_cast<double>(P.rows()) * epsilon;
+  const Eigen::RowVectorXd sums = P.diagonal().cwiseSqrt().transpose() * Y.cwiseAbs();
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(Y.cols(), Y.cols());
+  return ((Y.transpose() * P * Y - one).array().abs() <= round_off * (1 + (sums.transpose() * sums).array())).all();
+}
+
 /// Shapes y and values of S y = μ P y with P positive definite.
 void solve_definite(const Eigen::MatrixXd& S, const Eigen::MatrixXd& P, Eigen::VectorXd& mu, Eigen::MatrixXd& y) {
   const SymmetricEigen<Eigen::MatrixXd> eigen = symmetric_eigen(S, P);
   if (!eigen.converged) throw foundation::NotComputable("the symmetric eigensolver did not converge");
   mu = eigen.values;
   y = eigen.vectors;
+  assert(are_orthonormal(y, P));
 }
 
 GeneralizedModes general_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A) {
+  assert(A.rows() == A.cols() && A.rows() > 0);
   const GeneralEigen eigen = general_eigen(lu_solution(A, K));
   if (!eigen.converged) throw foundation::NotComputable("the general eigensolver did not converge");
   const Eigen::VectorXcd& values = eigen.values;

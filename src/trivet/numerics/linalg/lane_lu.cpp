@@ -5,6 +5,7 @@
 #define HWY_TARGET_INCLUDE "trivet/numerics/linalg/lane_lu.cpp"
 #include <hwy/foreach_target.h>
 
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -36,6 +37,7 @@ HWY_INLINE std::ptrdiff_t largest_row(const double* column, std::ptrdiff_t first
   const double value = hn::GetLane(hn::MaxOfLanes(Lanes(), largest));
   std::ptrdiff_t found = first;
   while (found + 1 < rows && std::abs(column[found]) != value) ++found;
+  assert(found < rows && "of all NaN the last one");
   return found;
 }
 
@@ -78,6 +80,7 @@ HWY_INLINE void factor_panel(double* a, std::ptrdiff_t n, std::ptrdiff_t stride,
 }
 
 void factor_in_lanes(double* a, std::ptrdiff_t n, std::ptrdiff_t stride, std::int32_t* pivots) {
+  assert(stride >= n + lane_count() && "packs that begin in the last row end before the next column");
   constexpr std::ptrdiff_t together = 4;
   for (std::ptrdiff_t begin = 0; begin < n; begin += panel) {
     const std::ptrdiff_t end = begin + panel < n ? begin + panel : n;
@@ -113,7 +116,6 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include <algorithm>
-#include <cassert>
 
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/lanes/dispatch.h"
@@ -141,6 +143,7 @@ Eigen::Index stride_of(Eigen::Index rows) {
 
 LaneLu::LaneLu(const Eigen::MatrixXd& A) : rows_(A.rows()), stride_(stride_of(A.rows())), pivots_(to_size(rows_)) {
   assert(A.rows() == A.cols());
+  assert(stride_ % longest_pack == 0 && stride_ - rows_ >= longest_pack && "room for a pack behind each column");
   factors_.resize(to_size(stride_ * rows_));
   for (Eigen::Index j = 0; j < rows_; ++j) {
     double* const column = factors_.data() + j * stride_;

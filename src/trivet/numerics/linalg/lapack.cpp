@@ -5,6 +5,7 @@
 #include <pthread.h>
 #include <signal.h>
 
+#include <cassert>
 #include <complex>
 #include <vector>
 
@@ -67,6 +68,7 @@ const Library& library() {
 bool is_available() { return library().complete(); }
 
 bool symmetric_eigen(Eigen::MatrixXd& matrix, Eigen::VectorXd& values, bool with_vectors) {
+  assert(is_available() && matrix.rows() == matrix.cols() && matrix.allFinite() && "it may not return from NaN");
   const char job = with_vectors ? 'V' : 'N', lower = 'L';
   const int n = static_cast<int>(matrix.rows()), ask = -1;
   values.resize(n);
@@ -82,6 +84,7 @@ bool symmetric_eigen(Eigen::MatrixXd& matrix, Eigen::VectorXd& values, bool with
 }
 
 bool general_eigen(Eigen::MatrixXd matrix, Eigen::VectorXcd& values, Eigen::MatrixXcd* vectors) {
+  assert(is_available() && matrix.rows() == matrix.cols() && matrix.allFinite() && "it may not return from NaN");
   const char none = 'N', wanted = vectors ? 'V' : 'N';
   const int n = static_cast<int>(matrix.rows()), ask = -1, one = 1;
   Eigen::VectorXd real(n), imaginary(n);
@@ -111,6 +114,7 @@ bool general_eigen(Eigen::MatrixXd matrix, Eigen::VectorXcd& values, Eigen::Matr
 }
 
 bool general_eigen(Eigen::MatrixXcd matrix, Eigen::VectorXcd& values, Eigen::MatrixXcd* vectors) {
+  assert(is_available() && matrix.rows() == matrix.cols() && matrix.allFinite() && "it may not return from NaN");
   const char none = 'N', wanted = vectors ? 'V' : 'N';
   const int n = static_cast<int>(matrix.rows()), ask = -1, one = 1;
   values.resize(n);

@@ -82,6 +82,7 @@ Eigen::VectorXd Load::possible(double omega) const {
 }
 
 Load Load::head(Eigen::Index rows) const {
+  assert(rows <= size_);
   Load result(rows);
   for (const LoadTerm& term : terms_) result.add({term.power, term.delay, term.value.head(rows)});
   return result;
@@ -94,6 +95,7 @@ Load Load::scaled(const Eigen::VectorXd& by) const {
 }
 
 Load Load::in_basis(const Eigen::MatrixXd& basis) const {
+  assert(basis.rows() == size_);
   Load result(basis.cols());
   for (const LoadTerm& term : terms_) result.add({term.power, term.delay, basis.transpose() * term.value});
   return result;

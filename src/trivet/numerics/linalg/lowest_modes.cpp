@@ -65,6 +65,7 @@ class Subspace {
     const SymmetricEigen<Eigen::MatrixXd> ritz = symmetric_eigen(small_k, small_a);
     if (!ritz.converged || !ritz.vectors.allFinite()) return false;
     theta_ = ritz.values;
+    assert(std::is_sorted(theta_.begin(), theta_.end()) && "the first columns converge to the lowest modes");
     x_ = y * (inverse.asDiagonal() * ritz.vectors);
     return true;
   }
@@ -105,6 +106,7 @@ std::optional<Eigen::Index> inertia_below(const SparseReal& k, const SparseReal&
 
 /// Columns, `count` or a few more, before the largest step of the eigenvalues there.
 Eigen::Index columns_before_step(const Eigen::VectorXd& theta, Eigen::Index count) {
+  assert(count > 0 && count + 2 <= theta.size() && "the subspace has more columns than are wanted");
   constexpr Eigen::Index most_more = 6;
   Eigen::Index best = count;
   for (Eigen::Index c = count; c <= std::min(count + most_more, theta.size() - 2); ++c)

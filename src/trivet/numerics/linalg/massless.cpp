@@ -2,6 +2,7 @@
 #include "trivet/numerics/linalg/massless.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -34,6 +35,7 @@ MassiveSystem massive_system(const DynamicMatrices& m) {
   MassiveSystem result{m.A, m.K, Eigen::MatrixXd::Identity(m.size(), m.size())};
   if (n == m.size()) return result;
   const std::vector<Eigen::Index> massless = rows_without(m.size(), massive);
+  assert(to_index(massive.size() + massless.size()) == m.size());
   const Eigen::MatrixXd held = m.K(massless, massless);
   const PivotedLu<double> lu(held);
   if (lu.smallest_pivot() == 0)
@@ -67,6 +69,7 @@ PartedSystem parted_system(const DynamicMatrices& m) {
     const Eigen::MatrixXd turned = result.basis.transpose() * matrix * result.basis;
     return m.symmetric ? Eigen::MatrixXd(0.5 * (turned + turned.transpose())) : turned;
   };
+  assert(m.A(rows, Eigen::all).isZero(0) && "the basis leaves the coordinates with mass alone, so A is the same in it");
   result.matrices = {m.A, in_basis(m.B), in_basis(m.K), m.lossy() ? in_basis(m.K_loss) : Eigen::MatrixXd(),
                      m.symmetric};
   for (std::size_t i = 0; i < rows.size(); ++i)

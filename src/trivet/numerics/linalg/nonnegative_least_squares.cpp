@@ -3,6 +3,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cassert>
 #include <vector>
 
 namespace trivet::numerics {
@@ -24,6 +25,7 @@ void step_to_boundary(Eigen::VectorXd& x, const Eigen::VectorXd& wanted, std::ve
   Eigen::Index first = free.front();
   for (const Eigen::Index j : free)
     if (wanted(j) <= 0 && x(j) <= step * (x(j) - wanted(j))) step = x(j) > 0 ? x(j) / (x(j) - wanted(j)) : 0, first = j;
+  assert(step >= 0 && step <= 1 && "between the feasible x and the wanted one");
   x += step * (wanted - x);
   x(first) = 0;
   std::erase_if(free, [&](Eigen::Index j) { return x(j) <= 0 && (x(j) = 0, true); });
@@ -54,6 +56,7 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
     }
     x = free.empty() ? Eigen::VectorXd::Zero(a.cols()) : wanted;
   }
+  assert((x.array() >= 0).all() && "every step ends at the boundary at the latest");
   return x;
 }
 

@@ -2,6 +2,7 @@
 #include "trivet/numerics/linalg/normed_modes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -21,6 +22,7 @@ constexpr double free_within = 1536 * epsilon;
 /// @param given  λ; null: the Rayleigh quotients
 GeneralizedModes normed(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, const Eigen::MatrixXd& shapes,
                         ModeRoute route, const Eigen::VectorXd* given) {
+  assert(shapes.rows() == K.rows() && (!given || given->size() == shapes.cols()));
   const Eigen::Index n = K.rows(), count = shapes.cols();
   GeneralizedModes result;
   result.route = route;
@@ -47,6 +49,7 @@ GeneralizedModes normed(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, cons
   std::vector<Eigen::Index> order(to_size(count));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index x, Eigen::Index y) { return lambda(x) < lambda(y); });
+  assert(to_index(order.size()) == count && lambda.size() == count);
   result.lambda.resize(count);
   result.norm.resize(count);
   result.shapes.resize(n, count);

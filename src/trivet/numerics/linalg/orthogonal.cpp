@@ -3,6 +3,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cassert>
 
 namespace trivet::numerics {
 
@@ -33,6 +34,8 @@ PivotedQr pivoted_qr(const Eigen::MatrixXd& A, double share) {
   const Eigen::Index m = std::min(A.rows(), A.cols());
   PivotedQr result;
   result.Q = qr.householderQ() * Eigen::MatrixXd::Identity(A.rows(), m);
+  [[maybe_unused]] constexpr double of_reflections = 1e-10;  // some ε for each of up to some thousand rows
+  assert((!A.allFinite() || (result.Q.transpose() * result.Q).isIdentity(of_reflections)) && "QᵀQ = 1");
   result.R = qr.matrixQR().topRows(m);
   result.P = qr.colsPermutation();
   result.rank = qr.rank();

@@ -2,6 +2,7 @@
 #include "trivet/numerics/linalg/pair_form.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -92,6 +93,7 @@ Eigen::MatrixXd only_pairs(const Eigen::MatrixXd& D) {
 /// S of D_i S − S D_j = −E, by the equations of its entries.
 Eigen::MatrixXd sylvester(const Eigen::MatrixXd& Di, const Eigen::MatrixXd& Dj, const Eigen::MatrixXd& E) {
   const Eigen::Index rows = Di.rows(), columns = Dj.rows();
+  assert(rows <= 2 && columns <= 2 && E.rows() == rows && E.cols() == columns && "blocks are pairs or single states");
   UpToTwelve<double> equations = UpToTwelve<double>::Zero(rows * columns, rows * columns);
   for (Eigen::Index c = 0; c < columns; ++c) {
     equations.block(c * rows, c * rows, rows, rows) += Di;
@@ -172,6 +174,7 @@ class Places {
   /// Columns from `first` of a basis of these states.
   void add_pair(const States& states, const CoupledBasis& basis, Eigen::Index first) {
     const Eigen::Index columns = width(first, basis.X.cols());
+    assert(basis.X.rows() == to_index(states.size()) && pair_ < form_.groups.pairs);
     const States at = columns == 2 ? States{pair_, form_.groups.pairs + pair_} : States{next_single()};
     if (columns == 2) ++pair_;
     form_.D(at, at) = basis.D.block(first, first, columns, columns);
@@ -230,6 +233,8 @@ PairForm pair_form(const Eigen::MatrixXd& F, Eigen::Index multiple) {
     if (bases[k].X.size() == 0) places.add_dense(coupled[k]);
     for (Eigen::Index first = 0; first < bases[k].X.cols(); first += 2) places.add_pair(coupled[k], bases[k], first);
   }
+  assert(form.groups.pairs % multiple == 0 && "pairs fill whole packs");
+  assert((form.X.cwiseAbs().rowwise().sum().array() > 0).all() && "every state of F is in one group");
   return form;
 }
 

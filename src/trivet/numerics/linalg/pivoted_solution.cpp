@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/pivoted_solution.h"
 
+#include <cassert>
 #include <limits>
 
 #include "trivet/numerics/linalg/pivoted_lu.h"
@@ -8,6 +9,7 @@
 namespace trivet::numerics {
 
 PivotedSolution pivoted_solution(const Eigen::MatrixXcd& Z, const Eigen::VectorXcd& h, bool with_condition) {
+  assert(Z.rows() == Z.cols() && h.size() == Z.rows());
   const PivotedLu<std::complex<double>> lu(Z);
   PivotedSolution result{lu.solve(h)};
   Eigen::VectorXcd& x = result.x;

@@ -2,6 +2,7 @@
 #include "trivet/numerics/linalg/pole_residue.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -32,6 +33,7 @@ void add_poles(const StateForm& form, PoleResidueForm& result) {
   result.poles = eigen.values;
   result.participation = PivotedLu<Complex>(eigen.vectors).solve(form.input);
   result.shapes = form.output * eigen.vectors;
+  assert(result.shapes.cols() == result.poles.size() && result.participation.rows() == result.poles.size());
 }
 
 bool is_diagonal(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& available) {
@@ -48,6 +50,7 @@ PoleResidueForm decoupled(const Eigen::MatrixXd& phi, const Eigen::VectorXd& lam
   const Eigen::MatrixXcd modal = phi.transpose() * right_sides;
   PoleResidueForm result = empty_form(phi.rows(), right_sides.cols());
   const Eigen::Index n = lambda.size();
+  assert(b.size() == n && loss.size() == n && (lambda.array() >= 0).all() && "one quadratic equation for each mode");
   const auto resting = [&](Eigen::Index i) { return lambda(i) == 0 && b(i) == 0 && loss(i) == 0; };
   Eigen::Index moving = 0;
   for (Eigen::Index i = 0; i < n; ++i) moving += resting(i) ? 0 : 1;
@@ -98,6 +101,7 @@ PoleResidueForm in_modes(const DynamicMatrices& m, const GeneralizedModes& modes
   }
   const auto count = to_index(moving.size());
   if (!std::isfinite(slowest)) slowest = damping.cwiseAbs().maxCoeff();
+  assert(n == m.size() && (modes.lambda.array() >= 0).all() && "the modes are a complete basis");
   const Eigen::VectorXd omega = modes.lambda(moving).cwiseSqrt();
   const Eigen::VectorXd weight = (omega.array() > 0).select(omega.array(), slowest);
   StateForm form;

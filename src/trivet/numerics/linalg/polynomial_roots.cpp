@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/polynomial_roots.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -10,6 +11,7 @@
 namespace trivet::numerics {
 
 std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& coefficients) {
+  assert((coefficients.empty() || coefficients.back() != 0) && "the last coefficient gives the degree");
   const auto degree = to_index(coefficients.size()) - 1;
   if (degree < 1) return {};
   // In units of the roots' geometric mean, so that the coefficients are comparable; with roots at 0 the unit is 1.

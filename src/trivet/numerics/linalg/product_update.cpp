@@ -72,6 +72,7 @@ constexpr std::size_t largest_tile = 192;  ///< entries: 24 rows, 8 columns
 /// Groups of `height` rows one after the other, each by columns; missing rows of the last group are zero.
 void copy_in_groups(const ProductUpdate::ConstBlock& from, Index height, LineMemory& to) {
   const Index groups = (from.rows() + height - 1) / height, needed = groups * height * from.cols();
+  assert(height > 0);
   if (to.size() < to_size(needed)) to.resize(to_size(needed));
   double* at = to.data();
   for (Index first = 0; first < from.rows(); first += height) {
@@ -82,6 +83,7 @@ void copy_in_groups(const ProductUpdate::ConstBlock& from, Index height, LineMem
       std::fill(at + present, at + height, 0.0);
     }
   }
+  assert(at == to.data() + needed && "the groups follow each other without gaps");
 }
 
 /// Tiles of the rows from `first` to `last` of C.
@@ -92,6 +94,7 @@ struct RowsUpdate {
   bool lower;
 
   void operator()(Index first, Index last, ProductUpdate::Block& c) const {
+    assert(first % tile.rows == 0 && tile.rows * tile.columns <= to_index(largest_tile) && "pieces are whole tiles");
     const auto subtract = TRIVET_DISPATCH(subtract_tile);
     alignas(64) std::array<double, largest_tile> rest;
     const Index end = lower ? std::min(last, c.cols()) : c.cols();

@@ -2,6 +2,7 @@
 #include "trivet/numerics/linalg/quadratic_roots.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -31,6 +32,7 @@ void normalise_by_largest(Eigen::Ref<Eigen::VectorXcd> v, const Eigen::VectorXd&
 QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::MatrixXd& B,
                                     const Eigen::MatrixXd& K_loss) {
   const Eigen::Index n = omega.size();
+  assert((omega.array() >= 0).all() && B.rows() == n && B.cols() == n && (K_loss.size() == 0 || K_loss.rows() == n));
   const double damping_scale = B.size() > 0 ? B.cwiseAbs().maxCoeff() : 0;
   std::vector<Eigen::Index> sprung, moving, resting;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -73,6 +75,7 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
   for (Eigen::Index i = 0; i < n; ++i)
     if (!(omega(i) > 0)) result.vectors(i, k++) = 1;
   for (const Eigen::Index i : resting) result.vectors(i, k++) = 1;
+  assert(k == 2 * n && k == result.lambda.size() && "every coordinate has two roots");
   return result;
 }
 
@@ -104,6 +107,7 @@ class RootRefinement {
   /// Three steps from a start. The Jacobian is that of the start, which is near enough: each step gains some ten
   /// digits.
   [[nodiscard]] Root refined(const Complex& start, ExtendedVector v) const {
+    assert(std::abs(start) > 0 && v.size() == m_.size() && "the Jacobian is scaled by |λ|");
     constexpr int steps = 3;
     Root root{start, std::move(v)};
     const PivotedLu<Complex> jacobian(bordered(start, root.v.cast<Complex>()));

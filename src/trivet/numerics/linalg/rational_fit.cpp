@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -41,6 +42,7 @@ class Loewner {
         gram_(0, 0) {}
 
   void add_node(Eigen::Index node) {
+    assert(std::find(nodes_.begin(), nodes_.end(), node) == nodes_.end() && "a sample becomes a node once");
     const Eigen::Index old = to_index(nodes_.size());
     if (old > 0) {
       auto rows_of_node = rows_.middleRows(node * functions_, functions_);
@@ -148,6 +150,7 @@ class Loewner {
 
 RationalFit with_weights(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values,
                          const std::vector<Eigen::Index>& nodes, Eigen::VectorXcd weights) {
+  assert(weights.size() == to_index(nodes.size()));
   RationalFit fit{Eigen::VectorXd(to_index(nodes.size())), std::move(weights),
                   Eigen::MatrixXcd(values.rows(), to_index(nodes.size())), 0};
   for (std::size_t j = 0; j < nodes.size(); ++j) {
@@ -206,6 +209,7 @@ RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& value
   if (!values.allFinite() || !(scales.minCoeff() > 0))
     throw foundation::InvalidInput("rational fit: values must be finite and scales > 0");
   Loewner loewner(x, values, scales);
+  assert(std::is_sorted(x.begin(), x.end()) && "samples ascend");
   const Eigen::Index most_nodes = loewner.most_nodes();
   RationalFit fit = with_weights(x, values, {x.size() / 2}, Eigen::VectorXcd::Ones(1));
   for (const double node : first) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/reduced_echelon.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace trivet::numerics {
 
 Eigen::MatrixXd reduced_echelon(Eigen::MatrixXd rows) {
+  [[maybe_unused]] constexpr double of_eigenvectors = 1e-9;
+  assert((rows * rows.transpose()).isIdentity(of_eigenvectors) && "pivots of orthonormal rows are no round-off");
   constexpr double no_pivot = 1e-6, zero = 1e-9;
   const Eigen::Index count = rows.rows();
   Eigen::Index pivot_row = 0;

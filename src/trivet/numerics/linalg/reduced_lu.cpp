@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/reduced_lu.h"
 
+#include <cassert>
 #include <utility>
 
 namespace trivet::numerics {
@@ -14,6 +15,7 @@ using Eigen::VectorXd;
 std::pair<std::vector<Index>, std::vector<Index>> split(const MatrixXd& A, ReducedLu::Border border) {
   std::pair<std::vector<Index>, std::vector<Index>> found;
   const Index n = A.rows(), last = border == ReducedLu::Border::last_row ? n - 1 : n;
+  assert(A.cols() == n);
   for (Index j = 0; j < n; ++j) {
     const bool is_alone =
         j + 1 < n && A(j, j) != 0 && A.col(j).head(j).isZero(0) && A.col(j).segment(j + 1, last - j - 1).isZero(0);
@@ -40,11 +42,13 @@ MatrixXd ReducedLu::reduced(const MatrixXd& A, Border border) {
   if (border == Border::none) return rest;
   for (Index i = 0; i < border_.size(); ++i)
     border_(i) = A(A.rows() - 1, removed_[static_cast<std::size_t>(i)]) / diagonal_(i);
+  assert(!kept_.empty() && kept_.back() == A.rows() - 1 && "the last unknown is kept, so the border is the last row");
   rest.bottomRows<1>() -= border_ * by_kept_;
   return rest;
 }
 
 VectorXd ReducedLu::solve(const VectorXd& b) const {
+  assert(b.size() == std::ssize(removed_) + std::ssize(kept_));
   if (removed_.empty()) return factors_.solve(b);
   VectorXd right = b(kept_);
   const VectorXd own = b(removed_);

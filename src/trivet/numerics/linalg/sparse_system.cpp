@@ -58,6 +58,7 @@ struct SystemFactors::Data {
 Eigen::VectorXcd SystemFactors::solve(const Eigen::VectorXcd& b) const {
   assert(data_ && "factors come from SparseSystem::factors");
   if (data_->dense) return data_->dense->solve(b);
+  assert(b.size() == to_index(data_->place.size()) && "one place in the factors for each coordinate");
   Eigen::VectorXcd ordered(b.size()), x(b.size());
   for (Eigen::Index i = 0; i < b.size(); ++i) ordered(data_->place[to_size(i)]) = b(i);
   const Eigen::VectorXcd solved = data_->sparse->solve(ordered);
@@ -80,6 +81,8 @@ SparseSystem::SparseSystem(const DynamicMatrices& m) : size_(m.size()), symmetri
 
 SparseSystem::SparseSystem(Eigen::Index size, std::vector<Entry> entries)
     : size_(size), symmetric_(false), entries_(std::move(entries)) {
+  assert(std::all_of(entries_.begin(), entries_.end(),
+                     [&](const Entry& e) { return e.row >= 0 && e.row < size_ && e.column >= 0 && e.column < size_; }));
   choose_factors();
 }
 

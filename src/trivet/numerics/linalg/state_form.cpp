@@ -19,6 +19,7 @@ StateForm state_form(const DynamicMatrices& given, const Eigen::MatrixXcd& given
   const Eigen::MatrixXcd h = d.asDiagonal() * given_sides;
   const std::vector<Eigen::Index> p = massive_rows(m.A), z = rows_without(m.size(), p);
   const auto n = to_index(p.size()), k = to_index(z.size());
+  assert(n + k == m.size() && "each coordinate has mass or none");
   const Eigen::MatrixXcd K = m.complex_stiffness();
   const double speed = std::sqrt(std::max(K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
   const Eigen::MatrixXd no_lag = m.B(z, z), mass = m.A(p, p);

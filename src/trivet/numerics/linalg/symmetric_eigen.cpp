@@ -51,6 +51,7 @@ SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S) 
 template <typename Matrix>
 SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S,
                                        const Eigen::PlainObjectBase<Matrix>& P) {
+  assert(S.rows() == P.rows() && S.cols() == P.cols());
   const Eigen::LLT<Computed<Matrix>> cholesky(P.derived());
   const auto L = cholesky.matrixL();
   const Computed<Matrix> half = L.solve(Computed<Matrix>(S.derived()));

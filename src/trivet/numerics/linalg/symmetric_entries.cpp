@@ -2,11 +2,13 @@
 #include "trivet/numerics/linalg/symmetric_entries.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 namespace trivet::numerics {
 
 std::vector<SymmetricEntry> symmetric_entries(const DynamicMatrices& m, const Eigen::VectorXd& d) {
+  assert(m.symmetric && d.size() == m.size() && "the lower triangle stands for both");
   const bool lossy = m.lossy();
   std::vector<SymmetricEntry> entries;
   for (Eigen::Index j = 0; j < m.size(); ++j)
@@ -35,6 +37,10 @@ void add_free(const std::vector<FreeEntry>& free, std::vector<SymmetricEntry>& e
   std::sort(missing.begin(), missing.end(), before);
   entries.insert(entries.end(), missing.begin(), missing.end());
   std::inplace_merge(entries.begin(), entries.begin() + old, entries.end(), before);
+  assert(std::adjacent_find(entries.begin(), entries.end(),
+                            [&](const SymmetricEntry& a, const SymmetricEntry& b) { return !before(a, b); }) ==
+             entries.end() &&
+         "column by column, each place once");
 }
 
 }  // namespace trivet::numerics

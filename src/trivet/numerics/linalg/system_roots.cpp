@@ -2,6 +2,7 @@
 #include "trivet/numerics/linalg/system_roots.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -38,6 +39,7 @@ QuadraticRoots undamped_roots(const GeneralizedModes& modes) {
 /// most `most` roots are zero, two per rigid-body mode, however large the largest root is.
 double rest_limit(const QuadraticRoots& roots, Eigen::Index most) {
   if (most == 0) return 0;
+  assert(most <= roots.lambda.size());
   Eigen::VectorXd size = roots.lambda.cwiseAbs();
   std::sort(size.begin(), size.end());
   return std::min(size(most - 1), 1e-7 * size(size.size() - 1));

@@ -2,6 +2,7 @@
 #include "trivet/numerics/sweep/block_elimination.h"
 
 #include <algorithm>
+#include <cassert>
 #include <functional>
 #include <iterator>
 #include <numeric>
@@ -92,6 +93,9 @@ Neighbours graph(const Couplings& c, const std::vector<int>& block_of_row, std::
 
 Couplings couplings(Eigen::Index rows, const std::vector<SymmetricEntry>& entries) {
   Couplings c(to_size(rows));
+  assert(std::all_of(entries.begin(), entries.end(),
+                     [&](const SymmetricEntry& e) { return e.column >= 0 && e.column <= e.row && e.row < rows; }) &&
+         "entries of the lower triangle");
   for (const SymmetricEntry& e : entries)
     c[to_size(e.row)].push_back(static_cast<int>(e.column));  // columns come in order, and none right of the diagonal
   for (const SymmetricEntry& e : entries)
@@ -103,11 +107,13 @@ BlockElimination block_elimination(const Couplings& couplings, const std::vector
                                    const std::vector<bool>& loaded) {
   const auto n = to_index(couplings.size());
   const auto blocks = static_cast<int>(starts.size());
+  assert(to_index(loaded.size()) == n && starts.empty() == (n == 0) && (starts.empty() || starts.front() == 0));
   std::vector<int> size, block_of_row(to_size(n));
   std::vector<char> has_load(starts.size(), 0);
   for (int b = 0; b < blocks; ++b) {
     const Eigen::Index end = b + 1 < blocks ? starts[to_size(b + 1)] : n;
     size.push_back(static_cast<int>(end - starts[to_size(b)]));
+    assert(size.back() > 0 && size.back() <= largest_kernel_block && "the rows of a block fit the registers");
     for (Eigen::Index i = starts[to_size(b)]; i < end; ++i) {
       block_of_row[to_size(i)] = b;
       if (loaded[to_size(i)]) has_load[to_size(b)] = 1;
@@ -143,6 +149,7 @@ BlockElimination block_elimination(const Couplings& couplings, const std::vector
     for (const int k : clique) queue.emplace(now[to_size(k)], has_load[to_size(k)], k);
     result.below.push_back(clique);
   }
+  assert(order.size() == starts.size() && "every block is eliminated once, also without couplings");
   result.first.push_back(0);
   for (const int b : order) {
     for (int i = 0; i < size[to_size(b)]; ++i) result.rows.push_back(starts[to_size(b)] + i);
@@ -150,6 +157,8 @@ BlockElimination block_elimination(const Couplings& couplings, const std::vector
   }
   for (std::vector<int>& later : result.below) {
     for (int& b : later) b = turn[to_size(b)];
+    assert(std::all_of(later.begin(), later.end(), [&](int b) { return b > &later - result.below.data(); }) &&
+           "a block acts on later ones only");
     std::sort(later.begin(), later.end());
   }
   return result;

@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -65,6 +66,7 @@ template <int fixed>
 HWY_NOINLINE void factor(int size, ComplexPack* HWY_RESTRICT first, ComplexPack* HWY_RESTRICT second,
                          Pack& first_smallest, Pack& second_smallest) {
   const int n = fixed > 0 ? fixed : std::min(size, largest_kernel_block);
+  assert(size > 0 && size <= largest_kernel_block && (fixed == 0 || size == fixed));
   ComplexPack* const a[passes] = {first, second};
   Pack* const smallest[passes] = {&first_smallest, &second_smallest};
   constexpr int most = largest_kernel_block * (largest_kernel_block + 1) / 2;
@@ -105,6 +107,7 @@ template <int fixed, int rows, bool given>
 HWY_NOINLINE void divide_rows(int size, const ComplexPack* HWY_RESTRICT l, ComplexPack* HWY_RESTRICT a,
                               ComplexPack* HWY_RESTRICT plain, const double* K, const double* B, const Pack& omega) {
   const int columns = fixed > 0 ? fixed : std::min(size, largest_kernel_block);
+  assert(size > 0 && size <= largest_kernel_block && (fixed == 0 || size == fixed));
   ComplexPack w[rows][largest_kernel_block];
   TRIVET_UNROLL for (int c = 0; c < columns; ++c) TRIVET_UNROLL for (int r = 0; r < rows; ++r) {
     const int k = r * columns + c;

@@ -2,6 +2,7 @@
 #include "trivet/numerics/sweep/block_plan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -82,6 +83,7 @@ class Planner {
   [[nodiscard]] int number(int i, int j) const {
     if (i == j) return first_of_column_[to_size(j)];
     const std::vector<int>& below = e_.below[to_size(j)];
+    assert(std::binary_search(below.begin(), below.end(), i) && "the elimination knows every block that it fills");
     return first_of_column_[to_size(j)] + 1 +
         static_cast<int>(std::lower_bound(below.begin(), below.end(), i) - below.begin());
   }
@@ -112,6 +114,7 @@ class Planner {
     const Eigen::Index i = e.row - e_.first[to_size(block_of_row_[to_size(e.row)])],
                        j = e.column - e_.first[to_size(block_of_row_[to_size(e.column)])];
     const Eigen::Index entry = block.diagonal ? i * (i + 1) / 2 + j : i * block.columns + j;
+    assert(entry >= 0 && entry < block.entries() && i >= 0 && j >= 0 && j < block.columns);
     std::size_t to = block.values + to_size(entry);
     for (const auto& [has, value] :
          {std::pair(block.has_K, e.K), {block.has_loss, e.loss}, {block.has_B, e.B}, {block.has_A, e.A}}) {
@@ -187,6 +190,7 @@ class Planner {
   }
 
   void add_large_rows() {
+    assert(plan_.entry_first.back() == plan_.entries.size() && "each row ends where the next one begins");
     using Part = double BlockPlan::Entry::*;
     for (const Part part :
          {&BlockPlan::Entry::A, &BlockPlan::Entry::B, &BlockPlan::Entry::K, &BlockPlan::Entry::loss}) {

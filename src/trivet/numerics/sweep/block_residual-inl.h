@@ -7,6 +7,8 @@
 #define TRIVET_NUMERICS_BLOCK_RESIDUAL_INL_H_
 #endif
 
+#include <cassert>
+
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/block_solver-inl.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
@@ -80,6 +82,7 @@ inline Pack set_residual(const BlockPlan& plan, const BlockSolver& solver, const
       const BlockPlan::Below& below = plan.below[k];
       const BlockPlan::Block& b = plan.blocks[to_size(below.block)];
       if (b.is_filled()) continue;
+      assert(b.entries() <= largest_kernel_block * largest_kernel_block);
       solver.assemble_block(b, p, z);
       forward_below(b.rows, b.columns, z, x, p.residual + below.row);
       backward_below(b.rows, b.columns, z, p.q + below.row, r);

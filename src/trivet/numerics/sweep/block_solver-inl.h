@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 #include <new>
 
@@ -110,6 +111,7 @@ class BlockSolver {
   template <int fixed>
   HWY_INLINE void eliminate(const BlockPlan::Column& column) {
     const BlockPlan::Block& diagonal = block(column.diagonal);
+    assert(diagonal.diagonal && diagonal.kept && diagonal.rows == column.size && "pivots of every column are kept");
     if (column.first)
       for (const Pass& p : passes_) assemble_block(diagonal, p, p.factors + diagonal.place);
     factor<fixed>(column.size, passes_[0].factors + diagonal.place, passes_[1].factors + diagonal.place,
@@ -145,6 +147,7 @@ class BlockSolver {
   template <int fixed>
   HWY_INLINE void update(const BlockPlan::Update& u, const Pass& p) const {
     const BlockPlan::Block& target = block(u.target);
+    assert(target.kept && "blocks that are updated have a place among the factors");
     const BlockPlan::Below& right = plan_.below[u.right];
     const int inner = block(right.block).columns;
     ComplexPack* a = p.factors + target.place;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/sweep/block_sweep.h"
 
+#include <cassert>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "trivet/numerics/sweep/block_sweep.cpp"
 #include <hwy/cache_control.h>
@@ -15,6 +17,7 @@ namespace {
 
 /// Number k at `count` frequencies from `first` on; unused lanes repeat the last one.
 ComplexPack read(const Planes& from, std::size_t k, Eigen::Index first, int count) {
+  assert(count > 0 && from.re != nullptr && "unused lanes repeat a frequency that exists");
   const double *re = from.re + to_index(k) * from.stride + first, *im = from.im + to_index(k) * from.stride + first;
   if (count >= lane_count()) return {hn::LoadU(Lanes(), re), hn::LoadU(Lanes(), im)};
   HWY_ALIGN double padded_re[8];
@@ -86,6 +89,7 @@ int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index firs
                ComplexPack* q) {
   const int lanes = lane_count();
   const auto filled = [&](int i) { return std::clamp(count - i * lanes, 0, lanes); };
+  assert(count > 0 && count <= passes * lanes && BlockPlan::together % (passes * lanes) == 0);
   int doubtful = 0;
   Pack error[passes];
   for (int i = 0; i < passes; ++i) {
@@ -143,6 +147,8 @@ BlockSweep::BlockSweep(const DynamicMatrices& matrices, const std::vector<FreeEn
     : plan_(block_plan(matrices, nullptr, unit_scale(matrices), free)) {}
 
 int BlockSweep::solve(const BlockBatch& batch, LineMemory& memory) const {
+  assert(batch.response.stride >= batch.count && (plan_.free.empty() || batch.free.stride >= batch.count) &&
+         (!plan_.given_load || batch.load.stride >= batch.count) && "planes hold all frequencies of the batch");
   memory.resize(plan_.memory());
   return TRIVET_DISPATCH(solve_blocks)(plan_, batch, memory.data());
 }

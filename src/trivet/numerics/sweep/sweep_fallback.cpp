@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fallback of SweepWorkspace for solutions without pivoting that are not accepted.
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -10,6 +11,7 @@ namespace trivet::numerics {
 
 /// Recomputes the marked frequencies and those with a backward error that is not accepted.
 void SweepWorkspace::recompute_rejected(std::vector<char> marked, long count) {
+  assert(count <= chunk && (marked.empty() || marked.size() == to_size(count)));
   for (std::size_t f = 0; f < to_size(count); ++f)
     if (!(error_.data()[f] <= accepted_backward_error)) {
       marked.resize(to_size(count));
@@ -26,6 +28,7 @@ void SweepWorkspace::recompute(const std::vector<char>& marked) {
     if (marked[f]) which.push_back(static_cast<long>(f));
   const auto n = to_index(plan_->size());
   const auto count = static_cast<long>(which.size());
+  assert(count > 0 && "there are frequencies to recompute");
   std::vector<char> settled(which.size());
   if (plan_->solver() != SweepSolver::pivoted) counts_.fallbacks += static_cast<int>(count);
   if (plan_->solver() != SweepSolver::pivoted && plan_->solver() != SweepSolver::blocks) {
@@ -98,6 +101,7 @@ void SweepWorkspace::recompute_one(long f) {
     h += plan_->scale_.cwiseProduct(h_part);
   }
   const PivotedSolution solution = pivoted_solution(z, h);
+  assert((std::isnan(solution.backward_error) || solution.x.allFinite()) && "either singular or solved");
   error_.data()[f] = solution.backward_error;
   if (std::isnan(solution.backward_error)) ++counts_.singular;
   for (Eigen::Index i = 0; i < n; ++i) q.put(i * q.stride + f, plan_->scale_(i) * solution.x(i));

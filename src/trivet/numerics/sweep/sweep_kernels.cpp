@@ -3,6 +3,8 @@
 #define HWY_TARGET_INCLUDE "trivet/numerics/sweep/sweep_kernels.cpp"
 #include <hwy/foreach_target.h>
 
+#include <cassert>
+
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/dense_solve-inl.h"
 
@@ -15,6 +17,8 @@ using sweep_kernels::Coefficients;
 
 template <bool aimed>
 bool fixed(const Coefficients& z, const sweep_kernels::Aim* aim, const Batch& batch) {
+  assert(z.n >= 1 && z.n <= sweep_kernels::most_fixed && batch.count % sweep_kernels::granule == 0);
+  assert(aimed == (aim != nullptr) && (!aimed || aim->order.size() == to_size(z.n)));
   switch (z.n) {
     case 1:
       return solve_all<1, aimed>(z, aim, batch);
@@ -37,6 +41,7 @@ bool solve_fixed(const Coefficients& z, const sweep_kernels::Aim* aim, const Bat
 
 bool solve_pivoted(const Coefficients& z, const Batch& batch) {
   PackArray lu(z.n * z.n), q(z.n);
+  assert(batch.count % lane_count() == 0 && "batches are padded to whole packs");
   bool all_good = true;
   for (long at = 0; at < batch.count; at += lane_count()) {
     const LaneMask good = solve_pivoted_pack(PackSystem(z, batch, at), lu, q);
@@ -48,6 +53,7 @@ bool solve_pivoted(const Coefficients& z, const Batch& batch) {
 
 void backward_errors(const Coefficients& z, const Batch& batch) {
   PackArray q(z.n);
+  assert(batch.count % lane_count() == 0 && "batches are padded to whole packs");
   for (long at = 0; at < batch.count; at += lane_count())
     store_pack(backward_error(PackSystem(z, batch, at), q), batch.error + at);
 }

@@ -36,6 +36,7 @@ std::vector<FreeEntry> entries_of(const FrequencyPart& part, Eigen::Index n) {
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   std::vector<FreeEntry> entries;
+  assert(places.empty() || (places.front().first >= 0 && places.back().second < n));
   for (const auto& [column, row] : places) entries.push_back({row, column});
   return entries;
 }
@@ -88,6 +89,7 @@ void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
     const auto at = to_size(i);
     aim_.order[at] = static_cast<int>(i == last ? n - 1 : i == n - 1 ? last : i);
     aim_.ratio[at] = i < n - 1 ? (term.value(aim_.order[at]) / term.value(last)).real() : 0;
+    assert(std::abs(aim_.ratio[at]) <= 1 + 1e-12 && "the load acts most on `last`, so T does not grow rounding");
   }
   const auto transformed = [&](Eigen::MatrixXd x) {
     if (x.size() == 0) return x;

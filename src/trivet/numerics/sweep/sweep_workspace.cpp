@@ -2,6 +2,7 @@
 #include "trivet/numerics/sweep/sweep_workspace.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -88,6 +89,8 @@ void SweepWorkspace::fill_parts(long count) {
 
 /// Evaluates the part at `count` ≤ `parts_together` frequencies: planes of free entries, then of h.
 void SweepWorkspace::fill_free(long first, long count) {
+  assert(count <= parts_together && first + count <= chunk && z_part_.isZero(0) &&
+         "each part is removed after its use");
   const auto n = to_index(plan_->size());
   const Planes planes = {part_.data(), part_.data() + part_.size() / 2, parts_together};
   const auto entries = static_cast<long>(plan_->free_.size());
