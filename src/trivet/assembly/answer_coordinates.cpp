@@ -2,6 +2,7 @@
 #include "trivet/assembly/answer_coordinates.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "trivet/foundation/index.h"
 
@@ -11,6 +12,7 @@ namespace {
 /// True if a row has a nonzero term, from `first` on, for a coordinate that the motion moves.
 template <typename Row>
 bool holds(const Row& row, const Eigen::VectorXcd& motion, Eigen::Index first) {
+  assert(row.size() == motion.size() && "a channel has one coefficient for each ground coordinate");
   for (Eigen::Index j = first; j < motion.size(); ++j)
     if (row(j) != typename Row::Scalar(0) && motion(j) != 0.0) return true;
   return false;
@@ -36,6 +38,7 @@ Loading following(const Ground& ground, const Loading& loading) {
   Loading result{loading.force, numerics::Load(loading.motion.size())};
   for (const numerics::LoadTerm& term : loading.motion.terms()) {
     Eigen::VectorXcd value = term.value;
+    assert(value.size() == ground.size() && "a motion has a value for each ground coordinate");
     for (std::size_t t = 0; t < ground.together.size(); ++t) {
       const std::vector<Eigen::Index>& rows = ground.together[t];
       const Eigen::Matrix<std::complex<double>, 6, 1> moved = value.segment<6>(rows.front());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -26,6 +27,8 @@ using spatial::Matrix6;
 void add_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int first_row, Eigen::Index row,
                 const spatial::Vector6& column) {
   const auto known = to_size(std::find(rows.begin(), rows.end(), row) - rows.begin());
+  assert(row >= 0 && to_index(rows.size()) == ends.cols() &&
+         "one column for each coordinate, in the order of the rows");
   if (known == rows.size()) {
     rows.push_back(row);
     ends.conservativeResize(Eigen::NoChange, ends.cols() + 1);
@@ -82,9 +85,13 @@ void add_end(const Layout& layout, const model::End& end, Eigen::Index ground_ro
     const model::OnFoundation& on = *end.foundation;
     for (Eigen::Index j = 0; j < on.shape.cols(); ++j)
       add_column(map.ends, map.rows, first_row, layout.foundation_row(on.foundation) + j, turn * on.shape.col(j));
-    if (!on.fixed_directions.isZero(0))
+    if (!on.fixed_directions.isZero(0)) {
+      assert(ground.of_places[on.foundation] >= 6 &&
+             "fixed directions need the ground coordinates under the impedance");
       add_ground(turn, on.fixed_directions, end.at, ground.of_places[on.foundation], first_row, map);
+    }
   } else {
+    assert(ground_row >= 6 && "an end on the ground has coordinates of its own behind those of the rigid foundation");
     add_ground(turn, Matrix6::Identity(), end.at, ground_row, first_row, map);
   }
 }
@@ -93,6 +100,7 @@ ElementMap map_of(const Layout& layout, std::size_t index, const model::Element&
   ElementMap map;
   map.matrices = elements::matrices(element.law);
   const Eigen::Index internal = map.matrices.stiffness.rows() - 12;
+  assert(internal >= 0 && "two ends have twelve displacements");
   map.ends.resize(12 + internal, 0);
   map.ground_ends.resize(12 + internal, 0);
   add_end(layout, element.n, ground.of_ends[index][0], ground, 0, map);
@@ -102,6 +110,7 @@ ElementMap map_of(const Layout& layout, std::size_t index, const model::Element&
   map.ends.rightCols(internal).setZero();
   map.ends.bottomRightCorner(internal, internal).setIdentity();
   for (Eigen::Index i = 0; i < internal; ++i) map.rows.push_back(layout.internal_row(index) + i);
+  assert(to_index(map.rows.size()) == map.ends.cols() && to_index(map.ground_rows.size()) == map.ground_ends.cols());
   if (elements::is_frequency_dependent(element.law))
     map.dynamic_stiffness = [law = element.law, name = element.name](std::complex<double> omega,
                                                                      double near) -> elements::Matrix12c {
@@ -121,6 +130,7 @@ ElementMap map_of(const Layout& layout, std::size_t index, const model::Element&
 
 void scatter_block(const Eigen::MatrixXd& local, const std::vector<Eigen::Index>& rows,
                    const std::vector<Eigen::Index>& columns, double factor, Eigen::MatrixXd& global) {
+  assert(to_index(rows.size()) == local.rows() && to_index(columns.size()) == local.cols());
   for (Eigen::Index i = 0; i < local.rows(); ++i)
     for (Eigen::Index j = 0; j < local.cols(); ++j)
       global(rows[to_size(i)], columns[to_size(j)]) += factor * local(i, j);
@@ -181,6 +191,7 @@ void add_foundation(const Layout& layout, std::size_t index, const model::Founda
 
 /// Mean of m and mᵀ, tile by tile: the entries of two tiles stay in the cache.
 void make_exactly_symmetric(Eigen::MatrixXd& m) {
+  assert(m.rows() == m.cols());
   constexpr Eigen::Index tile = 32;
   const Eigen::Index n = m.rows();
   for (Eigen::Index left = 0; left < n; left += tile)
@@ -188,6 +199,7 @@ void make_exactly_symmetric(Eigen::MatrixXd& m) {
       for (Eigen::Index j = left; j < std::min(left + tile, n); ++j)
         for (Eigen::Index i = std::max(top, j + 1); i < std::min(top + tile, n); ++i)
           m(i, j) = m(j, i) = 0.5 * (m(i, j) + m(j, i));
+  assert((m == m.transpose() || !m.allFinite()) && "the tiles cover every pair of entries");
 }
 
 /// Rayleigh and modal damping act on the coordinates with mass, with the stiffness after static condensation of the
@@ -200,6 +212,8 @@ void add_system_damping(const model::SystemDamping& damping, numerics::DynamicMa
     m.B(rows, rows) += rayleigh->mass * massive.A + rayleigh->stiffness * massive.K;
   if (const auto* given = std::get_if<model::ModalDamping>(&damping)) {
     const auto modes = numerics::generalized_modes(massive.K, massive.A, true);
+    assert((given->ratios.size() == 1 || to_index(given->ratios.size()) == modes.lambda.size()) &&
+           "checked models have one ratio, or one for each mode");
     Eigen::VectorXd twice(modes.lambda.size());
     for (Eigen::Index i = 0; i < twice.size(); ++i) {
       const double ratio = given->ratios.size() == 1 ? given->ratios[0] : given->ratios[to_size(i)];
@@ -236,6 +250,8 @@ numerics::DynamicMatrices summed(const model::System& system, const Assembled& a
   if (!lossy) m.K_loss.resize(0, 0);
   for (const Eigen::Index first : assembled.layout.blocks())
     if (first < n) m.blocks.push_back(first);
+  assert((n == 0 || (!m.blocks.empty() && m.blocks.front() == 0)) && std::is_sorted(m.blocks.begin(), m.blocks.end()) &&
+         "blocks of coordinates begin at the first row and follow each other");
   return m;
 }
 
@@ -316,6 +332,7 @@ Assembled assemble(const model::System& system) {
 }
 
 void Assembled::add_frequency_dependent(std::complex<double> omega, double near, Eigen::MatrixXcd& z) const {
+  assert(z.rows() == layout.before_last() && z.cols() == z.rows() && "Z(ω) has the first rows of the layout alone");
   for (const ElementMap& map : elements) {
     if (!map.frequency_dependent()) continue;
     const Eigen::MatrixXcd ends = map.ends.topLeftCorner(12, map.end_columns);

@@ -37,6 +37,8 @@ Eigen::MatrixXd over_components(Eigen::MatrixXd terms) {
 
 /// The sums, set to zero if they are below a share of their terms.
 Eigen::MatrixXd without_rounding(Eigen::MatrixXd sum, const Eigen::MatrixXd& terms, const Eigen::ArrayXd& share) {
+  assert(terms.rows() == sum.rows() && terms.cols() == sum.cols() && share.size() == sum.cols());
+  assert((share >= 0).all() && "a share of the terms below which a sum is rounding");
   for (Eigen::Index j = 0; j < sum.cols(); ++j)
     for (Eigen::Index i = 0; i < sum.rows(); ++i)
       if (std::abs(sum(i, j)) <= share(j) * terms(i, j)) sum(i, j) = 0;
@@ -118,6 +120,7 @@ Eigen::MatrixXd followed_ends(const ElementMap& map, const Ground& ground) {
 /// are zero.
 void follow_inside(Assembled& assembled) {
   Eigen::MatrixXd& R = assembled.ground.R;
+  assert(R.rows() == assembled.layout.size() && R.cols() == assembled.ground.followed());
   for (ElementMap& map : assembled.elements) {
     map.followed_ends = followed_ends(map, assembled.ground);
     const Eigen::Index inner = map.ends.rows() - 12;

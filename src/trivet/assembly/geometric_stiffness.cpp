@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/assembly/geometric_stiffness.h"
 
+#include <cassert>
+
 #include "trivet/elements/force_at_rest.h"
 
 namespace trivet::assembly {
@@ -10,6 +12,7 @@ Levers::Levers(const model::System& system, const Layout& layout)
 
 void Levers::add(std::size_t body, const Eigen::Vector3d& at, const Eigen::Vector3d& force) {
   const Eigen::Matrix3d block = elements::stiffness_of_lever(at, force);
+  assert((block.isApprox(block.transpose()) || !block.allFinite()) && "½(aFᵀ + Faᵀ) − (a·F) I is symmetric");
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const Eigen::Index row = layout_.row(body, 3 + i), column = layout_.row(body, 3 + j);

@@ -2,6 +2,7 @@
 #include "trivet/assembly/loads.h"
 
 #include <algorithm>
+#include <cassert>
 #include <complex>
 
 #include "trivet/foundation/index.h"
@@ -45,6 +46,7 @@ void add_preload(const elements::Law& law, const ElementMap& map, Eigen::VectorX
   if (law.nonlinear) on_ends += law.nonlinear->offset;
   if (law.nonlinear) {
     const Eigen::VectorXd& on_inner = law.nonlinear->inner_offset;
+    assert(on_inner.size() <= map.ends.rows() - 12 && "offsets act on the last coordinates inside the element");
     for (Eigen::Index i = 0; i < on_inner.size(); ++i)
       load(map.rows[map.rows.size() - to_size(on_inner.size() - i)]) -= on_inner(i);
   }
@@ -119,6 +121,7 @@ numerics::Load right_side(const Assembled& assembled, const Loading& loading) {
 
 void add_frequency_dependent(const Assembled& assembled, const Loading& loading, std::complex<double> omega,
                              double near, Eigen::VectorXcd& h) {
+  assert(h.size() == assembled.layout.before_last() && "coordinates inside frequency-dependent elements have no row");
   if (loading.motion.vanishes()) return;
   const Eigen::VectorXcd g = loading.motion.at(omega);
   for (const ElementMap& map : assembled.elements) {

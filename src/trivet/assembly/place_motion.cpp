@@ -2,6 +2,7 @@
 #include "trivet/assembly/place_motion.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,7 @@ namespace {
 void add_motion(const model::System& system, const Assembled& assembled, const model::Place& place,
                 const model::Place& other, double factor, MotionRows& rows) {
   if (!place.body) {
+    assert(model::position(system.bodies(), other) && "a place on the ground moves with it where the other place is");
     rows.on_ground.leftCols<6>() += factor * spatial::rigid_motion(*model::position(system.bodies(), other));
     return;
   }
@@ -36,6 +38,9 @@ void remove_round_off(double lever, Eigen::Matrix<double, 6, Eigen::Dynamic>& ro
 
 MotionRows motion_between(const model::System& system, const Assembled& assembled, const model::Place& of,
                           const model::Place& to, const Eigen::Matrix3d& axes) {
+  // Unit vectors of a file are normalised; a rotation of them keeps their lengths to round-off of some products.
+  [[maybe_unused]] constexpr double of_products = 1e-9;
+  assert(axes.isUnitary(of_products) && "motions are along and about orthonormal axes");
   MotionRows rows{Eigen::MatrixXd::Zero(6, assembled.layout.size()), Eigen::MatrixXd::Zero(6, assembled.ground.size())};
   add_motion(system, assembled, of, to, 1, rows);
   add_motion(system, assembled, to, of, -1, rows);

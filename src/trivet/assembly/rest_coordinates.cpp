@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/assembly/rest_coordinates.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "trivet/numerics/linalg/orthogonal.h"
@@ -30,6 +31,7 @@ bool holds_all(const numerics::DynamicMatrices& m) {
 }
 
 Eigen::VectorXd coordinates_at_rest(const numerics::DynamicMatrices& m, const Eigen::VectorXd& load) {
+  assert(load.size() == m.size());
   const ScaledStiffness scaled(m);
   const Eigen::VectorXd right = scaled.scale.asDiagonal() * load;
   const numerics::PivotedLu<double> factors(scaled.stiffness);

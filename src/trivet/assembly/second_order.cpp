@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -38,6 +39,7 @@ class JoinedParts {
 
   /// The same number for all that are joined.
   [[nodiscard]] std::size_t root(std::size_t part) const {
+    assert(part < parent_.size() && "bodies, then foundations");
     while (parent_[part] != part) part = parent_[part];
     return part;
   }
@@ -81,6 +83,7 @@ struct EndForces {
 /// @param turned  what forces at rest add to the elements, of those that follow them; otherwise zero
 std::vector<EndForces> end_forces(const model::System& system, const Assembled& first, const VectorXd& rest,
                                   const std::vector<elements::Matrix12>& turned) {
+  assert(turned.size() == system.elements().size() && rest.size() == first.layout.size());
   const Eigen::Vector3d& gravity = *system.description().gravity;
   std::vector<EndForces> all(system.elements().size());
   for (std::size_t e = 0; e < all.size(); ++e) {
@@ -159,6 +162,7 @@ class LoadedParts {
 
   /// What these forces at rest add to K.
   [[nodiscard]] Eigen::MatrixXd added(const SecondOrder& found) const {
+    assert(found.of_elements.size() == first_.elements.size());
     Eigen::MatrixXd sum = found.of_levers - first_.of_levers;
     for (std::size_t e = 0; e < found.of_elements.size(); ++e) {
       const ElementMap& map = first_.elements[e];
@@ -212,6 +216,7 @@ class LoadedParts {
   /// A force on a body, drawn in its frame, as it meets the body that has swung to its position of rest.
   [[nodiscard]] Eigen::Vector3d as_hung(std::size_t b, const Eigen::Vector3d& force) const {
     const double sine = swings_[b].norm();  // a force that acts along its lever turns it by the sine of the angle
+    assert(sine >= 0 && "positions of rest are finite, however far from the drawing they are");
     if (sine == 0) return force;
     return Eigen::AngleAxisd(-std::asin(std::min(1.0, sine)), swings_[b] / sine) * force;
   }
@@ -366,6 +371,7 @@ SecondOrderForms second_order_forms(const model::System& system, const Assembled
 }
 
 Eigen::MatrixXd SecondOrderForms::at(const VectorXd& rest) const {
+  assert(to_index(per_coordinate.size()) == rest.size() && "the forms are linear in every coordinate at rest");
   Eigen::MatrixXd sum = constant;
   for (Eigen::Index k = 0; k < rest.size(); ++k) sum += rest(k) * per_coordinate[to_size(k)];
   return sum;

@@ -2,6 +2,7 @@
 #include "trivet/assembly/wrench_rows.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -104,6 +105,7 @@ void set_constant_terms(const ElementMap& map, const EndRows& end, const Ground&
     rows.ground_acceleration.col(row) += ground_mass.col(j);
   }
   const FollowedForces followed = followed_forces(map, ground);
+  assert(followed.stiffness.rows() == map.ends.rows() && followed.stiffness.cols() == ground.followed());
   rows.ground_displacement.rightCols(ground.followed()) =
       -lossy(WrenchRows::Real(end.turn() * followed.stiffness.topRows<6>()),
              WrenchRows::Real(end.turn() * followed.loss.topRows<6>()));
@@ -122,6 +124,8 @@ WrenchRows::WrenchRows(const Assembled& assembled) {
 }
 
 void WrenchRows::add(const Matrix6& carry, const WrenchRows& other) {
+  assert(on_displacement.cols() == other.on_displacement.cols() && "wrenches of one machine");
+  assert(ground_displacement.cols() == other.ground_displacement.cols());
   on_displacement += carry * other.on_displacement;
   on_velocity += carry * other.on_velocity;
   on_acceleration += carry * other.on_acceleration;

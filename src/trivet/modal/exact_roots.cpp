@@ -2,6 +2,7 @@
 #include "trivet/modal/exact_roots.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/numerics/linalg/pivoted_lu.h"
@@ -22,6 +23,7 @@ bool is_defined(const assembly::Assembled& assembled, double omega) {
 }  // namespace
 
 Eigen::MatrixXcd stiffness_slope(const assembly::Assembled& assembled, Complex lambda) {
+  assert(std::abs(lambda) > 0 && "the step of the difference is a share of λ");
   // A central difference along the real axis of λ; Z is analytic, so the step may be as coarse as ε^(1/3).
   const double step = 6e-6 * std::abs(lambda), near = lambda.imag();
   const Complex minus_i(0, -1);
@@ -31,6 +33,8 @@ Eigen::MatrixXcd stiffness_slope(const assembly::Assembled& assembled, Complex l
 }
 
 ExactRoot exact_root(const assembly::Assembled& assembled, Complex start, const Eigen::VectorXcd& shape) {
+  assert(start.imag() > 0 && "D(ω) of the elements is that of a positive frequency");
+  assert(assembled.frequency_dependent() && shape.size() >= assembled.constant.size());
   constexpr int most_steps = 25;
   constexpr double settled = 1e-12, strayed = 0.3;
   ExactRoot root{start, shape.head(assembled.constant.size()), false};

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "trivet/foundation/index.h"
 #include "trivet/modal/motion_words.h"
@@ -23,6 +24,7 @@ Eigen::Vector3d centre_of_all(const model::System& system) {
     moment += body.mass.mass * (body.pose.position + body.pose.rotation * body.mass.centre);
     mass += body.mass.mass;
   }
+  assert(mass != 0 && "a machine has a body");
   return moment / mass;
 }
 
@@ -83,6 +85,7 @@ std::vector<std::string> free_motions(const model::System& system, const assembl
   const Eigen::Vector3d about = centre_of_all(system);
   const Eigen::MatrixXd motions = whole_motions(system, about);
   const Matrix6x whole = unresisted_motions(system, assembled, motions);
+  assert(whole.cols() <= 6 && whole.allFinite());
   for (Eigen::Index i = 0; i < whole.cols(); ++i) words.push_back(whole_words(whole.col(i), about));
 
   if (words.size() < rigid.size()) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -74,6 +75,11 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
     for (std::size_t j = to_size(map.end_columns); j < map.rows.size(); ++j)
       mode.element_kinetic_energy_share(to_index(e)) += share(map.rows[j]);
   }
+  // Shares cancel where coordinates couple through the mass: round-off of their sum is that of their magnitudes.
+  [[maybe_unused]] constexpr double of_sums = 1e-9;
+  assert(std::abs(mode.kinetic_energy_share.sum() + mode.foundation_kinetic_energy_share +
+                  mode.element_kinetic_energy_share.sum() - 1) <= of_sums * share.cwiseAbs().sum() &&
+         "bodies, foundations and elements share all coordinates, each once");
   if (mode.eigenvalue_squared == 0 || assembled.elements.empty()) return;
   // A foundation mode that moves no mount stores all its energy in the foundation: shares of round-off mean nothing.
   constexpr double round_off = 1e-12;
@@ -118,6 +124,8 @@ double without_round_off(double lambda, double norm, const Eigen::VectorXd& stra
 Modes described(const model::System& system, const assembly::Assembled& assembled,
                 const numerics::GeneralizedModes& raw, const Eigen::MatrixXd& shapes) {
   const Eigen::MatrixXd momentum = assembled.matrices.A * shapes, strain = strain_energies(assembled, shapes);
+  assert(shapes.rows() == assembled.layout.size() && shapes.cols() == raw.lambda.size());
+  assert(std::is_sorted(raw.lambda.begin(), raw.lambda.end()) && "modes are numbered by ascending ω²");
   std::vector<spatial::PrincipalInertia> principal;
   for (const model::Body& body : system.bodies()) principal.push_back(spatial::principal_inertia(body.mass));
   Modes result;
@@ -125,6 +133,7 @@ Modes described(const model::System& system, const assembly::Assembled& assemble
   for (Eigen::Index i = 0; i < raw.lambda.size(); ++i) {
     Mode& mode = result.list.emplace_back();
     mode.number = static_cast<int>(i) + 1;
+    assert(std::abs(raw.norm(i)) == 1 && "φᵀAφ is 1, or −1 for an indefinite mass matrix");
     mode.eigenvalue_squared = without_round_off(raw.lambda(i), raw.norm(i), strain.col(i));
     if (mode.eigenvalue_squared >= 0) mode.angular_frequency = std::sqrt(mode.eigenvalue_squared);
     mode.modal_mass = raw.norm(i);

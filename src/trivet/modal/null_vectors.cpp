@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/modal/null_vectors.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +20,7 @@ void make_orthonormal(Eigen::MatrixXcd& x) {
 }
 
 Eigen::MatrixXcd right_null_vectors(const Eigen::MatrixXcd& z, Eigen::Index count) {
+  assert(z.rows() == z.cols() && count > 0 && count <= z.rows());
   if (count == z.rows()) return Eigen::MatrixXcd::Identity(count, count);  // z is nothing but round-off, or exactly 0
   const double shift = 4 * std::numeric_limits<double>::epsilon() * z.cwiseAbs().maxCoeff();
   const Eigen::MatrixXcd regular = z + shift * Eigen::MatrixXcd::Identity(z.rows(), z.cols());

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/modal/own_system.h"
 
+#include <cassert>
+#include <set>
+
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -54,6 +57,7 @@ OwnSystem own_system(const model::Body& body, const assembly::Assembled& assembl
   const numerics::DynamicMatrices& all = assembled.matrices;
   std::vector<Eigen::Index> both = rows.body;
   both.insert(both.end(), rows.inner.begin(), rows.inner.end());
+  assert(std::set(both.begin(), both.end()).size() == both.size() && "no coordinate is both of the body and inner");
   OwnSystem own;
   own.matrices.A = all.A(both, both);
   own.matrices.B = all.B(both, both);

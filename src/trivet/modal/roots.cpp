@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -48,6 +49,8 @@ double sort_key(const Complex& lambda) {
 /// Moves every oscillating root to one of the exact Z; pairs stay conjugate. Roots that do not converge are marked.
 void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::QuadraticRoots& roots,
                 foundation::Problems& warnings, std::vector<bool>& inexact) {
+  assert(roots.vectors.cols() == roots.lambda.size() && roots.vectors.rows() >= assembled.constant.size());
+  assert(to_index(inexact.size()) == roots.lambda.size());
   constexpr double distinct = 1e-6, same = 1e-9;
   const Eigen::VectorXcd starts = roots.lambda;
   const Eigen::Index n = assembled.constant.size();
@@ -103,6 +106,7 @@ std::optional<int> mode_like(const Modes& modes, const Eigen::VectorXd& parts, d
                              Eigen::Index massive) {
   constexpr double round_off = 1e-20;  // of squares
   if (modes.list.empty() || !(parts.sum() > round_off * all)) return std::nullopt;
+  assert(parts.size() == to_index(modes.list.size()) && "one contribution of each mode");
   Eigen::Index largest = 0;
   if (parts.maxCoeff(&largest) > 0.5 * parts.sum()) return modes.list[to_size(largest)].number;
   return nearest_mode(modes, size, massive);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/modal/stored_energy.h"
 
+#include <cassert>
+
 #include <fmt/format.h>
 
 #include "trivet/foundation/index.h"
@@ -13,6 +15,8 @@ Eigen::VectorXd stored_energy(const Mode& mode) {
   const Eigen::VectorXd energies = sign * *mode.strain_energy_share;
   const double stored = energies.cwiseMax(0).sum();
   if (!(stored > 0)) return {};
+  // The largest positive energy is one of the terms of their sum.
+  assert(energies.maxCoeff() <= stored && "no element stores more than all together");
   return energies / stored;
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -67,6 +68,7 @@ BodyMode body_mode(const model::Body& body, const BodyRows& rows, const Eigen::V
   Vector6 at_pole = Vector6::Zero();
   at_pole(rows.coordinates) = shape.head(to_index(rows.coordinates.size()));
   const Vector6 at_centre = spatial::rigid_motion(body.mass.centre) * at_pole;
+  assert(std::abs(norm) == 1 && to_index(rows.coordinates.size()) <= shape.size());
   Vector6 momentum;
   momentum << body.mass.mass * at_centre.head<3>(), body.mass.inertia_about_centre * at_centre.tail<3>();
   BodyMode mode;
@@ -138,6 +140,7 @@ std::vector<FrequencySeparation> frequency_separation(const Modes& modes, const 
     const double omega = mode.angular_frequency.value_or(0);
     if (!(omega > 0)) continue;
     if (!result.empty()) result.back().ratio_to_next = omega / result.back().angular_frequency;
+    assert((result.empty() || omega >= result.back().angular_frequency) && "modes ascend");
     FrequencySeparation& row = result.emplace_back();
     row.mode = mode.number;
     row.angular_frequency = omega;
