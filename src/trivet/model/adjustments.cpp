@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/model/adjustments.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "trivet/model/element_directions.h"
@@ -14,6 +15,7 @@ void add_deformation_stiffness(Description& description, std::size_t element, do
 }
 
 void scale_stiffness_by_direction(Description& description, std::size_t element, const spatial::Vector6& factors) {
+  assert((factors.array() >= 0).all() && "S K S with S = diag √factor keeps K symmetric");
   Element& changed = description.elements[element];
   const ElementDirections directions = element_directions(description.bodies, changed);
   const spatial::Vector6 s = factors.cwiseSqrt();
@@ -72,6 +74,7 @@ void move_center_of_mass(Description& description, std::size_t body, const Eigen
 }
 
 void change_inertia(Description& description, std::size_t body, int i, int j, double share) {
+  assert(i >= 0 && i < 3 && j >= 0 && j < 3);
   Eigen::Matrix3d& tensor = description.bodies[body].mass.inertia_about_centre;
   // Jxy = ∫xy dm has a minus sign in the tensor.
   const double unit = i == j ? tensor(i, i) : -std::sqrt(std::abs(tensor(i, i) * tensor(j, j)));

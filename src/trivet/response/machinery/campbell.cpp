@@ -2,6 +2,7 @@
 #include "trivet/response/machinery/campbell.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
@@ -28,6 +29,7 @@ Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::
   Campbell result{speed, {}, natural_lines(roots), {}};
   for (const OrderLoading& order : order_loadings) {
     result.orders.push_back(order.order);
+    assert(order.order > 0 && "the speed is the frequency over the order");
     for (std::size_t i = 0; i < result.natural.size(); ++i) {
       const NaturalLine& line = result.natural[i];
       Interference point{

@@ -2,6 +2,7 @@
 #include "trivet/response/machinery/load_sharing.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -25,6 +26,7 @@ LoadSharing load_sharing(const model::System& system, const assembly::Assembled&
   }
   const StaticResponse rest = static_response(at_rest.system(), at_rest.assembled(), words);
   const Eigen::Vector3d down = gravity->normalized();
+  assert(rest.values.size() == 12 * result.mounts.size());
   // Per mount: six components of the wrench, then six of the deflection.
   double largest = 0;
   for (std::size_t m = 0; m < result.mounts.size(); ++m) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/machinery/power.h"
 
+#include <cassert>
 #include <variant>
 
 #include "trivet/foundation/index.h"
@@ -80,6 +81,7 @@ PowerFlow power_flow(const model::System& system, const assembly::Assembled& ass
   for (const std::size_t e : standing) flow.mounts.push_back(system.elements()[e].name);
   for (const model::Element& element : system.elements()) flow.elements.push_back(element.name);
   const std::vector<SteadyMotion> motions = steady_motions(assembled, loading, angular_frequency);
+  assert(to_index(motions.size()) == count);
   for (Eigen::Index i = 0; i < count; ++i) {
     foundation::report_progress(progress, "power", static_cast<double>(i) / static_cast<double>(count));
     const SteadyMotion& motion = motions[to_size(i)];

@@ -2,6 +2,7 @@
 #include "trivet/response/machinery/rated_loads.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -28,6 +29,7 @@ std::vector<RatedLoad> rated_loads(const model::System& moving, const assembly::
     const model::Element& element = system.elements()[one.element];
     const std::vector<assembly::Channel> channels = assembly::channels(
         system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
+    assert(channels.size() == 12 && "a wrench and a deflection");
     const auto value = [&](const assembly::Channel& channel) -> double {
       return value_at_rest(channel, assembled, rest) + channel.at_rest;
     };

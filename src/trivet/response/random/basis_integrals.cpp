@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/random/basis_integrals.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -17,6 +18,7 @@ using Complex = std::complex<double>;
 
 BasisIntegrals::BasisIntegrals(const PoleExpansions& expansions, IntegrationNodes nodes)
     : poles_(expansions.poles), nodes_(std::move(nodes)) {
+  assert(nodes_.omega.size() == nodes_.weight.size());
   for (int m = lowest_power; m <= highest_power; ++m)
     for (const PoleExpansion& part : expansions.parts)
       if (!part.power.col(m - lowest_power).isZero(0)) {
@@ -27,6 +29,7 @@ BasisIntegrals::BasisIntegrals(const PoleExpansions& expansions, IntegrationNode
   for (Eigen::Index k = 0; k < functions; ++k) {
     const bool pair = expansions.real && k < count && poles_(k).imag() != 0;
     if (pair) {
+      assert(k + 1 < count && poles_(k + 1) == std::conj(poles_(k)) && "conjugate poles are adjacent");
       basis_.push_back({k, k + 1, 1, 1});
       basis_.push_back({k, k + 1, Complex(0, 1), Complex(0, -1)});
       ++k;
@@ -82,6 +85,7 @@ Eigen::MatrixXcd BasisIntegrals::values(const PoleExpansion& part) const {
 }
 
 Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const {
+  assert(density.size() == nodes_.omega.size());
   const Eigen::Index count = poles_.size(), functions = real_.cols(), extra = functions - count;
   const Eigen::VectorXcd weight = density.cwiseProduct(nodes_.weight.cast<Complex>());
   const bool real_weight = weight.imag().isZero(0);
@@ -118,6 +122,7 @@ Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const
   for (Eigen::Index b = 0; b < count; ++b)
     for (Eigen::Index a = 0; a < count; ++a) {
       const Complex sum = poles_(a) + std::conj(poles_(b));
+      // f_k = 1/(iω − λ_k): f_a f̄_b = −(f_a + f̄_b)/(λ_a + λ̄_b), because the denominators add up to −(λ_a + λ̄_b).
       // The sum of two fractions is used only if it does not cancel.
       if (epsilon * (of_first(a) + of_second(b)) <= fraction_accuracy * std::abs(sum) * size(a) * size(b)) {
         result(a, b) = -(j(a, 0) + std::conj(j(b, 1))) / sum;

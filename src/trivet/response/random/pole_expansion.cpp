@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -17,7 +18,10 @@ namespace {
 using Complex = std::complex<double>;
 constexpr std::size_t powers = highest_power - lowest_power + 1;
 
-std::size_t index_of(int power) { return to_size(power - lowest_power); }
+std::size_t index_of(int power) {
+  assert(power >= lowest_power && power <= highest_power);
+  return to_size(power - lowest_power);
+}
 
 /// A term of a polynomial in s and 1/s, and its magnitude before cancellation.
 struct Term {
@@ -33,6 +37,7 @@ struct PolePowers {
 };
 
 PolePowers powers_of(Complex lambda) {
+  assert(lambda != 0.0 && "poles at rest give powers of s");
   PolePowers result;
   result.value[index_of(0)] = 1;
   for (int m = 1; m <= highest_power; ++m) result.value[index_of(m)] = result.value[index_of(m - 1)] * lambda;
@@ -41,7 +46,7 @@ PolePowers powers_of(Complex lambda) {
   return result;
 }
 
-/// Adds s^m/(s − λ) = λ^m/(s − λ) + powers of s.
+/// Adds s^m/(s − λ) = λ^m/(s − λ) + Σ_{0 ≤ j < m} λ^{m−1−j} s^j, or − Σ_{m ≤ j < 0} λ^{m−1−j} s^j for m < 0.
 void add_fraction(const Term& term, const PolePowers& of_pole, Eigen::Index c, Eigen::Index k, PoleExpansion& to) {
   const int m = term.power;
   to.residue(c, k) += term.value * of_pole.value[index_of(m)];
@@ -53,6 +58,7 @@ void add_fraction(const Term& term, const PolePowers& of_pole, Eigen::Index c, E
 }
 
 void add_power(const Term& term, int shift, Eigen::Index c, PoleExpansion& to) {
+  assert(term.power + shift >= lowest_power && term.power + shift <= highest_power);
   to.power(c, term.power + shift - lowest_power) += term.value;
   to.possible_power(c, term.power + shift - lowest_power) += term.possible;
 }
@@ -211,6 +217,8 @@ PoleExpansion differentiated(const PoleExpansion& part, const Eigen::VectorXcd& 
   result.residue = part.residue * poles.asDiagonal();
   result.possible_residue = part.possible_residue * poles.cwiseAbs().asDiagonal();
   const Eigen::Index last = part.power.cols() - 1, at_0 = -lowest_power;
+  // s Σ_k r_k/(s − λ_k) = Σ_k r_k λ_k/(s − λ_k) + Σ_k r_k, and every power of s rises by one.
+  assert(part.power.col(last).isZero(0) && "powers of s have room for their derivative");
   result.power.rightCols(last) = part.power.leftCols(last);
   result.possible_power.rightCols(last) = part.possible_power.leftCols(last);
   result.power.col(0).setZero();

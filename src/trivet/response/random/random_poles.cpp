@@ -2,6 +2,7 @@
 #include "trivet/response/random/random_poles.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -71,6 +72,7 @@ std::vector<double> frequencies_of_poles(const Eigen::VectorXcd& poles) {
   for (Eigen::Index k = 0; k < poles.size(); ++k) {
     if (poles(k).imag() < 0) continue;
     double nearest = std::numeric_limits<double>::infinity();
+    assert(poles(k) != 0.0 && "distances are relative to |λ|");
     for (Eigen::Index j = 0; j < poles.size(); ++j)
       if (j != k) nearest = std::min(nearest, std::abs(poles(j) - poles(k)) / std::abs(poles(k)));
     by_distance.emplace_back(nearest, poles(k).imag() > 0 ? poles(k).imag() : std::abs(poles(k)));
@@ -83,6 +85,7 @@ std::vector<double> frequencies_of_poles(const Eigen::VectorXcd& poles) {
 
 /// Nodes for the comparison: at the poles nearest to each other, at some of all poles, and spread over all nodes.
 IntegrationNodes check_nodes(const Eigen::VectorXcd& poles, const Eigen::VectorXd& omega) {
+  assert(omega.size() > 0 && "a spectrum has a density above 0 somewhere, and nodes there");
   std::vector<double> in_band = frequencies_of_poles(poles);
   std::erase_if(in_band, [&](double w) { return !(w >= omega(0) && w <= omega(omega.size() - 1)); });
   std::vector<double> wanted(in_band.begin(),
@@ -192,6 +195,7 @@ void add_mean_squares(const RandomLoading& loading, const std::vector<RandomMome
             density.cwiseProduct(basis.omega().unaryExpr([&](double w) { return std::polar(1.0, -w * later); })).eval();
       const Eigen::MatrixXd plain = basis.real_products(density);
       for (std::size_t i = 0; i < moments.size(); ++i) {
+        assert(moments[i].derivative >= 0 && to_size(moments[i].derivative) < parts.size());
         const auto derivative = to_size(moments[i].derivative);
         const auto add = [&](const Eigen::MatrixXd& products) {
           add_pair(moments[i], to_index(i), parts[derivative][a], parts[derivative][b], a == b, basis, products, result,

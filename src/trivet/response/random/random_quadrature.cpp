@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -48,6 +49,9 @@ class Solver {
   [[nodiscard]] const Eigen::VectorXd& possible() const { return possible_; }
 
   void integrate(Panel& panel) {
+    // ∫ |W|² ω^(2 derivative) Σ_jk H_j S_kj H̄_k dω over the panel, by the 15 points of Kronrod; S_kj = S̄_jk, so pairs
+    // j ≠ k count twice with their real part.
+    assert(panel.from >= 0 && panel.to > panel.from);
     const double centre = 0.5 * (panel.from + panel.to), h = 0.5 * (panel.to - panel.from);
     const Eigen::VectorXd omega = centre + h * rule_.node;
     const std::vector<double> points(omega.begin(), omega.end());
@@ -100,6 +104,7 @@ template <typename Infinite>
 void mark_growth(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                  const RandomInput& input, double nearer, double farther, const std::string& reason,
                  const Infinite& infinite, RandomVariances& result) {
+  assert(nearer > 0 && nearer != farther && "growth is the ratio of two distances");
   const AnswerSamples samples = answer_samples(assembled, channels, input.loading, {nearer, farther});
   for (Eigen::Index c = 0; c < samples.value.rows(); ++c) {
     const double a = std::abs(samples.value(c, 0)), b = std::abs(samples.value(c, 1));

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -88,6 +89,9 @@ RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& fou
     result.zero_crossings = *result.rms_of_derivative / (2 * std::numbers::pi * *result.rms);
   const double variance = found.mean_square(c, 0);
   for (Eigen::Index i = 0; i < found.share.cols(); ++i) result.variance_share.push_back(found.share(c, i) / variance);
+  // Shares of correlated inputs may be negative: round-off of their sum is that of their magnitudes.
+  assert(std::abs(found.share.row(c).sum() - variance) <= 1e-9 * found.share.row(c).cwiseAbs().sum() &&
+         "each pair of inputs belongs half to either");
   return result;
 }
 

@@ -2,6 +2,7 @@
 #include "trivet/response/random/random_variance.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -62,7 +63,10 @@ int order_at_rest(const RandomMoment& moment) {
   int of_weighting = 0;
   if (moment.weighting) {
     const excitation::RationalTransfer transfer = excitation::rational_transfer(*moment.weighting);
-    while (transfer.numerator[to_size(of_weighting)] == 0) ++of_weighting;
+    while (transfer.numerator[to_size(of_weighting)] == 0) {
+      ++of_weighting;
+      assert(to_size(of_weighting) < transfer.numerator.size() && "a weighting does not vanish");
+    }
   }
   return 2 * (moment.derivative + of_weighting);
 }
@@ -75,6 +79,7 @@ std::optional<int> order_at_rest(const excitation::Spectrum& spectrum) {
 
 Eigen::VectorXcd cross_density(const RandomLoading& loading, std::size_t j, std::size_t k,
                                const Eigen::VectorXd& omega) {
+  assert(j < loading.inputs.size() && k < loading.inputs.size());
   const excitation::Spectrum &first = loading.inputs[j].spectrum, &second = loading.inputs[k].spectrum;
   if (j == k) return omega.unaryExpr([&](double w) { return Complex(excitation::density(first, w)); });
   const excitation::InputPair* pair = pair_of(loading, j, k);
@@ -130,6 +135,7 @@ std::vector<double> panel_ends(const Eigen::VectorXcd& poles, const RandomLoadin
     }
     last = to;
   }
+  assert(std::is_sorted(ends.begin(), ends.end()) && "panels of neighbouring spectra share one end");
   return ends;
 }
 

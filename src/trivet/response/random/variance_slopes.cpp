@@ -2,6 +2,7 @@
 #include "trivet/response/random/variance_slopes.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <complex>
 
@@ -67,6 +68,7 @@ VectorXcd poles_beside_axis(const VectorXcd& poles) {
 }
 
 /// dV as a linear function of changes of Z, h and c: what one input contributes, W_k = 2 Σ_j H_j* S_jk dω per node.
+/// With H = cᵀq, q = Z⁻¹h and the adjoint λ = Z⁻ᵀc, dV = Re Σ_k W_k dH_k and dH = dcᵀq + λᵀdh − λᵀdZ q.
 class InputShare {
  public:
   InputShare(const VectorXcd& s, VectorXcd weight, const MatrixXcd& adjoint, const MatrixXcd& q)
@@ -145,6 +147,7 @@ class SolvedNodes {
 
   /// @param variance  is increased by the part of this input
   [[nodiscard]] InputShare share(const RandomSetup& setup, std::size_t k, double& variance) const {
+    assert(k < values_.size() && setup.loading.inputs.size() == values_.size());
     VectorXcd weight = VectorXcd::Zero(s_.size());
     for (std::size_t j = 0; j < values_.size(); ++j) {
       const VectorXcd density = cross_density(setup.loading, j, k, nodes_.omega);
@@ -187,6 +190,7 @@ Eigen::RowVectorXd rms_slopes(const model::System& system, const assembly::Assem
     for (const InputShare& share : shares) change += share.of_matrices(rates);
     for (const WeightedModel& model : models[j]) {
       const RandomSetup there = setup_of(*model.system, *model.assembled, result);
+      assert(there.sides.size() == shares.size() && "neighbouring models have the same excitations");
       for (std::size_t k = 0; k < shares.size(); ++k)
         change += model.weight * (of_setup(shares[k], there, k) - of_setup(shares[k], here, k));
     }

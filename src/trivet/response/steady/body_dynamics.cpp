@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/steady/body_dynamics.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -20,6 +21,7 @@ using Factors = numerics::PivotedLu<Complex>;
 /// R = [I; X] with derivatives: inner coordinates follow by Z_ii X = −Z_ib, so that Z_i· R = 0.
 Jet<MatrixXcd> condensation_basis(const Jet<MatrixXcd>& z, Eigen::Index kept) {
   const Eigen::Index inner = z[0].rows() - kept;
+  assert(inner > 0 && kept >= 0 && z[0].rows() == z[0].cols());
   const Factors lu(z[0].bottomRightCorner(inner, inner));
   const auto rows = [&](int k) { return z[to_size(k)].bottomRows(inner); };
   Jet<MatrixXcd> result;
@@ -80,6 +82,7 @@ Jet<elements::Matrix12c> element_jet(const assembly::ElementMap& map, double ome
   // Taylor coefficients from a circle around ω: eight points leave (radius / distance of the next pole)^8 and little
   // round-off.
   constexpr int points = 8;
+  assert(omega > 0 && "the circle is a share of ω");
   const double radius = 1e-3 * omega;
   Jet<elements::Matrix12c> sum;
   for (auto& s : sum) s.setZero();
@@ -113,6 +116,7 @@ Dynamics dynamics(const assembly::Assembled& assembled, const assembly::Channel&
                   const assembly::Loading& loading, double omega, const ElementJets& jets) {
   const numerics::DynamicMatrices& m = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
   const Eigen::Index n = m.size();
+  assert(jets.size() == assembled.elements.size());
   Dynamics result;
   result.stiffness = numerics::stiffness_jet(m, omega);
   result.load = numerics::load_jet(assembly::right_side(assembled, loading).head(n), omega);

@@ -2,6 +2,7 @@
 #include "trivet/response/steady/channel_terms.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "trivet/assembly/answer_coordinates.h"
 #include "trivet/foundation/index.h"
@@ -20,6 +21,7 @@ constexpr double round_off_share = 1e-2;
 std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity,
                                        const Eigen::VectorXd& on_acceleration) {
   std::vector<ChannelTerm> terms;
+  assert(on_velocity.size() == on_displacement.size() && on_acceleration.size() == on_displacement.size());
   for (Eigen::Index i = 0; i < on_displacement.size(); ++i)
     if (on_displacement(i) != 0.0 || on_velocity(i) != 0 || on_acceleration(i) != 0)
       terms.push_back({i, {on_displacement(i), on_velocity(i), on_acceleration(i)}});
@@ -89,6 +91,7 @@ AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::ve
                              const assembly::Loading& loading, const std::vector<double>& omega) {
   const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
   if (groups.size() == 1) return samples_in(assembled, channels, groups[0].loading, omega);
+  assert(groups.size() == 2 && groups[0].which.size() + groups[1].which.size() == channels.size());
   AnswerSamples result{Eigen::MatrixXcd(std::ssize(channels), std::ssize(omega)),
                        Eigen::MatrixXd(std::ssize(channels), std::ssize(omega))};
   for (const assembly::AnsweredTogether& group : groups) {

@@ -2,6 +2,7 @@
 #include "trivet/response/steady/deep_check.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -78,6 +79,7 @@ std::vector<Eigen::Index> rows_from(Eigen::Index first, Eigen::Index count) {
 
 Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::Element& element,
                 Eigen::Index internal) {
+  assert(internal >= 0);
   Carrier result;
   std::vector<ExtendedMatrix> parts;  // of the rows
   const auto add_row = [&](Eigen::Index row, Eigen::Index first, const auto& values) {
@@ -106,6 +108,7 @@ Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::
     first += 6;
   }
   result.t.resize(to_index(parts.size()), 12 + internal);
+  assert(parts.size() == result.rows.size() && "one row of T for each coordinate");
   for (std::size_t i = 0; i < parts.size(); ++i) result.t.row(to_index(i)) = parts[i];
   return result;
 }
@@ -275,6 +278,7 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
   const Eigen::VectorXd d =
       numerics::unit_scale(assembled.frequency_dependent() ? assembled.constant : assembled.matrices);
   const Eigen::MatrixXcd fast = steady_solution(assembled, loading, angular_frequency).response;
+  assert(fast.rows() == second.size() && "both systems have the first rows of the layout");
   const ExtendedVector scale = d.cast<ExtendedComplex>();
   DeepCheck check;
   double worst_ratio = -1;
@@ -314,6 +318,7 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
 std::vector<double> check_frequencies(const Eigen::VectorXcd& poles, double from, double to, int count) {
   // Of |λ|: complex solvers give an overdamped root an imaginary part of round-off, even 1e-150.
   constexpr double oscillating = 1e-9;
+  assert(from >= 0 && to > from && count > 0);
   std::vector<double> result;
   for (Eigen::Index k = 0; k < poles.size() && static_cast<int>(result.size()) < count / 2; ++k)
     if (const double at = poles(k).imag(); at > from && at < to && at > oscillating * std::abs(poles(k)))

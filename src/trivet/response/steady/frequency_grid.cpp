@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -50,6 +51,7 @@ Eigen::VectorXd largest(const Eigen::MatrixXcd& values, const Peaks& peaks) {
   Eigen::VectorXd top =
       values.cwiseAbs().unaryExpr([](double a) { return std::isfinite(a) ? a : 0.0; }).rowwise().maxCoeff();
   const Eigen::VectorXd heights = top;
+  assert(to_index(peaks.curves.size()) <= top.size());
   for (std::size_t c = 0; c < peaks.curves.size(); ++c)
     for (std::size_t other = 0; other < peaks.curves.size(); ++other)
       if (peaks.curves[other].unit == peaks.curves[c].unit &&
@@ -89,6 +91,7 @@ struct Interval {
 }  // namespace
 
 std::vector<double> linear_grid(const assembly::Band& band, int points) {
+  assert(points >= 2 && band.to >= band.from);
   std::vector<double> grid;
   for (int i = 0; i < points; ++i)
     grid.push_back(i + 1 == points ? band.to : band.from + (band.to - band.from) * i / (points - 1));
@@ -96,6 +99,7 @@ std::vector<double> linear_grid(const assembly::Band& band, int points) {
 }
 
 std::vector<double> logarithmic_grid(const assembly::Band& band, int points) {
+  assert(points >= 2 && band.from > 0 && "equal ratios need a beginning above 0");
   std::vector<double> grid;
   for (int i = 0; i < points; ++i)
     grid.push_back(i + 1 == points ? band.to
@@ -108,6 +112,7 @@ namespace {
 /// Halves the intervals of a first guess until straight lines follow every curve.
 std::vector<double> halved(std::vector<double> grid, const Values& values_at, const Peaks& peaks) {
   if (grid.size() < 2) return grid;
+  assert(std::is_sorted(grid.begin(), grid.end()) && "intervals are between neighbours");
   const Eigen::MatrixXcd values = values_at(grid);
   const Eigen::VectorXd top = largest(values, peaks);
   std::vector<Interval> open;

@@ -2,6 +2,7 @@
 #include "trivet/response/steady/parts_by_delay.h"
 
 #include <algorithm>
+#include <cassert>
 #include <complex>
 
 #include "trivet/foundation/index.h"
@@ -33,6 +34,7 @@ std::vector<double> delays_of(const assembly::Loading& loading) {
 }
 
 Eigen::VectorXcd summed(const Eigen::VectorXcd& parts, const std::vector<double>& delays, double omega) {
+  assert(!delays.empty() && parts.size() % std::ssize(delays) == 0 && "all curves by the first delay, then the next");
   const Eigen::Index curves = parts.size() / std::ssize(delays);
   Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(curves);
   for (std::size_t d = 0; d < delays.size(); ++d)

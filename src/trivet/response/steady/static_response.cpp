@@ -2,6 +2,7 @@
 #include "trivet/response/steady/static_response.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "trivet/assembly/loads.h"
@@ -53,6 +54,7 @@ void refuse_free_motions(const model::System& system, const assembly::Assembled&
 /// matrices contain.
 std::pair<Eigen::VectorXd, double> solution_of(const assembly::Assembled& assembled, const Eigen::VectorXd& load) {
   if (load.isZero(0)) return {load, 0};
+  assert(load.size() == assembled.matrices.size());
   numerics::DynamicMatrices stiffness_only = assembled.matrices;
   stiffness_only.K_loss.resize(0, 0);
   const numerics::SweepResult solved =
@@ -131,6 +133,7 @@ StaticResponse static_response(const model::System& system, const assembly::Asse
                                        by_loads = channels_at_rest(system, assembled, of);
   StaticResponse result;
   result.backward_error = rest.backward_error;
+  assert(by_weight.size() == by_loads.size() && "the second order adds no result");
   for (std::size_t i = 0; i < by_weight.size(); ++i)
     if (by_weight[i].derivative == 0)
       result.values.push_back({by_weight[i].name, by_weight[i].unit,

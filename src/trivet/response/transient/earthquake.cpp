@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -78,6 +79,7 @@ std::vector<Eigen::Index> read_spectrum(const excitation::ResponseSpectrum& spec
     reached.push_back(to_index(i));
   }
   result.effective_mass_share = total > 0 ? effective / total : 0;
+  assert(result.effective_mass_share >= 0 && result.effective_mass_share <= 1 + 1e-12);
   return reached;
 }
 
@@ -120,6 +122,7 @@ EarthquakeResponse earthquake_response(const assembly::Assembled& given, const s
   const ShakenModes modes = shaken_modes(assembled, direction);
   EarthquakeResponse result;
   result.modes = modes.shares;
+  assert(to_index(result.modes.size()) == modes.shapes.cols() && "one shape for each mode that oscillates");
   const std::vector<Eigen::Index> reached = read_spectrum(spectrum, result);
   add_warnings(spectrum, reached, result);
   if (given.frequency_dependent())

@@ -2,6 +2,7 @@
 #include "trivet/response/transient/exact_steps.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "trivet/foundation/index.h"
 
@@ -26,7 +27,11 @@ ExactSteps::ExactSteps(const StateSpace& space, double step, double largest_kapp
     dense_.emplace_back(F_.block(first, first, size, size), step, fastest_);
     first += size;
   }
+  assert(first == F_.rows() && "every state belongs to a pair or to a dense group");
   if (!pairs_.empty() || !dense_.empty()) levels_ = (pairs_.empty() ? dense_ : pairs_).front().levels();
+  [[maybe_unused]] const auto is_as_fine = [&](const ExponentialStep& one) { return one.levels() == levels_; };
+  assert(std::all_of(pairs_.begin(), pairs_.end(), is_as_fine) &&
+         std::all_of(dense_.begin(), dense_.end(), is_as_fine) && "halvings depend on the fastest rate of all states");
   for (std::size_t level = 0; level < levels_ && P > 0; ++level) pair_matrices_.push_back(pair_matrix(level));
 }
 

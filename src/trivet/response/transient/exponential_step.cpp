@@ -2,6 +2,7 @@
 #include "trivet/response/transient/exponential_step.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
@@ -43,6 +44,7 @@ ExponentialStep::ExponentialStep(const Eigen::MatrixXd& F, double step, double l
     throw foundation::NotComputable("the fastest mode oscillates more than 2^60 times within one step");
   const ExtendedMatrix scaled = F_ * std::ldexp(static_cast<long double>(step), -finest);
   const ExtendedMatrix one = ExtendedMatrix::Identity(F.rows(), F.cols());
+  assert(std::ldexp(turn, -finest) <= 0.5 && "the series of e^{F h} converges faster than 2⁻ᵏ/k!");
   ExtendedMatrix phi = one;
   for (int k = series_terms; k > 0; --k) phi = (one + scaled * phi / static_cast<long double>(k)).eval();
   exact_.push_back(phi);
@@ -53,6 +55,7 @@ ExponentialStep::ExponentialStep(const Eigen::MatrixXd& F, double step, double l
 
 std::vector<InputMatrix> ExponentialStep::input(const InputMatrix& G, double kappa) const {
   const std::size_t finest = levels() - 1;
+  assert(G.rows() == F_.rows());
   const long double h = std::ldexp(static_cast<long double>(step_), -static_cast<int>(finest));
   // Input columns of the Taylor series of the whole matrix: R_k = (F R_{k−1} + G S^{k−1} h^{k-1}/(k−1)!) h/k.
   ExtendedInput term = ExtendedInput::Zero(G.rows(), 5), gamma = term, next = term;

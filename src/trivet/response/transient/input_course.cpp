@@ -2,6 +2,7 @@
 #include "trivet/response/transient/input_course.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -76,6 +77,7 @@ void InputCourse::examine_pieces() {
     jump.add(p.value - before.value, p.rate - before.rate, p.curvature - before.curvature);
     if (i + 1 == count()) break;
     const double step = piece(i + 1).start - p.start;
+    assert(step >= 0 && "valid signals have ascending pieces");
     shortest = std::min(shortest, step);
     longest = std::max(longest, step);
     before = excitation::state_on(p, step);
@@ -115,6 +117,7 @@ InputCourse::Place InputCourse::place_at(double t, double resolution) const {
 
 InputVector InputCourse::jump_into(Place place) const {
   InputVector jump = InputVector::Zero();
+  assert(place >= 0 && place < count());
   const excitation::Piece& p = piece(place);
   jump.tail<3>() << p.value, p.rate, p.curvature;
   if (place > 0) {

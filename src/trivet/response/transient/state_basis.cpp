@@ -2,6 +2,7 @@
 #include "trivet/response/transient/state_basis.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -83,6 +84,7 @@ StateBasis state_basis(const numerics::DynamicMatrices& m) {
   Eigen::MatrixXd P, R = Eigen::MatrixXd::Zero(n, n - count);
   for (std::size_t i = 0; i < massless.size(); ++i) R(massless[i], to_index(i)) = scale(massless[i]);
   if (!massless.empty()) part_massless(m, massless, R, basis);
+  assert(basis.massive + basis.lagging + basis.following == n && "mass, dampers or springs alone move each coordinate");
   basis.modal = set_modal_basis(m, P, basis);
   if (!basis.modal) {
     P = Eigen::MatrixXd::Zero(n, count);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/transient/state_space.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -116,6 +117,7 @@ StateSpace StateSpace::decoupled() const {
 }
 
 LinearRows StateSpace::derivative(const LinearRows& rows) const {
+  assert(rows.on_state.cols() == size());
   LinearRows d{rows.on_state * F_, Eigen::MatrixXd::Zero(rows.on_input.rows(), rows.on_input.cols())};
   for (std::size_t c = 0; c < G_.size(); ++c) {
     const Eigen::Index first = to_index(c) * input_derivatives;
@@ -130,6 +132,7 @@ Eigen::VectorXd StateSpace::state(const Eigen::VectorXd& displacement, const Eig
 }
 
 Eigen::VectorXd StateSpace::jump(std::size_t course, const InputVector& jump) const {
+  assert(course < G_.size());
   const InputMatrix& g = G_[course];
   const Eigen::VectorXd of_velocity = g.col(of_value + 1), of_acceleration = g.col(of_value + 2);
   return (of_velocity + F_ * of_acceleration) * jump(of_value) + of_acceleration * jump(of_value + 1);

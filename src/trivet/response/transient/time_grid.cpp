@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -29,6 +30,7 @@ constexpr double present = 1e-8;  ///< energy share below which a mode counts as
 double ringing(const StateMode& mode, std::size_t course, int smoothness) {
   const std::complex<double> s(0, mode.angular_frequency);
   std::complex<double> force = 0, power = 1.0 / (s * s);
+  assert(mode.angular_frequency > 0 && course < mode.forces.size());
   for (Eigen::Index m = 0; m < 5; ++m, power *= s) force += mode.forces[course](m) * power;
   return std::norm(force) / std::pow(mode.angular_frequency, 2 * (smoothness + 1));
 }
@@ -170,6 +172,7 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
     grid.step = (to - options.from) / steps;
   }
   warn_of_coarse_step(grid, modes, limited, warnings);
+  assert(grid.points >= 2 && grid.step > 0 && grid.start <= grid.from && "inputs may begin before the results");
   std::set<std::string> judged;
   for (std::size_t c = 0; c < courses.size(); ++c)
     if (judged.insert(names[c]).second) warn_of_coarse_samples(courses[c], names[c], modes, warnings);

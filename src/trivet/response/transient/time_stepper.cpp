@@ -2,6 +2,7 @@
 #include "trivet/response/transient/time_stepper.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -51,6 +52,7 @@ double TimeStepper::next_corner(const StepperState& at) const {
 }
 
 void TimeStepper::advance_to_corner(StepperState& at, double to) {
+  assert(to >= at.time - resolution_ && at.places.size() == courses_.size());
   if (std::abs(to - at.time - steps_.step()) <= resolution_) apply_step(at, 0);
   for (std::size_t level = 1; level < steps_.levels() && to - at.time > resolution_; ++level)
     if (std::ldexp(steps_.step(), -static_cast<int>(level)) <= to - at.time) apply_step(at, level);
@@ -59,6 +61,7 @@ void TimeStepper::advance_to_corner(StepperState& at, double to) {
 }
 
 void TimeStepper::apply_step(StepperState& at, std::size_t level) {
+  assert(level < steps_.levels());
   find_inputs(at, level);
   for (std::size_t c = 0; c < courses_.size(); ++c)
     w_.segment<5>(to_index(c) * 5) = courses_[c].at(at.places[c], at.time);
@@ -89,6 +92,8 @@ StepperState TimeStepper::state_at(double time, const Eigen::VectorXd& x) const 
 }
 
 void TimeStepper::apply_series(StepperState& at, double duration) {
+  // Halved steps leave less than the finest one, with half a radian of the fastest rate.
+  assert(duration > 0 && steps_.fastest() * duration <= 0.5 * (1 + 1e-6));
   for (std::size_t c = 0; c < courses_.size(); ++c) own_[c] = courses_[c].at(at.places[c], at.time);
   term_ = at.x;
   constexpr double none = 1e-25;  // the bound of the last term if the norm is 1/2

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/assembly/answer_coordinates.h"
@@ -137,6 +138,7 @@ void warn_of_growth(const StateSpace& space, double duration, foundation::Proble
 double root_mean_square(const TimeCurve& curve, const std::vector<numerics::RowBlock>& blocks) {
   constexpr double least_squares = 1e-280, most_squares = 1e280;  // no square leaves the range of numbers
   const Eigen::Index last = curve.values.size() - 1;
+  assert(last > 0 && "a grid has two points at least");
   const double scale = std::max(curve.largest.value, -curve.smallest.value);
   if (scale == 0 || !std::isfinite(scale)) return scale;
   const auto mean = [&](double squares, double unit) {

@@ -2,6 +2,7 @@
 #include "trivet/response/transient/transient_extremes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -50,6 +51,7 @@ class Search {
     double low = state.time, high = end, at_low = signed_value(rate_, state);
     stepper_.advance_to_corner(here, end);
     double at_high = signed_value(rate_, here);
+    assert(at_low > 0 && at_high < 0 && "the derivative changes its sign in between");
     for (int i = 0, side = 0;
          i < most_halvings && high - low > std::max(stepper_.resolution(), 1e-7 * (end - state.time)); ++i) {
       const double t = std::clamp(low + (high - low) * at_low / (at_low - at_high), low + 1e-3 * (high - low),

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include "trivet/foundation/constants.h"
@@ -77,6 +78,7 @@ void TransientRecord::run(StepperState state, const foundation::Progress& progre
 
 void TransientRecord::add_block(StepperState& state, Eigen::Index first, TimeSamples& samples) {
   const Eigen::Index n = state.x.size(), count = samples.points;
+  assert(std::abs(state.time - grid_.time(first)) <= grid_.resolution && "blocks begin at points of the grid");
   for (Eigen::Index i = 0; i < count;) {
     const Eigen::Index most = std::min(count - i, grid_.points - 1 - (first + i));
     samples.X.col(i).head(n) = state.x;
@@ -101,6 +103,7 @@ void TransientRecord::add_inputs(Eigen::Index begin, Eigen::Index count, TimeSam
     const Eigen::Index course = used_[j] / input_derivatives;
     const double kappa = kappas_[to_size(course)];
     Eigen::Index m = used_[j] % input_derivatives;
+    assert(course < to_index(kappas_.size()));
     double factor = 1;
     for (; m > 4; m -= 2) factor *= -kappa * kappa;
     samples.X.row(n + to_index(j)).segment(begin, count) = factor * samples.w.row(course * 5 + m).segment(begin, count);
