@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -16,6 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 std::vector<double> LoadPath::starts(Index j) const {
+  assert(j >= 0 && j < linear_.size());
   constexpr double smallest = 1e-7, largest = 10, ratio = 1.1;  // [m, rad]
   const auto missing = [&](double x) {
     return x + receptance_(j, j) * deflections_[to_size(j)].law.at_rest(x).force - linear_(j);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/answers_of_laws.h"
 
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -18,6 +19,8 @@ namespace {
 /// ẏ = source − decay y over a step h.
 struct Fading {
   Fading(double decay, double h) {
+    // y(h) = e^{−x} y(0) + source h (1 − e^{−x})/x with x = decay h; its mean is (1 − e^{−x})/x y(0) + source h (1 −
+    // mean)/x.
     const double x = decay * h;
     constexpr double small = 1e-4;
     mean = std::abs(x) > small ? -std::expm1(-x) / x : 1 - x / 2;
@@ -100,6 +103,8 @@ numerics::RowMatrix answers_of_laws(const LawsAlong& motion, const DeflectionAns
               carried = motion.carried();
   const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
   const bool damped = motion.is_damped();
+  assert(steps > 0 && to > from && m == to_index(motion.courses.size()));
+  assert((damped || (bristles == 0 && rubbings == 0)) && "bristles and contacts act on rates");
   const Index first_memory = damped ? 2 * m : m, first_rubbings = first_memory + 2 * loops,
               first_carried = first_memory + motion.kept();
   numerics::RowMatrix all((m + carried) * steps, first_memory + motion.memories());

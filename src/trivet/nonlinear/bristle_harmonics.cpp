@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/bristle_harmonics.h"
 
+#include <cassert>
 #include <cmath>
 #include <complex>
 
@@ -31,6 +32,8 @@ MatrixXd sticking(const elements::LuGreFriction& law, Index count, double omega)
 BristleHarmonics bristle_harmonics(const BristleLoop& loop, const VectorXd& deflection, double omega,
                                    bool with_tangent) {
   const elements::LuGreFriction& law = loop.law();
+  // F = σ₀ z + σ₁ ż + σ₂ v: of coefficients σ₀ ẑ + ω D (σ₁ ẑ + σ₂ δ̂), D the derivative by the phase.
+  assert(deflection.size() % 2 == 1 && loop.weights().size() == loop.phases().size());
   const Index count = deflection.size(), harmonics = (count - 1) / 2, nodes = loop.phases().size();
   BristleHarmonics found{VectorXd::Zero(count), {}, {}};
   if (!loop.moves()) {
@@ -81,6 +84,7 @@ double chebyshev_place(int place) { return (1 + std::cos(chebyshev_angle(place))
 
 /// Barycentric weights, whose sum is 1.
 Eigen::VectorXd chebyshev_weights(double mu) {
+  assert(mu >= 0 && mu <= 0.5 && "other multipliers are those of −μ or μ + 1");
   VectorXd weights(chebyshev_places);
   for (int j = 0; j < chebyshev_places; ++j) {
     const double distance = mu - chebyshev_place(j);
@@ -120,6 +124,7 @@ MatrixXcd BristleVariation::at(double mu) const {
   Eigen::VectorXcd orders(count);  // i (μ + k)
   for (Index k = 0; k < count; ++k) orders(k) = Complex(0, mu + static_cast<double>(k - harmonics_));
   if (!moves_) return (law_.stiffness + omega_ * (law_.damping + law_.viscous) * orders.array()).matrix().asDiagonal();
+  assert(at_places_.size() == static_cast<std::size_t>(chebyshev_places));
   const VectorXd weights = chebyshev_weights(mu);
   Open sum{MatrixXcd::Zero(count, count), Eigen::VectorXcd::Zero(count), Eigen::RowVectorXcd::Zero(count)};
   for (int j = 0; j < chebyshev_places; ++j) {
@@ -128,6 +133,7 @@ MatrixXcd BristleVariation::at(double mu) const {
     sum.fading += weights(j) * one.fading;
     sum.ends += weights(j) * one.ends;
   }
+  // A start ζ₀ with ζ(2π) = e^{2πiμ} ζ₀ = ends + e^{−∫ p dδ} ζ₀.
   sum.from_zero += sum.fading * (sum.ends / (std::polar(1.0, two_pi * mu) - faded_));
   MatrixXcd found = (law_.stiffness + omega_ * law_.damping * orders.array()).matrix().asDiagonal() * sum.from_zero;
   found.diagonal() += omega_ * law_.viscous * orders;

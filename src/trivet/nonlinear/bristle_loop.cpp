@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/bristle_loop.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
@@ -69,6 +70,8 @@ BristleLoop::BristleLoop(const LawAbout::Bristles& part, const VectorXd& deflect
   ends_ = {turns.front()};
   for (std::size_t i = 0; i < turns.size(); ++i)
     add_branch(turns[i], i + 1 < turns.size() ? turns[i + 1] : turns.front() + two_pi, longest);
+  [[maybe_unused]] constexpr double of_period = 1e-9;
+  assert(ends_.size() == senses_.size() + 1 && std::abs(ends_.back() - ends_.front() - two_pi) < of_period);
   const Index count = RadauPanel::nodes * to_index(senses_.size());
   for (VectorXd* of_nodes : {&phases_, &weights_, &slopes_, &by_rate_, &gains_, &fading_}) of_nodes->resize(count);
   VectorXd decays(count);
@@ -92,6 +95,8 @@ BristleLoop::BristleLoop(const LawAbout::Bristles& part, const VectorXd& deflect
     faded = fading_(first + RadauPanel::nodes - 1);
   }
   decayed_ = weights_.dot(decays);
+  // dz/dφ = δ' − p δ' z, so that a period keeps e^{−∫ p dδ} of z: z(φ₀) = z_from zero(2π)/(1 − e^{−∫ p dδ}).
+  assert(!(decayed_ <= 0) && "bristles that move forget");
   bristles_ = closed(slopes_);
   // By dδ/dφ: 1 − z (p + v dp/dv).
   gains_ = 1 - bristles_.array() * (gains_.array() + omega_ * slopes_.array() * by_rate_.array());
@@ -126,6 +131,7 @@ template <typename Matrix>
 Matrix BristleLoop::from_zero(const Matrix& source) const {
   using Row = Eigen::Matrix<typename Matrix::Scalar, 1, Eigen::Dynamic>;
   constexpr Index count = RadauPanel::nodes;
+  assert(source.rows() == count * to_index(panels_.size()));
   Matrix found(source.rows(), source.cols());
   Row start = Row::Zero(source.cols());
   for (std::size_t p = 0; p < panels_.size(); ++p) {
@@ -161,6 +167,7 @@ BristleLoop::Here BristleLoop::at(double phase) const {
   while (phase >= ends_.back()) phase -= two_pi;
   const auto after = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, phase);
   const auto p = static_cast<std::size_t>(after - ends_.begin()) - 1;
+  assert(p < panels_.size() && phase >= ends_[p] && phase <= ends_[p + 1]);
   const Index first = RadauPanel::nodes * to_index(p);
   Eigen::Matrix<double, RadauPanel::nodes + 1, 1> values;
   values << bristles_(first > 0 ? first - 1 : bristles_.size() - 1), bristles_.segment<RadauPanel::nodes>(first);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/contact_share.h"
 
+#include <cassert>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,7 @@ double share_of_period(const std::vector<double>& corners, const Holds& holds) {
     const double to = i + 1 < corners.size() ? corners[i + 1] : corners.front() + two_pi;
     if (holds((corners[i] + to) / 2)) sum += to - corners[i];
   }
+  assert(sum <= two_pi * (1 + 1e-12) && "stretches between corners add up to a period");
   return sum / two_pi;
 }
 

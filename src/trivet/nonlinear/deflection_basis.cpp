@@ -81,8 +81,11 @@ DeflectionBasis deflection_basis(const assembly::Assembled& assembled, const std
     rest -= direction * (direction.transpose() * rest);
     rest.col(next).setZero();
   }
+  [[maybe_unused]] constexpr double of_second_projection = 1e-9;
+  assert((orthonormal.transpose() * orthonormal).isIdentity(of_second_projection));
   std::sort(pivots.begin(), pivots.end());
   DeflectionBasis found{pivots, MatrixXd::Zero(to_index(pivots.size()), columns.cols())};
+  assert(std::adjacent_find(pivots.begin(), pivots.end()) == pivots.end() && "a deflection is a pivot once");
   if (pivots.empty()) return found;
   const MatrixXd along = orthonormal.transpose() * columns,
                  shares = numerics::PivotedLu<double>(MatrixXd(along(Eigen::all, pivots))).solve(along);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -20,6 +21,7 @@ DeflectionSizes::DeflectionSizes(const std::vector<Deflection>& deflections, con
 VectorXd DeflectionSizes::largest_of_kind(const VectorXd& of) const {
   constexpr double least = 1e-2;
   std::array<double, 2> largest = {0, 0}, per_root_energy = {0, 0};
+  assert(of.size() == to_index(is_rotation_.size()));
   for (Index j = 0; j < of.size(); ++j) {
     const bool kind = is_rotation_[to_size(j)];
     largest[kind] = std::max(largest[kind], of(j));

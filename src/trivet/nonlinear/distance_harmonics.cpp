@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/distance_harmonics.h"
 
+#include <cassert>
+
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
@@ -64,6 +66,7 @@ DistanceHarmonics::Nodes DistanceHarmonics::nodes(const MatrixXd& course) const 
                               });
   Nodes found{MatrixXd(to_index(phases.size()), values_.cols()),
               Eigen::Map<const VectorXd>(weights.data(), to_index(weights.size()))};
+  assert(std::abs(found.weights.sum() - 2) < 1e-9 && "stretches between corners add up to a period");
   for (std::size_t n = 0; n < phases.size(); ++n)
     found.between_corners.row(to_index(n)) = numerics::fourier_row(2 * harmonics_, phases[n]);
   return found;
@@ -72,6 +75,7 @@ DistanceHarmonics::Nodes DistanceHarmonics::nodes(const MatrixXd& course) const 
 DistanceHarmonics::Sums DistanceHarmonics::sums(const MatrixXd& course, double omega, bool with_tangents) const {
   const Nodes nodes = this->nodes(course);
   const MatrixXd& rows = nodes.between_corners.size() > 0 ? nodes.between_corners : values_;
+  assert(nodes.weights.size() == rows.rows() && course.rows() <= rows.cols());
   const Index count = rows.rows(), C = course.rows();
   const bool damped = law_.has_dampers();
   const MatrixXd deviations = rows.leftCols(C) * course,

@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/force_remainder.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
@@ -17,6 +18,7 @@ using foundation::two_pi;
 ForceRemainder::ForceRemainder(const MachineLaws& laws, const MatrixXd& course, const MatrixXd& harmonics, double omega)
     : course_(course), harmonics_(harmonics), omega_(omega), known_(to_size(course.cols()), false) {
   std::vector<double> corners;
+  assert(course.cols() == to_index(laws.single().size()) && harmonics.cols() == course.cols());
   for (Index j = 0; j < course.cols(); ++j) {
     const LawHarmonics& law = laws.single()[to_size(j)];
     if (law.law().is_empty()) continue;

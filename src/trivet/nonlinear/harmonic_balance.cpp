@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/harmonic_balance.h"
 
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <utility>
@@ -74,6 +75,7 @@ VectorXd HarmonicBalance::linear_motion(const Driving& driving) const {
   VectorXd unknowns = VectorXd::Zero(size());
   for (std::size_t e = 0; e < machine_.excited().size(); ++e) {
     const Index k = machine_.excited()[e];
+    assert(k >= 1 && k <= harmonics_ && "the excitation is within the harmonics");
     const Eigen::VectorXcd motion =
         driving.factor * machine_.linear_motion(e, static_cast<double>(k) * driving.omega).motion;
     for (Index j = 0; j < motion.size(); ++j) {
@@ -121,6 +123,7 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
                                numerics::Equations& equations) const {
   const double omega = driving.omega;
   const Index C = coefficients(), m = machine_.size();
+  assert(unknowns.size() == C * m);
   const bool with_derivatives = !equations.value_only;
   equations.value = unknowns;
   CoupledForces of_deflections;

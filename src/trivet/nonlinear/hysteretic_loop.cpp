@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/hysteretic_loop.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
@@ -19,6 +20,7 @@ HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd&
                                const std::vector<double>& turns, double turning_slope)
     : part_(part), turning_slope_(turning_slope) {
   if (turns.empty()) return;
+  assert(std::is_sorted(turns.begin(), turns.end()) && turns.front() >= 0 && turns.back() <= two_pi);
   const Index harmonics = (deflection.size() - 1) / 2;
   for (std::size_t i = 0; i < turns.size(); ++i)
     branches_.push_back({turns[i], i + 1 < turns.size() ? turns[i + 1] : turns.front() + two_pi,
@@ -83,6 +85,7 @@ double HystereticLoop::closed(double force) {
   constexpr int most = 60;
   constexpr double accurate = 1e-15, round_off = 1e-13;
   const double limit = elements::force_limit(part_.law);
+  // Newton's method on f(2π; f₀) − f₀ = 0, or on f(second turning point; f₀) + f₀ = 0 of a symmetric loop.
   if (is_symmetric()) {
     const double travel = branches_[1].deflection - branches_[0].deflection;
     for (int i = 0; i < most; ++i) {
@@ -133,6 +136,8 @@ void HystereticLoop::set_slopes(const VectorXd& deflection) {
       slopes = slopes_after(i, end[i], slopes, deflection);
       by_start *= end[i].by_start;
     }
+    // δf(2π) = by_start δf₀ + slopes δ: closed for δf₀ = slopes δ/(1 − by_start).
+    assert(by_start != 1 && "a loop that does not stick forgets");
     branches_.front().force_slopes = slopes / (1 - by_start);
   }
   for (std::size_t i = 0; i + 1 < branches_.size(); ++i)
@@ -175,6 +180,7 @@ bool HystereticLoop::just_reaches_slip() const {
 }
 
 const HystereticLoop::Branch& HystereticLoop::branch_at(double phase) const {
+  assert(!branches_.empty() && "a deflection that rests has no branch");
   if (phase < branches_.front().from) phase += two_pi;
   std::size_t i = branches_.size() - 1;
   while (i > 0 && branches_[i].from > phase) --i;

@@ -54,6 +54,7 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
     if (found.size() % 2 == 1) found.pop_back();  // the first and the last are one turning point
     return found;
   };
+  assert(std::is_sorted(corners_.begin(), corners_.end()));
   const double turning_slope = this->turning_slope(harmonics);
   for (const LawAbout::Hysteretic& part : law.hysteretic()) {
     const double of_part = elements::jumps_at_turns(part.law) ? turning_slope : 0;

@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/law_harmonics.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -85,6 +86,7 @@ VectorXd LawHarmonics::force_at(const VectorXd& deflection, double omega, double
 LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double omega, double round_off,
                                             bool with_tangent) const {
   const Index twice = with_tangent ? numerics::coefficient_count(2 * harmonics_) : 0;
+  assert(deflection.size() == numerics::coefficient_count(harmonics_));
   Spectra sum{with_tangent,
               VectorXd::Zero(deflection.size()),
               VectorXd::Zero(twice),
@@ -126,6 +128,7 @@ void LawHarmonics::add_sampled(const LawAbout::Parts& parts, const VectorXd& def
                                Spectra& sum) const {
   const Index count = deflection.size(), samples = values_.rows();
   const bool damped = law_.has_dampers();
+  assert(samples > 2 * of_motion_ && "samples do not fold the motion itself");
   const VectorXd motion = deflection.head(numerics::coefficient_count(of_motion_)),
                  deflections = (values_.leftCols(motion.size()) * motion).array() + law_.state();
   const VectorXd rates = damped
@@ -232,6 +235,7 @@ void LawHarmonics::add_loop(const LawCourse& course, const HystereticLoop& loop,
 void LawHarmonics::add_jumps(const VectorXd& deflection, double omega, const HystereticLoop& loop, Spectra& sum) const {
   for (const HystereticLoop::Jump& jump : loop.jumps(deflection)) {
     const HystereticLoop::Branch& branch = loop.branches()[jump.branch];
+    assert(jump.branch < loop.branches().size());
     const Eigen::RowVectorXd here = numerics::fourier_row(harmonics_, jump.phase);
     Eigen::RowVectorXd moved = jump.by_deflection * (here - numerics::fourier_row(harmonics_, branch.from)) +
         jump.by_start * branch.force_slopes.transpose();
@@ -260,6 +264,7 @@ void LawHarmonics::add_bristles(const LawCourse& course, const VectorXd& deflect
 void LawHarmonics::add_of_amplitude(const LawCourse& course, const VectorXd& deflection, Spectra& sum) const {
   const Index count = deflection.size();
   const elements::StiffnessOfAmplitude& there = course.of_amplitude();
+  assert(course.ahead().size() == count && "a quarter of a period ahead are as many harmonics");
   VectorXd force = there.storage * deflection + there.loss * course.ahead();
   force(0) *= 2;
   sum.force += force;

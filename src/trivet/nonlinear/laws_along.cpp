@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/laws_along.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
@@ -16,6 +17,7 @@ LawsAlong::LawsAlong(const MachineLaws& laws, const VectorXd& deflections, doubl
   const std::vector<LawHarmonics>& single = laws.single();
   const Index C = deflections.size() / to_index(single.size());
   harmonics = (C - 1) / 2;
+  assert(C % 2 == 1 && deflections.size() == C * to_index(single.size()) && "one course for each deflection");
   const MatrixXd motion = deflections.reshaped(C, to_index(single.size()));
   const VectorXd rests_below = laws.round_off(motion);
   for (std::size_t j = 0; j < single.size(); ++j) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/assembly/loads.h"
@@ -49,6 +50,7 @@ VectorXd built_in_forces(const model::System& undeformed, Index count) {
       found.segment<3>(next) = elements::force_in_motion(part.law, none, none).force.cwiseAbs();
       next += 3;
     }
+  assert(next <= count && "friction of stops, which comes last, has no built-in force");
   return found;
 }
 
@@ -92,6 +94,7 @@ LoadPath::LoadPath(const model::System& undeformed) {
 
 LoadPath::Forces LoadPath::forces(const VectorXd& deflections) const {
   const Index count = deflections.size();
+  assert(count == to_index(deflections_.size()));
   Forces found{VectorXd::Zero(count), MatrixXd::Zero(count, count)};
   for (Index j = 0; j < count; ++j) {
     const Deflection& deflection = deflections_[to_size(j)];
@@ -249,6 +252,7 @@ std::optional<BranchPoint> LoadPath::start(const VectorXd& growing, bool other_s
     found.tangent = unchanging(work.normalized());
   }
   if (found.tangent.norm() < none) return growing.isZero(0) ? std::optional(found) : std::nullopt;
+  assert((sizes.array() > 0).all() && "of kinds that move");
   found.tangent.normalize();
   if (other_side) found.tangent = -found.tangent;
   return found;
@@ -324,6 +328,7 @@ bool LoadPath::is_stable(const VectorXd& deflections) const {
 }
 
 bool is_positive(const MatrixXd& stiffness, const MatrixXd& typical) {
+  assert(stiffness.rows() == stiffness.cols() && typical.rows() == stiffness.rows());
   const VectorXd scale =
       typical.diagonal().unaryExpr([](double entry) { return entry == 0 ? 1.0 : 1 / std::sqrt(std::abs(entry)); });
   const MatrixXd scaled = scale.asDiagonal() * (0.5 * (stiffness + stiffness.transpose())) * scale.asDiagonal();

@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/machine_laws.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "trivet/foundation/constants.h"
@@ -71,6 +72,7 @@ RubbingHarmonics MachineLaws::friction(const Rubbing& one, const MatrixXd& cours
   constexpr double fewest = 32;
   const MatrixXd own = own_course(one, course);
   const RubbingLoop fine = loop(one, course, omega, {fewest});
+  assert(own.cols() == 3 && own.rows() == course.rows());
   RubbingHarmonics found = rubbing_harmonics(fine, own, omega, with_tangent);
   if (fine.points().empty() || fine.always_sticks()) return found;
   const RubbingLoop rough = loop(one, course, omega, {fewest, true});
@@ -86,6 +88,7 @@ RubbingHarmonics MachineLaws::friction(const Rubbing& one, const MatrixXd& cours
 }
 
 MatrixXd MachineLaws::forces(const MatrixXd& course, double omega) const {
+  assert(course.cols() == to_index(single_.size()) && "one course for each deflection");
   MatrixXd all = MatrixXd::Zero(course.rows(), course.cols());
   const VectorXd rests_below = round_off(course);
   for (Index j = 0; j < course.cols(); ++j)
@@ -98,6 +101,7 @@ MatrixXd MachineLaws::forces(const MatrixXd& course, double omega) const {
 }
 
 CoupledForces MachineLaws::at(const MatrixXd& course, double omega) const {
+  assert(course.cols() == to_index(single_.size()) && course.rows() % 2 == 1);
   CoupledForces all{MatrixXd::Zero(course.rows(), course.cols()), MatrixXd::Zero(course.rows(), course.cols()), {}};
   const VectorXd rests_below = round_off(course);
   for (Index j = 0; j < course.cols(); ++j) {

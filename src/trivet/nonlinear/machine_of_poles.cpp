@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -77,6 +78,7 @@ class MachineOfPoles final : public LinearMachine {
 
   [[nodiscard]] LinearMotion motion(std::size_t loading, double omega) const override {
     const Complex s(0, omega), i(0, 1);
+    assert(loading < loadings_.size());
     const VectorXcd inverse = about_poles(omega);
     LinearMotion found{VectorXcd::Zero(size_), VectorXcd::Zero(size_)};
     const auto add = [&](int power, double delay, const VectorXcd& value, const VectorXcd& slope) {
@@ -99,6 +101,7 @@ class MachineOfPoles final : public LinearMachine {
     const Complex s(0, omega);
     VectorXcd weights = VectorXcd::Zero(static_part_.cols());
     weights.head(size_) = -forces;
+    assert(forces.size() == size_);
     if (loading)
       for (const Term& term : loadings_[*loading].terms)
         weights(term.column) = factor * numerics::integer_power(s, term.power) * std::exp(-s * term.delay);
@@ -175,6 +178,7 @@ bool agree(const LinearMachine& one, const LinearMachine& other, std::size_t loa
   one.set_receptance(omega, ours);
   other.set_receptance(omega, theirs);
   const Eigen::VectorXd size = theirs.diagonal().cwiseAbs().cwiseSqrt();
+  assert(ours.rows() == theirs.rows() && ours.cols() == theirs.cols());
   if (!((ours - theirs).cwiseAbs().array() <= round_off * (size * size.transpose()).array()).all()) return false;
   for (std::size_t i = 0; i < loadings; ++i) {
     const VectorXcd moved = other.motion(i, omega).motion;

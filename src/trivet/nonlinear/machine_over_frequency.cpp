@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -56,6 +57,7 @@ class MachineOverFrequency final : public LinearMachine {
   }
 
   [[nodiscard]] LinearMotion motion(std::size_t loading, double omega) const override {
+    assert(loading < loadings_.size());
     const MatrixXcd z = stiffness(omega);
     const VectorXcd here = solved(z, right_side(loading, omega));
     const double step = relative_step * omega;

@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/observed_motion.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -79,6 +80,7 @@ MatrixXd direct_forces(const model::System& system, const assembly::Assembled& a
       for (const elements::Vector12& row :
            rows_across(system.elements()[e].nonlinear_parts[part.pressed_by], span(system.elements()[e])))
         add(e, row);
+  assert(column == parts && "one column for each force of a law");
   return direct;
 }
 
@@ -126,6 +128,7 @@ RemainderCourses remainder_courses(const ForceRemainder& forces, Index harmonics
     if (n == 0) found.remainder.resize(count, here.size());
     found.remainder.row(n) = here;
   }
+  assert(std::abs(found.weights.sum() - 1) < 1e-9 && "phases ascend over one period");
   return found;
 }
 
@@ -235,6 +238,7 @@ std::vector<ObservedMotion> Observer::at(const Eigen::MatrixXcd& coordinates, co
                                          double factor, const ForceRemainder* remainder) const {
   const Index harmonics = (forces.rows() - 1) / 2;
   std::vector<VectorXd> courses(channels_.size(), VectorXd::Zero(forces.rows()));
+  assert(forces.rows() % 2 == 1 && coordinates.cols() == harmonics + 1 && "the mean, then a cosine and a sine each");
   for (Index k = 0; k <= harmonics; ++k) {
     const Complex s(0, static_cast<double>(k) * omega);
     VectorXcd force(forces.cols());
@@ -270,6 +274,7 @@ std::vector<ObservedMotion> Observer::at(const Eigen::MatrixXcd& coordinates, co
     motion.largest = largest_of(course, samples);
     motion.smallest = -largest_of(-course, samples);
     motion.rms = course.tail(course.size() - 1).norm() / std::sqrt(2.0);
+    assert(!(motion.smallest > motion.largest));
     results.push_back(std::move(motion));
   }
   if (!remainder || !follows_forces()) return results;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
@@ -183,6 +184,7 @@ Eigen::RowVectorXd PeriodicStability::deflection(const LawsAlong& motion, Index 
 /// At a turning point the memory of a loop becomes its deflection and force there.
 void PeriodicStability::turn(const LawsAlong& motion, std::size_t loop, double phase, MatrixXd& states) const {
   const Index n = F_.rows(), row = n + 2 * to_index(loop);
+  assert(loop < motion.loops.size() && states.rows() == n + motion.memories());
   const LawsAlong::Loop& one = motion.loops[loop];
   const double deflection = motion.courses[to_size(one.deflection)].deflection_at(phase);
   constexpr double before = 1e-9;
@@ -218,6 +220,7 @@ void PeriodicStability::jump(const LawsAlong& motion, std::size_t loop, double p
 /// where it closes and sticks, its springs begin at another place if it closes earlier.
 void PeriodicStability::change_rubbing(const LawsAlong& motion, std::size_t rubbing, double phase,
                                        MatrixXd& states) const {
+  assert(rubbing < motion.rubbings.size() && states.rows() == F_.rows() + motion.memories());
   const LawsAlong::Rubbing& one = motion.rubbings[rubbing];
   const Index n = F_.rows(), kept = motion.first_kept(rubbing) + n, carried = motion.first_carried(rubbing) + n;
   const double k = one.loop.law().law().stiffness, unit = units_of_friction(motion, accelerations_)(to_index(rubbing));
@@ -274,6 +277,7 @@ PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws&
   for (const LawsAlong::Rubbing& one : motion.rubbings)
     for (const RubbingLoop::Change& change : one.loop.changes()) corners.push_back(change.phase);
   std::sort(corners.begin(), corners.end());
+  assert(corners.front() == 0 && corners.back() == two_pi && "all phases are within one period");
   const Index all = F_.rows() + motion.memories();
   MatrixXd period = MatrixXd::Identity(all, all);
   constexpr double exact = 1e-9;  // share of the transition by closed form, with nearly dependent eigenvectors

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/phase_equations.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -24,6 +25,7 @@ Driving PhaseEquations::driving(const BranchPoint& point) {
 double PhaseEquations::lag_at(double omega) const { return held_.lag - held_.reference.phase_at(order() * omega); }
 
 double PhaseEquations::phase_equation(const VectorXd& motion, double lag) const {
+  assert(cosine_ > 0 && cosine_ + 1 < motion.size() && "the held harmonic is one of the unknowns");
   return motion(cosine_) * std::sin(lag) - motion(cosine_ + 1) * std::cos(lag);
 }
 
@@ -63,6 +65,7 @@ std::optional<BranchPoint> PhaseEquations::near_linear(double omega, double load
 void PhaseEquations::evaluate(const VectorXd& unknowns, double load, numerics::Equations& equations) const {
   const Index n = balance_.size();
   const double omega = std::exp(unknowns(n));
+  assert(unknowns.size() == n + 1 && "the last unknown is log ω");
   numerics::Equations over_frequency;
   balance_.evaluate(unknowns.head(n), {omega, load}, Parameter::frequency, over_frequency);
   equations.value.resize(n + 1);

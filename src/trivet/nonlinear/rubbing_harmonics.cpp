@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/rubbing_harmonics.h"
 
+#include <cassert>
+
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
@@ -48,6 +50,7 @@ std::array<Columns<Scalar>, 3> forces_by(const RubbingLoop& loop, double omega, 
   if (loop.points().empty()) return {};
   RubbingLoop::Variation<Scalar> by;
   const bool is_ring = loop.law().is_ring(), presses = is_ring ? deflection < 2 : deflection == 0;
+  // δL = (∂L/∂a n + ∂L/∂ȧ ω n') δ + ∂L/∂ȧ ω n δ', a along the contact, n its normal, primes by the phase.
   if (presses) {
     const VectorXd by_deflection = each(loop, [&](const Point& point) {
       return point.limit.by_deflection * point.frame.normal(deflection) +
@@ -84,12 +87,16 @@ template <typename Scalar>
 void subtract(double stiffness, Index count, Columns<Scalar>& tangent) {
   if (stiffness == 0) return;
   if (tangent.size() == 0) tangent.setZero(count, count);
+  assert(tangent.rows() == count && tangent.cols() == count);
   tangent.diagonal().array() -= stiffness;
 }
 
 }  // namespace
 
 RubbingHarmonics rubbing_harmonics(const RubbingLoop& loop, const MatrixXd& course, double omega, bool with_tangent) {
+  // Coefficients f̂_k = (1/π) ∫ f(φ) (cos kφ, sin kφ) dφ, half of that for the mean, of the friction f = Tᵀ H f_t on the
+  // three deflections (tangents T, hoop H, force over the travel f_t), less the stiffness of the linear machine there.
+  assert(course.cols() == 3 && course.rows() % 2 == 1);
   const Index count = course.rows(), points = to_index(loop.points().size());
   const Eigen::Matrix3d own = loop.law().own_stiffness();
   RubbingHarmonics found{-course * own, MatrixXd::Zero(count, 3)};
@@ -144,6 +151,7 @@ RubbingVariation rubbing_variation(const RubbingLoop& loop, double omega, double
       integral(k, i) = point.weight / two_pi * std::conj(wave);
     }
   }
+  // f̂_k = (1/2π) ∫ δf(φ) e^{−i(μ + k)φ} dφ, by variations that each period turns by e^{2πiμ}.
   const Complex turned = std::polar(1.0, two_pi * mu);
   RubbingVariation found;
   for (std::size_t b = 0; b < 3; ++b) {

@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/rubbing_loop.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -27,6 +28,8 @@ constexpr double round_off = 1e-12;
 RubbingLoop::RubbingLoop(const RubbingAbout& law, const MatrixXd& course, const std::vector<double>& corners,
                          double omega, double longest, bool rough)
     : law_(law), motion_(course), omega_(omega), parts_(rough ? 1 : 2) {
+  assert(course.cols() == 3 && std::is_sorted(corners.begin(), corners.end()));
+  assert(corners.empty() || (corners.front() >= 0 && corners.back() <= two_pi));
   std::vector<double> ends = corners;
   if (ends.empty()) ends = {0};
   if (law_.is_ring()) ends = with_losses_of_pressure(ends);
@@ -48,6 +51,8 @@ RubbingLoop::RubbingLoop(const RubbingAbout& law, const MatrixXd& course, const 
   const double start = ends.front();
   ends.erase(ends.begin());
   ends.push_back(start + two_pi);
+  assert(std::is_sorted(ends.begin(), ends.end()) && !(ends.front() < start) &&
+         "stretches follow each other for a period");
   if (opens_) {
     begin(start, Vector2d::Zero());
     march(ends, longest);
@@ -110,6 +115,7 @@ double RubbingLoop::step_of_stiffness(const std::vector<double>& ends) const {
 }
 
 RubbingLoop::Here RubbingLoop::at(double phase) const {
+  // L' = ∂L/∂a a' + ∂L/∂ȧ ω a'', with a' = n δ' and a'' = n' δ' + n δ'' of the deviation a along the contact.
   const auto [value, slope, bend] = motion_.at(phase);
   Here found{law_.frame(value), {}, {}, 0};
   found.rates = rates_of(found.frame, slope);
@@ -121,6 +127,7 @@ RubbingLoop::Here RubbingLoop::at(double phase) const {
 
 /// By the phase, of the friction while the contact sticks.
 Vector2d RubbingLoop::pull(const Here& here, const Vector2d& friction) const {
+  // f = H f_t and f_t' = k s': f' = k H s' + H' f_t, and the hoop ρ₀/ρ falls by curvature · ρ' of itself.
   Vector2d found = law_.law().stiffness * here.frame.friction(here.rates.across);
   found.x() -= here.frame.curvature * here.rates.along * friction.x();
   return found;
@@ -129,6 +136,7 @@ Vector2d RubbingLoop::pull(const Here& here, const Vector2d& friction) const {
 /// With the mean of both hoops, so that the errors are of second order, and at the end on the limit of the last one.
 RubbingLoop::Step RubbingLoop::slip(const Point& from, const Here& to) const {
   const double k = law_.law().stiffness, limit = to.limit.value;
+  assert(!(limit < 0) && !(from.limit.value < 0) && "a contact that slips is closed, or just opens");
   const Vector2d travelled = travel(from, to);
   if (!law_.is_ring()) return {elements::slip(k, from.force, travelled, from.limit.value, limit)};
   Step found{
@@ -140,6 +148,7 @@ RubbingLoop::Step RubbingLoop::slip(const Point& from, const Here& to) const {
   const Matrix2d by_force =
       scaled * (Matrix2d::Identity() - force * to.frame.friction(friction).transpose() / (size * size));
   found.force = scaled * force;
+  assert(!(std::abs(to.frame.friction(found.force).norm() - limit) > 1e-9 * limit) && "it slips on its limit");
   found.by_start = (by_force * found.by_start).eval();
   found.by_travel = (by_force * found.by_travel).eval();
   found.by_limit = (by_force * found.by_limit + force / size).eval();
@@ -184,6 +193,7 @@ void RubbingLoop::close(double start, const std::vector<double>& ends, double lo
       force *= here.limit.value / size;
   };
   within_limit();
+  // f(2π; f₀) = f₀: Newton's step is (1 − ∂f(2π)/∂f₀)⁻¹ (f(2π) − f₀), the derivative being the product of all steps.
   constexpr int most = 60;
   for (int i = 0; i < most; ++i) {
     begin(start, force);
@@ -328,6 +338,10 @@ void RubbingLoop::append(double phase, double weight, bool slips) {
       if (closed.limit_slope > 0) point.step.travel_by_limit = closed.rates.across / closed.limit_slope;
     }
   }
+  // Sticking f_i = f_{i−1} + k Δs; slipping |H f_i| = L_i, in the direction that the travel Δs turns it to.
+  [[maybe_unused]] constexpr double of_ends =
+      1e-9;  // a stretch begins where the one before ends, but for round-off of a period
+  assert(phase >= before.phase - of_ends && "points ascend");
   point.force = point.step.force;
   points_.push_back(point);
 }
@@ -339,6 +353,7 @@ Matrix2d RubbingLoop::kept() const {
 }
 
 std::size_t RubbingLoop::point_after(double& phase) const {
+  assert(points_.size() > 1 && "a loop with points goes on for a period");
   while (phase < points_.front().phase) phase += two_pi;
   while (phase >= points_.back().phase) phase -= two_pi;
   const auto after = std::upper_bound(points_.begin() + 1, points_.end() - 1, phase,
@@ -412,6 +427,8 @@ RubbingLoop::Forces<Scalar> RubbingLoop::variation(const Variation<Scalar>& by, 
       }
     return found;
   }
+  // δf_i = A_i δf_{i−1} + b_i from zero; then a start δf₀ that closes: (turned − Π A_i) δf₀ = what is missing after a
+  // period.
   std::vector<Matrix2d> kept = {Matrix2d::Identity()};
   for (Index i = 1; i < any.rows(); ++i) {
     const Step& step = points_[to_size(i)].step;

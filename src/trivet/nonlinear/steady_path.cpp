@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -64,6 +65,7 @@ SteadyPath::Known SteadyPath::known() const { return *first_; }
 
 /// With more harmonics, which are zero at first.
 std::optional<BranchPoint> SteadyPath::near(const Known& known) const {
+  assert(known.motion.rows() <= balance().coefficients() && "harmonics are only added");
   Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(balance().coefficients(), known.motion.cols());
   motion.topRows(known.motion.rows()) = known.motion;
   return motion_near(balance().unknowns_of(motion), known.parameter);
@@ -183,6 +185,7 @@ bool SteadyPath::follow_branched(const SteadyEquations::Place& start, const Vect
   limit_points_of_further_curve();
   leaves_downwards_ = true;
   const Index n = start.unknowns.size();
+  assert(along.size() == 0 || along.size() == n + 1);
   const std::optional<VectorXd> weakest = equations_.weakest_direction(start);
   if (!weakest) return false;
   BranchPoint first{start.unknowns, start.parameter, VectorXd(n + 1), VectorXd::Zero(n + 1), 0};
@@ -239,6 +242,7 @@ std::optional<double> SteadyPath::returns_to_one_period(const BranchPoint& next)
   if (std::any_of(excited.begin(), excited.end(), [](Index k) { return k % 2 != 0; })) return std::nullopt;
   const Index C = balance().coefficients(), deflections = next.unknowns.size() / C;
   const VectorXd& now = points().back().unknowns;
+  assert(now.size() == next.unknowns.size() && next.unknowns.size() % C == 0);
   double product = 0, size = 0, next_size = 0;
   for (Index k = 1; 2 * k < C; k += 2)
     for (Index j = 0; j < deflections; ++j) {

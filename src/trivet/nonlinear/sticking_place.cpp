@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/sticking_place.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -92,6 +93,8 @@ Found of_three(const std::vector<Disc>& discs, std::size_t i, std::size_t j, std
 /// From one disc that is farther away to the next: each time the deepest place in those that hold it and the new one.
 /// `beyond` only grows, so that it ends.
 DeepestPlace deepest_in_circles(const std::vector<Disc>& discs) {
+  assert(!discs.empty() &&
+         std::all_of(discs.begin(), discs.end(), [](const Disc& disc) { return !(disc.radius < 0); }));
   double largest = 0;
   for (const Disc& disc : discs) largest = std::max({largest, disc.radius, disc.center.norm()});
   const double round_off = 1e-12 * largest;

@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/winding_stability.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
@@ -95,6 +96,7 @@ class LawVariation {
   void add_memory(const Memory& memory, double mu, MatrixXcd& sum) const {
     const Index count = sum.rows();
     const std::size_t turns = memory.from.size();
+    assert(memory.ends.size() == turns);
     // Deflection and force at the turning points, turning points × variations.
     MatrixXcd deflection(to_index(turns), count), force(to_index(turns), count);
     const Complex period = std::polar(1.0, two_pi * mu);
@@ -129,6 +131,7 @@ class LawVariation {
   void add_jump(const HystereticLoop::Jump& jump, double mu, const MatrixXcd& deflection, const MatrixXcd& force,
                 MatrixXcd& sum) const {
     const Index count = sum.rows(), turn = to_index(jump.branch);
+    assert(turn < deflection.rows() && force.rows() == deflection.rows());
     Eigen::RowVectorXcd moved(count);
     VectorXcd waves(count);
     for (Index l = 0; l < count; ++l) {
@@ -173,6 +176,7 @@ class HillDeterminant {
   }
 
   [[nodiscard]] Complex at(double nu) const {
+    assert(nu >= 0 && nu <= omega_ / 2 && "D(i(ν + ω)) = D(iν), and D(−iν) is conjugate");
     const Index m = machine_.size(), count = 2 * harmonics_ + 1;
     MatrixXcd whole = MatrixXcd::Identity(m * count, m * count), receptance;
     struct Tangent {
