@@ -2,6 +2,7 @@
 #include "trivet/design/band_crossings.h"
 
 #include <algorithm>
+#include <cassert>
 #include <string_view>
 
 #include "trivet/foundation/index.h"
@@ -40,6 +41,7 @@ void add_band_crossings(const CrossedEdge& edge, const DesignOutcome& from, cons
 
 std::vector<BandCrossing> band_crossings_of(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes) {
   std::vector<BandCrossing> crossings;
+  assert(outcomes.size() == grid.count());
   for (int j = 0; j < grid.ny; ++j)
     for (int i = 0; i < grid.nx; ++i) {
       const DesignOutcome& here = outcomes[grid.index(i, j)];
@@ -65,6 +67,7 @@ BandCrossings band_crossings(const MapGrid& grid, const std::vector<DesignOutcom
     std::size_t next = 0;
     for (BandCrossing& p : crossings)
       if (p.open) p.update(found[next++]);
+    assert(next == found.size() && "one outcome for each place between two designs");
   }
   BandCrossings result;
   const CrossedEdge* last = nullptr;

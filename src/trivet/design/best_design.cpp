@@ -2,6 +2,7 @@
 #include "trivet/design/best_design.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace trivet::design {
@@ -55,6 +56,7 @@ std::optional<BestDesign> best_design(const DrawnGrid& grid, const std::vector<D
   std::vector<std::size_t> candidates;  // a narrow strip has many equally deep nodes: take the middle one
   for (std::size_t node = 0; node < depth.size(); ++node)
     if (depth[node] >= deepest * (1 - 1e-9)) candidates.push_back(node);
+  assert(!candidates.empty() && "the deepest node is one of them");
   if (deepest > 0) best->design = grid.design(candidates[candidates.size() / 2]);
   return best;
 }

@@ -2,6 +2,7 @@
 #include "trivet/design/boundary_crossings.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string_view>
 
@@ -41,6 +42,7 @@ struct Bracket {
 }  // namespace
 
 MapPlace place_on_edge(const MapGrid& grid, const CrossedEdge& edge, double t) {
+  assert(t >= 0 && t <= 1 && "a share of the edge");
   MapPlace p = grid.place(edge.i, edge.j);
   (edge.upwards ? p.y : p.x) += t / ((edge.upwards ? grid.ny : grid.nx) - 1);
   return p;
@@ -60,6 +62,7 @@ std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<De
     const std::size_t to = e.upwards ? grid.index(e.i, e.j + 1) : grid.index(e.i + 1, e.j);
     brackets.push_back({0, 1, boundary_level(outcomes[grid.index(e.i, e.j)]), boundary_level(outcomes[to]),
                         boundary_tolerance * ((e.upwards ? grid.ny : grid.nx) - 1), 0});
+    assert((brackets.back().at_a >= 0) != (brackets.back().at_b >= 0) && "the boundary crosses the edge");
   }
   std::vector<std::size_t> open(edges.size());
   for (std::size_t e = 0; e < open.size(); ++e) open[e] = e;
@@ -77,6 +80,7 @@ std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<De
       places.push_back(place_on_edge(grid, edges[e], t.back()));
     }
     const std::vector<DesignOutcome> found = judge(places, of_boundary);
+    assert(found.size() == open.size());
     for (std::size_t k = 0; k < open.size(); ++k) brackets[open[k]].update(t[k], boundary_level(found[k]));
   }
   std::vector<double> crossings;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -36,6 +37,7 @@ double node_value(const FamilyVariable& variable, const Along& along, std::size_
 
 /// Largest difference between entries, divided by their scales; infinite if one is NaN.
 double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& exact, const Eigen::VectorXd& scale) {
+  assert(interpolated.size() == exact.size() && scale.size() == exact.size());
   double worst = 0;
   for (Eigen::Index e = 0; e < exact.size(); ++e)
     if (interpolated(e) != exact(e)) {
@@ -71,6 +73,8 @@ Eigen::VectorXd DesignFamily<Design>::Along::weights(double value) const {
   for (std::size_t k = 0; k < nodes.size(); ++k)
     for (std::size_t l = 0; l < nodes.size(); ++l)
       if (l != k) w(to_index(k)) *= (t - nodes[l]) / (nodes[k] - nodes[l]);
+  // Lagrange's polynomials add up to 1; they cancel by the Lebesgue constant of the nodes, which is small.
+  assert(std::abs(w.sum() - 1) <= 1e-9 * w.cwiseAbs().sum());
   return w;
 }
 

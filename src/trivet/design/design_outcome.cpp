@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cctype>
 #include <cmath>
 
@@ -56,7 +57,9 @@ std::string without_numbers(const std::string& message) {
 
 float rounded_margin(double margin) {
   const auto rounded = static_cast<float>(margin);
-  return margin < 1 && rounded >= 1 ? std::nextafter(1.0F, 0.0F) : rounded;
+  const float kept = margin < 1 && rounded >= 1 ? std::nextafter(1.0F, 0.0F) : rounded;
+  assert((kept >= 1) == (margin >= 1) && "rounding decides on no limit");
+  return kept;
 }
 
 std::string EvaluationReport::summary() const {

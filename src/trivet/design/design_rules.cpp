@@ -2,6 +2,7 @@
 #include "trivet/design/design_rules.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -59,6 +60,7 @@ double margin(const DesignRule& rule, double value) {
   if (std::isnan(value)) return 0;  // an unknown value never meets a limit
   const bool stands_out = rule.kind == DesignRule::Kind::no_peak && value > rule.allowed;
   const double reached = stands_out ? (1 + rule.allowed) / (1 + value) : value > 0 ? rule.allowed / value : infinity;
+  assert(reached >= 0 && "amplitudes and limits are not negative");
   return reached < 1 && reached >= 1 - on_the_limit ? 1 : reached;
 }
 
@@ -87,6 +89,7 @@ RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<a
 
 Governing governing(const RuleSet& set, const std::vector<double>& values) {
   std::vector<double> margins;
+  assert(values.size() == set.rules.size());
   for (std::size_t r = 0; r < set.rules.size(); ++r) margins.push_back(margin(set.rules[r], values[r]));
   return governing(margins);
 }

@@ -2,6 +2,7 @@
 #include "trivet/design/drawn_grid.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -13,6 +14,7 @@ constexpr int most_drawn = 241;  // along an axis: about two pixels apart
 
 std::vector<int> drawn_nodes(int points) {
   const int count = std::min(points, most_drawn);
+  assert(count >= 2 && "an axis of a map has two ends");
   std::vector<int> nodes;
   for (int k = 0; k < count; ++k)
     nodes.push_back(static_cast<int>(std::lround(static_cast<double>(k) * (points - 1) / (count - 1))));

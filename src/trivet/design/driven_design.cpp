@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -193,6 +194,7 @@ numerics::DrivenDesigns unpacked_like(const DrivenDesign& first, const Eigen::Ma
     to.constant_re = next(1);
     to.constant_im = next(1);
   }
+  assert(at == entries.cols() && "all numbers of a design are used, each once");
   return designs;
 }
 

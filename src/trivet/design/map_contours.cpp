@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <map>
 #include <utility>
 
@@ -55,6 +56,7 @@ class Tracing {
       std::size_t vertex = start;
       do {
         const auto segment = next_.find(vertex);
+        assert(segment != next_.end() && "every region is closed by the nodes outside of the grid");
         ring.push_back(places_.at(vertex));
         on_frame.push_back(segment->second.on_frame);
         vertex = segment->second.to;
@@ -97,6 +99,7 @@ class Tracing {
       if (!from && to) entering.push_back(e);
       if (from && !to) leaving.push_back(e);
     }
+    assert(entering.size() == leaving.size() && "a turn around a cell leaves a region as often as it enters it");
     const bool frame = i < 0 || j < 0 || i + 1 >= grid_.nx || j + 1 >= grid_.ny;
     const bool through = entering.size() == 2 && !frame && connected(i, j);
     for (const int out : leaving) {
@@ -157,6 +160,7 @@ MapContours contours(const MapGrid& grid, const std::function<bool(std::size_t)>
                      const std::vector<CrossedEdge>& edges, const std::vector<double>& crossing,
                      const std::function<bool(int, int)>& connected) {
   Tracing tracing(grid, inside);
+  assert(crossing.size() == edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) tracing.place_crossing(edges[e], crossing[e]);
   tracing.walk_cells(edges, connected);
   return tracing.outline();

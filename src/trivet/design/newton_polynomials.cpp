@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/design/newton_polynomials.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -18,6 +19,7 @@ const std::vector<double>& newton_nodes() {
         for (const double node : nodes) product *= std::abs(t - node);
         if (product > largest) largest = product, best = t;
       }
+      assert(largest > 0 && "nodes differ, so that differences have a divisor");
       nodes.push_back(best);
     }
     return nodes;
@@ -26,6 +28,7 @@ const std::vector<double>& newton_nodes() {
 }
 
 std::vector<double> newton_slopes(double t, int degree) {
+  assert(degree >= 0 && degree <= most_degree);
   const std::vector<double>& nodes = newton_nodes();
   std::vector<double> slopes = {0};
   for (int k = 1; k <= degree; ++k) {

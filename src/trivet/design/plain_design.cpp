@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/design/plain_design.h"
 
+#include <cassert>
 #include <complex>
 #include <optional>
 #include <utility>
@@ -13,6 +14,7 @@ namespace {
 
 /// A load with all components in phase, rotated to be real.
 std::optional<Eigen::VectorXd> real_load(const numerics::Load& load) {
+  assert(load.is_constant() && "plain designs have forces that do not change with frequency");
   if (load.vanishes()) return Eigen::VectorXd::Zero(load.size());
   const Eigen::VectorXcd& value = load.terms().front().value;
   Eigen::Index largest = 0;
@@ -32,6 +34,7 @@ Eigen::VectorXd packed(const PlainDesign& design) {
   for (const Eigen::MatrixXd* m : {&design.A, &design.B, &design.K})
     for (Eigen::Index i = 0; i < n; ++i)
       for (Eigen::Index j = 0; j <= i; ++j) all(at++) = (*m)(i, j);
+  assert(at == 3 * triangle && "three lower triangles, then the load");
   all.tail(n) = design.load;
   return all;
 }
@@ -56,6 +59,7 @@ std::string reason_for_separate_families(const PlainDesign& a, const PlainDesign
 }
 
 numerics::Designs unpacked_like(const PlainDesign& first, const Eigen::MatrixXd& entries) {
+  assert(entries.cols() == packed(first).size());
   const Eigen::Index n = first.load.size(), triangle = n * (n + 1) / 2;
   return {entries.leftCols(triangle).array(), entries.middleCols(triangle, triangle).array(),
           entries.middleCols(2 * triangle, triangle).array(), entries.rightCols(n).array()};

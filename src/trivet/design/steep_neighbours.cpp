@@ -2,6 +2,7 @@
 #include "trivet/design/steep_neighbours.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace trivet::design {
@@ -10,6 +11,7 @@ std::size_t steep_neighbours(const MapGrid& grid, const std::vector<MapRule>& ru
                              const std::vector<DesignOutcome>& outcomes) {
   constexpr float often = 10;
   const auto by_amplitude = [&](const DesignOutcome& d) {
+    assert(!d.known() || !std::isfinite(d.margin) || d.governing < rules.size());
     return d.known() && std::isfinite(d.margin) && rules[d.governing].kind == DesignRule::Kind::amplitude;
   };
   const auto is_steep = [&](const DesignOutcome& a, const DesignOutcome& b) {

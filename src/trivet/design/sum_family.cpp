@@ -2,6 +2,7 @@
 #include "trivet/design/sum_family.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/design/newton_polynomials.h"
@@ -30,11 +31,14 @@ double SumFamily::Along::slope(double value) const {
 
 template <typename Number, typename Polynomial>
 void SumFamily::set_terms(std::vector<Number>& values, const Polynomial& polynomial) const {
-  for (std::size_t i = 1; i < terms_.size(); ++i)
+  for (std::size_t i = 1; i < terms_.size(); ++i) {
+    assert(terms_[i].parent < i && "a product follows the product of all but its last factor");
     values[i] = values[terms_[i].parent] * polynomial(terms_[i].exponents.back());
+  }
 }
 
 Eigen::VectorXd SumFamily::at(const Eigen::VectorXd& values) const {
+  assert(values.size() == to_index(along_.size()));
   std::vector<std::vector<double>> polynomials;
   for (std::size_t j = 0; j < along_.size(); ++j)
     polynomials.push_back(newton_polynomials(along_[j].t(values(to_index(j))), along_[j].degree, 1.0));
@@ -85,6 +89,7 @@ Eigen::MatrixXd SumFamily::slopes(const Eigen::VectorXd& values) const {
 }
 
 Eigen::MatrixXd SumFamily::designs(const Eigen::MatrixXd& points) const {
+  assert(points.cols() == to_index(along_.size()) && to_index(first_.size()) == entry_count_ + 1);
   Eigen::MatrixXd result(points.rows(), entry_count_);
   std::vector<std::vector<Lanes>> polynomials(along_.size());
   std::vector<Lanes> terms(terms_.size(), Lanes::Ones());
@@ -109,6 +114,7 @@ Eigen::MatrixXd SumFamily::designs(const Eigen::MatrixXd& points) const {
 }
 
 void SumFamily::order_by_entries(const std::vector<Eigen::VectorXd>& coefficients) {
+  assert(coefficients.size() == terms_.size());
   entry_count_ = coefficients.front().size();
   first_ = {0};
   for (Eigen::Index e = 0; e < entry_count_; ++e) {

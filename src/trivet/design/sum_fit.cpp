@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -150,6 +151,7 @@ class SumFit {
       all.push_back(std::move(rest));
       result.along.degree = degree;
     }
+    assert(!all.empty() && all.size() == static_cast<std::size_t>(result.along.degree) + 1);
     result.coefficients.assign(all.begin() + 1, all.end());
     return result;
   }
