@@ -96,7 +96,7 @@ BristleLoop::BristleLoop(const LawAbout::Bristles& part, const VectorXd& deflect
   }
   decayed_ = weights_.dot(decays);
   // dz/dφ = δ' − p δ' z, so that a period keeps e^{−∫ p dδ} of z: z(φ₀) = z_from zero(2π)/(1 − e^{−∫ p dδ}).
-  assert(!(decayed_ <= 0) && "bristles that move forget");
+  assert((omega_ <= 0 || !(decayed_ <= 0)) && "bristles that move forget; trials of Newton's method may have any ω");
   bristles_ = closed(slopes_);
   // By dδ/dφ: 1 − z (p + v dp/dv).
   gains_ = 1 - bristles_.array() * (gains_.array() + omega_ * slopes_.array() * by_rate_.array());
