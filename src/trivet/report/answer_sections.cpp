@@ -40,7 +40,7 @@ const std::vector<Shown>& all_shown() {
       {"Transmissibility", "transmissibility", nullptr, {transmissibility_figures}},
       {"Power into the ground", "power", nullptr, {power_figures}},
       {"Steady motion of the nonlinear machine", nullptr, steady_tables, {steady_figures, orbit_figures}},
-      {"Nonlinear modes", nullptr, backbone_tables, {backbone_figures}},
+      {"Nonlinear modes", "backbone", nullptr, {backbone_figures}},
       {"Shock response spectrum", "shock_spectrum", nullptr, {shock_figures}},
       {"Earthquake", "earthquake", nullptr, {}},
       {"Limit lines", "limit_lines", nullptr, {limit_figures}},

@@ -10,7 +10,6 @@ namespace trivet::report {
 
 /// Folds and largest motions of nonlinear machines.
 [[nodiscard]] std::string steady_tables(const study::Answers& answers);
-[[nodiscard]] std::string backbone_tables(const study::Answers& answers);
 
 /// Differences of measured and computed curves, peaks and mode shapes.
 [[nodiscard]] std::string measurement_tables(const study::Answers& answers);

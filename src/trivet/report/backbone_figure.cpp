@@ -3,12 +3,10 @@
 
 #include <algorithm>
 
-#include "trivet/documents/html_table.h"
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/backbone.h"
 #include "trivet/report/answer_figures.h"
-#include "trivet/report/answer_tables.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
 #include "trivet/report/in_documents.h"
@@ -63,9 +61,6 @@ std::vector<PanelRow> mode_rows(const std::vector<Backbone>& modes, std::size_t 
   return rows;
 }
 
-/// Of a backbone without dampers: nothing is known of it.
-Cell damping_cell(double ratio) { return right(ratio == 0 ? "–" : fmt::format("{:.4g}", ratio)); }
-
 }  // namespace
 
 std::vector<Figure> backbone_figures(const study::Answers& answers) {
@@ -88,35 +83,6 @@ std::vector<Figure> backbone_figures(const study::Answers& answers) {
                                    mode_rows(*modes, c, answers.display, largest)));
   }
   return figures;
-}
-
-std::string backbone_tables(const study::Answers& answers) {
-  const std::vector<Backbone>* modes = modes_in(answers);
-  if (!modes) return "";
-  std::vector<std::vector<Cell>> rows;
-  for (const Backbone& mode : *modes) {
-    const BackbonePoint& end = mode.points.back();
-    rows.push_back({{fmt::format("{}", mode.mode + 1)},
-                    frequency_cell(mode.angular_frequency, answers.display),
-                    frequency_cell(end.angular_frequency, answers.display),
-                    quantity_cell(end.energy, "J"),
-                    damping_cell(mode.points.front().damping_ratio),
-                    damping_cell(end.damping_ratio),
-                    right(fmt::format("{}", mode.harmonics)),
-                    right(fmt::format("{:.2g}", mode.left_out))});
-  }
-  return html_table({{"mode"},
-                     frequency_cell_heading("about rest", answers.display),
-                     frequency_cell_heading("at the end", answers.display),
-                     right("energy there"),
-                     right("damping ratio at first"),
-                     right("there"),
-                     right("harmonics"),
-                     right("left out")},
-                    rows) +
-      hint("Free periodic motions that the modes about rest become as their amplitude grows. Left out: largest share "
-           "of "
-           "the deflections beyond the harmonics.");
 }
 
 }  // namespace trivet::report
