@@ -44,7 +44,7 @@ const std::vector<Shown>& all_shown() {
       {"Shock response spectrum", "shock_spectrum", nullptr, {shock_figures}},
       {"Earthquake", "earthquake", nullptr, {}},
       {"Limit lines", "limit_lines", nullptr, {limit_figures}},
-      {"Measurements", nullptr, measurement_tables, {measurement_figures}},
+      {"Measurements", "measurements", nullptr, {measurement_figures}},
       {"Operating shapes", nullptr, nullptr, {shape_figures}},
       {"Load sharing", "load_sharing", nullptr, {}},
   };

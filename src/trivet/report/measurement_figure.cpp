@@ -6,22 +6,20 @@
 #include <limits>
 #include <numbers>
 
-#include "trivet/documents/html_table.h"
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/foundation/index.h"
 #include "trivet/report/answer_figures.h"
-#include "trivet/report/answer_tables.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
 #include "trivet/report/in_documents.h"
 
-/// Measured curves over the computed ones, and the tables of their differences.
+/// Measured curves over the computed ones.
 namespace trivet::report {
 namespace {
 
 using study::ChannelComparison;
 using study::MeasurementComparison;
 using study::PeakDifference;
-using study::ShapeComparison;
 
 constexpr const char* measured_stroke =
     "stroke=\"#222\" stroke-width=\"2.4\" stroke-linecap=\"round\" "
@@ -93,63 +91,6 @@ Figure channel_figure(const study::Answers& answers, const MeasurementComparison
   return stacked_rows(title, "measured-" + file_part(channel.result) + ".svg", {amplitude, phase});
 }
 
-std::string channels_table(const MeasurementComparison& measurement, const project::ShownUnits& display) {
-  std::vector<std::vector<Cell>> rows;
-  for (const ChannelComparison& channel : measurement.channels)
-    rows.push_back({{channel.result},
-                    {channel.source},
-                    right(std::to_string(channel.angular_frequency.size())),
-                    aligned_cell(channel.rms_db, 3),
-                    aligned_cell(channel.largest_db, 3),
-                    channel.vanishes ? right("computed: 0") : frequency_cell(channel.largest_at, display),
-                    aligned_cell(channel.assurance, 4),
-                    channel.mean_coherence ? aligned_cell(*channel.mean_coherence, 3) : right("–")});
-  return html_table({{"result"},
-                     {"measured"},
-                     right("lines"),
-                     right("rms [dB]"),
-                     right("largest [dB]"),
-                     frequency_cell_heading("at", display),
-                     right("FRAC"),
-                     right("coherence")},
-                    rows);
-}
-
-std::string measured_peaks_table(const MeasurementComparison& measurement, const project::ShownUnits& display) {
-  std::vector<std::vector<Cell>> rows;
-  for (const ChannelComparison& channel : measurement.channels)
-    for (const PeakDifference& peak : channel.peaks)
-      rows.push_back({{channel.result},
-                      frequency_cell(peak.angular_frequency, display),
-                      frequency_cell(peak.resolution, display),
-                      peak.computed ? frequency_cell(peak.computed->angular_frequency, display) : right("–"),
-                      aligned_cell(100 * peak.frequency_difference(), 3),
-                      aligned_cell(peak.height_db(), 3)});
-  if (rows.empty()) return "";
-  return paragraph("Measured peaks, and the nearest computed ones:") +
-      html_table({{"result"},
-                  frequency_cell_heading("measured peak", display),
-                  frequency_cell_heading("±", display),
-                  frequency_cell_heading("computed", display),
-                  right("difference [%]"),
-                  right("height difference [dB]")},
-                 rows);
-}
-
-std::string shapes_table(const MeasurementComparison& measurement, const project::ShownUnits& display) {
-  std::vector<std::vector<Cell>> rows;
-  for (const ShapeComparison& shape : measurement.shapes)
-    rows.push_back({right(std::to_string(shape.measured)), frequency_cell(shape.measured_frequency, display),
-                    right(shape.mode > 0 ? std::to_string(shape.mode) : "–"),
-                    shape.angular_frequency ? frequency_cell(*shape.angular_frequency, display) : right("–"),
-                    aligned_cell(100 * shape.frequency_difference(), 3), aligned_cell(shape.assurance, 4)});
-  if (rows.empty()) return "";
-  return paragraph("Measured mode shapes, and the most similar computed ones:") +
-      html_table({right("measured mode"), frequency_cell_heading("f", display), right("most similar mode"),
-                  frequency_cell_heading("computed", display), right("difference [%]"), right("MAC")},
-                 rows);
-}
-
 }  // namespace
 
 std::vector<Figure> measurement_figures(const study::Answers& answers) {
@@ -159,18 +100,6 @@ std::vector<Figure> measurement_figures(const study::Answers& answers) {
       if (channel.angular_frequency.size() >= 2 && !channel.vanishes)
         figures.push_back(channel_figure(answers, measurement, channel));
   return figures;
-}
-
-std::string measurement_tables(const study::Answers& answers) {
-  std::string html;
-  for (const MeasurementComparison& measurement : answers.measurements) {
-    html += paragraph("Measurement " + measurement.name + " (" + measurement.file +
-                      "), differences are measured minus computed" +
-                      (measurement.excitation.empty() ? "." : ", excited by " + measurement.excitation + " alone."));
-    if (!measurement.channels.empty()) html += channels_table(measurement, answers.display);
-    html += measured_peaks_table(measurement, answers.display) + shapes_table(measurement, answers.display);
-  }
-  return html;
 }
 
 }  // namespace trivet::report
