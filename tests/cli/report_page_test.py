@@ -83,7 +83,7 @@ class Page(Folder):
 
     def test_a_response_at_few_frequencies_is_also_a_table(self):
         text = MACHINE.replace("band = [0, 40]", "at = [10, 20]")
-        self.assertIn("The response at its frequencies as a table", self.report(text=text).read_text())
+        self.assertIn("<summary>Amplitude and phase (zero-to-peak; a lag is negative)</summary>", self.report(text=text).read_text())
 
     def test_the_scripts_have_no_colours_of_curves_and_short_lines(self):
         for script in (SOURCE / "src/trivet/report").glob("*.js"):

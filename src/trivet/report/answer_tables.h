@@ -11,7 +11,6 @@ namespace trivet::report {
 /// Folds and largest motions of nonlinear machines.
 [[nodiscard]] std::string steady_tables(const study::Answers& answers);
 
-
 /// Governing rules of a map, its best design, and the verdict on every case.
 [[nodiscard]] std::string map_tables(const study::Answers& answers);
 

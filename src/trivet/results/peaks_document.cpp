@@ -102,24 +102,29 @@ Sentence without_peak(const response::CurveSummary& curve) {
 }
 
 /// Where peaks were searched, and what is not in the table.
-Sentence search_note(const study::Answers& answers) {
+void add_search_notes(const study::Answers& answers, Document& document) {
   const response::Peaks& found = answers.peaks->peaks;
   const auto omega = [](double value) { return Quantity{value, "rad/s", Kind::angular_frequency, 4}; };
   Sentence note{.parts = {"All peaks at "}, .place = Sentence::Place::note};
   if (std::isfinite(found.searched_to))
-    note.parts.insert(note.parts.end(),
-                      {omega(found.searched_from), " < ω < ", omega(found.searched_to),
-                       " (with frequency-dependent elements or delays there is no last resonance; a `response.band` "
-                       "with a higher end extends the search, up to the end of the tables)"});
+    note.parts.insert(note.parts.end(), {omega(found.searched_from), " < ω < ", omega(found.searched_to)});
   else if (found.searched_from > 0)
     note.parts.insert(note.parts.end(),
                       {"ω > ", omega(found.searched_from), " (below it the rigid-body mode dominates)"});
   else note.parts.emplace_back("0 < ω < ∞");
-  note.parts.emplace_back(
-      fmt::format(", except those lower than {:.6g} of the largest amplitude of their curve; minor "
-                  "ones rise less than {:.6g} % above the adjacent minimum.",
-                  answers.peaks->min_prominence, 100 * answers.peaks->peak_tolerance));
-  return note;
+  note.parts.emplace_back(fmt::format(", except those lower than {:.6g} of the largest amplitude of their curve.",
+                                      answers.peaks->min_prominence));
+  document.add(std::move(note));
+  if (std::isfinite(found.searched_to))
+    document.add(Sentence{.parts = {"searched so far: with frequency-dependent elements or delays there is no last "
+                                    "resonance; a `response.band` with a higher end extends the search, up to the end "
+                                    "of the tables"},
+                          .place = Sentence::Place::note});
+  const auto is_minor = [&](const Peak& peak) { return !counts(peak, answers.peaks->peak_tolerance); };
+  if (std::ranges::any_of(found.list, is_minor))
+    document.add(Sentence{.parts = {fmt::format("Minor ones rise less than {:.6g} % above the adjacent minimum.",
+                                                100 * answers.peaks->peak_tolerance)},
+                          .place = Sentence::Place::note});
 }
 
 Document peaks_document(const project::Case& variant, const study::Answers& answers) {
@@ -131,7 +136,7 @@ Document peaks_document(const project::Case& variant, const study::Answers& answ
   document.add(curve_table(found));
   for (const response::CurveSummary& curve : found.curves)
     if (curve.peaks == 0) document.add(without_peak(curve));
-  document.add(search_note(answers));
+  add_search_notes(answers, document);
   document.add(Single{.name = "searched", .value = {found.searched_from, json::number(found.searched_to)}});
   document.add(Single{.name = "searched_from", .value = found.searched_from, .unit = "rad/s", .forms = in_arrays});
   document.add(Single{.name = "searched_to", .value = found.searched_to, .unit = "rad/s", .forms = in_arrays});
