@@ -37,7 +37,7 @@ void banded(const DynamicMatrices& m, const Eigen::VectorXd& load, double omega,
   std::vector<lapack_int> pivots(to_size(n));
   for (lapack_int j = 0; j < n; ++j)
     for (lapack_int i = std::max(0, j - side); i < std::min(n, j + side + 1); ++i)
-      z[to_size(j * height + 2 * side + i - j)] = Complex(m.K(i, j) - omega * omega * m.A(i, j), omega * m.B(i, j));
+      z[j * height + 2 * side + i - j] = Complex(m.K(i, j) - omega * omega * m.A(i, j), omega * m.B(i, j));
   lapack_int info = 0;
   for (Eigen::Index i = 0; i < n; ++i) q[i] = load[i];
   LAPACK_zgbsv(&n, &side, &side, &one, z.data(), &height, pivots.data(), q, &n, &info);

@@ -36,7 +36,7 @@ std::vector<double> searched_frequencies(const PaperMachine& m) {
       for (const double sign : {-1.0, 1.0}) omega.push_back(w * (1 + sign * std::pow(10, e)));
     for (double share = 0.02; share < 2; share += 0.02) omega.push_back(w * share);
   }
-  std::sort(omega.begin(), omega.end());
+  std::ranges::sort(omega);
   return omega;
 }
 
@@ -93,7 +93,7 @@ int main() {
     }
   }
   const auto part = [&](numerics::DesignStatus status) {
-    return double(std::count(found.status.begin(), found.status.end(), status)) / double(count);
+    return double(std::ranges::count(found.status, status)) / double(count);
   };
   std::printf(
       "  largest error in %zu designs: ours %.1e; 10,000 even frequencies miss up to %.0f %%; recomputed %.2f %%, "

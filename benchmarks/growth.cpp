@@ -20,7 +20,7 @@ using namespace trivet::benchmarks;
 double median_seconds(const Method& method, int turns) {
   std::vector<double> seconds;
   for (int i = 0; i < turns; ++i) seconds.push_back(method.seconds());
-  std::sort(seconds.begin(), seconds.end());
+  std::ranges::sort(seconds);
   return seconds[seconds.size() / 2];
 }
 
@@ -49,7 +49,7 @@ void grows(const std::string& what, const std::vector<double>& sizes,
       seconds[s].push_back(median_seconds(methods[s], sizes[s] >= 1e6 ? 1 : 3));
   std::vector<std::pair<double, double>> points;
   for (std::size_t s = 0; s < sizes.size(); ++s) {
-    std::sort(seconds[s].begin(), seconds[s].end());
+    std::ranges::sort(seconds[s]);
     points.emplace_back(sizes[s], seconds[s][3]);
   }
   slope(what, points);

@@ -67,7 +67,7 @@ std::string chain(int bodies, int points = 6000) {
   std::string of;
   for (int k = 0; k < answers; ++k)
     of += fmt::format("{}\"b{}.{}\"", k > 0 ? ", " : "", k * (bodies - 1) / (answers - 1),
-                      (std::array{"x", "y", "z", "rx", "ry", "rz"})[to_size(bodies > 1 ? k % 3 : k % 6)]);
+                      (std::array{"x", "y", "z", "rx", "ry", "rz"})[bodies > 1 ? k % 3 : k % 6]);
   if (bodies == 1) of = R"("b0.x", "b0.y", "b0.z", "b0.rx", "b0.ry", "b0.rz")";
   return text +
       fmt::format(

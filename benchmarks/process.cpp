@@ -45,7 +45,7 @@ Run run(const std::vector<std::string>& words) {
 Run median(const std::vector<std::string>& words, int runs) {
   std::vector<Run> all = {run(words)};
   while (all[0].wall < 10 && static_cast<int>(all.size()) < runs) all.push_back(run(words));
-  std::sort(all.begin(), all.end(), [](const Run& a, const Run& b) { return a.wall < b.wall; });
+  std::ranges::sort(all, {}, &Run::wall);
   return all[all.size() / 2];
 }
 

@@ -32,7 +32,7 @@ std::vector<QuadComplex> quad_solution(const Matrix& A, const Matrix& B, const M
                                        double omega) {
   const int n = static_cast<int>(h.size());
   std::vector<std::vector<QuadComplex>> z(to_size(n), std::vector<QuadComplex>(to_size(n) + 1));
-  const auto at = [&](int i, int j) -> QuadComplex& { return z[to_size(i)][to_size(j)]; };
+  const auto at = [&](int i, int j) -> QuadComplex& { return z[i][j]; };
   const Quad w = omega;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) at(i, j) = {Quad(K(i, j)) - w * w * Quad(A(i, j)), w * Quad(B(i, j))};
@@ -42,7 +42,7 @@ std::vector<QuadComplex> quad_solution(const Matrix& A, const Matrix& B, const M
     int pivot = j;
     for (int i = j + 1; i < n; ++i)
       if (size(at(i, j)) > size(at(pivot, j))) pivot = i;
-    std::swap(z[to_size(j)], z[to_size(pivot)]);
+    std::swap(z[j], z[pivot]);
     const QuadComplex d = inverse(at(j, j));
     for (int i = j + 1; i < n; ++i) {
       const QuadComplex factor = at(i, j) * d;
@@ -52,8 +52,8 @@ std::vector<QuadComplex> quad_solution(const Matrix& A, const Matrix& B, const M
   std::vector<QuadComplex> q(to_size(n));
   for (int i = n - 1; i >= 0; --i) {
     QuadComplex sum = at(i, n);
-    for (int k = i + 1; k < n; ++k) sum = sum - at(i, k) * q[to_size(k)];
-    q[to_size(i)] = sum * inverse(at(i, i));
+    for (int k = i + 1; k < n; ++k) sum = sum - at(i, k) * q[k];
+    q[i] = sum * inverse(at(i, i));
   }
   return q;
 }

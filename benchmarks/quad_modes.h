@@ -54,7 +54,7 @@ inline std::array<Quad, 6> quad_modes(const Matrix6& K, const Matrix6& A) {
       }
   std::array<Quad, 6> lambda;
   for (std::size_t i = 0; i < 6; ++i) lambda[i] = c[i][i];
-  std::sort(lambda.begin(), lambda.end());
+  std::ranges::sort(lambda);
   return lambda;
 }
 

@@ -109,8 +109,8 @@ Eigen::VectorXd by_trapezoids(const assembly::Loading& load, int points) {
   const response::FrequencyResponse swept = response::frequency_response(m.assembled, m.channels, load, omega);
   Eigen::VectorXd density(points);
   for (int i = 0; i < points; ++i)
-    density(i) = excitation::density(m.spectrum, omega[to_size(i)]) * (i == 0 || i == points - 1 ? 0.5 : 1) *
-        (omega[1] - omega[0]);
+    density(i) =
+        excitation::density(m.spectrum, omega[i]) * (i == 0 || i == points - 1 ? 0.5 : 1) * (omega[1] - omega[0]);
   Eigen::VectorXd result(to_index(m.channels.size()));
   for (std::size_t c = 0; c < m.channels.size(); ++c)
     result(to_index(c)) = std::sqrt(swept.curves[c].value.cwiseAbs2().dot(density));

@@ -111,13 +111,13 @@ Triplets assembled(const fem::Mesh& mesh, const fem::Unknowns& unknowns, const f
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e) {
     const Eigen::Matrix3Xd x = mesh.nodes(Eigen::all, Eigen::VectorXi(mesh.elements.col(e)));
     const fem::ElementSystem system =
-        fem::element_system(mesh.kind, pressure, x, materials[to_size(mesh.material[to_size(e)])], nullptr, nullptr);
+        fem::element_system(mesh.kind, pressure, x, materials[mesh.material[e]], nullptr, nullptr);
     std::vector<int> own;  // of free displacements, pressures and motions of plates
     std::vector<Eigen::Index> local, bonded;
     Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(system.tangent.rows(), 12);
     for (Eigen::Index i = 0; i < system.tangent.rows(); ++i) {
       const Eigen::Index a = i % nodes;
-      const int number = i < 3 * nodes ? unknowns.displacement[to_size(mesh.elements(a, e))] : 0;
+      const int number = i < 3 * nodes ? unknowns.displacement[mesh.elements(a, e)] : 0;
       if (number < 0) {
         const bool at_n = number == fem::Unknowns::on_plate_n;
         bonded.push_back(i);
@@ -126,8 +126,7 @@ Triplets assembled(const fem::Mesh& mesh, const fem::Unknowns& unknowns, const f
         continue;
       }
       local.push_back(i);
-      own.push_back(i < 3 * nodes ? number + static_cast<int>(i / nodes)
-                                  : unknowns.pressure[to_size(e)][to_size(i - 3 * nodes)]);
+      own.push_back(i < 3 * nodes ? number + static_cast<int>(i / nodes) : unknowns.pressure[e][i - 3 * nodes]);
     }
     const Eigen::Index free = to_index(local.size());
     Eigen::MatrixXd matrix = system.tangent(local, local);
@@ -213,15 +212,15 @@ Outcome by_mumps(const Case& c, int ordering) {
     std::copy(order->sym_perm, order->sym_perm + all, place.begin());
   }
   std::vector<int> unknown(to_size(all));
-  for (int i = 0; i < all; ++i) unknown[to_size(place[to_size(i)] - 1)] = i;
+  for (int i = 0; i < all; ++i) unknown[place[i] - 1] = i;
   std::erase_if(unknown, [free](int i) { return i >= free; });
   for (int i = 0; i < 12; ++i) unknown.push_back(free + i);
-  for (int i = 0; i < all; ++i) place[to_size(unknown[to_size(i)])] = i + 1;
+  for (int i = 0; i < all; ++i) place[unknown[i]] = i + 1;
 
   Mumps mumps(symmetry, all, matrix);
   std::array<MUMPS_INT, 12> retained{};
   std::array<double, 144> schur{};
-  for (int i = 0; i < 12; ++i) retained[to_size(i)] = free + i + 1;
+  for (int i = 0; i < 12; ++i) retained[i] = free + i + 1;
   mumps->icntl[6] = given_order;
   mumps->perm_in = place.data();
   mumps->icntl[18] = centralized;
@@ -236,7 +235,7 @@ Outcome by_mumps(const Case& c, int ordering) {
   outcome.unknowns = free;
   outcome.negative = mumps->infog[11];
   for (int i = 0; i < 12; ++i)
-    for (int j = 0; j <= i; ++j) outcome.stiffness(i, j) = outcome.stiffness(j, i) = schur[to_size(12 * i + j)];
+    for (int j = 0; j <= i; ++j) outcome.stiffness(i, j) = outcome.stiffness(j, i) = schur[12 * i + j];
   return outcome;
 }
 
@@ -305,7 +304,7 @@ double difference(const Matrix12& a, const Matrix12& b) {
 double median(const std::vector<Outcome>& runs, double Outcome::* number) {
   std::vector<double> values;
   for (const Outcome& run : runs) values.push_back(run.*number);
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return values[values.size() / 2];
 }
 

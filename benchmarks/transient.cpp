@@ -17,7 +17,6 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/excitation/sampled_signal.h"
 #include "trivet/foundation/child_process.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/judging/read_project.h"
 #include "trivet/project/project.h"
@@ -75,7 +74,7 @@ Eigen::MatrixXd by_trivet() {
   const response::TransientResponse r =
       response::transient_response(m.system, m.assembled, m.coordinates, m.inputs, m.options);
   Eigen::MatrixXd q(6, r.time.size());
-  for (Eigen::Index k = 0; k < 6; ++k) q.row(k) = r.curves[to_size(k)].values.transpose();
+  for (Eigen::Index k = 0; k < 6; ++k) q.row(k) = r.curves[k].values.transpose();
   return q;
 }
 
@@ -89,7 +88,7 @@ Eigen::MatrixXd by_newmark(int parts) {
   Vector6 q = Vector6::Zero(), v = Vector6::Zero(), a = A.inverse() * (machine_.direction * machine_.samples[0]);
   result.col(0) = q;
   for (Eigen::Index i = 0; i < steps; ++i) {
-    const double from = machine_.samples[to_size(i)], to = machine_.samples[to_size(i + 1)];
+    const double from = machine_.samples[i], to = machine_.samples[i + 1];
     for (int part = 1; part <= parts; ++part) {
       const Vector6 q_ahead = q + h * v + h * h / 4 * a, v_ahead = v + h / 2 * a;
       a = inverse * (machine_.direction * (from + (to - from) * part / parts) - B * v_ahead - K * q_ahead);
@@ -141,7 +140,7 @@ void compare_with_scipy(const Eigen::MatrixXd& q) {
   for (const Eigen::MatrixXd* matrix : {&m.A, &m.B, &m.K}) data << matrix->transpose().reshaped() << "\n";
   data << machine().direction << "\n";
   for (Eigen::Index i = 0; i <= steps; ++i) {
-    data << machine().samples[to_size(i)] << "\n";
+    data << machine().samples[i] << "\n";
     for (Eigen::Index k = 0; k < 6; ++k) data << q(k, i) << "\n";
   }
   code << script;

@@ -64,7 +64,7 @@ class Lines {
   };
   [[nodiscard]] Point at(double w) const {
     const auto above = std::upper_bound(omega_.begin(), omega_.end() - 1, w) - omega_.begin();
-    const double a = y_(above - 1), b = y_(above), from = omega_[to_size(above) - 1], to = omega_[to_size(above)];
+    const double a = y_(above - 1), b = y_(above), from = omega_[above - 1], to = omega_[above];
     if (w == from) return {a, a};
     if (w == to) return {b, b};
     return {a + (b - a) * (w - from) / (to - from), std::max(a, b)};

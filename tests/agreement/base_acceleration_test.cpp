@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "support/projects.h"
-#include "trivet/foundation/index.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 #include "trivet/study/design_map.h"
@@ -69,7 +68,7 @@ TEST(BaseAcceleration, MovesMassesAgainstTheGroundAsForcesWouldDownToRest) {
         ++compared;
         for (Eigen::Index i = 0; i < std::ssize(omega); ++i)
           EXPECT_LE(std::abs(other.value(i) - curve.value(i)), round_off * std::abs(curve.value(i)))
-              << curve.name << " at " << omega[to_size(i)] << ", damping " << damping;
+              << curve.name << " at " << omega[i] << ", damping " << damping;
       }
     EXPECT_EQ(compared, 8);
   }

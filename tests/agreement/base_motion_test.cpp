@@ -95,7 +95,7 @@ TEST(BaseMotion, RelativeAnswersAreAbsoluteOnesLessTheGround) {
   const Eigen::VectorXcd carried = followed(system).bottomRows<6>().cast<Complex>() * g;
   for (Eigen::Index j = 0; j < 6; ++j)
     for (Eigen::Index i = 0; i < curves[0].value.size(); ++i)
-      EXPECT_NEAR(std::abs(curves[to_size(j)].value(i) - carried(j) - curves[to_size(6 + j)].value(i)), 0,
+      EXPECT_NEAR(std::abs(curves[j].value(i) - carried(j) - curves[6 + j].value(i)), 0,
                   round_off * std::abs(carried(j)));
 }
 
@@ -109,7 +109,7 @@ TEST(BaseMotion, ByAccelerationIsThatByDisplacement) {
     other.excitations[0].action.derivative = derivative;
     const Eigen::MatrixXcd given = coordinates(test::checked(other));
     for (Eigen::Index i = 0; i < given.cols(); ++i) {
-      const Complex factor = std::pow(Complex(0, frequencies[to_size(i)]), derivative);
+      const Complex factor = std::pow(Complex(0, frequencies[i]), derivative);
       EXPECT_LT(difference(given.col(i) * factor, by_displacement.col(i)), round_off);
     }
   }
@@ -214,7 +214,7 @@ void expect_peaks_of_a_scan(const model::System& system, double to) {
     const Eigen::VectorXd y = curves[c].value.cwiseAbs();
     for (Eigen::Index i = 1; i + 1 < y.size(); ++i) {
       if (!(y(i) > y(i - 1) * (1 + round_off) && y(i) > y(i + 1) * (1 + round_off))) continue;
-      const double w = scan[to_size(i)];
+      const double w = scan[i];
       bool there = false;
       for (const response::Peak& peak : peaks.list)
         if (peak.curve == c && std::abs(peak.angular_frequency - w) <= to / points &&

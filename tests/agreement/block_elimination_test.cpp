@@ -46,7 +46,7 @@ TEST(BlockElimination, ALoadIsEliminatedLastIfThatCostsNothing) {
   const DynamicMatrices m = random.bodies(Sizes(12, 6), chain_edges(12), 0.1);
   for (const Index body : {0, 5, 11}) {
     std::vector<bool> loaded(to_size(m.size()), false);
-    loaded[to_size(6 * body + 2)] = true;
+    loaded[6 * body + 2] = true;
     const numerics::BlockElimination found = numerics::block_elimination(couplings_of(m), m.blocks, loaded);
     EXPECT_EQ(found.rows.back() / 6, body);
   }
@@ -74,7 +74,7 @@ TEST(BlockElimination, BodiesWithZerosInTheirCouplingsAreNotCutIntoSmallBlocks) 
   for (Eigen::MatrixXd* matrix : {&m.A, &m.B, &m.K})
     for (Index i = 0; i < m.size(); ++i)
       for (Index j = 0; j < m.size(); ++j)
-        if (pattern[to_size(i % 6)][j % 6] == '.') (*matrix)(i, j) = 0;
+        if (pattern[i % 6][j % 6] == '.') (*matrix)(i, j) = 0;
   m.blocks.clear();
   std::vector<bool> loaded(to_size(m.size()), false);
   std::fill(loaded.end() - 6, loaded.end(), true);

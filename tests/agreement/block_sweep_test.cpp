@@ -11,7 +11,6 @@
 
 #include "support/coupled_bodies.h"
 #include "support/matchers.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/refined_solution.h"
@@ -176,9 +175,9 @@ TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
                                        error.data()},
                                       memory);
   for (Index f = 0; f < count; ++f) {
-    Eigen::MatrixXcd z = m.at(omega[to_size(f)]);
+    Eigen::MatrixXcd z = m.at(omega[f]);
     for (Index k = 0; k < entries; ++k) {
-      const auto [i, j] = free[to_size(k)];
+      const auto [i, j] = free[k];
       z(i, j) += added(f, k);
       if (i != j) z(j, i) += added(f, k);
     }
@@ -188,7 +187,7 @@ TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
     const Eigen::VectorXcd found = re.row(f).transpose().cast<std::complex<double>>() +
         std::complex<double>(0, 1) * im.row(f).transpose().cast<std::complex<double>>();
     EXPECT_LE((found - truth).norm() / truth.norm(), condition_share * static_cast<double>(n) * exact.condition())
-        << omega[to_size(f)];
+        << omega[f];
     EXPECT_LE(error(f), numerics::accepted_backward_error);
   }
 }

@@ -169,7 +169,7 @@ TEST(CompressedCoilAgainstTheExactRod, FewerCoilsHaveAWarningAndTheStatedErrors)
         EXPECT_LE(lateral, lateral_stated) << coils;
       }
       const foundation::Problems found = check_compression(s, 0.25 * s.active_length);
-      EXPECT_TRUE(std::any_of(found.list().begin(), found.list().end(), [](const auto& p) {
+      EXPECT_TRUE(std::ranges::any_of(found.list(), [](const auto& p) {
         return p.rule.find("uniform helix") != std::string::npos;
       })) << coils;
     }

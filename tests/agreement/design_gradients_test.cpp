@@ -155,14 +155,14 @@ class Comparison {
     for (Eigen::Index j = 0; j < found.size(); ++j)
       EXPECT_LE(error(j), exact * largest)
           << result.words << ", candidate at " << candidate.angular_frequency << " rad/s, mode " << candidate.mode
-          << ", " << space_.axes()[to_size(j)].name << ": " << found(j) << " instead of " << expected(j);
+          << ", " << space_.axes()[j].name << ": " << found(j) << " instead of " << expected(j);
   }
 
   /// The result that a requirement bounds; the axes of a mount are those of the ground.
   static std::string channel_name(const RequirementResult& result) {
     if (result.kind == RequirementKind::decoupling) return "";
     if (result.kind == RequirementKind::mount_load)
-      return result.subject + ".force." + model::coordinate_names[to_size(result.direction)];
+      return result.subject + ".force." + model::coordinate_names[result.direction];
     if (result.kind == RequirementKind::mount_deflection) return result.subject + ".deflection.z";
     return result.subject;
   }
@@ -223,7 +223,7 @@ class Comparison {
       case RequirementKind::separation:
         return natural(m, candidate.mode + 1) - natural(m, candidate.mode);
       case RequirementKind::damping_ratio: {
-        const QuadComplex root = root_near(m, context_.roots().list[to_size(candidate.mode - 1)].eigenvalue);
+        const QuadComplex root = root_near(m, context_.roots().list[candidate.mode - 1].eigenvalue);
         return log(-root.real()) - log(root.real() * root.real() + root.imag() * root.imag()) / 2;
       }
       case RequirementKind::decoupling:
@@ -237,7 +237,7 @@ class Comparison {
         const Quad load = at_rest(m, result);
         for (const model::Element& element : system_.elements())
           if (element.name == result.subject) {
-            const Eigen::Vector2d& range = *element.rating->load[to_size(result.direction)];
+            const Eigen::Vector2d& range = *element.rating->load[result.direction];
             const Quad upper = log((*result.value > 0 ? range(1) : -range(0)) / load);
             return range(0) > 0 ? std::min<Quad>(upper, log(load / range(0))) : upper;
           }

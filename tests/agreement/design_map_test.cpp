@@ -139,8 +139,8 @@ y = {parameter = "bodies.machine.inertia.xx", from = 8, to = 9}
 no_peak = "coordinates"
 )");
   const study::DesignMap map = mapped(project, 5, 5, true);
-  EXPECT_TRUE(std::all_of(map.outcomes.begin(), map.outcomes.end(),
-                          [](const design::DesignOutcome& o) { return std::isinf(o.margin) && o.feasible(); }));
+  EXPECT_TRUE(std::ranges::all_of(map.outcomes,
+                                  [](const design::DesignOutcome& o) { return std::isinf(o.margin) && o.feasible(); }));
   expect_equal(map, mapped(project, 5, 5, false));
 }
 
@@ -160,8 +160,7 @@ TEST(DesignMap, JudgesACaseLikeTheDesignInItsPlace) {
   request.x.from = 1.5;  // the corner of the grid is Figure 7
   request.y.to = 0.2;
   const study::DesignMap map = study::design_map(project, project.base(), request, {2, 2, {}});
-  const auto figure =
-      std::find_if(map.marks.begin(), map.marks.end(), [](const study::MapMark& m) { return m.name == "Figure 7"; });
+  const auto figure = std::ranges::find(map.marks, "Figure 7", &study::MapMark::name);
   ASSERT_NE(figure, map.marks.end());
   EXPECT_TRUE(figure->of_this_model);
   EXPECT_NEAR(figure->judged->governing.margin, map.outcomes[2].margin, of_a_float);

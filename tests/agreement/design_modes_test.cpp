@@ -7,7 +7,6 @@
 #include <Eigen/SVD>
 #include <random>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/roots/design_modes.h"
@@ -66,7 +65,7 @@ void expect_modes(const Designs& designs, const DesignModes& found, int n, doubl
     const Extended A = numerics::unpacked(designs.A, design).cast<long double>(),
                    K = numerics::unpacked(designs.K, design).cast<long double>();
     const Eigen::VectorXd exact = squared_singular_values(K, A), values = found.lambda.row(design);
-    ASSERT_TRUE(found.definite[to_size(design)]);
+    ASSERT_TRUE(found.definite[design]);
     for (int i = 0; i < n; ++i)
       EXPECT_NEAR(values(i), exact(i), tolerance * exact(i)) << "n = " << n << ", design " << design;
     if (found.shapes.size() == 0) continue;
@@ -152,8 +151,8 @@ TEST(DesignModes, AMassThatIsNotDefiniteIsFlaggedAndNeverSolved) {
   const DesignModes good = numerics::design_modes(random_designs(20, 6, 5));
   for (Eigen::Index design = 0; design < 20; ++design) {
     const bool bad = design == 3 || design == 4 || design == 9 || design == 11 || design == 17;
-    EXPECT_EQ(found.definite[to_size(design)], !bad) << design;
-    EXPECT_EQ(without.definite[to_size(design)], !bad) << design;
+    EXPECT_EQ(found.definite[design], !bad) << design;
+    EXPECT_EQ(without.definite[design], !bad) << design;
     EXPECT_EQ(found.lambda.row(design).isNaN().all(), bad) << design;
     EXPECT_EQ(found.shapes.row(design).isNaN().all(), bad) << design;
     if (bad || design == 10) continue;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/batch/design_peaks.h"
-#include "trivet/foundation/index.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +35,7 @@ Searched summary(const numerics::SearchedCurve& curve) {
   std::vector<double> heights = {curve.at_start};
   for (const numerics::Extremum& e : curve.extrema) heights.push_back(e.amplitude);
   heights.push_back(curve.at_end);
-  const double highest = *std::max_element(heights.begin(), heights.end());
+  const double highest = std::ranges::max(heights);
   return {highest, numerics::prominent_peaks(heights, 1e-6 * highest)};
 }
 
@@ -62,7 +61,7 @@ void expect_agreement(const numerics::Designs& designs, const numerics::DesignPe
   for (Eigen::Index d = 0; d < designs.count(); d += every) {
     const auto curves = by_discs(designs, d, derivative, options.from, options.to);
     for (Eigen::Index j = 0; j < n; ++j) {
-      const Searched expected = summary(curves[to_size(j)]);
+      const Searched expected = summary(curves[j]);
       EXPECT_NEAR(peaks.highest(d, j), expected.highest, tolerance * expected.highest)
           << "design " << d << ", coordinate " << j;
       if (options.count_peaks) {
@@ -155,7 +154,7 @@ TEST(DesignPeaks, DoNotDependOnOtherAnswers) {
     numerics::DesignPeakOptions alone;
     alone.rows = rows.row(c);
     if (c == 2) alone.rows_on_velocity = on_velocity.row(c);
-    alone.derivative = {together.derivative[to_size(c)]};
+    alone.derivative = {together.derivative[c]};
     const numerics::DesignPeaks one = numerics::design_peaks(designs, alone);
     for (Eigen::Index d = 0; d < designs.count(); ++d) {
       EXPECT_NEAR(all.highest(d, c), one.highest(d, 0), nine_digits * one.highest(d, 0))
@@ -186,7 +185,7 @@ TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
       for (Eigen::Index j = 0; j < 6; ++j)
         ASSERT_LE(std::abs(q(j)), (1 + miss) * peaks.highest(d, j)) << d << " " << omega;
     }
-    ASSERT_NE(peaks.status[to_size(d)], numerics::DesignStatus::undecided) << d;
+    ASSERT_NE(peaks.status[d], numerics::DesignStatus::undecided) << d;
   }
 }
 
@@ -221,10 +220,8 @@ TEST(DesignPeaks, AreThoseOfEveryInstructionSet) {
     EXPECT_LE((other_of_light.highest / highest_of_light.highest - 1).abs().maxCoeff(), lightly_damped_round_off)
         << set;
     EXPECT_TRUE((other.peaks == best.peaks).all()) << set;
-    EXPECT_GE(std::count(other.status.begin(), other.status.end(), numerics::DesignStatus::proven), 200) << set;
-    EXPECT_GE(std::count(other_of_light.status.begin(), other_of_light.status.end(), numerics::DesignStatus::proven),
-              180)
-        << set;
+    EXPECT_GE(std::ranges::count(other.status, numerics::DesignStatus::proven), 200) << set;
+    EXPECT_GE(std::ranges::count(other_of_light.status, numerics::DesignStatus::proven), 180) << set;
   }
 }
 

@@ -99,7 +99,7 @@ std::vector<Eigen::MatrixXd> dense_search(const model::System& given, double ome
     const auto motion = branch.start(guess, omega);
     if (!motion) continue;
     const Eigen::MatrixXd coefficients = balance.motion(motion->unknowns);
-    if (std::none_of(found.begin(), found.end(), [&](const Eigen::MatrixXd& other) {
+    if (std::ranges::none_of(found, [&](const Eigen::MatrixXd& other) {
           return (other - coefficients).norm() < 1e-4 * coefficients.norm();
         }))
       found.push_back(coefficients);
@@ -128,7 +128,7 @@ TEST(DetachedMotions, DenseStartsFindNoOthersOnRandomMachines) {
     for (const double omega : options.at)
       for (const Eigen::MatrixXd& motion : dense_search(system, omega, options.harmonics, starts, random)) {
         ++motions;
-        const bool is_known = std::any_of(known.begin(), known.end(), [&](const nonlinear::SteadyPoint& point) {
+        const bool is_known = std::ranges::any_of(known, [&](const nonlinear::SteadyPoint& point) {
           constexpr double same = 1e-3;
           return std::abs(point.angular_frequency - omega) < 1e-9 * omega &&
               (point.deflections - motion).norm() < same * motion.norm();

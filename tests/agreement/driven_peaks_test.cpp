@@ -136,7 +136,7 @@ void expect_agreement(const Kind& kind, const numerics::DrivenPeakOptions& optio
   const numerics::DesignPeaks found = numerics::driven_peaks(designs, options);
   double proven = 0;
   for (Eigen::Index d = 0; d < count; ++d) {
-    if (found.status[to_size(d)] != numerics::DesignStatus::proven) continue;
+    if (found.status[d] != numerics::DesignStatus::proven) continue;
     ++proven;
     const std::vector<numerics::SearchedCurve> curves = by_discs(designs, d, options.from, options.to);
     for (std::size_t c = 0; c < curves.size(); ++c) {
@@ -230,7 +230,7 @@ TEST(DrivenPeaks, OfPlainDesignsAgreeWithThePlainKernel) {
   const numerics::DesignPeaks driven = numerics::driven_peaks(designs), expected = numerics::design_peaks(plain);
   int compared = 0;
   for (Eigen::Index d = 0; d < count; ++d) {
-    if (driven.status[to_size(d)] != numerics::DesignStatus::proven) continue;
+    if (driven.status[d] != numerics::DesignStatus::proven) continue;
     ++compared;
     for (Eigen::Index j = 0; j < 6; ++j) {
       EXPECT_NEAR(driven.highest(d, j), expected.highest(d, j), nine_digits * expected.highest(d, j)) << d << " " << j;
@@ -266,7 +266,7 @@ TEST(DrivenPeaks, LeaveDesignsWithUndampedPolesUndecided) {
 numerics::DrivenDesigns two_oscillators(double apart) {
   const auto row = [](std::initializer_list<double> numbers) {
     Eigen::ArrayXXd result(1, std::ssize(numbers));
-    std::copy(numbers.begin(), numbers.end(), result.data());
+    std::ranges::copy(numbers, result.data());
     return result;
   };
   numerics::DrivenDesigns designs{row({1, 0, 1}), row({0.8, 0, 0.8}), row({100, 0, 100 * (1 + apart)}), {}, {}, {}};

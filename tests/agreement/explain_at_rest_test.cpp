@@ -139,8 +139,8 @@ response = {of = ["m.z"], band = ["1 Hz", "30 Hz"]}
   const study::Explanation found = study::explanation(file.base(), {{}, 1});
   ASSERT_EQ(found.peaks.size(), 1u);
   EXPECT_THAT(found.peaks[0].notes, testing::Contains(testing::HasSubstr("opens or closes a stop at rest")));
-  EXPECT_EQ(std::count_if(found.peaks[0].notes.begin(), found.peaks[0].notes.end(),
-                          [](const std::string& note) { return note.find("no slopes") != std::string::npos; }),
+  EXPECT_EQ(std::ranges::count_if(found.peaks[0].notes,
+                                  [](const std::string& note) { return note.find("no slopes") != std::string::npos; }),
             1);
   for (const response::Sensitivity& s : found.peaks[0].sensitivities) {
     const std::string& name = found.parameters[s.parameter].name;

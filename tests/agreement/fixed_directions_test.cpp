@@ -253,7 +253,7 @@ TEST(FixedDirections, AreIncludedInTheBalanceOfPower) {
           flow.dissipated.col(i).sum() + flow.dissipated_by_foundations(i) + flow.dissipated_by_system(i);
       EXPECT_GT(flow.by_ground(i), 0);
       EXPECT_NEAR(flow.by_ground(i), lost, round_off * flow.dissipated.col(i).cwiseAbs().maxCoeff())
-          << flow.angular_frequency[to_size(i)];
+          << flow.angular_frequency[i];
     }
   }
 }
@@ -266,8 +266,7 @@ TEST(FixedDirections, MoveWithTheElementAboveThem) {
     if (parameter.name != "elements.m2.moved.x") continue;
     const model::System moved = response::changed(system, parameter, 0.1);
     const auto named = [&](const std::string& name) {
-      return *std::find_if(moved.elements().begin(), moved.elements().end(),
-                           [&](const model::Element& e) { return e.name == name; });
+      return *std::ranges::find(moved.elements(), name, &model::Element::name);
     };
     EXPECT_EQ(named("m2").n.at, named("m2.foundation").n.at);
     EXPECT_EQ(named("m2").n.at, named("m2.foundation").k.at);
@@ -285,7 +284,7 @@ TEST(FixedDirections, AreFoundByTheSecondSolverIfTheFastAssemblyLosesThem) {
   const assembly::Assembled whole = assembly::assemble(system);
   assembly::Assembled lost = whole;
   for (assembly::ElementMap& map : lost.elements) {
-    const std::string& name = system.elements()[to_size(&map - lost.elements.data())].name;
+    const std::string& name = system.elements()[&map - lost.elements.data()].name;
     if (!name.ends_with(".foundation")) map.ground_ends.setZero();
   }
   lost.ground.K.setZero();

@@ -9,7 +9,6 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 
 namespace foundation_test {
@@ -151,7 +150,7 @@ modes = {}
   const study::Answers found = answers(text);
   const double k = 1 / (1 / 2e5 + 1 / 3e5);
   for (Eigen::Index i = 0; i < 2; ++i) {
-    const double w = found.response->curves.angular_frequency[to_size(i)];
+    const double w = found.response->curves.angular_frequency[i];
     EXPECT_NEAR(test::value(*found.response, "machine.z", i).real(), 5 / (k - 100 * w * w),
                 last_digits * std::abs(5 / (k - 100 * w * w)));
     EXPECT_NEAR(test::value(*found.response, "mount.force.z", i).real(), 5 * k / (k - 100 * w * w), round_off);

@@ -132,7 +132,7 @@ Checked compared(const std::string& text, double omega, Index harmonics) {
       const Eigen::RowVectorXd local = elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
       Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
       for (Index j = 0; j < assembled.elements[e].end_columns; ++j)
-        row(assembled.elements[e].rows[to_size(j)]) += (local * assembled.elements[e].ends.col(j).head<12>()).value();
+        row(assembled.elements[e].rows[j]) += (local * assembled.elements[e].ends.col(j).head<12>()).value();
       rows.push_back(row);
       forces.push_back(
           sampled_force(part.laws, part.at_rest, deflections.col(to_index(forces.size())), omega, harmonics));

@@ -50,8 +50,8 @@ TEST(HardCases, EveryReturnedValueHasASmallBackwardErrorAndTheForwardErrorOfItsC
 
 TEST(HardCases, PivotingIsCalledIfTheFastPathFails) {
   const auto cases = hard_cases();
-  const auto vanishing = std::find_if(cases.begin(), cases.end(),
-                                      [](const auto& c) { return std::string(c.name).starts_with("vanishing"); });
+  const auto vanishing =
+      std::ranges::find_if(cases, [](const auto& c) { return std::string(c.name).starts_with("vanishing"); });
   EXPECT_GT(numerics::sweep(vanishing->m, load(), {std::sqrt(50.0)}).fallbacks, 0);
 }
 

@@ -228,9 +228,8 @@ std::vector<double> scan(const Eigen::VectorXcd& poles, double to) {
       if (const double w = pole.imag() + half_widths * std::abs(pole.real()) * (2.0 * i / (around - 1) - 1);
           w > 0 && w < to)
         omega.push_back(w);
-  std::sort(omega.begin(), omega.end());
-  omega.erase(std::unique(omega.begin(), omega.end(), [](double a, double b) { return b - a < apart * b; }),
-              omega.end());
+  std::ranges::sort(omega);
+  omega.erase(std::ranges::unique(omega, [](double a, double b) { return b - a < apart * b; }).begin(), omega.end());
   return omega;
 }
 
@@ -258,12 +257,12 @@ TEST(PeaksOfManyBodies, AreAllThatAScanAroundEveryPoleFinds) {
           if (!(y(i) > y(i - 1) && y(i) > y(i + 1))) continue;
           if (!(y(i) - std::min(y(i - 1), y(i + 1)) > sweep_round_off * size)) continue;
           ++seen;
-          const double from = omega[to_size(i - 1)], to = omega[to_size(i + 1)];
+          const double from = omega[i - 1], to = omega[i + 1];
           const auto& extrema = found.curves[c].extrema;
-          const auto peak = std::find_if(extrema.begin(), extrema.end(), [&](const numerics::Extremum& e) {
+          const auto peak = std::ranges::find_if(extrema, [&](const numerics::Extremum& e) {
             return e.maximum && e.angular_frequency >= from && e.angular_frequency <= to;
           });
-          ASSERT_NE(peak, extrema.end()) << graph.name << ", damping " << damping << ", near " << omega[to_size(i)];
+          ASSERT_NE(peak, extrema.end()) << graph.name << ", damping " << damping << ", near " << omega[i];
           const numerics::RefinedPeak refined = refinement.refined(curves[c], peak->angular_frequency, peak->reach);
           EXPECT_TRUE(refined.converged);
           EXPECT_GE(refined.amplitude, y(i) * (1 - nine_digits));

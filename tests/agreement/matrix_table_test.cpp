@@ -100,7 +100,7 @@ TEST(MatrixTable, AgreesWithItsDirectionsInTheirOwnAxes) {
   const std::array<const char*, 6> letters = {"x", "y", "z", "rx", "ry", "rz"};
   const std::string directions = folder.table(
       "directions.csv", 6, [](int i, int j) { return i == j; },
-      [&](int i, int) { return std::string("k_") + letters[to_size(i)]; },
+      [&](int i, int) { return std::string("k_") + letters[i]; },
       [](int row) -> Eigen::MatrixXcd { return constants(row).asDiagonal(); });
   const Eigen::VectorXcd expected = answer(
       directions,

@@ -34,7 +34,7 @@ struct Duffing {
         const double A = (-4 * p * q + sign * std::sqrt(discriminant)) / (6 * q * q);
         if (A > 0) turns.push_back(A);
       }
-    std::sort(turns.begin(), turns.end());
+    std::ranges::sort(turns);
     int changes = 0;
     for (std::size_t i = 0; i < turns.size(); ++i) {
       const double from = value(turns[i]), to = i + 1 < turns.size() ? value(turns[i + 1]) : 1;
@@ -91,8 +91,7 @@ TEST(SteadyBranch, HasEveryMotionOfRandomHardeningSprings) {
     ASSERT_EQ(found.ended, "") << "machine " << i;
     for (const double omega : options.at) {
       if (d.is_near_a_fold(omega)) continue;
-      const auto count = std::count_if(found.at.begin(), found.at.end(),
-                                       [&](const nonlinear::SteadyPoint& p) { return p.angular_frequency == omega; });
+      const auto count = std::ranges::count(found.at, omega, &nonlinear::SteadyPoint::angular_frequency);
       EXPECT_EQ(count, d.motions(omega)) << "machine " << i << " at " << omega / omega0 << " omega0";
       ++compared;
       with_three += d.motions(omega) == 3;

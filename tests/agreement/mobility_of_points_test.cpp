@@ -154,7 +154,7 @@ struct Deck {
     const auto motion = [&](const Direction& direction) {
       Eigen::Vector<double, 6> t;
       const Eigen::Vector3d axis = Eigen::Vector3d::Unit(direction.axis % 3);
-      if (direction.axis < 3) t << axis, (feet[to_size(direction.node - 11)].at - centre).cross(axis);
+      if (direction.axis < 3) t << axis, (feet[direction.node - 11].at - centre).cross(axis);
       else t << Eigen::Vector3d::Zero(), axis;
       return t;
     };

@@ -9,7 +9,6 @@
 #include "support/projects.h"
 #include "support/random_system.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/foundation/index.h"
 #include "trivet/modal/roots.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/resonant_mode.h"
@@ -165,7 +164,7 @@ std::vector<double> dense_grid(const Eigen::VectorXcd& poles) {
   for (Eigen::Index k = 0; k < poles.size(); ++k)
     for (int i = -400; i <= 400; ++i) grid.push_back(poles(k).imag() + std::abs(poles(k).real()) * std::sinh(i / 60.0));
   std::erase_if(grid, [](double w) { return w <= 0; });
-  std::sort(grid.begin(), grid.end());
+  std::ranges::sort(grid);
   return grid;
 }
 
@@ -179,7 +178,7 @@ std::vector<std::pair<double, double>> scanned_maxima(const std::vector<double>&
       double left = y(i), right = y(i);
       while (a > 0 && y(a - 1) <= y(i)) left = std::min(left, y(--a));
       while (b + 1 < y.size() && y(b + 1) <= y(i)) right = std::min(right, y(++b));
-      if (y(i) - std::max(left, right) > floor) found.emplace_back(grid[to_size(i)], y(i));
+      if (y(i) - std::max(left, right) > floor) found.emplace_back(grid[i], y(i));
     }
   return found;
 }

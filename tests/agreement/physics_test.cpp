@@ -86,12 +86,10 @@ TEST(Physics, AFreeSystemHasSixRigidModes) {
   for (const Variant& v : variants()) {
     const model::System system = test::checked(test::RandomSystem(v.seed).description(v.bodies + 1, v.damping, false));
     const modal::Modes modes = modal::modes(system);
-    const auto rigid =
-        std::count_if(modes.list.begin(), modes.list.end(), [](const auto& m) { return m.eigenvalue_squared == 0; });
+    const auto rigid = std::ranges::count_if(modes.list, [](const auto& m) { return m.eigenvalue_squared == 0; });
     EXPECT_EQ(rigid, 6) << "seed " << v.seed;
     const modal::Roots roots = modal::roots(system);
-    const auto zero = std::count_if(roots.list.begin(), roots.list.end(),
-                                    [](const auto& r) { return r.kind == modal::RootKind::rigid; });
+    const auto zero = std::ranges::count_if(roots.list, [](const auto& r) { return r.kind == modal::RootKind::rigid; });
     EXPECT_EQ(zero, 12) << "seed " << v.seed;
   }
 }

@@ -82,8 +82,8 @@ Eigen::VectorXd summed(const Case& c, const std::vector<assembly::Channel>& chan
           (i == 0 || i == steps ? 1
                : i % 2 == 1     ? 4
                                 : 2) *
-          std::pow(omega[to_size(i)], 2 * derivative);
-      const Eigen::MatrixXcd density = excitation::density_matrix(inputs, omega[to_size(i)]);
+          std::pow(omega[i], 2 * derivative);
+      const Eigen::MatrixXcd density = excitation::density_matrix(inputs, omega[i]);
       for (std::size_t k = 0; k < channels.size(); ++k) {
         Eigen::VectorXcd h_k(to_index(responses.size()));
         for (std::size_t r = 0; r < responses.size(); ++r) h_k(to_index(r)) = responses[r].curves[k].value(i);

@@ -168,7 +168,7 @@ void expect_same_response(const model::Description& machine, const std::vector<d
   for (std::size_t c = 0; c < found.size(); ++c)
     for (Eigen::Index i = 0; i < std::ssize(omega); ++i)
       EXPECT_LE(std::abs(found[c].value(i) - wanted[c].value(i)), round_off * wanted[c].value.cwiseAbs().maxCoeff())
-          << found[c].name << " at " << omega[to_size(i)];
+          << found[c].name << " at " << omega[i];
 }
 
 const std::vector<double> from_rest_on = {0, 1e-9, 1e-4, 1, 30},
@@ -205,7 +205,7 @@ void put_on_impedances(model::Description& machine, const std::vector<int>& dire
   for (std::size_t e = 0; e < 2; ++e) {
     const auto count = to_index(directions.size());
     Eigen::Matrix<double, 6, Eigen::Dynamic> shape = Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, count);
-    for (Eigen::Index i = 0; i < count; ++i) shape(directions[to_size(i)], i) = 1;
+    for (Eigen::Index i = 0; i < count; ++i) shape(directions[i], i) = 1;
     model::Element joint, &element = machine.elements[e];
     joint.name = element.name + ".foundation";
     joint.type = "foundation";
@@ -252,8 +252,8 @@ TEST(RelativeCoordinates, HaveTheLimitOfElementsWithMass) {
         << found[j].name;
   const Eigen::VectorXd carried = base.system.bodies()[0].pose.rotation.transpose().col(0);
   for (Eigen::Index j = 0; j < 3; ++j) {
-    const Complex wanted = space[to_size(j)].value(0) + carried(j) / (0.01 * 0.01), was = found[to_size(j)].value(1);
-    EXPECT_LE(std::abs(was - wanted), round_off * carried.norm() / (0.01 * 0.01)) << found[to_size(j)].name;
+    const Complex wanted = space[j].value(0) + carried(j) / (0.01 * 0.01), was = found[j].value(1);
+    EXPECT_LE(std::abs(was - wanted), round_off * carried.norm() / (0.01 * 0.01)) << found[j].name;
   }
 }
 

@@ -114,7 +114,7 @@ TEST(Simplification, IsTheModelWrittenWithThreeSprings) {
   std::vector<double> expected, found;
   for (const auto& mode : modes.list) expected.push_back(*mode.angular_frequency);
   for (const ModeComparison& mode : simple.modes) found.push_back(*mode.simplified);
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   EXPECT_THAT(found, testing::Pointwise(testing::DoubleNear(round_off * expected.back()), expected));
 }
 

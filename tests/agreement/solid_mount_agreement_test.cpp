@@ -120,7 +120,7 @@ class CalculiX {
       int written = 0;
       for (const int a : serendipity) {
         elements << (++written == 11 ? ",\n" : ", ") << mesh_.elements(a, e) + 1;
-        used[to_size(mesh_.elements(a, e))] = true;
+        used[mesh_.elements(a, e)] = true;
       }
       elements << "\n";
     }
@@ -128,19 +128,19 @@ class CalculiX {
     file.precision(16);
     file << "*NODE, NSET=ALL\n";
     for (Eigen::Index a = 0; a < mesh_.nodes.cols(); ++a)
-      if (used[to_size(a)])
+      if (used[a])
         file << a + 1 << ", " << mesh_.nodes(0, a) << ", " << mesh_.nodes(1, a) << ", " << mesh_.nodes(2, a) << "\n";
     file << "*ELEMENT, TYPE=C3D20R, ELSET=SOLID\n" << elements.str() << "*NSET, NSET=PLATE\n";
     for (const int a : mesh_.plate_k)
-      if (used[to_size(a)]) file << a + 1 << ",\n";
+      if (used[a]) file << a + 1 << ",\n";
     file << "*MATERIAL, NAME=RUBBER\n*ELASTIC\n"
          << young << ", " << nu << "\n*SOLID SECTION, ELSET=SOLID, MATERIAL=RUBBER\n";
     for (int motion = 0; motion < 6; ++motion) {
       file << "*STEP\n*STATIC\n*BOUNDARY, OP=NEW\n";
       for (const int a : mesh_.plate_n)
-        if (used[to_size(a)]) file << a + 1 << ", 1, 3, 0\n";
+        if (used[a]) file << a + 1 << ", 1, 3, 0\n";
       for (const int a : mesh_.plate_k) {
-        if (!used[to_size(a)]) continue;
+        if (!used[a]) continue;
         const Eigen::Vector3d u = spatial::rigid_motion(mesh_.nodes.col(a) - frame_.point_k).topRows<3>().col(motion);
         for (int c = 0; c < 3; ++c) file << a + 1 << ", " << c + 1 << ", " << c + 1 << ", " << u(c) << "\n";
       }

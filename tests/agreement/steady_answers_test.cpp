@@ -104,8 +104,7 @@ TEST(PowerBalance, PowerOfForcesAndGroundIsDissipated) {
             flow.dissipated.col(i).sum() + flow.dissipated_by_foundations(i) + flow.dissipated_by_system(i);
         const double scale =
             std::abs(flow.by_forces(i)) + std::abs(flow.by_ground(i)) + flow.dissipated.col(i).cwiseAbs().sum();
-        EXPECT_NEAR(in, out, round_off * scale)
-            << static_cast<int>(damping) << " " << seed << " " << frequencies[to_size(i)];
+        EXPECT_NEAR(in, out, round_off * scale) << static_cast<int>(damping) << " " << seed << " " << frequencies[i];
         EXPECT_GE(flow.dissipated.col(i).minCoeff(), -round_off * scale);
         EXPECT_EQ(out > round_off * scale, damping != Damping::none);
         EXPECT_EQ(flow.dissipated_by_foundations(i) > 0, damping == Damping::foundation);
@@ -259,7 +258,7 @@ TEST(DeflectionShape, AgreesWithTheAnswers) {
       const auto channels = assembly::channels(system, assembled, {word}, assembly::MotionQuantity::displacement);
       const auto curves = response::frequency_response(assembled, channels, loading, {40});
       Eigen::Matrix<Complex, 6, 1> motion;
-      for (int j = 0; j < 6; ++j) motion(j) = curves.curves[to_size(j)].value(0);
+      for (int j = 0; j < 6; ++j) motion(j) = curves.curves[j].value(0);
       motion.head<3>() = (axes * motion.head<3>()).eval();
       motion.tail<3>() = (axes * motion.tail<3>()).eval();
       EXPECT_EQ(place.name, word);
@@ -319,8 +318,8 @@ TEST(LimitLine, IsExceededWhereADenseScanExceedsIt) {
     for (std::size_t i = 0; i < scan.size(); ++i) {
       const double margin = response::zero_to_peak_limit(line, std::clamp(scan[i], 10.0, 500.0)) / level(to_index(i));
       least = std::min(least, margin);
-      const bool inside = std::any_of(found.exceeded.begin(), found.exceeded.end(),
-                                      [&](const assembly::Band& b) { return scan[i] >= b.from && scan[i] <= b.to; });
+      const bool inside = std::ranges::any_of(
+          found.exceeded, [&](const assembly::Band& b) { return scan[i] >= b.from && scan[i] <= b.to; });
       EXPECT_EQ(inside, margin < 1) << scan[i];
     }
     EXPECT_THAT(found.least_margin, RelativelyNear(least, between_points));

@@ -188,8 +188,8 @@ TEST_P(SweepKernels, PivotedLanesSolveMatricesWithoutLeadingPivots) {
   const Eigen::VectorXcd h = random_vector(7, 9);
   for (int i = 0; i < 7; ++i)
     for (int f = 0; f < count; ++f) {
-      load[to_size(i * count + f)] = h(i).real() * (f + 1);
-      load[to_size((7 + i) * count + f)] = h(i).imag() * (f + 1);
+      load[i * count + f] = h(i).real() * (f + 1);
+      load[(7 + i) * count + f] = h(i).imag() * (f + 1);
     }
   const sweep_kernels::Batch batch{omega.data(), count,        {load.data(), load.data() + 7 * count, count},
                                    {},           scale.data(), {q.data(), q.data() + 7 * count, count},
@@ -197,7 +197,7 @@ TEST_P(SweepKernels, PivotedLanesSolveMatricesWithoutLeadingPivots) {
   EXPECT_TRUE(sweep_kernels::solve_pivoted(z, batch));
   for (int f = 0; f < count; ++f) {
     Eigen::VectorXcd found(7);
-    for (int i = 0; i < 7; ++i) found(i) = {q[to_size(i * count + f)], q[to_size((7 + i) * count + f)]};
+    for (int i = 0; i < 7; ++i) found(i) = {q[i * count + f], q[(7 + i) * count + f]};
     EXPECT_LE(true_backward_error(m, h * (f + 1), 1.0, found), backward_error) << f;
   }
 }

@@ -138,7 +138,7 @@ TEST(Transient, BaseByOffDiagonalBlocksAgreesWithInertialForcesInRelativeCoordin
   // r: motion of each body with the base, in its axes at its pole. q_r = q − r g, A q̈_r + B q̇_r + K q_r = −A r g̈.
   Eigen::VectorXd r(12);
   for (int b = 0; b < 2; ++b) {
-    const spatial::Pose& pose = system.bodies()[to_size(b)].pose;
+    const spatial::Pose& pose = system.bodies()[b].pose;
     r.segment<6>(6 * b) =
         spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position) * direction;
   }
@@ -182,7 +182,7 @@ TEST(Transient, BaseGivenByAccelerationOrVelocityAgreesWithTheSameDisplacement) 
                                       until(0.5, 0.003)));
   for (int derivative = 1; derivative < 3; ++derivative)
     for (std::size_t k = 0; k < answers[0].curves.size(); ++k)
-      EXPECT_THAT(answers[to_size(derivative)].curves[k].values, NearVector(answers[0].curves[k].values, round_off))
+      EXPECT_THAT(answers[derivative].curves[k].values, NearVector(answers[0].curves[k].values, round_off))
           << answers[0].curves[k].name;
 }
 

@@ -24,8 +24,7 @@ class QuadMachine {
     modes_ = quad_modes(m_[stiffness], m_[mass]);
     if (modal_ratios.empty()) return;
     QuadMatrix twice = QuadMatrix::Zero(m_[mass].rows(), m_[mass].rows());
-    for (Eigen::Index i = 0; i < twice.rows(); ++i)
-      twice(i, i) = 2 * Quad(modal_ratios[to_size(i)]) * sqrt(modes_.lambda(i));
+    for (Eigen::Index i = 0; i < twice.rows(); ++i) twice(i, i) = 2 * Quad(modal_ratios[i]) * sqrt(modes_.lambda(i));
     const QuadMatrix momentum_of_modes = m_[mass] * modes_.shapes;
     m_[damping] += momentum_of_modes * twice * momentum_of_modes.transpose();
   }

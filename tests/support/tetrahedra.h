@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "trivet/fem/mesh.h"
-#include "trivet/foundation/index.h"
 
 namespace trivet::test {
 
@@ -34,7 +33,7 @@ inline fem::Mesh in_tetrahedra(const fem::Mesh& hexahedra) {
     };
     for (int c = 0; c < 4; ++c) mesh.elements(c, t) = node(corner[c]);
     for (int e = 0; e < 6; ++e) mesh.elements(4 + e, t) = node((corner[edges[e][0]] + corner[edges[e][1]]) / 2);
-    mesh.material.push_back(hexahedra.material[to_size(t / 6)]);
+    mesh.material.push_back(hexahedra.material[t / 6]);
   }
   return mesh;
 }

@@ -79,8 +79,7 @@ Eigen::VectorXd frequencies(const Beam& whole, int count, const Coordinates& at_
   }
   std::vector<int> free;
   for (int i = 0; i < size; ++i)
-    if (const auto names =
-            [i](const Coordinates& list) { return std::find(list.begin(), list.end(), i % 6) != list.end(); };
+    if (const auto names = [i](const Coordinates& list) { return std::ranges::find(list, i % 6) != list.end(); };
         !names(everywhere) && !((i < 6 || i >= size - 6) && names(at_ends)))
       free.push_back(i);
   const Eigen::MatrixXd kf = k(free, free), mf = m(free, free);

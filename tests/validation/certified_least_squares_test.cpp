@@ -84,7 +84,7 @@ TEST_P(CertifiedLeastSquares, AreMetFromBothStarts) {
   const auto residuals = [&](const Eigen::VectorXd& logarithms) -> Eigen::VectorXd {
     const Eigen::VectorXd b = logarithms.array().exp();
     Eigen::VectorXd result(rows);
-    for (Eigen::Index i = 0; i < rows; ++i) result(i) = problem.y[to_size(i)] - problem.model(b, problem.x[to_size(i)]);
+    for (Eigen::Index i = 0; i < rows; ++i) result(i) = problem.y[i] - problem.model(b, problem.x[i]);
     return result;
   };
   for (const std::vector<double>& start : problem.starts) {
@@ -96,9 +96,9 @@ TEST_P(CertifiedLeastSquares, AreMetFromBothStarts) {
     const double variance = found.residuals.squaredNorm() / static_cast<double>(rows - count);
     for (Eigen::Index i = 0; i < count; ++i) {
       const double value = std::exp(found.parameters(i));
-      EXPECT_THAT(value, RelativelyNear(problem.parameters[to_size(i)], parameters)) << from << ", parameter " << i + 1;
+      EXPECT_THAT(value, RelativelyNear(problem.parameters[i], parameters)) << from << ", parameter " << i + 1;
       EXPECT_THAT(value * std::sqrt(variance * found.unit_covariance(i, i)),
-                  RelativelyNear(problem.deviations[to_size(i)], deviations))
+                  RelativelyNear(problem.deviations[i], deviations))
           << from << ", parameter " << i + 1;
     }
   }

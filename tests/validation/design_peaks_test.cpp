@@ -19,7 +19,7 @@ numerics::Designs single_masses(const std::vector<double>& zeta) {
   const auto count = to_index(zeta.size());
   numerics::Designs designs{Eigen::ArrayXXd::Constant(count, 1, 2), Eigen::ArrayXXd(count, 1),
                             Eigen::ArrayXXd::Constant(count, 1, 200), Eigen::ArrayXXd::Constant(1, 1, 3)};
-  for (Eigen::Index i = 0; i < count; ++i) designs.B(i, 0) = 2 * zeta[to_size(i)] * 20;
+  for (Eigen::Index i = 0; i < count; ++i) designs.B(i, 0) = 2 * zeta[i] * 20;
   return designs;
 }
 

@@ -11,7 +11,6 @@
 #include "support/transient.h"
 #include "trivet/excitation/sampled_signal.h"
 #include "trivet/excitation/shock_spectrum.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/transient/earthquake.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -41,13 +40,13 @@ TEST(Earthquake, TwoEqualStoreysHaveTheClosedForm) {
     const double sign = i == 0 ? 1 : -1, root = std::sqrt(5.0);
     const double squared = (3 - sign * root) / 2 * k / m, top = (1 + sign * root) / 2, modal_mass = m * (1 + top * top),
                  gamma = m * (1 + top) / modal_mass;
-    EXPECT_THAT(r.modes[to_size(i)].angular_frequency, RelativelyNear(std::sqrt(squared), round_off));
-    EXPECT_THAT(r.modes[to_size(i)].effective_mass, RelativelyNear(gamma * gamma * modal_mass, round_off));
+    EXPECT_THAT(r.modes[i].angular_frequency, RelativelyNear(std::sqrt(squared), round_off));
+    EXPECT_THAT(r.modes[i].effective_mass, RelativelyNear(gamma * gamma * modal_mass, round_off));
     EXPECT_THAT(std::abs(r.answers[0].modal_maxima(i)), RelativelyNear(std::abs(gamma * top * 2 / squared), round_off));
     EXPECT_THAT(std::abs(r.answers[1].modal_maxima(i)),
                 RelativelyNear(2 * gamma * gamma * modal_mass, round_off));  // base force: S_a times the effective mass
     squares += std::pow(gamma * top * 2 / squared, 2);
-    mass += r.modes[to_size(i)].effective_mass;
+    mass += r.modes[i].effective_mass;
   }
   EXPECT_THAT(r.answers[0].square_root_of_sum_of_squares, RelativelyNear(std::sqrt(squares), round_off));
   EXPECT_THAT(mass, RelativelyNear(2 * m, round_off));

@@ -98,8 +98,7 @@ TEST(LuGre, BothVerdictsAgree) {
     EXPECT_GT(found.winding.points, 5);
     EXPECT_EQ(found.winding.undecided, 0);
     EXPECT_TRUE(found.winding.differs_at.empty());
-    const auto unstable =
-        std::count_if(found.points.begin(), found.points.end(), [](const auto& point) { return !point.stable; });
+    const auto unstable = std::ranges::count_if(found.points, [](const auto& point) { return !point.stable; });
     EXPECT_EQ(unstable > 0, laws.size() == 2);
   }
 }

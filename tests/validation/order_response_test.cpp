@@ -135,8 +135,7 @@ TEST(RunUp, DistinguishesTallPeaksFromSmallOnes) {
     EXPECT_EQ(found.critical[i].order, order);
     EXPECT_THAT(found.critical[i].speed, RelativelyNear(peak / order, flat_maximum));
     EXPECT_THAT(found.critical[i].relative_height, RelativelyNear(height, round_off));
-    const bool on_grid =
-        std::find(found.speed.begin(), found.speed.end(), found.critical[i].speed) != found.speed.end();
+    const bool on_grid = std::ranges::find(found.speed, found.critical[i].speed) != found.speed.end();
     EXPECT_EQ(on_grid, order < 3) << "from 1 % of the highest";
   }
   EXPECT_THROW(solved.run_up({"machine"}, {10, 10}), foundation::InvalidInput);
@@ -176,7 +175,7 @@ TEST(Waterfall, HasALineForEveryOrderOfEverySpectrum) {
   }
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) sum += std::pow(amplitude_at(found, k, 0, 20), 2) / 2;
-  const auto at20 = std::find(found.speed.begin(), found.speed.end(), 20.0) - found.speed.begin();
+  const auto at20 = std::ranges::find(found.speed, 20.0) - found.speed.begin();
   EXPECT_THAT(found.overall[0].rms(at20), RelativelyNear(std::sqrt(sum), round_off));
 }
 

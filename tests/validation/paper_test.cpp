@@ -6,7 +6,6 @@
 
 #include "support/matchers.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/foundation/index.h"
 #include "trivet/judging/read_project.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
@@ -38,7 +37,7 @@ void expect_frequencies(const std::string& file, const std::vector<Natural>& exp
     ASSERT_EQ(modes.list.size(), 6u);
     for (const double frequency : natural.frequencies) {
       const double squared = frequency * std::abs(frequency);
-      const auto nearest = std::min_element(modes.list.begin(), modes.list.end(), [&](const auto& a, const auto& b) {
+      const auto nearest = std::ranges::min_element(modes.list, [&](const auto& a, const auto& b) {
         return std::abs(a.eigenvalue_squared - squared) < std::abs(b.eigenvalue_squared - squared);
       });
       EXPECT_THAT(nearest->eigenvalue_squared, RelativelyNear(squared, of_a_square))
@@ -75,7 +74,7 @@ TEST(Paper, EigenvaluesOfTheMassMatrix) {
   for (const auto& [file, values] : expected) {
     const Eigen::VectorXd found =
         numerics::symmetric_eigenvalues(assembly::assemble(paper(file).base().system).matrices.A);
-    for (int i = 0; i < 6; ++i) EXPECT_THAT(found(i), RelativelyNear(values[to_size(i)], printed_digits)) << file;
+    for (int i = 0; i < 6; ++i) EXPECT_THAT(found(i), RelativelyNear(values[i], printed_digits)) << file;
   }
 }
 
@@ -135,8 +134,8 @@ TEST(Paper, CharacteristicsOfTheCorrectedBody) {
 TEST(Paper, AsPrintedHasOneGrowingRootAndAWarning) {
   const project::Project project = paper("as_printed.toml");
   const modal::Roots roots = modal::roots(project.find("Figure 3")->system);
-  const auto growing = std::find_if(roots.list.begin(), roots.list.end(),
-                                    [](const auto& r) { return r.kind == modal::RootKind::growing; });
+  const auto growing =
+      std::ranges::find_if(roots.list, [](const auto& r) { return r.kind == modal::RootKind::growing; });
   ASSERT_NE(growing, roots.list.end());
   constexpr double two_decimals = 0.005;  // the check of the paper gave +4.61 1/s
   EXPECT_NEAR(growing->eigenvalue.real(), 4.61, two_decimals);
@@ -149,7 +148,7 @@ TEST(Paper, ATranslationKeepsItsFrequencyForAnyInertia) {
   // √(k/m) along the line from the mass centre to the elastic centre.
   for (const char* file : {"as_printed.toml", "corrected.toml"}) {
     const modal::Modes modes = modal::modes(paper(file).base().system);
-    EXPECT_TRUE(std::any_of(modes.list.begin(), modes.list.end(), [](const auto& mode) {
+    EXPECT_TRUE(std::ranges::any_of(modes.list, [](const auto& mode) {
       return mode.angular_frequency && std::abs(*mode.angular_frequency - std::sqrt(50250 / 205.176)) < round_off &&
           mode.screws[0].pure_translation;
     })) << file;

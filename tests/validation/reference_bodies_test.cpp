@@ -9,7 +9,6 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/foundation/index.h"
 #include "trivet/judging/read_project.h"
 
 namespace reference_bodies_test {
@@ -67,9 +66,7 @@ static = {}
   const auto project = test::project(text);
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
   const auto found = [&](const std::string& name) {
-    return std::find_if(answers.statics->values.begin(), answers.statics->values.end(),
-                        [&](const auto& v) { return v.name == name; })
-        ->value;
+    return std::ranges::find_if(answers.statics->values, [&](const auto& v) { return v.name == name; })->value;
   };
   EXPECT_THAT(found("plate.z"), RelativelyNear(-0.0026897977325498093, all_digits));
   EXPECT_THAT(found("plate.rx"), RelativelyNear(0.0017407425956452326, all_digits));
@@ -105,10 +102,10 @@ TEST(Inertia, ImpossibleOnesAreRejectedAndTheCorrectedOneIsAccepted) {
     ASSERT_TRUE(allowed.has_value());
     EXPECT_EQ(allowed->base().warnings.list().empty(), given.physical) << given.name;
     const Eigen::Vector3d moments = spatial::principal_inertia(allowed->base().system.bodies()[0].mass).moments;
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(moments(i), given.central[to_size(i)], round_off) << given.name;
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(moments(i), given.central[i], round_off) << given.name;
     if (!given.physical) {
       const auto& list = refused_or_not.error().list();
-      EXPECT_TRUE(std::any_of(list.begin(), list.end(), [](const auto& p) {
+      EXPECT_TRUE(std::ranges::any_of(list, [](const auto& p) {
         return p.rule.find("5 positive and 1 negative") != std::string::npos;
       })) << given.name;
     }

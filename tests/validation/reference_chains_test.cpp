@@ -40,7 +40,7 @@ TEST(Sdld02, EightMassesBetweenWallsInAnyDirection) {
     const modal::Modes modes = modal::modes(project.base().system);
     ASSERT_EQ(modes.list.size(), 8u);
     for (int j = 0; j < 8; ++j) {
-      const double hertz = *modes.list[to_size(j)].angular_frequency / turn;
+      const double hertz = *modes.list[j].angular_frequency / turn;
       EXPECT_THAT(hertz, RelativelyNear(published[j], published_digits));
       EXPECT_THAT(
           hertz,

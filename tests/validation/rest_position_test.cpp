@@ -115,7 +115,7 @@ TEST(RestPosition, VibrationMovesItsMean) {
     const auto same = [&](const nonlinear::SteadyPoint& point) {
       return std::abs(sag + point.results[0].mean - row.mean) < 1e-8 * row.mean;
     };
-    const auto point = std::find_if(found.at.begin(), found.at.end(), same);
+    const auto point = std::ranges::find_if(found.at, same);
     ASSERT_NE(point, found.at.end()) << row.force << " N, " << row.omega << " rad/s";
     const nonlinear::ObservedMotion& motion = point->results[0];
     constexpr double digits = 1e-8;
@@ -352,8 +352,9 @@ translation = [50, 0, 0]
 laws.x = {polynomial = [-150, 0, 1e6]}
 )";
   const project::Project project = test::project(text);
-  EXPECT_TRUE(std::any_of(project.base().warnings.list().begin(), project.base().warnings.list().end(),
-                          [](const auto& problem) { return problem.finding == "an unstable position of rest"; }));
+  EXPECT_TRUE(std::ranges::any_of(project.base().warnings.list(), [](const auto& problem) {
+    return problem.finding == "an unstable position of rest";
+  }));
   const std::vector<nonlinear::RestState> states = nonlinear::rest_states(project.base().system);
   ASSERT_EQ(states.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -376,7 +377,7 @@ laws.x = {polynomial = [-150, 0, 1e6]}
       part + "[elements.q]\non = \"b\"" + part;
   const std::vector<nonlinear::RestState> states = nonlinear::rest_states(test::project(text).base().system);
   EXPECT_EQ(states.size(), 9u);
-  EXPECT_EQ(std::count_if(states.begin(), states.end(), [](const auto& state) { return state.stable; }), 4);
+  EXPECT_EQ(std::ranges::count_if(states, [](const auto& state) { return state.stable; }), 4);
 }
 
 }  // namespace rest_position_test

@@ -188,7 +188,7 @@ TEST(RestWithoutStiffness, AllPositionsOfATrussAreFound) {
           found.push_back(z);
           EXPECT_EQ(state.stable, missing(z + step) > missing(z - step));
         }
-        std::sort(found.begin(), found.end());
+        std::ranges::sort(found);
         for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], zeros[i], step);
       }
 }
@@ -242,7 +242,7 @@ TEST(RestWithoutStiffness, TheMeanOfASteadyMotionIsNoRoundOff) {
       ASSERT_NEAR(motion.mean, 0, round_off * motion.largest) << point.angular_frequency;
     }
     for (const double amplitude : {0.05436216442, 0.00135065351})
-      EXPECT_TRUE(std::any_of(found.at.begin(), found.at.end(), [&](const nonlinear::SteadyPoint& point) {
+      EXPECT_TRUE(std::ranges::any_of(found.at, [&](const nonlinear::SteadyPoint& point) {
         return point.stable && std::abs(point.results[0].largest - amplitude) < truncation * amplitude;
       })) << amplitude;
   }

@@ -114,7 +114,7 @@ TEST(RingWhirl, HasTheRadiusAndStabilityOfItsClosedForm) {
     const double r = point.results[0].largest;
     const std::vector<double> radii = disc.radii(point.angular_frequency);
     constexpr double exact = 1e-9;  // of the whirl; Newton's method stops there
-    EXPECT_TRUE(std::any_of(radii.begin(), radii.end(), [&](double one) { return std::abs(one - r) < exact * r; }))
+    EXPECT_TRUE(std::ranges::any_of(radii, [&](double one) { return std::abs(one - r) < exact * r; }))
         << r << " " << testing::PrintToString(radii);
     EXPECT_NEAR(point.results[1].largest, r, exact * r);
     std::vector<double> ours;
@@ -123,8 +123,7 @@ TEST(RingWhirl, HasTheRadiusAndStabilityOfItsClosedForm) {
     // Those of the motion along the axis are among ours: the four of the closed form must be there.
     constexpr double of_steps = 1e-6;
     for (const double expected : disc.multipliers(point.angular_frequency, r))
-      EXPECT_TRUE(
-          std::any_of(ours.begin(), ours.end(), [&](double one) { return std::abs(one - expected) < of_steps; }))
+      EXPECT_TRUE(std::ranges::any_of(ours, [&](double one) { return std::abs(one - expected) < of_steps; }))
           << expected << " " << testing::PrintToString(ours);
     EXPECT_EQ(point.stable, disc.multipliers(point.angular_frequency, r)[0] < 1);
   }
@@ -176,8 +175,7 @@ TEST(RingWhirl, ThatIsAlmostACircleGoesOnIntoItsRing) {
     constexpr double of_asymmetry = 1e-3;
     const double r = point.results[0].largest;
     const std::vector<double> radii = disc.radii(point.angular_frequency);
-    EXPECT_TRUE(
-        std::any_of(radii.begin(), radii.end(), [&](double one) { return std::abs(one - r) < of_asymmetry * r; }))
+    EXPECT_TRUE(std::ranges::any_of(radii, [&](double one) { return std::abs(one - r) < of_asymmetry * r; }))
         << r << " " << testing::PrintToString(radii);
   }
 }

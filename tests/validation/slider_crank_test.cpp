@@ -13,7 +13,6 @@
 #include "support/matchers.h"
 #include "trivet/excitation/engine_orders.h"
 #include "trivet/excitation/gas_torque.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace slider_crank_test {
@@ -60,8 +59,8 @@ TEST(SliderCrank, CoefficientsAreThoseOfTheExactKinematics) {
       const double second = -cosine - l * (cosine * cosine - sine * sine) / root -
           l * l * l * std::pow(sine * cosine, 2) / std::pow(root, 3);
       double inertia = 0, product = 0;
-      for (int n = 0; n <= count; ++n) inertia += all[to_size(n)] * std::cos(n * phi);
-      for (int n = 0; n <= 2 * count; ++n) product += torque[to_size(n)] * std::sin(n * phi);
+      for (int n = 0; n <= count; ++n) inertia += all[n] * std::cos(n * phi);
+      for (int n = 0; n <= 2 * count; ++n) product += torque[n] * std::sin(n * phi);
       EXPECT_NEAR(-inertia, second, round_off);
       EXPECT_NEAR(product, first * second, round_off);
     }

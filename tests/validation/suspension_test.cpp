@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Suspension numbers of a block on four mounts in closed form, and a torque roll axis from the literature.
 #include "trivet/modal/suspension.h"
-#include "trivet/foundation/index.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -69,7 +68,7 @@ TEST(SuspensionOfABlockOnFourMounts, TurnsAboutLinesThroughItsElasticCentre) {
   const Eigen::Vector3d torsional(4 * 8e5 * 0.25, 4 * 8e5 * 0.64, 4 * (4e5 * 0.25 + 5e5 * 0.64));
   ASSERT_EQ(suspension.roll_axes.size(), 3u);
   for (int i = 0; i < 3; ++i) {
-    const modal::RollAxes& axes = suspension.roll_axes[to_size(i)];
+    const modal::RollAxes& axes = suspension.roll_axes[i];
     EXPECT_THAT(axes.torsional_stiffness, RelativelyNear(torsional(i), round_off));
     EXPECT_NEAR(axes.angle, 0, round_off) << "principal axes";
     EXPECT_NEAR(axes.distance_at_centre, i < 2 ? 0.4 : 0, round_off);

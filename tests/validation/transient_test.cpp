@@ -10,7 +10,6 @@
 #include "support/transient.h"
 #include "trivet/excitation/pulses.h"
 #include "trivet/excitation/shock_spectrum.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace transient_test {
@@ -215,7 +214,7 @@ TEST(Transient, KeepsTheEnergyOfAnUndampedMachineOverAHundredThousandSteps) {
       test::transient(m.system, m.assembled, {"coordinates"}, {}, options, assembly::MotionQuantity::velocity);
   const auto energy = [&](Eigen::Index i) {
     Eigen::Vector3d x, dx;
-    for (int k = 0; k < 3; ++k) x(k) = q.curves[to_size(k)].values(i), dx(k) = v.curves[to_size(k)].values(i);
+    for (int k = 0; k < 3; ++k) x(k) = q.curves[k].values(i), dx(k) = v.curves[k].values(i);
     return x.dot(m.assembled.matrices.K * x) + dx.dot(m.assembled.matrices.A * dx);
   };
   ASSERT_EQ(q.time.size(), 100001);

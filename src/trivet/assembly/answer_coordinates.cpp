@@ -20,16 +20,15 @@ bool holds(const Row& row, const Eigen::VectorXcd& motion, Eigen::Index first) {
 
 /// True if the result does not contain the followed motions, except through the inertia of elements.
 bool is_relative(const Ground& ground, const Channel& channel, const numerics::Load& followed) {
-  return channel.ground.empty() ||
-      std::none_of(followed.terms().begin(), followed.terms().end(), [&](const numerics::LoadTerm& term) {
+  return channel.ground.empty() || std::ranges::none_of(followed.terms(), [&](const numerics::LoadTerm& term) {
            return holds(channel.ground.on_displacement, term.value, ground.followed_row()) ||
                holds(channel.ground.on_velocity, term.value, ground.followed_row());
          });
 }
 
 bool follows(const Ground& ground, const numerics::Load& motion) {
-  return std::any_of(motion.terms().begin(), motion.terms().end(),
-                     [&](const numerics::LoadTerm& term) { return !term.value.tail(ground.followed()).isZero(0); });
+  return std::ranges::any_of(
+      motion.terms(), [&](const numerics::LoadTerm& term) { return !term.value.tail(ground.followed()).isZero(0); });
 }
 
 }  // namespace
@@ -42,8 +41,7 @@ Loading following(const Ground& ground, const Loading& loading) {
     for (std::size_t t = 0; t < ground.together.size(); ++t) {
       const std::vector<Eigen::Index>& rows = ground.together[t];
       const Eigen::Matrix<std::complex<double>, 6, 1> moved = value.segment<6>(rows.front());
-      if (!std::all_of(rows.begin(), rows.end(), [&](Eigen::Index row) { return value.segment<6>(row) == moved; }))
-        continue;
+      if (!std::ranges::all_of(rows, [&](Eigen::Index row) { return value.segment<6>(row) == moved; })) continue;
       value.segment<6>(ground.followed_row() + 6 * to_index(t)) += moved;
       for (const Eigen::Index row : rows) value.segment<6>(row).setZero();
     }

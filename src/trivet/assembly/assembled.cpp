@@ -26,7 +26,7 @@ using spatial::Matrix6;
 /// Adds six rows from `first_row` on to the column of one coordinate; each coordinate has one column.
 void add_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int first_row, Eigen::Index row,
                 const spatial::Vector6& column) {
-  const auto known = to_size(std::find(rows.begin(), rows.end(), row) - rows.begin());
+  const auto known = to_size(std::ranges::find(rows, row) - rows.begin());
   assert(row >= 0 && to_index(rows.size()) == ends.cols() &&
          "one column for each coordinate, in the order of the rows");
   if (known == rows.size()) {
@@ -132,8 +132,7 @@ void scatter_block(const Eigen::MatrixXd& local, const std::vector<Eigen::Index>
                    const std::vector<Eigen::Index>& columns, double factor, Eigen::MatrixXd& global) {
   assert(to_index(rows.size()) == local.rows() && to_index(columns.size()) == local.cols());
   for (Eigen::Index i = 0; i < local.rows(); ++i)
-    for (Eigen::Index j = 0; j < local.cols(); ++j)
-      global(rows[to_size(i)], columns[to_size(j)]) += factor * local(i, j);
+    for (Eigen::Index j = 0; j < local.cols(); ++j) global(rows[i], columns[j]) += factor * local(i, j);
 }
 
 void scatter(const ElementMap& map, const Eigen::MatrixXd& matrix, double factor, Eigen::MatrixXd& global) {
@@ -216,7 +215,7 @@ void add_system_damping(const model::SystemDamping& damping, numerics::DynamicMa
            "checked models have one ratio, or one for each mode");
     Eigen::VectorXd twice(modes.lambda.size());
     for (Eigen::Index i = 0; i < twice.size(); ++i) {
-      const double ratio = given->ratios.size() == 1 ? given->ratios[0] : given->ratios[to_size(i)];
+      const double ratio = given->ratios.size() == 1 ? given->ratios[0] : given->ratios[i];
       twice(i) = 2 * ratio * std::sqrt(std::max(modes.lambda(i), 0.0));
     }
     const Eigen::MatrixXd a_phi = massive.A * modes.shapes;
@@ -250,7 +249,7 @@ numerics::DynamicMatrices summed(const model::System& system, const Assembled& a
   if (!lossy) m.K_loss.resize(0, 0);
   for (const Eigen::Index first : assembled.layout.blocks())
     if (first < n) m.blocks.push_back(first);
-  assert((n == 0 || (!m.blocks.empty() && m.blocks.front() == 0)) && std::is_sorted(m.blocks.begin(), m.blocks.end()) &&
+  assert((n == 0 || (!m.blocks.empty() && m.blocks.front() == 0)) && std::ranges::is_sorted(m.blocks) &&
          "blocks of coordinates begin at the first row and follow each other");
   return m;
 }
@@ -272,7 +271,7 @@ void sum_up(const model::System& system, Assembled& result) {
   }
   couple_ground(result.elements, m.size(), result.ground, constant);
   if (damped_as_a_whole) result.ground.B += of_system.on_ground;
-  if (!std::all_of(result.elements.begin(), result.elements.end(), constant)) {
+  if (!std::ranges::all_of(result.elements, constant)) {
     const Eigen::Index n = result.layout.before_last();
     result.constant = summed(system, result, n, constant);
     result.constant.B += (m.B - without).topLeftCorner(n, n);
@@ -316,7 +315,7 @@ Assembled assemble(const model::System& system) {
   if (!has_second_order(system)) return first;
   SecondOrder added = second_order(system, first);
   const bool nothing = added.of_levers == first.of_levers &&
-      std::all_of(added.of_elements.begin(), added.of_elements.end(), [](const auto& one) { return one.isZero(0); });
+      std::ranges::all_of(added.of_elements, [](const auto& one) { return one.isZero(0); });
   if (nothing) {
     first.without_rest = std::move(added.without_rest);
     return first;
@@ -338,7 +337,7 @@ void Assembled::add_frequency_dependent(std::complex<double> omega, double near,
     const Eigen::MatrixXcd ends = map.ends.topLeftCorner(12, map.end_columns);
     const Eigen::MatrixXcd local = ends.transpose() * map.dynamic_stiffness(omega, near) * ends;
     for (Eigen::Index i = 0; i < local.rows(); ++i)
-      for (Eigen::Index j = 0; j < local.cols(); ++j) z(map.rows[to_size(i)], map.rows[to_size(j)]) += local(i, j);
+      for (Eigen::Index j = 0; j < local.cols(); ++j) z(map.rows[i], map.rows[j]) += local(i, j);
   }
 }
 

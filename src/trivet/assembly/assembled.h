@@ -39,7 +39,7 @@ struct ElementMap {
     Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1> d =
         Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1>::Zero(ends.rows());
     for (Eigen::Index j = 0; j < ends.cols(); ++j)
-      d += ends.col(j).template cast<typename Vector::Scalar>() * q(rows[to_size(j)]);
+      d += ends.col(j).template cast<typename Vector::Scalar>() * q(rows[j]);
     return d;
   }
   /// Contribution of a ground motion g; a motion that everything follows counts only if it causes forces.
@@ -48,7 +48,7 @@ struct ElementMap {
     Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1> d =
         Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1>::Zero(ends.rows());
     for (Eigen::Index j = 0; j < ground_ends.cols(); ++j)
-      d += ground_ends.col(j).template cast<typename Vector::Scalar>() * g(ground_rows[to_size(j)]);
+      d += ground_ends.col(j).template cast<typename Vector::Scalar>() * g(ground_rows[j]);
     if (resists_following) d += followed_ends.template cast<typename Vector::Scalar>() * g.tail(followed_ends.cols());
     return d;
   }

@@ -8,7 +8,6 @@
 #include "trivet/assembly/following.h"
 #include "trivet/assembly/place_motion.h"
 #include "trivet/assembly/wrench_rows.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -62,7 +61,7 @@ class Builder {
   std::string motion_unit(int j) const {
     static constexpr std::array<const char*, 3> translation = {"m", "m/s", "m/s²"},
                                                 rotation = {"rad", "rad/s", "rad/s²"};
-    return (j < 3 ? translation : rotation)[to_size(derivative_)];
+    return (j < 3 ? translation : rotation)[derivative_];
   }
 
   std::vector<Channel> coordinates(std::size_t b) const {
@@ -70,8 +69,7 @@ class Builder {
     for (int j = 0; j < 6; ++j) {
       const Eigen::Index row = assembled_.layout.row(b, j);
       if (row < 0) continue;
-      Channel channel =
-          empty(system_.bodies()[b].name + "." + model::coordinate_names[to_size(j)], motion_unit(j), derivative_);
+      Channel channel = empty(system_.bodies()[b].name + "." + model::coordinate_names[j], motion_unit(j), derivative_);
       channel.on_displacement(row) = 1;
       result.push_back(std::move(channel));
     }
@@ -82,7 +80,7 @@ class Builder {
     const Matrix6 x = spatial::rigid_motion(point.at);
     std::vector<Channel> result;
     for (int j = 0; j < 6; ++j) {
-      Channel channel = empty(system_.bodies()[b].name + "." + point.name + "." + model::coordinate_names[to_size(j)],
+      Channel channel = empty(system_.bodies()[b].name + "." + point.name + "." + model::coordinate_names[j],
                               motion_unit(j), derivative_);
       for (int i = 0; i < 6; ++i)
         if (assembled_.layout.row(b, i) >= 0) channel.on_displacement(assembled_.layout.row(b, i)) = x(j, i);
@@ -96,7 +94,7 @@ class Builder {
     std::vector<Channel> result;
     for (int j = 0; j < 6; ++j) {
       Channel channel = filled(j);
-      channel.name = name + "." + model::coordinate_names[to_size(j)];
+      channel.name = name + "." + model::coordinate_names[j];
       channel.unit = motion_unit(j);
       channel.derivative = derivative_;
       result.push_back(std::move(channel));
@@ -141,7 +139,7 @@ class Builder {
       return channel;
     });
     for (int j = 5; j >= 0; --j)
-      if (system_.bodies()[b].left_out[to_size(j)]) result.erase(result.begin() + j);
+      if (system_.bodies()[b].left_out[j]) result.erase(result.begin() + j);
     return result;
   }
 
@@ -158,7 +156,7 @@ class Builder {
     std::vector<Channel> result;
     for (int j = 0; j < 6; ++j)
       if (!model::is_left_out(system_.bodies(), motion, j))
-        result.push_back(row_channel(rows, j, motion.name, model::relative_components[to_size(j)]));
+        result.push_back(row_channel(rows, j, motion.name, model::relative_components[j]));
     return result;
   }
 
@@ -188,9 +186,9 @@ class Builder {
     const Eigen::MatrixXd on_free = pick * map.ends.topRows<12>(), on_ground = pick * map.ground_ends.topRows<12>();
     return motions(name, [&](int j) {
       Channel channel = empty({}, {}, derivative_);
-      for (Eigen::Index c = 0; c < on_free.cols(); ++c) channel.on_displacement(map.rows[to_size(c)]) += on_free(j, c);
+      for (Eigen::Index c = 0; c < on_free.cols(); ++c) channel.on_displacement(map.rows[c]) += on_free(j, c);
       Eigen::VectorXd of_ground = Eigen::VectorXd::Zero(assembled_.ground.size());
-      for (Eigen::Index c = 0; c < on_ground.cols(); ++c) of_ground(map.ground_rows[to_size(c)]) += on_ground(j, c);
+      for (Eigen::Index c = 0; c < on_ground.cols(); ++c) of_ground(map.ground_rows[c]) += on_ground(j, c);
       set_ground(channel, of_ground);
       return channel;
     });
@@ -211,7 +209,7 @@ class Builder {
                                                          "moment.x", "moment.y", "moment.z"};
     std::vector<Channel> result;
     for (int j = 0; j < 6; ++j) {
-      Channel channel = empty(name + "." + parts[to_size(j)], j < 3 ? "N" : "N m", 0);
+      Channel channel = empty(name + "." + parts[j], j < 3 ? "N" : "N m", 0);
       channel.on_displacement = rows.on_displacement.row(j).transpose();
       channel.on_velocity = rows.on_velocity.row(j).transpose();
       channel.on_acceleration = rows.on_acceleration.row(j).transpose();

@@ -101,11 +101,11 @@ Eigen::MatrixXd followed_ends(const ElementMap& map, const Ground& ground) {
   for (Eigen::Index j = 0; j < map.ground_ends.cols(); ++j)
     for (std::size_t t = 0; t < ground.together.size(); ++t)
       for (const Eigen::Index first : ground.together[t])
-        if (const Eigen::Index part = map.ground_rows[to_size(j)] - first; part >= 0 && part < 6)
+        if (const Eigen::Index part = map.ground_rows[j] - first; part >= 0 && part < 6)
           ends.col(6 * to_index(t) + part) += map.ground_ends.col(j);
   Eigen::MatrixXd terms = ends.cwiseAbs();
   for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
-    const Eigen::RowVectorXd follow = ground.R.row(map.rows[to_size(j)]);
+    const Eigen::RowVectorXd follow = ground.R.row(map.rows[j]);
     ends += map.ends.col(j) * follow;
     terms += map.ends.col(j).cwiseAbs() * follow.cwiseAbs();
   }
@@ -129,8 +129,7 @@ void follow_inside(Assembled& assembled) {
     const Eigen::MatrixXd own = K.bottomRightCorner(inner, inner);
     map.followed_ends.bottomRows(inner) = -numerics::smallest_solution(
         own, product(K.bottomLeftCorner(inner, 12), map.followed_ends.topRows(12), stress_free(assembled.ground)));
-    for (Eigen::Index i = 0; i < inner; ++i)
-      R.row(map.rows[to_size(map.end_columns + i)]) = map.followed_ends.row(12 + i);
+    for (Eigen::Index i = 0; i < inner; ++i) R.row(map.rows[map.end_columns + i]) = map.followed_ends.row(12 + i);
   }
 }
 
@@ -163,7 +162,7 @@ Columns coupled(const model::System& system, const Assembled& assembled, const s
     const Eigen::MatrixXd stiffness = map.ends.transpose() * forces.stiffness,
                           damping = map.ends.transpose() * forces.damping, loss = map.ends.transpose() * forces.loss;
     for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
-      const Eigen::Index row = map.rows[to_size(i)];
+      const Eigen::Index row = map.rows[i];
       c.K.row(row) += stiffness.row(i);
       c.B.row(row) += damping.row(i);
       c.K_loss.row(row) += loss.row(i);
@@ -184,8 +183,8 @@ Columns coupled(const model::System& system, const Assembled& assembled, const s
 bool gives_rates(const model::Action& action) { return !action.body && !action.wave && action.derivative > 0; }
 
 bool given_by_rates(const model::System& system) {
-  return std::any_of(system.description().excitations.begin(), system.description().excitations.end(),
-                     [](const model::Excitation& excitation) { return gives_rates(excitation.action); });
+  return std::ranges::any_of(system.description().excitations,
+                             [](const model::Excitation& excitation) { return gives_rates(excitation.action); });
 }
 
 /// R = −K⁻¹K_g in the columns with a resisting stiffness.
@@ -225,7 +224,7 @@ bool resists(const ElementMap& map, const FollowedForces& forces) {
                           terms = over_axes(over_components(d.cwiseAbs() * ends.cwiseAbs()));
     return (force.array() <= elements::silent_residual * terms.array()).all();
   };
-  return !std::all_of(probed.begin(), probed.end(), silent);
+  return !std::ranges::all_of(probed, silent);
 }
 
 /// Damping of the whole system on the motion beyond the static one; zero if R is the static motion.
@@ -273,8 +272,8 @@ void move_together(const model::System& system, Ground& ground) {
     if (moved.empty() || !gives_rates(excitation.action)) continue;
     std::vector<Eigen::Index> rows;
     for (const GroundEnd& end : ground.ends)
-      if (std::find(moved.begin(), moved.end(), end.element) != moved.end()) rows.push_back(end.first_row);
-    if (!rows.empty() && std::find(ground.together.begin(), ground.together.end(), rows) == ground.together.end())
+      if (std::ranges::find(moved, end.element) != moved.end()) rows.push_back(end.first_row);
+    if (!rows.empty() && std::ranges::find(ground.together, rows) == ground.together.end())
       ground.together.push_back(rows);
   }
 }

@@ -4,7 +4,6 @@
 #include <array>
 #include <vector>
 
-#include "trivet/foundation/index.h"
 #include "trivet/model/system.h"
 
 namespace trivet::assembly {
@@ -30,7 +29,7 @@ class Layout {
   /// element.
   [[nodiscard]] const std::vector<Eigen::Index>& blocks() const { return blocks_; }
   /// −1 for a coordinate that is not free.
-  [[nodiscard]] Eigen::Index row(std::size_t body, int coordinate) const { return rows_[body][to_size(coordinate)]; }
+  [[nodiscard]] Eigen::Index row(std::size_t body, int coordinate) const { return rows_[body][coordinate]; }
   /// All six coordinates of a body from a global vector; zero for constrained ones.
   template <typename Vector>
   [[nodiscard]] Eigen::Matrix<typename Vector::Scalar, 6, 1> of_body(std::size_t body, const Vector& global) const {

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <complex>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -35,7 +34,7 @@ void add_element_weight(const model::System& system, std::size_t index, const Ei
   fall.segment<3>(0) = model::end_in_ground(system.bodies(), system.elements()[index].n).rotation.transpose() * gravity;
   fall.segment<3>(6) = model::end_in_ground(system.bodies(), system.elements()[index].k).rotation.transpose() * gravity;
   const Eigen::VectorXd weight = map.ends.transpose() * (map.matrices.mass * fall);
-  for (Eigen::Index j = 0; j < weight.size(); ++j) load(map.rows[to_size(j)]) += weight(j);
+  for (Eigen::Index j = 0; j < weight.size(); ++j) load(map.rows[j]) += weight(j);
 }
 
 /// Adds the forces at rest of a preloaded element on its bodies.
@@ -48,11 +47,11 @@ void add_preload(const elements::Law& law, const ElementMap& map, Eigen::VectorX
     const Eigen::VectorXd& on_inner = law.nonlinear->inner_offset;
     assert(on_inner.size() <= map.ends.rows() - 12 && "offsets act on the last coordinates inside the element");
     for (Eigen::Index i = 0; i < on_inner.size(); ++i)
-      load(map.rows[map.rows.size() - to_size(on_inner.size() - i)]) -= on_inner(i);
+      load(map.rows[map.rows.size() - (on_inner.size() - i)]) -= on_inner(i);
   }
   if (on_ends.isZero(0)) return;
   const Eigen::VectorXd on_bodies = -(map.ends.topRows<12>().transpose() * on_ends);
-  for (Eigen::Index j = 0; j < on_bodies.size(); ++j) load(map.rows[to_size(j)]) += on_bodies(j);
+  for (Eigen::Index j = 0; j < on_bodies.size(); ++j) load(map.rows[j]) += on_bodies(j);
 }
 
 }  // namespace
@@ -76,8 +75,8 @@ Loading loading(const Assembled& assembled, const model::Action& action) {
     return result;
   }
   for (const GroundEnd& end : assembled.ground.ends) {
-    const bool moves = action.elements.empty() ||
-        std::find(action.elements.begin(), action.elements.end(), end.element) != action.elements.end();
+    const bool moves =
+        action.elements.empty() || std::ranges::find(action.elements, end.element) != action.elements.end();
     if (!moves) continue;
     const double later = action.wave ? action.wave->direction.dot(end.pose.position) / action.wave->speed : 0;
     add_motion(action.delay + later, end.first_row, action.amplitude);
@@ -90,7 +89,7 @@ Loading harmonic_loading(const model::System& system, const Assembled& assembled
   Loading total{numerics::Load(assembled.layout.size()), numerics::Load(assembled.ground.size())};
   const auto& excitations = system.description().excitations;
   for (const std::string& name : selected)
-    if (std::none_of(excitations.begin(), excitations.end(), [&](const model::Excitation& excitation) {
+    if (std::ranges::none_of(excitations, [&](const model::Excitation& excitation) {
           return excitation.name == name && std::holds_alternative<model::Harmonic>(excitation.course);
         }))
       throw foundation::InvalidInput("\"" + name + "\" is not a harmonic excitation of this model");
@@ -130,7 +129,7 @@ void add_frequency_dependent(const Assembled& assembled, const Loading& loading,
     const Eigen::VectorXcd moved = map.moved_by_ground(g).head(12);
     const Eigen::VectorXcd force =
         map.ends.topLeftCorner(12, map.end_columns).transpose().cast<std::complex<double>>() * (stiffness * moved);
-    for (Eigen::Index j = 0; j < force.size(); ++j) h(map.rows[to_size(j)]) -= force(j);
+    for (Eigen::Index j = 0; j < force.size(); ++j) h(map.rows[j]) -= force(j);
   }
 }
 

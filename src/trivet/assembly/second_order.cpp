@@ -145,11 +145,11 @@ class LoadedParts {
     rest_ = coordinates_at_rest(first.matrices, load);
     const std::vector<bool> moves = unbalanced(system, first, parts_, load, rest_);
     // Machines with laws are where their own search for rest has brought them.
-    const bool has_laws = std::any_of(system.elements().begin(), system.elements().end(), model::has_laws);
+    const bool has_laws = std::ranges::any_of(system.elements(), model::has_laws);
     std::vector<std::size_t> settled;
     for (std::size_t b = 0; b < moves.size(); ++b) {
       const std::size_t root = parts_.root(b);
-      if (!of_statics_[b] || std::find(settled.begin(), settled.end(), root) != settled.end()) continue;
+      if (!of_statics_[b] || std::ranges::find(settled, root) != settled.end()) continue;
       settled.push_back(root);
       if (!moves[b] && (has_laws || !is_hung(root, load))) continue;
       const Settled found = settle(root, load);
@@ -373,7 +373,7 @@ SecondOrderForms second_order_forms(const model::System& system, const Assembled
 Eigen::MatrixXd SecondOrderForms::at(const VectorXd& rest) const {
   assert(to_index(per_coordinate.size()) == rest.size() && "the forms are linear in every coordinate at rest");
   Eigen::MatrixXd sum = constant;
-  for (Eigen::Index k = 0; k < rest.size(); ++k) sum += rest(k) * per_coordinate[to_size(k)];
+  for (Eigen::Index k = 0; k < rest.size(); ++k) sum += rest(k) * per_coordinate[k];
   return sum;
 }
 

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "trivet/assembly/following.h"
-#include "trivet/foundation/index.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::assembly {
@@ -60,7 +59,7 @@ class EndRows {
       (i % 6 < 3 ? force : moment) = std::max(i % 6 < 3 ? force : moment, std::abs(matrix(i, i)));
     for (Eigen::Index j = 0; j < map_.end_columns; ++j)
       for (int i = 0; i < 6; ++i) {
-        const bool moment_row = i >= 3, rotation_column = is_rotation(system_, assembled_, map_.rows[to_size(j)]);
+        const bool moment_row = i >= 3, rotation_column = is_rotation(system_, assembled_, map_.rows[j]);
         double typical = force * (moment_row ? lever_ : 1) * (rotation_column ? lever_ : 1);
         if (moment_row && rotation_column) typical += moment;
         if (std::abs(rows(i, j)) <= round_off * typical) rows(i, j) = 0;
@@ -90,7 +89,7 @@ void set_constant_terms(const ElementMap& map, const EndRows& end, const Ground&
                          damping = end.on_coordinates(map.matrices.damping),
                          mass = end.on_coordinates(map.matrices.mass), loss = end.on_coordinates(map.matrices.loss);
   for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
-    const Eigen::Index row = map.rows[to_size(j)];
+    const Eigen::Index row = map.rows[j];
     rows.on_displacement.col(row) += lossy(stiffness.col(j), loss.col(j));
     rows.on_velocity.col(row) += damping.col(j);
     rows.on_acceleration.col(row) += mass.col(j);
@@ -99,7 +98,7 @@ void set_constant_terms(const ElementMap& map, const EndRows& end, const Ground&
                          ground_damping = end.on_ground(map.matrices.damping),
                          ground_mass = end.on_ground(map.matrices.mass), ground_loss = end.on_ground(map.matrices.loss);
   for (Eigen::Index j = 0; j < map.ground_ends.cols(); ++j) {
-    const Eigen::Index row = map.ground_rows[to_size(j)];
+    const Eigen::Index row = map.ground_rows[j];
     rows.ground_displacement.col(row) += lossy(ground_stiffness.col(j), ground_loss.col(j));
     rows.ground_velocity.col(row) += ground_damping.col(j);
     rows.ground_acceleration.col(row) += ground_mass.col(j);

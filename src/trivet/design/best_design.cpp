@@ -52,7 +52,7 @@ std::optional<BestDesign> best_design(const DrawnGrid& grid, const std::vector<D
   for (std::size_t k = 0; k < outcomes.size(); ++k) best->equals += equal(k);
   if (best->equals < 2) return best;
   const std::vector<double> depth = depths(grid, equal);
-  const double deepest = *std::max_element(depth.begin(), depth.end());
+  const double deepest = std::ranges::max(depth);
   std::vector<std::size_t> candidates;  // a narrow strip has many equally deep nodes: take the middle one
   for (std::size_t node = 0; node < depth.size(); ++node)
     if (depth[node] >= deepest * (1 - 1e-9)) candidates.push_back(node);

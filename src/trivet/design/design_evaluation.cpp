@@ -121,9 +121,9 @@ void DesignEvaluation::fit_family(const project::Case& variant) {
     report_.family = words(*plain.family);
     plain_family_ = std::move(plain.family);
   } else {
-    const bool within_band = std::isfinite(set_.band.to) &&
-        std::all_of(set_.rules.begin(), set_.rules.end(),
-                    [](const DesignRule& rule) { return rule.kind == DesignRule::Kind::amplitude; });
+    const bool within_band = std::isfinite(set_.band.to) && std::ranges::all_of(set_.rules, [](const DesignRule& rule) {
+                               return rule.kind == DesignRule::Kind::amplitude;
+                             });
     FamilyOrReason<DrivenDesign> driven = fitted<DrivenDesign>(
         variant,
         [&](const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
@@ -137,7 +137,7 @@ void DesignEvaluation::fit_family(const project::Case& variant) {
 
 void DesignEvaluation::plan_searches() {
   const auto of_kind = [&](DesignRule::Kind kind) {
-    return std::any_of(set_.rules.begin(), set_.rules.end(), [&](const DesignRule& r) { return r.kind == kind; });
+    return std::ranges::any_of(set_.rules, [&](const DesignRule& r) { return r.kind == kind; });
   };
   search_.count_peaks = of_kind(DesignRule::Kind::no_peak);
   search_.min_prominence = set_.min_prominence;
@@ -179,8 +179,7 @@ std::optional<Eigen::ArrayXXd> DesignEvaluation::squared_frequencies(const std::
 std::vector<std::size_t> DesignEvaluation::highest_outside_band(const numerics::DesignPeaks& found) const {
   std::vector<std::size_t> designs;
   for (Eigen::Index d = 0; d < found.highest.rows(); ++d)
-    if (is_good(found.status[to_size(d)]) &&
-        std::any_of(set_.rules.begin(), set_.rules.end(), [&](const DesignRule& rule) {
+    if (is_good(found.status[d]) && std::ranges::any_of(set_.rules, [&](const DesignRule& rule) {
           const double at = found.highest_at(d, to_index(rule.channel));
           return rule.kind == DesignRule::Kind::amplitude && !(at >= set_.band.from && at <= set_.band.to);
         }))
@@ -297,9 +296,7 @@ DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const Desig
   const auto system = system_at(point);
   if (!system) {
     const auto& list = system.error().list();
-    const auto first = std::find_if(list.begin(), list.end(), [](const foundation::Problem& p) {
-      return p.severity == foundation::Severity::error;
-    });
+    const auto first = std::ranges::find(list, foundation::Severity::error, &foundation::Problem::severity);
     missing_.note(index, first->subject + ": " + first->rule,
                   fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
     return {0, DesignOutcome::no_model};

@@ -174,14 +174,14 @@ Eigen::MatrixXd DesignFamily<Design>::packed_designs(std::span<const FamilyPoint
   const auto nx = to_index(x_.nodes.size()), ny = to_index(y_.nodes.size());
   Eigen::MatrixXd result(count, values_.rows());
   for (Eigen::Index first = 0; first < count;) {  // points with the same y share its weights
-    const double y = points[to_size(first)].y;
+    const double y = points[first].y;
     Eigen::Index last = first;
-    while (last < count && points[to_size(last)].y == y) ++last;
+    while (last < count && points[last].y == y) ++last;
     const Eigen::VectorXd of_y = y_.weights(y);
     Eigen::MatrixXd along_x = Eigen::MatrixXd::Zero(values_.rows(), nx);
     for (Eigen::Index j = 0; j < ny; ++j) along_x += of_y(j) * values_.middleCols(j * nx, nx);
     Eigen::MatrixXd of_x(last - first, nx);
-    for (Eigen::Index d = first; d < last; ++d) of_x.row(d - first) = x_.weights(points[to_size(d)].x).transpose();
+    for (Eigen::Index d = first; d < last; ++d) of_x.row(d - first) = x_.weights(points[d].x).transpose();
     result.middleRows(first, last - first).noalias() = of_x * along_x.transpose();
     first = last;
   }

@@ -30,8 +30,8 @@ Terms rows_of(const numerics::ObservedCurve& curve, Eigen::Index n) {
 }
 
 bool powers_are_possible(const Terms& rows, const Terms& load, bool within_band) {
-  return std::all_of(rows.begin(), rows.end(), [&](const DrivenDesign::Term& row) {
-    return std::all_of(load.begin(), load.end(), [&](const DrivenDesign::Term& value) {
+  return std::ranges::all_of(rows, [&](const DrivenDesign::Term& row) {
+    return std::ranges::all_of(load, [&](const DrivenDesign::Term& value) {
       const int power = row.power + value.power;
       return power >= numerics::least_power &&
           power <= (within_band ? numerics::most_power_in_band : numerics::most_power);

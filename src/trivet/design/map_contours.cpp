@@ -42,8 +42,8 @@ class Tracing {
       for (const int j : {-1, grid_.ny - 1}) cells.emplace_back(j, i);
     for (int j = 0; j + 1 < grid_.ny; ++j)
       for (const int i : {-1, grid_.nx - 1}) cells.emplace_back(j, i);
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    std::ranges::sort(cells);
+    cells.erase(std::ranges::unique(cells).begin(), cells.end());
     for (const auto& [j, i] : cells) add_cell(i, j, connected);
   }
 
@@ -95,7 +95,7 @@ class Tracing {
     const auto crossing = [&](int e) { return vertex(i + (e == 1 ? 1 : 0), j + (e == 2 ? 1 : 0), e == 1 || e == 3); };
     std::vector<int> entering, leaving;  // edges at which a turn around the cell enters and leaves the region
     for (int e = 0; e < 4; ++e) {
-      const bool from = corner[to_size(e)], to = corner[to_size((e + 1) % 4)];
+      const bool from = corner[e], to = corner[(e + 1) % 4];
       if (!from && to) entering.push_back(e);
       if (from && !to) leaving.push_back(e);
     }

@@ -79,7 +79,7 @@ void add_pieces(const MapLine& line, const DrawnGrid& grid, std::vector<MapLine>
 
 /// Do several of these margins lie between `a` and `b`? Then their lines are closer to each other than the designs.
 bool crowded(const std::vector<double>& margins, double a, double b) {
-  return std::count_if(margins.begin(), margins.end(), [&](double m) { return (m > a) != (m > b); }) > 1;
+  return std::ranges::count_if(margins, [&](double m) { return (m > a) != (m > b); }) > 1;
 }
 
 std::vector<MapLine> lines_of(const DrawnGrid& grid, const std::vector<DesignOutcome>& outcomes, double margin,

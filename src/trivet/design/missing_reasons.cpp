@@ -10,7 +10,7 @@ namespace trivet::design {
 void MissingReasons::note(std::size_t design, const std::string& rule, const std::string& words) {
   const std::string kind = without_numbers(rule);
   const std::lock_guard lock(noting_);
-  const auto known = to_size(std::find(kinds_.begin(), kinds_.end(), kind) - kinds_.begin());
+  const auto known = to_size(std::ranges::find(kinds_, kind) - kinds_.begin());
   if (known == kinds_.size()) {
     kinds_.push_back(kind);
     reasons_.push_back({words, 0, design});
@@ -26,8 +26,7 @@ void MissingReasons::note(std::size_t design, const std::string& rule, const std
 std::vector<MissingReason> MissingReasons::list() const {
   const std::lock_guard lock(noting_);
   std::vector<MissingReason> sorted = reasons_;
-  std::sort(sorted.begin(), sorted.end(),
-            [](const MissingReason& a, const MissingReason& b) { return a.first < b.first; });
+  std::ranges::sort(sorted, {}, &MissingReason::first);
   return sorted;
 }
 

@@ -34,9 +34,9 @@ std::vector<double> newton_slopes(double t, int degree) {
   for (int k = 1; k <= degree; ++k) {
     double product = 1, slope = 0;
     for (int l = 0; l < k; ++l) {
-      const double length = nodes[to_size(k)] - nodes[to_size(l)];
-      slope = (slope * (t - nodes[to_size(l)]) + product) / length;
-      product *= (t - nodes[to_size(l)]) / length;
+      const double length = nodes[k] - nodes[l];
+      slope = (slope * (t - nodes[l]) + product) / length;
+      product *= (t - nodes[l]) / length;
     }
     slopes.push_back(slope);
   }

@@ -3,8 +3,6 @@
 
 #include <vector>
 
-#include "trivet/foundation/index.h"
-
 /// Newton's interpolation of a function of one number over 0 … 1.
 namespace trivet::design {
 
@@ -21,7 +19,7 @@ template <typename Number>
   std::vector<Number> values = {one};
   for (int k = 1; k <= degree; ++k) {
     Number product = one;
-    for (int l = 0; l < k; ++l) product *= (t - nodes[to_size(l)]) / (nodes[to_size(k)] - nodes[to_size(l)]);
+    for (int l = 0; l < k; ++l) product *= (t - nodes[l]) / (nodes[k] - nodes[l]);
     values.push_back(product);
   }
   return values;

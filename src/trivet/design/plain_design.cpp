@@ -82,7 +82,7 @@ DesignOrReason<PlainDesign> plain_design(const assembly::Assembled& assembled,
   design.rows = Eigen::MatrixXd::Zero(answers, m.size());
   design.rows_on_velocity = design.rows;
   for (Eigen::Index c = 0; c < answers; ++c) {
-    const assembly::Channel& channel = channels[to_size(c)];
+    const assembly::Channel& channel = channels[c];
     const bool other = !channel.dynamic_forces.empty() || !channel.on_displacement.imag().isZero(0) ||
         (channel.on_acceleration.size() > 0 && !channel.on_acceleration.isZero(0));
     if (other) return {{}, "forces of elements with mass or loss"};

@@ -49,7 +49,7 @@ Eigen::VectorXd SumFamily::at(const Eigen::VectorXd& values) const {
   Eigen::VectorXd result(entry_count_);
   for (Eigen::Index e = 0; e < entry_count_; ++e) {
     double sum = 0;
-    for (std::size_t c = first_[to_size(e)]; c < first_[to_size(e) + 1]; ++c)
+    for (std::size_t c = first_[e]; c < first_[e + 1]; ++c)
       sum += coefficients_[c].second * terms[coefficients_[c].first];
     result(e) = sum;
   }
@@ -80,7 +80,7 @@ Eigen::MatrixXd SumFamily::slopes(const Eigen::VectorXd& values) const {
     const double dt = along_[j].slope(values(to_index(j)));
     for (Eigen::Index e = 0; e < entry_count_; ++e) {
       double sum = 0;
-      for (std::size_t c = first_[to_size(e)]; c < first_[to_size(e) + 1]; ++c)
+      for (std::size_t c = first_[e]; c < first_[e + 1]; ++c)
         sum += coefficients_[c].second * moved[coefficients_[c].first];
       result(e, to_index(j)) = sum * dt;
     }
@@ -105,7 +105,7 @@ Eigen::MatrixXd SumFamily::designs(const Eigen::MatrixXd& points) const {
     });
     for (Eigen::Index e = 0; e < entry_count_; ++e) {
       Lanes sum = Lanes::Zero();
-      for (std::size_t c = first_[to_size(e)]; c < first_[to_size(e) + 1]; ++c)
+      for (std::size_t c = first_[e]; c < first_[e + 1]; ++c)
         sum += coefficients_[c].second * terms[coefficients_[c].first];
       result.col(e).segment(first, taken) = sum.head(taken).matrix();
     }

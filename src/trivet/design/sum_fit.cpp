@@ -135,7 +135,7 @@ class SumFit {
     std::vector<Eigen::VectorXd> all;
     for (int degree = 0; degree <= most_degree; ++degree) {
       Eigen::VectorXd values = values_at({});
-      values(to_index(j)) = result.along.value(nodes[to_size(degree)]);
+      values(to_index(j)) = result.along.value(nodes[degree]);
       PackedOrReason found = source_(values);
       ++result.assembled;
       if (!found.design || found.design->entries.size() != coefficients_.front().size()) {
@@ -143,7 +143,7 @@ class SumFit {
         return result;
       }
       Eigen::VectorXd rest = std::move(found.design->entries);
-      const auto polynomials = newton_polynomials(nodes[to_size(degree)], degree, 1.0);
+      const auto polynomials = newton_polynomials(nodes[degree], degree, 1.0);
       for (std::size_t k = 0; k < all.size(); ++k) rest -= polynomials[k] * all[k];
       const bool counts = degree == 0 || keep_coefficients(rest, found.design->scales);
       result.ends = !counts;
@@ -185,7 +185,7 @@ class SumFit {
     for (std::size_t j = 0; j < lines.size(); ++j) family_.assembled_ += lines[j].assembled;
     for (Line& one : lines) family_.along_.push_back(one.along);
     // A logarithm moves the first node of its number: the lines of the others are drawn through it.
-    const bool moved = std::any_of(lines.begin(), lines.end(), [](const Line& one) { return one.along.logarithmic; });
+    const bool moved = std::ranges::any_of(lines, [](const Line& one) { return one.along.logarithmic; });
     return moved ? add_moved_lines() : add_terms_of(lines);
   }
 
@@ -213,8 +213,8 @@ class SumFit {
   }
 
   [[nodiscard]] bool has_terms_of_degree(int degree) const {
-    return std::any_of(family_.terms_.begin(), family_.terms_.end(),
-                       [&](const SumFamily::Term& term) { return degree_of(term.exponents) == degree; });
+    return std::ranges::any_of(family_.terms_,
+                               [&](const SumFamily::Term& term) { return degree_of(term.exponents) == degree; });
   }
 
   /// Does every product with one degree less have a term?
@@ -300,8 +300,8 @@ class SumFit {
         if (exact.design) worst[i] = largest_difference(family_.at(values), *exact.design);
       }
     });
-    family_.worst_ = *std::max_element(worst.begin(), worst.end());
-    const auto valid = std::count_if(worst.begin(), worst.end(), [](double one) { return one >= 0; });
+    family_.worst_ = std::ranges::max(worst);
+    const auto valid = std::ranges::count_if(worst, [](double one) { return one >= 0; });
     if (2 * valid < SumFamily::compared_designs) return "few designs of the ranges are valid models";
     if (family_.worst_ > reproduced_within)
       return fmt::format("matrices that a sum of {} terms does not reproduce within {:.0e}: largest deviation {:.0e}",

@@ -34,7 +34,7 @@ std::size_t size_of_lists(const Json& json) {
 }
 
 bool needs_no_escape(const std::string& text) {
-  return std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
+  return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; });
 }
 
 class Writer {

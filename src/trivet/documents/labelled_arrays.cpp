@@ -80,8 +80,7 @@ std::vector<double> LabelledArray::real_numbers() const { return gathered<double
 std::vector<Complex> LabelledArray::complex_numbers() const { return gathered<Complex>(*this); }
 
 const LabelledArray* LabelledArrays::find(const std::string& name) const {
-  const auto found =
-      std::find_if(list_.begin(), list_.end(), [&](const LabelledArray& array) { return array.name == name; });
+  const auto found = std::ranges::find(list_, name, &LabelledArray::name);
   return found == list_.end() ? nullptr : &*found;
 }
 

@@ -36,7 +36,7 @@ std::string line(const std::vector<std::string>& row, std::size_t first, std::si
 
 std::size_t width_on_screen(const std::string& text) {
   const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };  // a character of UTF-8
-  return text.size() - to_size(std::count_if(text.begin(), text.end(), continues));
+  return text.size() - to_size(std::ranges::count_if(text, continues));
 }
 
 std::string number_text(double value, int digits) {

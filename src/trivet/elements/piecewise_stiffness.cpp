@@ -12,7 +12,7 @@ PiecewiseStiffness::PiecewiseStiffness(const StiffnessTable& table) : knots_(tab
     const double from = knots_[i], width = knots_[i + 1] - from;
     std::array<std::complex<double>, 4> samples;
     for (int k = 0; k < 4; ++k)
-      samples[to_size(k)] = dynamic_stiffness(table, k == 3 ? knots_[i + 1] : from + width * k / 3.0, 0);
+      samples[k] = dynamic_stiffness(table, k == 3 ? knots_[i + 1] : from + width * k / 3.0, 0);
     pieces_.push_back(samples);
   }
 }
@@ -24,7 +24,7 @@ std::complex<double> PiecewiseStiffness::at(std::complex<double> omega, double n
   // Lagrange's form.
   std::complex<double> sum = 0;
   for (int j = 0; j < 4; ++j) {
-    std::complex<double> term = pieces_[i][to_size(j)];
+    std::complex<double> term = pieces_[i][j];
     for (int k = 0; k < 4; ++k)
       if (k != j) term *= (t - double(k)) / double(j - k);
     sum += term;

@@ -58,11 +58,10 @@ RationalForm fit(const FractionalZener& law, const Band& band, double per_decade
   Eigen::MatrixXd a(2 * rows, columns);
   Eigen::VectorXd b(2 * rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const double w = frequencies[to_size(i)];
+    const double w = frequencies[i];
     const Complex exact = relative_modulus(Viscoelastic(law), w);
     const auto set = [&](Eigen::Index j, Complex value) { a(2 * i, j) = value.real(), a(2 * i + 1, j) = value.imag(); };
-    for (Eigen::Index j = 0; j + 1 < columns; ++j)
-      set(j, (relative_modulus(Zener{1, times[to_size(j)]}, w) - 1.0) / exact);
+    for (Eigen::Index j = 0; j + 1 < columns; ++j) set(j, (relative_modulus(Zener{1, times[j]}, w) - 1.0) / exact);
     set(columns - 1, Complex(0, w * dashpot) / exact);
     const Complex target = (exact - 1.0) / exact;
     b(2 * i) = target.real(), b(2 * i + 1) = target.imag();
@@ -71,7 +70,7 @@ RationalForm fit(const FractionalZener& law, const Band& band, double per_decade
   RationalForm form;
   form.viscous_time = x(columns - 1) * dashpot;
   for (Eigen::Index j = 0; j + 1 < columns; ++j)
-    if (x(j) > 0) form.ratios.push_back(x(j)), form.times.push_back(times[to_size(j)]);
+    if (x(j) > 0) form.ratios.push_back(x(j)), form.times.push_back(times[j]);
   form.worst_error = worst_error(law, form, band);
   return form;
 }

@@ -55,7 +55,7 @@ double elastic_energy(const ScalarLaws& laws, double deflection) {
 }
 
 bool is_monotone(const ScalarLaws& laws) {
-  return std::all_of(laws.begin(), laws.end(), [](const ScalarLaw& law) {
+  return std::ranges::all_of(laws, [](const ScalarLaw& law) {
     const auto* elastic = std::get_if<ElasticForce>(&law);
     return elastic ? is_monotone(*elastic) : !std::holds_alternative<PayneForce>(law);
   });
@@ -73,8 +73,8 @@ std::vector<double> kinks_at_rest(const ScalarLaws& laws) {
       all.insert(all.end(), of_law.begin(), of_law.end());
     }
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
   return all;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::elements {
@@ -48,8 +47,8 @@ std::vector<double> parabola_slopes(const std::vector<double>& x, const std::vec
 StiffnessOverDeflection::StiffnessOverDeflection(const std::vector<State>& states, Eigen::Index axis, double arm)
     : axis_(axis) {
   const auto does_not_ascend = [](const State& a, const State& b) { return !(a.deflection < b.deflection); };
-  if (states.size() < 3 || std::adjacent_find(states.begin(), states.end(), does_not_ascend) != states.end() ||
-      axis < 0 || axis > 2 || !(arm >= 0))
+  if (states.size() < 3 || std::ranges::adjacent_find(states, does_not_ascend) != states.end() || axis < 0 ||
+      axis > 2 || !(arm >= 0))
     throw foundation::InvalidInput(
         "a stiffness over a deflection has three states or more, ascending, an axis from 0 to 2, and an arm of 0 or "
         "more");
@@ -69,7 +68,7 @@ StiffnessOverDeflection::StiffnessOverDeflection(const std::vector<State>& state
 Matrix12 StiffnessOverDeflection::at(double deflection, double force) const {
   const double nearest = std::clamp(deflection, from_, to_);
   Matrix12 found = force * per_force_;
-  for (Eigen::Index i = 0; i < found.size(); ++i) found.reshaped()(i) += without_force_[to_size(i)].at(nearest).value;
+  for (Eigen::Index i = 0; i < found.size(); ++i) found.reshaped()(i) += without_force_[i].at(nearest).value;
   return found;
 }
 

@@ -96,7 +96,7 @@ ComplexMatrix12 dynamic_stiffness(const TableLaw& law, const Eigen::Vector3d& ar
                                   const Vector6& amplitudes) {
   Vector6 storage = Vector6::Zero(), loss = Vector6::Zero();
   for (int i = 0; i < 6; ++i) {
-    const StiffnessTable& table = law.directions[to_size(i)];
+    const StiffnessTable& table = law.directions[i];
     if (is_empty(table)) continue;
     const std::complex<double> value = dynamic_stiffness(table, angular_frequency, amplitudes(i));
     storage(i) = value.real();

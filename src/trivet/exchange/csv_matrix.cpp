@@ -24,7 +24,7 @@ std::vector<std::string_view> cells_of(std::string_view line, char separator) {
 }
 
 bool is_heading(const std::vector<std::string_view>& row) {
-  return std::none_of(row.begin(), row.end(), [](std::string_view cell) { return number(cell).has_value(); });
+  return std::ranges::none_of(row, [](std::string_view cell) { return number(cell).has_value(); });
 }
 
 std::string remedy(std::string_view cell, char separator) {
@@ -75,7 +75,7 @@ CellRows read_cells(std::string_view text, FileProblems& problems) {
 
 /// Spreadsheets write separators after the last cell.
 void drop_empty_last_columns(CellRows& rows) {
-  while (rows.columns() > 1 && std::all_of(rows.cells.begin(), rows.cells.end(), [&](const auto& row) {
+  while (rows.columns() > 1 && std::ranges::all_of(rows.cells, [&](const auto& row) {
            return row.size() == rows.columns() && row.back().empty();
          }))
     rows.drop_column(rows.columns() - 1);
@@ -116,8 +116,7 @@ void drop_row_names(CellRows& rows, FileProblems& problems) {
   if (rows.columns() != rows.cells.size() + 1) return;
   std::vector<std::string_view> first;
   for (const auto& row : rows.cells) first.push_back(row.empty() ? std::string_view() : row.front());
-  const bool names =
-      std::none_of(first.begin(), first.end(), [](std::string_view cell) { return cell.empty() || number(cell); });
+  const bool names = std::ranges::none_of(first, [](std::string_view cell) { return cell.empty() || number(cell); });
   if (!names && !counts(first)) return;
   problems.warning(rows.lines.front(), "first column", names ? "names of the rows" : "numbers of the rows",
                    "a matrix has as many columns as rows", "it is ignored; write the matrix without it");
@@ -181,7 +180,7 @@ foundation::Expected<NamedMatrix> read_csv_matrix(std::string_view text, const s
   const auto order = to_index(rows.values.size());
   matrix.values.resize(order, order);
   for (Eigen::Index i = 0; i < order; ++i)
-    matrix.values.row(i) = Eigen::Map<const Eigen::RowVectorXd>(rows.values[to_size(i)].data(), order);
+    matrix.values.row(i) = Eigen::Map<const Eigen::RowVectorXd>(rows.values[i].data(), order);
   matrix.warnings = problems.all();
   return matrix;
 }

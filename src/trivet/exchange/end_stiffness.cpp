@@ -29,7 +29,7 @@ struct Partition {
 
 std::string row_name(const NamedMatrix& matrix, int row) {
   if (matrix.labels.empty()) return fmt::format("row {}", row + 1);
-  const Label& label = matrix.labels[to_size(row)];
+  const Label& label = matrix.labels[row];
   return fmt::format("node {}, component {}", label.node, label.component);
 }
 
@@ -37,11 +37,11 @@ std::string row_name(const NamedMatrix& matrix, int row) {
 std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int>& retained,
                                 foundation::Problems& problems) {
   std::vector<bool> kept(to_size(matrix.values.rows()), false);
-  for (const int row : retained) kept[to_size(row)] = true;
+  for (const int row : retained) kept[row] = true;
   std::vector<int> rows;
   int empty = 0, first_empty = 0;
   for (int i = 0; i < matrix.values.rows(); ++i) {
-    if (kept[to_size(i)]) continue;
+    if (kept[i]) continue;
     const bool complex_zero =
         matrix.imaginary.size() == 0 || (matrix.imaginary.row(i).isZero(0) && matrix.imaginary.col(i).isZero(0));
     if (matrix.values.row(i).isZero(0) && matrix.values.col(i).isZero(0) && complex_zero) {
@@ -60,7 +60,7 @@ std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int
 /// Error if a condensed row is fixed by a boundary condition: the element would be fixed to the ground there.
 void check_loose(const NamedMatrix& matrix, const std::vector<int>& condensed, foundation::Problems& problems) {
   for (const int row : fixed_components(matrix.values))
-    if (std::find(condensed.begin(), condensed.end(), row) != condensed.end()) {
+    if (std::ranges::find(condensed, row) != condensed.end()) {
       problems.error(
           "condensation", fmt::format("{:.3g} on the diagonal of {}", matrix.values(row, row), row_name(matrix, row)),
           "such a number stands for a component that a boundary condition fixes, as Abaqus writes it (1e36); "
@@ -84,7 +84,7 @@ std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, con
   Eigen::Index smallest_pivot = 0;
   const double pivot = factors.pivots().cwiseAbs().minCoeff(&smallest_pivot);
   const double condition = pivot > singular_below ? factors.reciprocal_condition() : 0;
-  const std::string weakest = row_name(matrix, parts.condensed[to_size(smallest_pivot)]);
+  const std::string weakest = row_name(matrix, parts.condensed[smallest_pivot]);
   if (!(condition > singular_below)) {
     problems.error("condensation", fmt::format("{} can move without force", weakest),
                    "the condensed part must be supported by the ends",
@@ -191,8 +191,8 @@ void add_plate(const Rows& rows, const RigidEnd& end, const std::string& subject
 
 /// Error if a row is retained twice.
 void check_distinct(const NamedMatrix& matrix, std::vector<int> rows, foundation::Problems& problems) {
-  std::sort(rows.begin(), rows.end());
-  const auto twice = std::adjacent_find(rows.begin(), rows.end());
+  std::ranges::sort(rows);
+  const auto twice = std::ranges::adjacent_find(rows);
   if (twice != rows.end())
     problems.error("ends", row_name(matrix, *twice) + " is named twice", "a component belongs to one end",
                    "name it once");

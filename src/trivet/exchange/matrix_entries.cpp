@@ -59,7 +59,7 @@ Triangles triangles_of(const std::vector<Entry>& entries) {
   const auto mirrored = [&](const Entry& entry) {
     return entry.row > entry.column && upper.contains({entry.column, entry.row});
   };
-  return std::any_of(entries.begin(), entries.end(), mirrored) ? Triangles::both : Triangles::one;
+  return std::ranges::any_of(entries, mirrored) ? Triangles::both : Triangles::one;
 }
 
 void check_labels(const std::vector<Label>& labels, int line, FileProblems& problems) {
@@ -73,7 +73,7 @@ void check_labels(const std::vector<Label>& labels, int line, FileProblems& prob
 std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Triangles triangles, bool is_complex,
                                      FileProblems& problems) {
   const auto key = [](const Entry& e) { return std::tuple(std::minmax(e.row, e.column), e.row < e.column, e.line); };
-  std::stable_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
+  std::ranges::stable_sort(entries, [&](const Entry& a, const Entry& b) { return key(a) < key(b); });
   if (triangles == Triangles::one) {
     entries = folded(entries, problems);
   } else {

@@ -28,7 +28,7 @@ struct MarketHeader {
 
 /// What is wrong with the words of a header, if it is more than a word that is not known.
 std::string remedy_of_header(const std::vector<std::string_view>& words) {
-  const auto has = [&](std::string_view word) { return std::find(words.begin(), words.end(), word) != words.end(); };
+  const auto has = [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
   if (has("pattern")) return "a pattern has no values: write the matrix with its numbers";
   if (has("vector")) return "a vector is no stiffness matrix: write a matrix";
   return "correct the line, or write the matrix again";
@@ -46,7 +46,7 @@ std::optional<MarketHeader> read_header(Lines& lines, FileProblems& problems) {
   const std::string line = lower(lines.line());
   const auto parts = blank_separated(line);
   const auto is = [&](std::size_t i, std::initializer_list<std::string_view> allowed) {
-    return i < parts.size() && std::find(allowed.begin(), allowed.end(), parts[i]) != allowed.end();
+    return i < parts.size() && std::ranges::find(allowed, parts[i]) != allowed.end();
   };
   if (parts.size() != 5 || !is(0, {"%%matrixmarket"}) || !is(1, {"matrix"}) || !is(2, {"coordinate", "array"}) ||
       !is(3, {"real", "double", "integer", "unsigned-integer", "complex"}) ||

@@ -28,8 +28,7 @@ bool is_header(const Card& card) { return card.fields[zero_field].text == "0"; }
 std::vector<std::string> names_of(const std::vector<Card>& cards) {
   std::vector<std::string> names;
   for (const Card& card : cards)
-    if (const std::string name = lower(card.fields[name_field].text);
-        std::find(names.begin(), names.end(), name) == names.end())
+    if (const std::string name = lower(card.fields[name_field].text); std::ranges::find(names, name) == names.end())
       names.push_back(name);
   return names;
 }
@@ -46,7 +45,7 @@ std::optional<std::string> chosen_name(const std::vector<std::string>& names, co
   } else if (wanted.empty() && names.size() > 1) {
     problems.error(0, "name", fmt::format("the file has {} matrices: {}", names.size(), listed),
                    "one of them is the stiffness", "name it");
-  } else if (!wanted.empty() && std::find(names.begin(), names.end(), lower(wanted)) == names.end()) {
+  } else if (!wanted.empty() && std::ranges::find(names, lower(wanted)) == names.end()) {
     const std::string near = foundation::nearest_name(lower(wanted), names);
     problems.error(0, "name", in_quotes(wanted), "the file has " + listed,
                    near.empty() ? "name one of these" : fmt::format("did you mean \"{}\"?", near));

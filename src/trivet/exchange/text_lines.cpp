@@ -28,7 +28,7 @@ bool Lines::next() {
 
 std::string with_line_feeds(std::string text) {
   if (text.find('\n') == std::string::npos && text.find('\0') == std::string::npos)
-    std::replace(text.begin(), text.end(), '\r', '\n');
+    std::ranges::replace(text, '\r', '\n');
   return text;
 }
 

@@ -179,7 +179,7 @@ std::vector<double> numbers_of_block(std::string_view data, const BinaryBlock& b
 }
 
 bool all_finite(const std::vector<double>& numbers, const FunctionHead& head, SetProblems& problems) {
-  const auto bad = std::find_if(numbers.begin(), numbers.end(), [](double value) { return !std::isfinite(value); });
+  const auto bad = std::ranges::find_if(numbers, [](double value) { return !std::isfinite(value); });
   if (bad == numbers.end()) return true;
   const std::size_t point = static_cast<std::size_t>(bad - numbers.begin()) / numbers_per_point(head.function);
   problems.error(head.last_line, "values", fmt::format("point {} is {}", point + 1, *bad), "every number is finite",

@@ -105,8 +105,8 @@ void scale_ordinates(UniversalFunction& function, double numerator, double denom
 
 bool is_finite(const UniversalFunction& function) {
   const std::vector<double> abscissa = abscissa_values(function);
-  return std::all_of(abscissa.begin(), abscissa.end(), [](double value) { return std::isfinite(value); }) &&
-      std::all_of(function.values.begin(), function.values.end(), [](const std::complex<double>& value) {
+  return std::ranges::all_of(abscissa, [](double value) { return std::isfinite(value); }) &&
+      std::ranges::all_of(function.values, [](const std::complex<double>& value) {
            return std::isfinite(value.real()) && std::isfinite(value.imag());
          });
 }

@@ -312,7 +312,7 @@ int count_universal_elements(const UniversalSet& set) {
     const auto head = whole_numbers_of_record(lines.line(), definition_widths, definition_widths.size());
     if (!head || (*head)[5] < 1) continue;
     ++count;
-    if (std::find(beams.begin(), beams.end(), (*head)[1]) != beams.end()) lines.next();
+    if (std::ranges::find(beams, (*head)[1]) != beams.end()) lines.next();
     for (int read = 0; read < (*head)[5] && lines.next();) read += nodes_per_line;
   }
   return count;

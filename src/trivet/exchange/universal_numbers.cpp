@@ -104,7 +104,7 @@ std::string_view text_in_columns(std::string_view line, std::size_t first, std::
 
 std::string readable_line(std::string_view line) {
   std::string text(line);
-  std::replace(text.begin(), text.end(), '\t', ' ');
+  std::ranges::replace(text, '\t', ' ');
   const std::string printable = foundation::on_one_line(text);
   return printable == text ? text : foundation::on_one_line(from_latin_1(text));
 }

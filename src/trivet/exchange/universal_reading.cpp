@@ -176,8 +176,8 @@ void UniversalReader::read_set(const UniversalSet& set) {
 
 void UniversalReader::warn_about_units() {
   if (file_.units_of_file || !has_quantities()) return;
-  const bool labelled = file_.nodes.empty() && file_.modes.empty() &&
-      std::all_of(file_.functions.begin(), file_.functions.end(), states_units_by_labels);
+  const bool labelled =
+      file_.nodes.empty() && file_.modes.empty() && std::ranges::all_of(file_.functions, states_units_by_labels);
   if (!labelled)
     problems_.warning(0, "units", "no set 164", "set 164 states the units of the numbers",
                       "numbers without the label of a known unit are read as SI");

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "trivet/exchange/universal_functions.h"
-#include "trivet/foundation/index.h"
 
 namespace trivet::exchange {
 
@@ -36,7 +35,7 @@ void UniversalResponses::add(const UniversalSet& set, const UniversalMode& motio
         function.line = set.line;
       }
       std::get<std::vector<double>>(function.abscissa).push_back(hertz);
-      function.values.push_back(node.components[to_size(direction - 1)]);
+      function.values.push_back(node.components[direction - 1]);
     }
 }
 
@@ -46,7 +45,7 @@ std::vector<UniversalFunction> UniversalResponses::functions(FileProblems& probl
   SetProblems of_set(problems, *first_);
   for (const auto& [key, collected] : functions_) {
     const auto is_zero = [](const std::complex<double>& value) { return value == 0.0; };
-    if (std::all_of(collected.values.begin(), collected.values.end(), is_zero)) continue;
+    if (std::ranges::all_of(collected.values, is_zero)) continue;
     UniversalFunction function = collected;
     convert_to_si(function, units_, function.line, of_set);
     result.push_back(std::move(function));

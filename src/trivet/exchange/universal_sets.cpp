@@ -40,7 +40,7 @@ bool is_type_line(std::string_view line) {
   return in_columns && (type->binary || trimmed(line.substr(type_width)).empty());
 }
 
-bool is_read(int type) { return std::find(read_set_types.begin(), read_set_types.end(), type) != read_set_types.end(); }
+bool is_read(int type) { return std::ranges::find(read_set_types, type) != read_set_types.end(); }
 
 std::string_view without_line_end(std::string_view line) {
   if (line.ends_with('\n')) line.remove_suffix(1);
@@ -137,7 +137,7 @@ void SetScanner::find_end(UniversalSet& set, std::string_view opening) {
 
 void SetScanner::continue_after(const UniversalSet& binary_set, std::size_t bytes_of_body) {
   const std::string_view passed = binary_set.body.substr(0, bytes_of_body);
-  line_ = binary_set.line + static_cast<int>(std::count(passed.begin(), passed.end(), '\n'));
+  line_ = binary_set.line + static_cast<int>(std::ranges::count(passed, '\n'));
   rest_ = binary_set.body.substr(passed.size());
   just_closed_ = true;
 }

@@ -72,8 +72,7 @@ std::optional<UniversalSystem> in_global(const std::vector<UniversalSystem>& sys
   result.label = label;
   bool first = true;
   for (int depth = 0; label != 0; ++depth) {
-    const auto found =
-        std::find_if(systems.begin(), systems.end(), [&](const UniversalSystem& one) { return one.label == label; });
+    const auto found = std::ranges::find(systems, label, &UniversalSystem::label);
     if (found == systems.end() || depth > deepest_reference) return std::nullopt;
     if (first) result.type = found->type;
     else if (found->type != UniversalSystemType::cartesian) return std::nullopt;

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "trivet/exchange/matrix_entries.h"
-#include "trivet/foundation/index.h"
 
 namespace trivet::exchange {
 namespace {
@@ -65,8 +64,8 @@ class UserElement {
 
   void read_comment(std::string_view text) {
     const auto parts = cells(text, ',');
-    const bool all_numbers = !parts.empty() &&
-        std::all_of(parts.begin(), parts.end(), [](std::string_view p) { return p.empty() || whole_number(p); });
+    const bool all_numbers =
+        !parts.empty() && std::ranges::all_of(parts, [](std::string_view p) { return p.empty() || whole_number(p); });
     if (listing_nodes_ && all_numbers) {
       for (const std::string_view part : parts)
         if (!part.empty()) nodes_.push_back(*whole_number(part));
@@ -109,7 +108,7 @@ class UserElement {
     }
     const int place = lists_.empty() ? 1 : numbers.empty() ? 0 : numbers.front();
     if (!lists_.empty() && !numbers.empty()) numbers.erase(numbers.begin());
-    const bool known = std::all_of(numbers.begin(), numbers.end(), [](int c) { return c >= 1 && c <= 6; });
+    const bool known = std::ranges::all_of(numbers, [](int c) { return c >= 1 && c <= 6; });
     const bool rises = lists_.empty() || place > lists_.back().place;
     if (numbers.empty() || numbers.size() > 6 || !known || !rises)
       problems_.error(line_, "components", in_quotes(text),
@@ -142,7 +141,7 @@ class UserElement {
       for (int place = 1; place <= count_; ++place) {
         if (list + 1 < lists_.size() && lists_[list + 1].place == place) ++list;
         for (const int component : lists_[list].components)
-          labels.push_back({nodes_.empty() ? place : nodes_[to_size(place - 1)], component});
+          labels.push_back({nodes_.empty() ? place : nodes_[place - 1], component});
       }
     }
     return labels;

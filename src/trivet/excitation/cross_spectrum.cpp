@@ -62,7 +62,7 @@ std::vector<double> test_frequencies(const RandomInputs& inputs) {
   for (std::size_t i = 1, last = points.size(); i < last; ++i)
     for (int k = 1; k < points_between_breakpoints; ++k)
       points.push_back(points[i - 1] + (points[i] - points[i - 1]) * k / points_between_breakpoints);
-  std::sort(points.begin(), points.end());
+  std::ranges::sort(points);
   return points;
 }
 
@@ -77,7 +77,7 @@ Eigen::MatrixXcd density_matrix(const RandomInputs& inputs, double omega) {
   for (const InputPair& pair : inputs.pairs)
     refuse_errors(problems_of_pair(pair, inputs.spectra.size(), "pair of inputs"));
   Eigen::VectorXd root(to_index(inputs.spectra.size()));
-  for (Eigen::Index j = 0; j < root.size(); ++j) root(j) = std::sqrt(density(inputs.spectra[to_size(j)], omega));
+  for (Eigen::Index j = 0; j < root.size(); ++j) root(j) = std::sqrt(density(inputs.spectra[j], omega));
   return root.asDiagonal() * correlation(inputs, omega) * root.asDiagonal();
 }
 

@@ -31,7 +31,7 @@ std::vector<int> usual_firing_order(const EngineLayout& layout) {
 }
 
 void require_permutation(std::vector<int> order, int count) {
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   bool complete = order.size() == to_size(count);
   for (std::size_t i = 0; complete && i < order.size(); ++i) complete = order[i] == static_cast<int>(i) + 1;
   if (!complete)
@@ -96,14 +96,14 @@ std::vector<Cylinder> evenly_firing_cylinders(const EngineLayout& layout) {
   const int in_bank = two_banks ? layout.cylinders / 2 : layout.cylinders;
   std::vector<Cylinder> cylinders(to_size(layout.cylinders));
   for (int i = 0; i < layout.cylinders; ++i) {
-    Cylinder& c = cylinders[to_size(i)];
+    Cylinder& c = cylinders[i];
     const bool second = i >= in_bank;
     c.bank_angle = (second ? -0.5 : 0.5) * between_banks;
     c.position = (0.5 * (in_bank - 1) - i % in_bank) * layout.spacing +
         (two_banks ? (second ? -0.5 : 0.5) * layout.bank_offset : 0);
   }
   for (std::size_t k = 0; k < order.size(); ++k) {
-    Cylinder& c = cylinders[to_size(order[k] - 1)];
+    Cylinder& c = cylinders[order[k] - 1];
     c.firing_angle = static_cast<double>(k) * layout.strokes * pi / layout.cylinders;
     c.crank_angle = std::remainder(c.bank_angle - c.firing_angle, 2 * pi);
   }

@@ -8,7 +8,6 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/excitation/slider_crank.h"
-#include "trivet/foundation/index.h"
 
 namespace trivet::excitation {
 namespace {
@@ -88,13 +87,12 @@ std::vector<TorqueHarmonic> gas_harmonics(const PressureTrace& trace, const Engi
   std::vector<Complex> pressure;
   for (int k = 0; k <= highest + terms * per_turn; ++k)
     pressure.push_back(fourier_coefficient(trace, engine.cycle(), static_cast<double>(k) / per_turn));
-  const auto at = [&](int k) { return k >= 0 ? pressure[to_size(k)] : std::conj(pressure[to_size(-k)]); };
+  const auto at = [&](int k) { return k >= 0 ? pressure[k] : std::conj(pressure[-k]); };
   const double force_radius = pi * bore * bore / 4 * engine.crank_radius;
   std::vector<TorqueHarmonic> harmonics;
   for (int k = 0; k <= highest; ++k) {
     Complex sum = 0;  // −s′/r = Σ (aₘ/m) sin mφ times the pressure
-    for (int m = 1; m <= terms; ++m)
-      sum += a[to_size(m)] / m * (at(k - m * per_turn) - at(k + m * per_turn)) / Complex(0, 2);
+    for (int m = 1; m <= terms; ++m) sum += a[m] / m * (at(k - m * per_turn) - at(k + m * per_turn)) / Complex(0, 2);
     harmonics.push_back({static_cast<double>(k) / per_turn, force_radius * (k == 0 ? Complex(sum.real()) : 2.0 * sum)});
   }
   return harmonics;

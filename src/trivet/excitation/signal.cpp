@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "trivet/excitation/refusal.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -57,7 +56,7 @@ std::ptrdiff_t piece_at(const Signal& signal, double t) {
 SignalState state(const Signal& signal, double t) {
   const std::ptrdiff_t i = piece_at(signal, t);
   if (i < 0) return {};
-  const Piece& piece = signal.pieces[to_size(i)];
+  const Piece& piece = signal.pieces[i];
   return state_on(piece, t - piece.start);
 }
 

@@ -60,7 +60,7 @@ std::vector<double> inertia_coefficients(double lambda, int highest) {
   a[1] = 1;
   const Factors f = factors(lambda);
   for (int n = 2; n <= std::min(highest, negligible_order(lambda)); n += 2)
-    a[to_size(n)] = static_cast<double>(n) * n / lambda * root_coefficient(f, n / 2);
+    a[n] = static_cast<double>(n) * n / lambda * root_coefficient(f, n / 2);
   return a;
 }
 
@@ -70,10 +70,10 @@ std::vector<double> inertia_torque_coefficients(double lambda, int highest) {
   std::vector<double> g(to_size(highest) + 1, 0);
   for (int m = 1; m <= count; ++m)
     for (int n = 1; n <= count; ++n) {
-      const double share = 0.5 * a[to_size(m)] / m * a[to_size(n)];
-      if (m + n <= highest) g[to_size(m + n)] += share;
+      const double share = 0.5 * a[m] / m * a[n];
+      if (m + n <= highest) g[m + n] += share;
       if (const int difference = std::abs(m - n); difference <= highest && m != n)
-        g[to_size(difference)] += m > n ? share : -share;
+        g[difference] += m > n ? share : -share;
     }
   return g;
 }

@@ -138,7 +138,7 @@ foundation::Problems check(const SpectrumTable& table, const std::string& subjec
                      "frequencies must increase",
                      f[i] == f[i - 1] ? "for a jump, give two frequencies, however close" : "sort the rows");
   }
-  if (!problems.has_errors() && std::all_of(s.begin(), s.end(), [](double x) { return x == 0; }))
+  if (!problems.has_errors() && std::ranges::all_of(s, [](double x) { return x == 0; }))
     problems.error(subject, "every density is 0", "a spectrum has a density > 0 somewhere",
                    "check the unit of the table");
   if (problems.has_errors() || !logarithmic) return problems;

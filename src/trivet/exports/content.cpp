@@ -60,7 +60,7 @@ std::string left_out(const std::string& name, const std::string& reason) {
 void require_known(const std::vector<std::string>& what) {
   const std::vector<std::string> known = known_names();
   for (const std::string& name : what) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    if (std::ranges::find(known, name) != known.end()) continue;
     const std::string guess = foundation::nearest_name(name, known);
     std::string list;
     for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
@@ -70,7 +70,7 @@ void require_known(const std::vector<std::string>& what) {
 }
 
 const Group* Content::find(const std::string& name) const {
-  const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; });
+  const auto found = std::ranges::find(groups, name, &Group::name);
   return found == groups.end() ? nullptr : &*found;
 }
 

@@ -122,7 +122,7 @@ std::vector<std::string> write_excel(const Content& content, const Target& targe
   format_set_bottom(formats.heading, LXW_BORDER_THIN);
   format_set_num_format(formats.number, "General");
   for (const Sheet& sheet : sheets) write_sheet(book, sheet, formats, lost);
-  if (std::any_of(sheets.begin(), sheets.end(), [](const Sheet& sheet) { return sheet.charted; })) {
+  if (std::ranges::any_of(sheets, &Sheet::charted)) {
     lxw_worksheet* const page = workbook_add_worksheet(book, sheet_of_charts);
     worksheet_set_landscape(page);
     worksheet_fit_to_pages(page, 1, 0);

@@ -23,8 +23,8 @@ project::AnswerSelection outputs(const project::Analyses& asked) {
 }
 
 bool share_a_name(const std::vector<Signal>& some, const std::vector<Signal>& others) {
-  return std::any_of(some.begin(), some.end(), [&](const Signal& one) {
-    return std::any_of(others.begin(), others.end(), [&](const Signal& other) { return other.name == one.name; });
+  return std::ranges::any_of(some, [&](const Signal& one) {
+    return std::ranges::any_of(others, [&](const Signal& other) { return other.name == one.name; });
   });
 }
 

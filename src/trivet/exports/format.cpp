@@ -14,7 +14,7 @@ namespace {
 
 const Format& format_of(const std::string& name) {
   const std::vector<Format>& all = formats();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Format& format) { return format.name == name; });
+  const auto found = std::ranges::find(all, name, &Format::name);
   if (found != all.end()) return *found;
   std::vector<std::string> names;
   std::string list;
@@ -34,7 +34,7 @@ void require_room(const Format& format, const std::vector<std::string>& what) {
                                    " has a fixed content; leave it out");
   for (const std::string& name : what) {
     const std::vector<std::string>& groups = format.groups;
-    if (groups.empty() || std::find(groups.begin(), groups.end(), name) != groups.end()) continue;
+    if (groups.empty() || std::ranges::find(groups, name) != groups.end()) continue;
     throw foundation::InvalidInput(fmt::format("what: the format {} holds no \"{}\", only {}; take excel, hdf5 or csv",
                                                format.name, name, fmt::join(groups, " and ")));
   }

@@ -102,7 +102,7 @@ class LinkNames {
     const auto [known, is_new] = links_.emplace(name, "");
     if (!is_new) return known->second;
     std::string link = name;
-    std::replace(link.begin(), link.end(), '/', '_');
+    std::ranges::replace(link, '/', '_');
     known->second = used_.unique(link);
     if (known->second != name)
       lost_.push_back(fmt::format("\"{}\" is named \"{}\": names of HDF5 have no slash", name, known->second));

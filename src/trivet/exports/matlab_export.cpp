@@ -183,8 +183,7 @@ std::optional<Variable> check_variable(const Content& content) {
   std::vector<Complex> q;
   for (const response::Curve& curve : found.curves)
     rows.push_back(1.0 +
-                   static_cast<double>(std::find(named.coordinates.begin(), named.coordinates.end(), curve.name) -
-                                       named.coordinates.begin()));
+                   static_cast<double>(std::ranges::find(named.coordinates, curve.name) - named.coordinates.begin()));
   for (std::size_t k = 0; k < omega.size(); ++k)
     for (const response::Curve& curve : found.curves) q.push_back(curve.value(static_cast<Eigen::Index>(k)));
   Fields check;

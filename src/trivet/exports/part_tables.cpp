@@ -35,7 +35,7 @@ std::string add_cells(const std::string& key, const Node& value, PartRow& row) {
   }
   constexpr std::array axes = {"x", "y", "z"};
   const auto is_number = [](const Node& item) { return project::written_number(item).has_value(); };
-  if (value.items.size() != axes.size() || !std::all_of(value.items.begin(), value.items.end(), is_number)) return key;
+  if (value.items.size() != axes.size() || !std::ranges::all_of(value.items, is_number)) return key;
   for (std::size_t i = 0; i < axes.size(); ++i) row.emplace_back(key + "." + axes[i], value.items[i]);
   return "";
 }
@@ -88,7 +88,7 @@ std::string csv_of(const std::vector<PartRow>& rows) {
   std::vector<PartColumn> columns;
   for (const PartRow& row : rows)
     for (const auto& cell : row)
-      if (std::none_of(columns.begin(), columns.end(), [&](const PartColumn& one) { return one.key == cell.first; }))
+      if (std::ranges::none_of(columns, [&](const PartColumn& one) { return one.key == cell.first; }))
         columns.push_back(column_of(cell.first, rows));
   std::string text;
   for (const PartColumn& column : columns)
@@ -113,9 +113,9 @@ Node text_node(const std::string& text) {
 /// If some elements stand on a body, the others name the ground.
 void name_the_ground(std::vector<PartRow>& rows) {
   const auto has_from = [](const PartRow& row) {
-    return std::any_of(row.begin(), row.end(), [](const auto& cell) { return cell.first == "from"; });
+    return std::ranges::any_of(row, [](const auto& cell) { return cell.first == "from"; });
   };
-  if (std::none_of(rows.begin(), rows.end(), has_from)) return;
+  if (std::ranges::none_of(rows, has_from)) return;
   for (PartRow& row : rows)
     if (!has_from(row)) row.emplace_back("from", text_node("ground"));
 }

@@ -32,7 +32,7 @@ std::string system_text(const LinearSystem& system, const std::string& token) {
   append_matrix(text, "D", system.D);
   append_matrix(text, "initial", initial_states(system).transpose());
   Eigen::RowVectorXd nominals(to_index(system.states.size()));
-  for (Eigen::Index i = 0; i < nominals.size(); ++i) nominals(i) = system.states[to_size(i)].nominal;
+  for (Eigen::Index i = 0; i < nominals.size(); ++i) nominals(i) = system.states[i].nominal;
   append_matrix(text, "nominals", nominals);
   return text + "end\n";
 }

@@ -84,7 +84,7 @@ std::optional<SingleForce> single_force(const Content& content, const UniversalG
       study::asked_question("response").asked(content.variant).response->selection.excitations;
   for (const model::Excitation& excitation : system.description().excitations) {
     if (!project::drives(excitation, project::Drive::harmonic)) continue;
-    if (!asked.empty() && std::find(asked.begin(), asked.end(), excitation.name) == asked.end()) continue;
+    if (!asked.empty() && std::ranges::find(asked, excitation.name) == asked.end()) continue;
     const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
     const model::Action& action = excitation.action;
     if (found || !harmonic || harmonic->power_of_frequency != 0 || !action.body || action.delay != 0)
@@ -124,7 +124,7 @@ exchange::UniversalAxis axis_of(const std::string& unit) {
 std::string fitting(const std::string& text, std::vector<std::string>& lost) {
   if (text.empty() || exchange::fits_universal_line(text)) return text;
   const std::string note = "cut to 80 characters, or without characters that the format does not know: " + text;
-  if (std::find(lost.begin(), lost.end(), note) == lost.end()) lost.push_back(note);
+  if (std::ranges::find(lost, note) == lost.end()) lost.push_back(note);
   return foundation::shortened(text, exchange::universal_id_width);
 }
 

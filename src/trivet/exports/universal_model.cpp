@@ -66,8 +66,7 @@ int direction_of_wrench(const std::string& result) {
 }  // namespace
 
 int UniversalGeometry::label(const std::string& name) const {
-  const auto found =
-      std::find_if(places.begin(), places.end(), [&](const UniversalPlace& p) { return p.name == name; });
+  const auto found = std::ranges::find(places, name, &UniversalPlace::name);
   return found == places.end() ? 0 : found->label;
 }
 
@@ -80,11 +79,9 @@ UniversalPoint universal_point(const UniversalGeometry& geometry, const std::str
     const std::string group = result.substr(0, result.rfind('.', dot - 1));
     return {"", geometry.label(group + ".foot"), direction};
   }
-  const auto component =
-      std::find(model::coordinate_names.begin(), model::coordinate_names.end(), result.substr(dot + 1));
+  const auto component = std::ranges::find(model::coordinate_names, result.substr(dot + 1));
   const std::string name = result.substr(0, dot);
-  const auto place = std::find_if(geometry.places.begin(), geometry.places.end(),
-                                  [&](const UniversalPlace& one) { return one.name == name; });
+  const auto place = std::ranges::find(geometry.places, name, &UniversalPlace::name);
   if (component == model::coordinate_names.end() || place == geometry.places.end()) return {};
   const auto index = static_cast<int>(component - model::coordinate_names.begin());
   const Eigen::Vector3d axis = place->axes.col(index % 3);

@@ -170,7 +170,7 @@ void add_sheets(const Group& group, const project::ShownUnits& display, UniqueNa
         group.arrays.find(array.name.substr(0, array.name.size() - std::string(" phase").size()));
     if (of_curve) continue;
     const std::string& axis = array.axes[axis_of_rows(array)];
-    auto found = std::find_if(by_axis.begin(), by_axis.end(), [&](const auto& one) { return one.first == axis; });
+    auto found = std::ranges::find_if(by_axis, [&](const auto& one) { return one.first == axis; });
     if (found == by_axis.end()) {
       by_axis.push_back({axis, {}});
       found = by_axis.end() - 1;

@@ -97,13 +97,13 @@ struct Kernel {
       for (int p = 0; p < P; ++p)
         scaled.template middleRows<3>(3 * p) = weights(p) * gradients.template middleRows<3>(3 * p);
       Eigen::Matrix<double, 3 * P, 1> stress;
-      for (int p = 0; p < P; ++p) stress.template segment<3>(3 * p) = law[to_size(p)].stress.row(i).transpose();
+      for (int p = 0; p < P; ++p) stress.template segment<3>(3 * p) = law[p].stress.row(i).transpose();
       system.force.segment<N>(i * N).noalias() += scaled.transpose() * stress;
       for (int j = i; j < 3; ++j) {
         for (int p = 0; p < P; ++p) {
           Eigen::Matrix3d block;  // A_iIjJ for this i and j
           for (int I = 0; I < 3; ++I)
-            for (int J = 0; J < 3; ++J) block(I, J) = law[to_size(p)].tangent(i + 3 * I, j + 3 * J);
+            for (int J = 0; J < 3; ++J) block(I, J) = law[p].tangent(i + 3 * I, j + 3 * J);
           scaled.template middleRows<3>(3 * p) = (weights(p) * block) * gradients.template middleRows<3>(3 * p);
         }
         Eigen::Matrix<double, N, N> part;
@@ -151,7 +151,7 @@ template <typename Element>
 ElementVolume volume(const Eigen::Matrix3Xd& nodes) {
   ElementVolume result{0, 1e300};
   for (int p = 0; p < Element::points; ++p) {
-    const Eigen::Matrix3d map = nodes * tables<Element>().gradients[to_size(p)].transpose();
+    const Eigen::Matrix3d map = nodes * tables<Element>().gradients[p].transpose();
     result.volume += Element::weight(p) * map.determinant();
     result.smallest_determinant = std::min(result.smallest_determinant, map.determinant());
   }

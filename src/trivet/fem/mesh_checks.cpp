@@ -30,8 +30,7 @@ bool check_shape(const Mesh& mesh, Problems& problems) {
   }
   const auto outside = [&](int node) { return node < 0 || node >= mesh.nodes.cols(); };
   const bool wrong_node = std::any_of(mesh.elements.data(), mesh.elements.data() + mesh.elements.size(), outside) ||
-      std::any_of(mesh.plate_n.begin(), mesh.plate_n.end(), outside) ||
-      std::any_of(mesh.plate_k.begin(), mesh.plate_k.end(), outside);
+      std::ranges::any_of(mesh.plate_n, outside) || std::ranges::any_of(mesh.plate_k, outside);
   if (wrong_node)
     problems.error("mesh", "a node number that does not exist",
                    fmt::format("node numbers are 0 … {}", mesh.nodes.cols() - 1), "check the mesh file");
@@ -68,10 +67,10 @@ void check_plates(const Mesh& mesh, Problems& problems) {
     problems.error("plate_k", "no nodes", "plate K must be bonded to a face of the solid",
                    "check which face is selected, and its position");
   std::vector<char> on_n(to_size(mesh.nodes.cols()), 0);
-  for (const int node : mesh.plate_n) on_n[to_size(node)] = 1;
+  for (const int node : mesh.plate_n) on_n[node] = 1;
   int shared = 0, example = 0;
   for (const int node : mesh.plate_k)
-    if (on_n[to_size(node)]) {
+    if (on_n[node]) {
       ++shared;
       example = node;
     }
@@ -113,24 +112,24 @@ std::vector<int> pieces(const Mesh& mesh) {
   std::vector<int> parent(to_size(mesh.nodes.cols()));
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int node) {
-    while (parent[to_size(node)] != node) node = parent[to_size(node)] = parent[to_size(parent[to_size(node)])];
+    while (parent[node] != node) node = parent[node] = parent[parent[node]];
     return node;
   };
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e)
     for (Eigen::Index a = 1; a < mesh.elements.rows(); ++a) {
       const int one = root(mesh.elements(0, e)), other = root(mesh.elements(a, e));
-      parent[to_size(std::max(one, other))] = std::min(one, other);
+      parent[std::max(one, other)] = std::min(one, other);
     }
-  for (int node = 0; node < mesh.nodes.cols(); ++node) parent[to_size(node)] = root(node);
+  for (int node = 0; node < mesh.nodes.cols(); ++node) parent[node] = root(node);
   return parent;
 }
 
 void check_pieces(const Mesh& mesh, Problems& problems) {
   const std::vector<int> piece = pieces(mesh);
   std::vector<char> bonds(piece.size(), 0), used(piece.size(), 0);
-  for (const int node : mesh.plate_n) bonds[to_size(piece[to_size(node)])] |= 1;
-  for (const int node : mesh.plate_k) bonds[to_size(piece[to_size(node)])] |= 2;
-  for (const int node : mesh.elements.reshaped()) used[to_size(node)] = 1;
+  for (const int node : mesh.plate_n) bonds[piece[node]] |= 1;
+  for (const int node : mesh.plate_k) bonds[piece[node]] |= 2;
+  for (const int node : mesh.elements.reshaped()) used[node] = 1;
   bool joined = false;
   for (std::size_t node = 0; node < piece.size(); ++node) {
     if (!used[node]) {

@@ -77,7 +77,7 @@ void recover_leading(const Eigen::MatrixXd& factors, Eigen::VectorXd& values) {
 void add_symmetric(const Eigen::MatrixXd& part, const std::vector<int>& place, Eigen::Ref<Eigen::MatrixXd> whole) {
   for (Eigen::Index j = 0; j < part.cols(); ++j)
     for (Eigen::Index i = j; i < part.rows(); ++i) {
-      const int row = place[to_size(i)], column = place[to_size(j)];
+      const int row = place[i], column = place[j];
       whole(std::max(row, column), std::min(row, column)) += part(i, j);
     }
 }

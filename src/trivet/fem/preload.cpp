@@ -8,7 +8,6 @@
 
 #include "trivet/fem/mesh_checks.h"
 #include "trivet/fem/solid.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/linalg/complete_pivoting.h"
@@ -52,7 +51,7 @@ class Newton {
     Solid::Linearised now = linearised;
     Vector6 imposed = Vector6::Zero();
     for (int i = 0; i < 6; ++i)
-      if (!preload_.is_load[to_size(i)]) imposed(i) = part * preload_.value(i);
+      if (!preload_.is_load[i]) imposed(i) = part * preload_.value(i);
     // The factors in the solid may be those of a failed attempt: start from the equilibrium state.
     now = solid_.linearise(trial.state, true, foundation::thread_count(options_.condensation.threads), progress_);
     double before = 1e300;
@@ -80,7 +79,7 @@ class Newton {
   [[nodiscard]] Vector6 load(double target) const {
     Vector6 wrench = Vector6::Zero();
     for (int i = 0; i < 6; ++i)
-      if (preload_.is_load[to_size(i)]) wrench(i) = target * preload_.value(i);
+      if (preload_.is_load[i]) wrench(i) = target * preload_.value(i);
     return wrench;
   }
 
@@ -90,7 +89,7 @@ class Newton {
     Matrix6 k = axes.transpose() * now.tangent.bottomRightCorner<6, 6>() * axes;
     Vector6 lacking = load(target) - axes.transpose() * now.reaction.tail<6>();
     for (int i = 0; i < 6; ++i) {
-      if (preload_.is_load[to_size(i)]) continue;
+      if (preload_.is_load[i]) continue;
       k.row(i).setZero();
       k(i, i) = 1;
       lacking(i) = imposed(i);
@@ -117,7 +116,7 @@ class Newton {
     const double size = (mesh_.nodes.rowwise().maxCoeff() - mesh_.nodes.rowwise().minCoeff()).norm();
     double left = now.unbalance * now.unbalance;
     for (int i = 0; i < 6; ++i)
-      if (preload_.is_load[to_size(i)]) left += std::pow(lacking(i) / (i < 3 ? 1 : size), 2);
+      if (preload_.is_load[i]) left += std::pow(lacking(i) / (i < 3 ? 1 : size), 2);
     const double scale =
         now.wrench.segment<3>(6).norm() + now.wrench.segment<3>(9).norm() / size + load(target).head<3>().norm();
     return left == 0 ? 0 : std::sqrt(left) / scale;

@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "trivet/foundation/index.h"
-
 namespace trivet::fem {
 namespace {
 
@@ -35,8 +33,8 @@ Eigen::Matrix<double, 3, 27> Hex27::gradients(int point) {
     for (int d = 0; d < 3; ++d) {
       double product = 1;
       for (int k = 0; k < 3; ++k) {
-        const int node = lattice()[to_size(a)][to_size(k)];
-        const double x = gauss_place(g[to_size(k)]);
+        const int node = lattice()[a][k];
+        const double x = gauss_place(g[k]);
         product *= k == d ? parabola_slope(node, x) : parabola(node, x);
       }
       result(d, a) = product;
@@ -49,7 +47,7 @@ Eigen::Matrix<double, 27, 1> Hex27::values(int point) {
   Eigen::Matrix<double, 27, 1> result;
   for (int a = 0; a < 27; ++a) {
     result(a) = 1;
-    for (std::size_t k = 0; k < 3; ++k) result(a) *= parabola(lattice()[to_size(a)][k], gauss_place(g[k]));
+    for (std::size_t k = 0; k < 3; ++k) result(a) *= parabola(lattice()[a][k], gauss_place(g[k]));
   }
   return result;
 }
@@ -75,7 +73,7 @@ Eigen::Matrix<double, 10, 1> Tet10::values(int point) {
   const Eigen::Vector4d l = barycentric(point);
   Eigen::Matrix<double, 10, 1> n;
   n.head<4>() = l.array() * (2 * l.array() - 1);
-  for (int e = 0; e < 6; ++e) n(4 + e) = 4 * l(edges()[to_size(e)][0]) * l(edges()[to_size(e)][1]);
+  for (int e = 0; e < 6; ++e) n(4 + e) = 4 * l(edges()[e][0]) * l(edges()[e][1]);
   return n;
 }
 
@@ -86,7 +84,7 @@ Eigen::Matrix<double, 3, 10> Tet10::gradients(int point) {
   Eigen::Matrix<double, 3, 10> result;
   for (int a = 0; a < 4; ++a) result.col(a) = (4 * l(a) - 1) * slope.col(a);
   for (int e = 0; e < 6; ++e) {
-    const auto [a, b] = edges()[to_size(e)];
+    const auto [a, b] = edges()[e];
     result.col(4 + e) = 4 * (l(a) * slope.col(b) + l(b) * slope.col(a));
   }
   return result;

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/foundation/index.h"
-
 namespace trivet::fem {
 namespace {
 
@@ -22,7 +20,7 @@ std::vector<double> with_midpoints(const std::vector<double>& ends) {
 std::array<int, 9> lattice(auto node) {
   std::array<int, 9> quad{};
   for (int j = 0; j < 3; ++j)
-    for (int i = 0; i < 3; ++i) quad[to_size(i + 3 * j)] = node(i, j);
+    for (int i = 0; i < 3; ++i) quad[i + 3 * j] = node(i, j);
   return quad;
 }
 
@@ -77,7 +75,7 @@ Section rectangle(const std::vector<double>& x, const std::vector<double>& y) {
   const int nx = static_cast<int>(xs.size()), ny = static_cast<int>(ys.size());
   section.points.resize(2, Eigen::Index{nx} * ny);
   for (int j = 0; j < ny; ++j)
-    for (int i = 0; i < nx; ++i) section.points.col(i + nx * j) << xs[to_size(i)], ys[to_size(j)];
+    for (int i = 0; i < nx; ++i) section.points.col(i + nx * j) << xs[i], ys[j];
   for (int j = 0; j + 2 < ny; j += 2)
     for (int i = 0; i + 2 < nx; i += 2)
       section.quads.push_back(lattice([&](int a, int b) { return i + a + nx * (j + b); }));
@@ -105,14 +103,14 @@ Section disc(double radius, int core, const std::vector<double>& to_rim) {
   for (int i = side - 1; i > 0; --i) boundary.push_back(side * i);
   const auto node = [&](int layer, int t) {
     t %= around;
-    return layer == 0 ? boundary[to_size(t)] : side * side + (layer - 1) * around + t;
+    return layer == 0 ? boundary[t] : side * side + (layer - 1) * around + t;
   };
   for (int t = 0; t < around; ++t) {
     const double angle = -0.75 * std::numbers::pi + 2 * std::numbers::pi * t / around;
     const Eigen::Vector2d inside = section.points.col(node(0, t)),
                           rim = radius * radius_factor(around / 2) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     for (int layer = 1; layer <= layers; ++layer)
-      section.points.col(node(layer, t)) = inside + levels[to_size(layer)] * (rim - inside);
+      section.points.col(node(layer, t)) = inside + levels[layer] * (rim - inside);
   }
   for (int t = 0; t < around; t += 2)
     for (int layer = 0; layer < layers; layer += 2)
@@ -130,7 +128,7 @@ Section ring(double inner_radius, double outer_radius, int around, const std::ve
     const double angle = 2 * std::numbers::pi * t / count;
     for (int layer = 0; layer < layers; ++layer)
       section.points.col(node(layer, t)) = radius_factor(around) *
-          (inner_radius + levels[to_size(layer)] * (outer_radius - inner_radius)) *
+          (inner_radius + levels[layer] * (outer_radius - inner_radius)) *
           Eigen::Vector2d(std::cos(angle), std::sin(angle));
     section.inner.push_back(node(0, t));
     section.outer.push_back(node(layers - 1, t));

@@ -99,9 +99,9 @@ Mesh extruded(const Section& section, const Levels& levels) {
     for (const auto& quad : section.quads) {
       for (std::size_t a = 0; a < 27; ++a) {
         const auto [i, j, k] = Hex27::lattice()[a];
-        mesh.elements(to_index(a), e) = quad[to_size(i + 3 * j)] + points * (2 * layer + k);
+        mesh.elements(to_index(a), e) = quad[i + 3 * j] + points * (2 * layer + k);
       }
-      mesh.material.push_back(levels.material[to_size(layer)]);
+      mesh.material.push_back(levels.material[layer]);
       ++e;
     }
   return mesh;

@@ -40,13 +40,13 @@ Solid::Solid(const Mesh& mesh, const std::vector<Material>& materials, TetPressu
     bool at_n = false, at_k = false;
     for (int c = 0; c < 3; ++c)
       for (Eigen::Index a = 0; a < mesh.elements.rows(); ++a) {
-        const int number = unknowns_.displacement[to_size(mesh.elements(a, e))];
+        const int number = unknowns_.displacement[mesh.elements(a, e)];
         at_n = at_n || number == Unknowns::on_plate_n;
         at_k = at_k || number == Unknowns::on_plate_k;
         if (number >= 0) own.push_back(number + c);
       }
     if (!unknowns_.pressure.empty())
-      for (const int number : unknowns_.pressure[to_size(e)]) own.push_back(number);
+      for (const int number : unknowns_.pressure[e]) own.push_back(number);
     for (int i = 0; at_n && i < 6; ++i) own.push_back(first + i);
     for (int i = 0; at_k && i < 6; ++i) own.push_back(first + 6 + i);
     own.push_back(first + 12);
@@ -64,28 +64,28 @@ Eigen::MatrixXd Solid::element_matrix(int element, const State& state, Gathered&
                          u = columns(state.displacement, mesh_.elements, element);
   Eigen::Vector4d pressure = Eigen::Vector4d::Zero();
   for (std::size_t c = 0; c < 4 && !unknowns_.pressure.empty(); ++c)
-    pressure(to_index(c)) = state.unknown_pressures(unknowns_.pressure[to_size(element)][c]);
-  const Material& material = materials_[to_size(mesh_.material[to_size(element)])];
+    pressure(to_index(c)) = state.unknown_pressures(unknowns_.pressure[element][c]);
+  const Material& material = materials_[mesh_.material[element]];
   const ElementSystem system =
       element_system(mesh_.kind, tet_pressure_, x, material, u.isZero(0) ? nullptr : &u, &pressure);
   gathered.forces.col(element) = system.force;
-  gathered.inverted[to_size(element)] = system.inverted;
+  gathered.inverted[element] = system.inverted;
 
   // Local unknowns: free ones stay, those on a plate become six motions of its reference point.
   std::vector<Eigen::Index> free, bonded;
   Eigen::MatrixXd motion = Eigen::MatrixXd::Zero(all, 12);
   for (Eigen::Index i = 0; i < all; ++i) {
     const Eigen::Index a = i % nodes;
-    const int number = i < 3 * nodes ? unknowns_.displacement[to_size(mesh_.elements(a, element))] : 0;
+    const int number = i < 3 * nodes ? unknowns_.displacement[mesh_.elements(a, element)] : 0;
     (number >= 0 ? free : bonded).push_back(i);
     if (number >= 0) continue;
     const bool at_n = number == Unknowns::on_plate_n;
     const Eigen::Vector3d lever = x.col(a) + u.col(a) - (at_n ? state.point_n : state.point_k);
     motion.block<1, 6>(i, at_n ? 0 : 6) = spatial::rigid_motion(lever).row(i / nodes);
   }
-  const auto& own = element_unknowns_[to_size(element)];
+  const auto& own = element_unknowns_[element];
   const Eigen::Index f = to_index(free.size()), p = to_index(own.size()) - f - 1;
-  const Eigen::Index first_motion = p > 0 && own[to_size(f)] == unknowns_.count ? 0 : 6;
+  const Eigen::Index first_motion = p > 0 && own[f] == unknowns_.count ? 0 : 6;
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(f + p + 1, f + p + 1);
   result.topLeftCorner(f, f) = system.tangent(free, free);
   result.row(f + p).head(f) = system.force(free).transpose();
@@ -114,13 +114,13 @@ Solid::Linearised Solid::linearise(const State& state, bool recoverable, int thr
                     .singular = condensed.singular};
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, mesh_.nodes.cols());
   for (int e = 0; e < mesh_.elements.cols(); ++e) {
-    result.inverted = result.inverted || gathered.inverted[to_size(e)];
+    result.inverted = result.inverted || gathered.inverted[e];
     for (Eigen::Index a = 0; a < nodes; ++a)
       for (int c = 0; c < 3; ++c) forces(c, mesh_.elements(a, e)) += gathered.forces(c * nodes + a, e);
   }
   for (Eigen::Index node = 0; node < mesh_.nodes.cols(); ++node) {
     const Eigen::Vector3d force = forces.col(node);
-    const int number = unknowns_.displacement[to_size(node)];
+    const int number = unknowns_.displacement[node];
     if (number >= 0) {
       result.unbalance += force.squaredNorm();
       continue;
@@ -147,7 +147,7 @@ Eigen::VectorXd Solid::correction(const spatial::Vector12& plate_motion) const {
 void Solid::add_to_free(const Eigen::VectorXd& correction, State& state) const {
   state.unknown_pressures += correction;  // only the entries of pressures are read
   for (Eigen::Index node = 0; node < mesh_.nodes.cols(); ++node) {
-    const int number = unknowns_.displacement[to_size(node)];
+    const int number = unknowns_.displacement[node];
     if (number >= 0) state.displacement.col(node) += correction.segment<3>(number);
   }
 }

@@ -74,8 +74,8 @@ std::map<int, Eigen::Matrix3Xd> points_by_face(const MshFile& mesh, double unit)
     for (int k = 0; k < 6; ++k) nodes[mesh.face[t]].push_back(mesh.triangles(k, to_index(t)));
   std::map<int, Eigen::Matrix3Xd> points;
   for (auto& [face, list] : nodes) {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    std::ranges::sort(list);
+    list.erase(std::ranges::unique(list).begin(), list.end());
     points[face] = unit * mesh.nodes(Eigen::all, list);
   }
   return points;
@@ -103,7 +103,7 @@ struct Fulfils {
     return ((across.colwise().norm().array() - cylinder.radius).abs() <= tolerance).all();
   }
   bool operator()(const FacesByNumber& named, const StepFace& face) const {
-    return std::find(named.numbers.begin(), named.numbers.end(), face.number) != named.numbers.end();
+    return std::ranges::find(named.numbers, face.number) != named.numbers.end();
   }
 };
 
@@ -123,8 +123,7 @@ std::string selection_text(const FaceSelection& selection, const StepFaces& all)
     }
     std::string operator()(const FacesByNumber& s) const {
       for (const int number : s.numbers)
-        if (std::none_of(all.faces.begin(), all.faces.end(),
-                         [&](const StepFace& face) { return face.number == number; }))
+        if (std::ranges::none_of(all.faces, [&](const StepFace& face) { return face.number == number; }))
           return fmt::format("no face {}", number);
       return "no face is selected";
     }
@@ -154,8 +153,8 @@ std::string list_of(const StepFaces& all) {
 
 bool all_numbers_exist(const FaceSelection& selection, const StepFaces& all) {
   const FacesByNumber* named = std::get_if<FacesByNumber>(&selection);
-  return !named || std::all_of(named->numbers.begin(), named->numbers.end(), [&](int number) {
-    return std::any_of(all.faces.begin(), all.faces.end(), [&](const StepFace& face) { return face.number == number; });
+  return !named || std::ranges::all_of(named->numbers, [&](int number) {
+    return std::ranges::any_of(all.faces, [&](const StepFace& face) { return face.number == number; });
   });
 }
 
@@ -207,8 +206,7 @@ foundation::Expected<StepFaces> step_faces(const std::filesystem::path& file, do
     face.high = face.points.rowwise().maxCoeff();
     all.faces.push_back(face);
   }
-  std::sort(all.faces.begin(), all.faces.end(),
-            [](const StepFace& a, const StepFace& b) { return a.number < b.number; });
+  std::ranges::sort(all.faces, {}, &StepFace::number);
   return all;
 }
 

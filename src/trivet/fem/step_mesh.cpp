@@ -106,14 +106,14 @@ std::vector<int> nodes_on(const MshFile& file, const std::vector<StepFace>& face
   for (const StepFace& face : faces) wanted.insert(face.number);
   for (std::size_t t = 0; t < file.face.size(); ++t)
     if (wanted.contains(file.face[t]))
-      for (int k = 0; k < 6; ++k) nodes.insert(renumbered[to_size(file.triangles(k, to_index(t)))]);
+      for (int k = 0; k < 6; ++k) nodes.insert(renumbered[file.triangles(k, to_index(t))]);
   return {nodes.begin(), nodes.end()};
 }
 
 /// The tetrahedra with only their own nodes, in the file's order.
 Mesh mesh_of(const MshFile& file, const StepMesh& step, double unit) {
   std::vector<int> renumbered(to_size(file.nodes.cols()), -1);
-  for (const int node : file.tetrahedra.reshaped()) renumbered[to_size(node)] = 0;
+  for (const int node : file.tetrahedra.reshaped()) renumbered[node] = 0;
   std::vector<int> kept;
   for (std::size_t i = 0; i < renumbered.size(); ++i)
     if (renumbered[i] == 0) {
@@ -123,7 +123,7 @@ Mesh mesh_of(const MshFile& file, const StepMesh& step, double unit) {
   Mesh mesh;
   mesh.kind = Mesh::Kind::tet10;
   mesh.nodes = unit * file.nodes(Eigen::all, kept);
-  mesh.elements = file.tetrahedra.unaryExpr([&](int node) { return renumbered[to_size(node)]; });
+  mesh.elements = file.tetrahedra.unaryExpr([&](int node) { return renumbered[node]; });
   const std::set<int> solids(file.solid.begin(), file.solid.end());
   for (const int solid : file.solid)
     mesh.material.push_back(static_cast<int>(std::distance(solids.begin(), solids.find(solid))));

@@ -30,11 +30,11 @@ Substructuring::Substructuring(std::vector<std::vector<int>> element_unknowns, c
   first_touch_.assign(to_size(first_retained), count);
   last_touch_.assign(to_size(first_retained), -1);
   for (int place = 0; place < count; ++place)
-    for (const int unknown : element_unknowns_[to_size(order_[to_size(place)])])
+    for (const int unknown : element_unknowns_[order_[place]])
       if (unknown < first_retained) {
-        auto& first = first_touch_[to_size(unknown)];
+        auto& first = first_touch_[unknown];
         first = std::min(first, place);
-        last_touch_[to_size(unknown)] = place;
+        last_touch_[unknown] = place;
       }
   number(0);
   order_boundaries();
@@ -47,35 +47,35 @@ int Substructuring::divide(int first, int last, Bisection& bisection) {
   if (last - first > smallest_part) {
     const int middle = first + bisection.halve(std::span(order_).subspan(to_size(first), to_size(last - first)));
     const int left = divide(first, middle, bisection), right = divide(middle, last, bisection);
-    parts_[to_size(self)].left = left;
-    parts_[to_size(self)].right = right;
+    parts_[self].left = left;
+    parts_[self].right = right;
   }
   return self;
 }
 
 void Substructuring::number(int index) {
-  Part& part = parts_[to_size(index)];
+  Part& part = parts_[index];
   std::vector<int> all;
   if (part.left < 0) {
     for (int place = part.first_element; place < part.last_element; ++place) {
-      const auto& own = element_unknowns_[to_size(order_[to_size(place)])];
+      const auto& own = element_unknowns_[order_[place]];
       all.insert(all.end(), own.begin(), own.end());
     }
   } else {
     for (const int child : {part.left, part.right}) {
       number(child);
-      const Part& below = parts_[to_size(child)];
+      const Part& below = parts_[child];
       all.insert(all.end(), below.unknowns.begin() + below.condensed, below.unknowns.end());
       part.operations += below.operations;
     }
   }
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end()), all.end());
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
   const auto inside = [&](int unknown) {
-    return unknown < first_retained_ && first_touch_[to_size(unknown)] >= part.first_element &&
-        last_touch_[to_size(unknown)] < part.last_element;
+    return unknown < first_retained_ && first_touch_[unknown] >= part.first_element &&
+        last_touch_[unknown] < part.last_element;
   };
-  part.condensed = static_cast<int>(std::stable_partition(all.begin(), all.end(), inside) - all.begin());
+  part.condensed = static_cast<int>(std::ranges::stable_partition(all, inside).begin() - all.begin());
   part.unknowns = std::move(all);
   const double k = part.condensed, b = static_cast<double>(part.unknowns.size()) - k;
   part.operations +=
@@ -87,14 +87,14 @@ void Substructuring::order_boundaries() {
   std::vector<int> place(to_size(first_retained_ + retained_count_));
   for (const Part& part : parts_) {  // parents come before their children
     if (part.left < 0) continue;
-    for (std::size_t i = 0; i < part.unknowns.size(); ++i) place[to_size(part.unknowns[i])] = static_cast<int>(i);
+    for (std::size_t i = 0; i < part.unknowns.size(); ++i) place[part.unknowns[i]] = static_cast<int>(i);
     for (const int child : {part.left, part.right}) {
-      Part& below = parts_[to_size(child)];
+      Part& below = parts_[child];
       for (auto it = below.unknowns.begin() + below.condensed; it != below.unknowns.end(); ++it)
-        below.place_in_parent.push_back(place[to_size(*it)]);
-      std::sort(below.place_in_parent.begin(), below.place_in_parent.end());
+        below.place_in_parent.push_back(place[*it]);
+      std::ranges::sort(below.place_in_parent);
       for (std::size_t i = 0; i < below.place_in_parent.size(); ++i)
-        below.unknowns[to_size(below.condensed) + i] = part.unknowns[to_size(below.place_in_parent[i])];
+        below.unknowns[below.condensed + i] = part.unknowns[below.place_in_parent[i]];
     }
   }
 }
@@ -104,7 +104,7 @@ bool Substructuring::splits(const Part& part, int threads) const { return thread
 /// Numbers in memory during the condensation of a part, in its thread: its largest front, the boundaries that wait for
 /// their neighbours, and all of the other threads.
 Substructuring::Memory Substructuring::memory(int index, int threads) const {
-  const Part& part = parts_[to_size(index)];
+  const Part& part = parts_[index];
   const double n = static_cast<double>(part.unknowns.size()), boundary = n - part.condensed;
   Memory here{.front = n * n, .boundaries = 0, .result = boundary * (boundary + 1) / 2};
   if (part.left >= 0) {
@@ -158,20 +158,19 @@ struct Substructuring::Workspace {
 void Substructuring::add_elements(const Part& part, Run& run, Workspace& workspace,
                                   Eigen::Map<Eigen::MatrixXd>& front) const {
   workspace.place.resize(to_size(first_retained_ + retained_count_));
-  for (std::size_t i = 0; i < part.unknowns.size(); ++i)
-    workspace.place[to_size(part.unknowns[i])] = static_cast<int>(i);
+  for (std::size_t i = 0; i < part.unknowns.size(); ++i) workspace.place[part.unknowns[i]] = static_cast<int>(i);
   for (int at = part.first_element; at < part.last_element && !run.stopped; ++at) {
-    const int element = order_[to_size(at)];
+    const int element = order_[at];
     const Eigen::MatrixXd matrix = run.element_matrix(element);
     std::vector<int> place;
-    for (const int unknown : element_unknowns_[to_size(element)]) place.push_back(workspace.place[to_size(unknown)]);
+    for (const int unknown : element_unknowns_[element]) place.push_back(workspace.place[unknown]);
     add_symmetric(matrix, place, front);
   }
 }
 
 std::vector<double> Substructuring::condense_part(int index, Run& run, Workspace& workspace, int threads,
                                                   bool reports) {
-  Part& part = parts_[to_size(index)];
+  Part& part = parts_[index];
   const Eigen::Index n = to_index(part.unknowns.size()), k = part.condensed;
   std::vector<double> left, right;
   if (part.left >= 0) {
@@ -195,8 +194,8 @@ std::vector<double> Substructuring::condense_part(int index, Run& run, Workspace
   Eigen::Map<Eigen::MatrixXd> front = workspace.zero_front(n);
   if (part.left < 0) add_elements(part, run, workspace, front);
   else {
-    add_packed(left, parts_[to_size(part.left)].place_in_parent, front);
-    add_packed(right, parts_[to_size(part.right)].place_in_parent, front);
+    add_packed(left, parts_[part.left].place_in_parent, front);
+    add_packed(right, parts_[part.right].place_in_parent, front);
     left = {};
     right = {};
   }
@@ -206,7 +205,7 @@ std::vector<double> Substructuring::condense_part(int index, Run& run, Workspace
   if (run.recoverable) part.factors = front.leftCols(k);
   double below = 0;
   for (const int child : {part.left, part.right})
-    if (child >= 0) below += parts_[to_size(child)].operations;
+    if (child >= 0) below += parts_[child].operations;
   run.done += part.operations - below;
   if (reports) foundation::report_progress(run.progress, "condensing the solid", std::min(1.0, run.done / run.total));
   return packed_lower(front.bottomRightCorner(n - k, n - k));
@@ -234,9 +233,9 @@ Eigen::VectorXd Substructuring::recover(const Eigen::VectorXd& retained) const {
   all.tail(retained_count_) = retained;
   for (const Part& part : parts_) {  // parents come before their children
     Eigen::VectorXd own(to_index(part.unknowns.size()));
-    for (Eigen::Index i = 0; i < own.size(); ++i) own(i) = all(part.unknowns[to_size(i)]);
+    for (Eigen::Index i = 0; i < own.size(); ++i) own(i) = all(part.unknowns[i]);
     recover_leading(part.factors, own);
-    for (Eigen::Index i = 0; i < part.condensed; ++i) all(part.unknowns[to_size(i)]) = own(i);
+    for (Eigen::Index i = 0; i < part.condensed; ++i) all(part.unknowns[i]) = own(i);
   }
   return all;
 }

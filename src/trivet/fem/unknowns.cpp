@@ -10,8 +10,8 @@ namespace trivet::fem {
 Unknowns number_unknowns(const Mesh& mesh, TetPressure tet_pressure) {
   Unknowns unknowns;
   unknowns.displacement.assign(to_size(mesh.nodes.cols()), 0);
-  for (const int node : mesh.plate_n) unknowns.displacement[to_size(node)] = Unknowns::on_plate_n;
-  for (const int node : mesh.plate_k) unknowns.displacement[to_size(node)] = Unknowns::on_plate_k;
+  for (const int node : mesh.plate_n) unknowns.displacement[node] = Unknowns::on_plate_n;
+  for (const int node : mesh.plate_k) unknowns.displacement[node] = Unknowns::on_plate_k;
   for (int& number : unknowns.displacement)
     if (number == 0) {
       number = unknowns.count;
@@ -22,10 +22,9 @@ Unknowns number_unknowns(const Mesh& mesh, TetPressure tet_pressure) {
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e) {
     auto& corners = unknowns.pressure.emplace_back();
     for (int c = 0; c < 4; ++c) {
-      const auto [place, is_new] =
-          numbers.try_emplace({mesh.elements(c, e), mesh.material[to_size(e)]}, unknowns.count);
+      const auto [place, is_new] = numbers.try_emplace({mesh.elements(c, e), mesh.material[e]}, unknowns.count);
       unknowns.count += is_new;
-      corners[to_size(c)] = place->second;
+      corners[c] = place->second;
     }
   }
   unknowns.pressure_count = static_cast<int>(numbers.size());

@@ -62,7 +62,7 @@ std::vector<std::string> FolderHandle::names() const {
     if (name != "." && name != "..") list.push_back(name);
   }
   closedir(stream);
-  std::sort(list.begin(), list.end());
+  std::ranges::sort(list);
   return list;
 }
 

@@ -16,10 +16,10 @@ std::vector<std::string> grouped(const std::vector<std::string>& notes) {
   for (const std::string& note : notes) {
     const std::size_t colon = std::min(note.find(": "), note.size());
     const std::string name = note.substr(0, colon), words = note.substr(colon);
-    const auto same = std::find_if(groups.begin(), groups.end(),
-                                   [&](const Group& group) { return !words.empty() && group.words == words; });
+    const auto same =
+        std::ranges::find_if(groups, [&](const Group& group) { return !words.empty() && group.words == words; });
     if (same == groups.end()) groups.push_back({{name}, words});
-    else if (std::find(same->names.begin(), same->names.end(), name) == same->names.end()) same->names.push_back(name);
+    else if (std::ranges::find(same->names, name) == same->names.end()) same->names.push_back(name);
   }
   std::vector<std::string> found;
   for (const Group& group : groups)

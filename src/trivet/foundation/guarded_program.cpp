@@ -43,7 +43,7 @@ struct Descriptors {
 
 void close_others(const Descriptors& kept) {
   std::array<int, 3> sorted{kept.output, kept.report, kept.lifeline};
-  std::sort(sorted.begin(), sorted.end());
+  std::ranges::sort(sorted);
   for (const int descriptor : kept.ends_of_owner) close(descriptor);
   unsigned int from = 0;
   bool closed = true;
@@ -56,7 +56,7 @@ void close_others(const Descriptors& kept) {
   if (closed) return;
   constexpr int most_descriptors = 4096;  // for kernels before 5.9 and sandboxes without the call
   for (int descriptor = 0; descriptor < most_descriptors; ++descriptor)
-    if (!std::binary_search(sorted.begin(), sorted.end(), descriptor)) close(descriptor);
+    if (!std::ranges::binary_search(sorted, descriptor)) close(descriptor);
 }
 
 [[noreturn]] void become(const Program& program, const Descriptors& open_ones, pid_t guard) {

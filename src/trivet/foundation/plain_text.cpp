@@ -93,7 +93,7 @@ std::string path_key(std::string_view name) {
   const auto is_bare = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };
-  if (!name.empty() && std::all_of(name.begin(), name.end(), is_bare)) return std::string(name);
+  if (!name.empty() && std::ranges::all_of(name, is_bare)) return std::string(name);
   std::string text = "\"";
   for (const char c : name) {
     if (c == '"' || c == '\\') text += '\\';

@@ -58,10 +58,7 @@ Problem& Problems::warning(std::string subject, std::string finding, std::string
 
 void Problems::add(const Problems& others) { list_.insert(list_.end(), others.list_.begin(), others.list_.end()); }
 
-std::size_t Problems::errors() const {
-  return to_size(
-      std::count_if(list_.begin(), list_.end(), [](const Problem& p) { return p.severity == Severity::error; }));
-}
+std::size_t Problems::errors() const { return to_size(std::ranges::count(list_, Severity::error, &Problem::severity)); }
 
 void Problems::sort_by_origin() {
   const auto line = [](const Problem& p) {
@@ -70,12 +67,11 @@ void Problems::sort_by_origin() {
   // Files in the order in which they first occur: the project file, then its data.
   std::vector<std::string> files;
   for (const Problem& p : list_)
-    if (std::find(files.begin(), files.end(), p.origin.source) == files.end()) files.push_back(p.origin.source);
+    if (std::ranges::find(files, p.origin.source) == files.end()) files.push_back(p.origin.source);
   const auto file = [&](const Problem& p) {
-    return p.origin.line > 0 ? std::find(files.begin(), files.end(), p.origin.source) - files.begin()
-                             : std::ptrdiff_t{0};
+    return p.origin.line > 0 ? std::ranges::find(files, p.origin.source) - files.begin() : std::ptrdiff_t{0};
   };
-  std::stable_sort(list_.begin(), list_.end(), [&](const Problem& a, const Problem& b) {
+  std::ranges::stable_sort(list_, [&](const Problem& a, const Problem& b) {
     return std::make_pair(file(a), line(a)) < std::make_pair(file(b), line(b));
   });
   std::set<std::tuple<Severity, std::string, std::string, std::string>> seen;

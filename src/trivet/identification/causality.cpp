@@ -57,14 +57,14 @@ PassiveStiffness nearest_passive(const Rows& rows, const std::vector<Section>& s
   const Eigen::Index first = 2 + times.size();
   Eigen::MatrixXcd columns(count, first + (sections.empty() ? 0 : 1 + 2 * resonances));
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Complex s(0, rows.fitted[to_size(i)]);
+    const Complex s(0, rows.fitted[i]);
     columns(i, 0) = 1;
     columns(i, 1) = s;
     for (Eigen::Index j = 0; j < times.size(); ++j) columns(i, 2 + j) = s * times(j) / (1.0 + s * times(j));
     if (sections.empty()) continue;
     columns(i, first) = s * s;
     for (Eigen::Index j = 0; j < resonances; ++j) {
-      const Section& section = sections[to_size(j)];
+      const Section& section = sections[j];
       columns(i, first + 1 + 2 * j) = s * inertial_section(section, s);
       columns(i, first + 2 + 2 * j) = s * elastic_section(section, s);
     }
@@ -83,7 +83,7 @@ PassiveStiffness nearest_passive(const Rows& rows, const std::vector<Section>& s
   passive.mass = constants(first);
   for (Eigen::Index j = 0; j < resonances; ++j) {
     const double inertial = constants(first + 1 + 2 * j), elastic = constants(first + 2 + 2 * j);
-    const Section& section = sections[to_size(j)];
+    const Section& section = sections[j];
     if (inertial > 0 || elastic > 0)
       passive.resonances.push_back({section.angular_frequency, section.damping_ratio, inertial, elastic});
   }

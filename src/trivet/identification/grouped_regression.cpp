@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/foundation/index.h"
 #include "trivet/identification/student_distribution.h"
 #include "trivet/numerics/linalg/orthogonal.h"
 
@@ -19,8 +18,8 @@ constexpr double least_noise = 1e-10;
 Eigen::VectorXd group_sizes(const Regression& regression, const Eigen::VectorXd& values) {
   Eigen::VectorXd squares = Eigen::VectorXd::Zero(regression.groups), count = squares;
   for (Eigen::Index r = 0; r < values.size(); ++r) {
-    squares(regression.group[to_size(r)]) += std::pow(values(r) / regression.relative_deviation(r), 2);
-    count(regression.group[to_size(r)]) += 1;
+    squares(regression.group[r]) += std::pow(values(r) / regression.relative_deviation(r), 2);
+    count(regression.group[r]) += 1;
   }
   return (squares.array() / count.array().max(1)).sqrt();
 }
@@ -38,7 +37,7 @@ Eigen::MatrixXd null_space(const numerics::PivotedQr& qr, Eigen::Index rank) {
 
 Eigen::VectorXd deviations(const Regression& regression, const Eigen::VectorXd& group_scale) {
   Eigen::VectorXd deviation = regression.relative_deviation;
-  for (Eigen::Index r = 0; r < deviation.size(); ++r) deviation(r) *= group_scale(regression.group[to_size(r)]);
+  for (Eigen::Index r = 0; r < deviation.size(); ++r) deviation(r) *= group_scale(regression.group[r]);
   return deviation;
 }
 
@@ -80,7 +79,7 @@ RegressionFit fit(const Regression& regression) {
     Eigen::VectorXd squares = Eigen::VectorXd::Zero(regression.groups);
     fit.group_freedom = squares;
     for (Eigen::Index r = 0; r < fit.residual.size(); ++r) {
-      const int g = regression.group[to_size(r)];
+      const int g = regression.group[r];
       squares(g) += std::pow(fit.residual(r) / regression.relative_deviation(r), 2);
       fit.group_freedom(g) += 1 - fit.leverage(r);
     }
@@ -98,7 +97,7 @@ double half_width(const Regression& regression, const RegressionFit& fit, const 
   const Eigen::RowVectorXd sensitivity = functional * fit.influence;
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(regression.groups);
   for (Eigen::Index r = 0; r < sensitivity.size(); ++r)
-    variance(regression.group[to_size(r)]) += std::pow(sensitivity(r) * fit.deviation(r), 2);
+    variance(regression.group[r]) += std::pow(sensitivity(r) * fit.deviation(r), 2);
   const double total = variance.sum();
   if (total == 0) return 0;
   const double share = (variance / total).array().square().cwiseQuotient(fit.group_freedom.array().max(1e-3)).sum();

@@ -74,8 +74,8 @@ Scaled scaled(const std::vector<StiffnessPoint>& points) {
     result.stiffness += std::abs(p.stiffness) / count;
   }
   result.frequency = std::exp(result.frequency);
-  const bool weighted = std::none_of(points.begin(), points.end(),
-                                     [](const StiffnessPoint& p) { return std::isnan(p.standard_deviation); });
+  const bool weighted =
+      std::ranges::none_of(points, [](const StiffnessPoint& p) { return std::isnan(p.standard_deviation); });
   for (StiffnessPoint& p : result.points) {
     result.weight.push_back(result.stiffness / (weighted ? p.standard_deviation : std::abs(p.stiffness)));
     p.angular_frequency /= result.frequency;
@@ -265,16 +265,15 @@ std::complex<double> stiffness_at(const LawFit& law, double angular_frequency) {
 
 foundation::Expected<LawFit> fitted_law(const std::string& law, const std::vector<StiffnessPoint>& points,
                                         double confidence) {
-  const auto family =
-      std::find_if(families().begin(), families().end(), [&](const Family& one) { return one.name == law; });
+  const auto family = std::ranges::find(families(), law, &Family::name);
   if (family == families().end() || !(confidence > 0 && confidence < 1))
     throw foundation::InvalidInput(fmt::format("law \"{}\", confidence {}", law, confidence));
   foundation::Problems problems;
   std::vector<double> frequencies;
   for (const StiffnessPoint& point : points) {
     constexpr double same = 0.01;
-    if (std::none_of(frequencies.begin(), frequencies.end(),
-                     [&](double other) { return std::abs(point.angular_frequency - other) <= same * other; }))
+    if (std::ranges::none_of(frequencies,
+                             [&](double other) { return std::abs(point.angular_frequency - other) <= same * other; }))
       frequencies.push_back(point.angular_frequency);
   }
   // Each frequency gives two numbers. With as many numbers as constants, a law that bends over frequency may not be
@@ -312,8 +311,7 @@ foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& 
                                "measure at more frequencies to include it");
     }
   }
-  std::sort(ranking.laws.begin(), ranking.laws.end(),
-            [](const LawFit& a, const LawFit& b) { return a.akaike < b.akaike; });
+  std::ranges::sort(ranking.laws, {}, &LawFit::akaike);
   for (LawFit& law : ranking.laws) law.akaike_difference = law.akaike - ranking.laws.front().akaike;
   for (const Parameter& parameter : ranking.laws.front().parameters)
     if (constexpr double open = 100; !(parameter.high < open * parameter.low) && parameter.name != "order")

@@ -23,11 +23,11 @@ double distance(const std::vector<double>& fitted, const Eigen::VectorXcd& mobil
   const auto rows = to_index(fitted.size()), count = to_index(sections.size());
   Eigen::MatrixXcd columns(rows, 3 + 2 * count);
   for (Eigen::Index r = 0; r < rows; ++r) {
-    const Complex s(0, fitted[to_size(r)]);
+    const Complex s(0, fitted[r]);
     columns.row(r).head<3>() << 1.0 / s, s, 1.0;
     for (Eigen::Index j = 0; j < count; ++j) {
-      columns(r, 3 + 2 * j) = inertial_section(sections[to_size(j)], s);
-      columns(r, 4 + 2 * j) = elastic_section(sections[to_size(j)], s);
+      columns(r, 3 + 2 * j) = inertial_section(sections[j], s);
+      columns(r, 4 + 2 * j) = elastic_section(sections[j], s);
     }
   }
   const Eigen::VectorXcd nearest = columns * nearest_weights(columns, mobility, enough);
@@ -40,11 +40,11 @@ MobilityVerdict mobility_causality(const std::vector<double>& omega, const Eigen
   std::vector<double> present, fitted;
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < mobility.size(); ++i)
-    if (std::abs(mobility(i)) > 0) present.push_back(omega[to_size(i)]), rows.push_back(i);
+    if (std::abs(mobility(i)) > 0) present.push_back(omega[i]), rows.push_back(i);
   if (rows.size() < 2) return {};
   const Eigen::VectorXcd values = mobility(rows);
   const std::vector<Eigen::Index> chosen = rows_that_follow(present, values);
-  for (const Eigen::Index i : chosen) fitted.push_back(present[to_size(i)]);
+  for (const Eigen::Index i : chosen) fitted.push_back(present[i]);
   const Eigen::VectorXcd judged = values(chosen);
   MobilityVerdict verdict;
   verdict.relative_rms = distance(fitted, judged, sections_shown(fitted, clearly_active));

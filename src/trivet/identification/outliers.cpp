@@ -21,7 +21,7 @@ Contradiction worst(const Regression& regression, const RegressionFit& fit, doub
     if (fit.group_freedom(g) >= 2)
       limits(g) = student_quantile(1 - risk / static_cast<double>(fit.residual.size()), fit.group_freedom(g) - 1);
   for (Eigen::Index r = 0; r < fit.residual.size(); ++r) {
-    const int group = regression.group[to_size(r)];
+    const int group = regression.group[r];
     const double freedom = fit.group_freedom(group) - 1, limit = limits(group);
     if (fit.leverage(r) > judged_below_leverage || limit == 0) continue;
     const double internal = fit.residual(r) / (fit.deviation(r) * std::sqrt(1 - fit.leverage(r)));
@@ -59,7 +59,7 @@ std::vector<Contradiction> contradictions(Regression regression, double risk) {
     if (next.limit == 0 || std::abs(next.studentised) <= next.limit) break;
     drop(regression, next.reading);
     const Eigen::Index place = next.reading;
-    next.reading = name[to_size(place)];
+    next.reading = name[place];
     name.erase(name.begin() + place);
     found.push_back(next);
   }

@@ -21,8 +21,7 @@ double least_half_width(const std::vector<double>& rows, double omega, double sh
   const std::size_t last = rows.size() - 1;
   if (omega < rows.front()) return share * (rows[1] - rows[0]) - (rows[0] - omega);
   if (omega > rows.back()) return share * (rows[last] - rows[last - 1]) - (omega - rows[last]);
-  const auto above =
-      std::clamp<std::size_t>(to_size(std::lower_bound(rows.begin(), rows.end(), omega) - rows.begin()), 1, last);
+  const auto above = std::clamp<std::size_t>(to_size(std::ranges::lower_bound(rows, omega) - rows.begin()), 1, last);
   return share * (rows[above] - rows[above - 1]);
 }
 

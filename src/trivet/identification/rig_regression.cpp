@@ -32,10 +32,10 @@ int readings_for_own_noise(Unknowns unknowns) { return unknowns == Unknowns::sel
 
 void group_by_noise(const StiffnessFitOptions& options, Rig& rig) {
   std::array<int, 12> count{};
-  for (const auto& [load_case, channel] : rig.reading) ++count[to_size(channel)];
+  for (const auto& [load_case, channel] : rig.reading) ++count[channel];
   bool given = true, own = true;
   for (int c = 0; c < 12; ++c) {
-    const int n = count[to_size(c)];
+    const int n = count[c];
     if (n == 0) continue;
     given = given && !std::isnan(options.standard_deviation(c));
     own = own && n >= readings_for_own_noise(options.unknowns);
@@ -43,7 +43,7 @@ void group_by_noise(const StiffnessFitOptions& options, Rig& rig) {
   Regression& regression = rig.regression;
   regression.groups = given ? 1 : own ? 12 : 2;
   for (Eigen::Index r = 0; r < regression.measured.size(); ++r) {
-    const int channel = rig.reading[to_size(r)][1];
+    const int channel = rig.reading[r][1];
     regression.relative_deviation(r) = given ? options.standard_deviation(channel) : 1;
     regression.group.push_back(given ? 0 : own ? channel : channel % 6 < 3 ? 0 : 1);
   }
@@ -69,8 +69,7 @@ Rig rig_regression(const std::vector<LoadCase>& cases, const Eigen::Vector3d& ar
       if (!std::isnan(cases[k].wrench(c))) rig.reading.push_back({static_cast<int>(k), c});
   if (options.zero_offsets)
     for (int c = 0; c < 12; ++c)
-      if (std::any_of(rig.reading.begin(), rig.reading.end(), [&](const auto& r) { return r[1] == c; }))
-        rig.offset_channel.push_back(c);
+      if (std::ranges::any_of(rig.reading, [&](const auto& r) { return r[1] == c; })) rig.offset_channel.push_back(c);
 
   const auto rows = to_index(rig.reading.size()), constants = rig.basis.unit.size();
   Regression& regression = rig.regression;
@@ -78,11 +77,11 @@ Rig rig_regression(const std::vector<LoadCase>& cases, const Eigen::Vector3d& ar
   regression.measured.resize(rows);
   regression.relative_deviation.resize(rows);
   for (Eigen::Index r = 0; r < rows; ++r) {
-    const auto [k, c] = rig.reading[to_size(r)];
-    const LoadCase& one = cases[to_size(k)];
+    const auto [k, c] = rig.reading[r];
+    const LoadCase& one = cases[k];
     regression.measured(r) = one.wrench(c);
     for (Eigen::Index p = 0; p < constants; ++p)
-      regression.design(r, p) = rig.basis.unit(p) * rig.basis.matrices[to_size(p)].row(c).dot(one.displacement);
+      regression.design(r, p) = rig.basis.unit(p) * rig.basis.matrices[p].row(c).dot(one.displacement);
     for (std::size_t o = 0; o < rig.offset_channel.size(); ++o)
       if (rig.offset_channel[o] == c) regression.design(r, constants + to_index(o)) = 1 / motion[c % 6 < 3 ? 0 : 1];
   }

@@ -30,8 +30,7 @@ Eigen::MatrixXd motions(const std::vector<LoadCase>& cases, const Eigen::Vector3
 /// Channels that were never measured, at ends where others were.
 std::vector<std::string> missing_channels(const Rig& rig) {
   const auto measured = [&](int first, int end) {
-    return std::any_of(rig.reading.begin(), rig.reading.end(),
-                       [&](const auto& r) { return r[1] >= first && r[1] < end; });
+    return std::ranges::any_of(rig.reading, [&](const auto& r) { return r[1] >= first && r[1] < end; });
   };
   std::vector<std::string> missing;
   for (int c = 0; c < 12; ++c)
@@ -97,7 +96,7 @@ void fill_matrix(const Rig& rig, const RegressionFit& fit, const Eigen::Vector3d
   const Eigen::Index constants = rig.basis.unit.size();
   Eigen::VectorXd values = fit.parameters.head(constants).cwiseProduct(rig.basis.unit);
   result.stiffness.setZero();
-  for (Eigen::Index p = 0; p < constants; ++p) result.stiffness += values(p) * rig.basis.matrices[to_size(p)];
+  for (Eigen::Index p = 0; p < constants; ++p) result.stiffness += values(p) * rig.basis.matrices[p];
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j <= i; ++j)
       result.half_width(i, j) = result.half_width(j, i) =
@@ -123,7 +122,7 @@ void fill_readings(const Rig& rig, const RegressionFit& fit, const std::array<do
   result.noise.setConstant(std::numeric_limits<double>::quiet_NaN());
   result.offset.setConstant(std::numeric_limits<double>::quiet_NaN());
   for (Eigen::Index r = 0; r < fit.residual.size(); ++r) {
-    const auto [k, c] = rig.reading[to_size(r)];
+    const auto [k, c] = rig.reading[r];
     const double spread = fit.deviation(r) * std::sqrt(std::max(0.0, 1 - fit.leverage(r)));
     result.readings.push_back({k, c, rig.regression.measured(r), rig.regression.measured(r) - fit.residual(r),
                                fit.residual(r), fit.leverage(r) < 1 - 1e-6 && spread > 0 ? fit.residual(r) / spread : 0,
@@ -142,7 +141,7 @@ void fill_readings(const Rig& rig, const RegressionFit& fit, const std::array<do
 void warn(const std::vector<LoadCase>& cases, const StiffnessFitOptions& options, StiffnessFit& result) {
   for (const Outlier& outlier : result.outliers)
     result.warnings.warning(
-        fmt::format("load case '{}'", cases[to_size(outlier.load_case)].name),
+        fmt::format("load case '{}'", cases[outlier.load_case].name),
         fmt::format("{} deviates by {:.4g} {} from the prediction of the other readings ({:.1f} standard deviations)",
                     channel_words(outlier.channel), outlier.deviation, outlier.channel % 6 < 3 ? "N" : "N m",
                     outlier.studentised),
@@ -193,7 +192,7 @@ foundation::Expected<StiffnessFit> identified_stiffness(const std::vector<LoadCa
   fill_matrix(rig, fitted, arm, options, result);
   fill_readings(rig, fitted, typical_motion(cases), result);
   for (const Contradiction& one : contradictions(rig.regression, options.outlier_risk)) {
-    const auto [k, c] = rig.reading[to_size(one.reading)];
+    const auto [k, c] = rig.reading[one.reading];
     result.outliers.push_back({k, c, one.deviation, one.studentised, one.limit});
   }
   const Vector12 diagonal = result.stiffness.diagonal();

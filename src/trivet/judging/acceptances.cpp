@@ -21,8 +21,8 @@ std::string header(const std::string& table) {
   const std::size_t dot = table.find('.');
   if (dot == std::string::npos) return "in [" + table + "]";
   const std::string name = table.substr(dot + 1);
-  const bool bare = std::all_of(name.begin(), name.end(),
-                                [](unsigned char c) { return (c < 128 && std::isalnum(c)) || c == '_' || c == '-'; });
+  const bool bare =
+      std::ranges::all_of(name, [](unsigned char c) { return (c < 128 && std::isalnum(c)) || c == '_' || c == '-'; });
   return "in [" + table.substr(0, dot + 1) + (bare ? name : "\"" + name + "\"") + "]";
 }
 
@@ -40,7 +40,7 @@ void read_table(const project::Node& table, const std::string& path, std::vector
   for (std::size_t i = 0; i < accept->keys.size(); ++i) {
     const std::string& kind = accept->keys[i];
     const project::Node& reason = accept->items[i];
-    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    if (std::ranges::find(kinds, kind) == kinds.end()) {
       const std::string guess = foundation::nearest_name(kind, kinds);
       problems
           .error(subject, foundation::quoted(kind), "there is no suspicion of this kind",
@@ -85,8 +85,8 @@ foundation::Problems AcceptanceBook::warnings(const std::vector<plausibility::Su
   foundation::Problems result;
   for (const plausibility::Suspicion& s : suspicions) {
     const std::string table = plausibility::table_of(s.subject);
-    const auto accepted = std::find_if(acceptances.begin(), acceptances.end(),
-                                       [&](const Acceptance& a) { return a.table == table && a.kind == s.kind; });
+    const auto accepted =
+        std::ranges::find_if(acceptances, [&](const Acceptance& a) { return a.table == table && a.kind == s.kind; });
     if (accepted != acceptances.end()) {
       needed_.insert(key(*accepted));
       continue;

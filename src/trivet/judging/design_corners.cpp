@@ -30,7 +30,7 @@ std::optional<foundation::Problem> first_new_error(project::Node model, const st
   for (const project::Node& change : changes) project::apply_changes(model, change, "", found);
   found.add(read(model));
   for (const foundation::Problem& problem : found.list()) {
-    const bool old = std::any_of(known.list().begin(), known.list().end(), [&](const foundation::Problem& p) {
+    const bool old = std::ranges::any_of(known.list(), [&](const foundation::Problem& p) {
       return p.subject == problem.subject && p.rule == problem.rule;
     });
     if (problem.severity == foundation::Severity::error && !old) return problem;
@@ -39,8 +39,8 @@ std::optional<foundation::Problem> first_new_error(project::Node model, const st
 }
 
 bool has_problem_at(const foundation::Problems& problems, const std::string& path) {
-  return std::any_of(problems.list().begin(), problems.list().end(),
-                     [&](const foundation::Problem& p) { return p.subject.starts_with(path); });
+  return std::ranges::any_of(problems.list(),
+                             [&](const foundation::Problem& p) { return p.subject.starts_with(path); });
 }
 
 /// Reports an axis if the model rejects each of these designs; the first reason is the finding.
@@ -104,9 +104,8 @@ void refuse_derived_numbers(const project::Node& document, const std::vector<pro
       const auto source = number_of_type(document, project::path_keys(place.path));
       if (!source) continue;
       for (const project::DesignAxis& other : parameters) {
-        const auto same =
-            std::find_if(other.places.begin(), other.places.end(),
-                         [&](const project::ParameterPlace& one) { return project::path_keys(one.path) == *source; });
+        const auto same = std::ranges::find_if(
+            other.places, [&](const project::ParameterPlace& one) { return project::path_keys(one.path) == *source; });
         if (same == other.places.end()) continue;
         const std::string subject = "parameters." + parameter.name + ".path";
         problems
@@ -127,8 +126,8 @@ void check_parameters(const project::Node& document, const std::vector<project::
   for (const project::DesignAxis& axis : parameters) {
     const std::string subject = "parameters." + axis.name;
     const bool has_paths = !axis.places.empty() &&
-        std::none_of(axis.places.begin(), axis.places.end(),
-                     [](const project::ParameterPlace& place) { return project::path_keys(place.path).empty(); });
+        std::ranges::none_of(
+            axis.places, [](const project::ParameterPlace& place) { return project::path_keys(place.path).empty(); });
     if (!has_paths || has_problem_at(problems, subject)) continue;
     std::vector<std::vector<project::Node>> designs;
     for (int i = 0; i <= tried; ++i) designs.push_back({changed(axis, axis.at(static_cast<double>(i) / tried))});

@@ -40,7 +40,7 @@ void judge(Case& variant, const Questions& questions, AcceptanceBook& book, foun
 void add_of_case(const foundation::Problems& found, const foundation::Problems& base, const std::string& name,
                  foundation::Problems& problems) {
   for (foundation::Problem problem : found.list()) {
-    const bool known = std::any_of(base.list().begin(), base.list().end(), [&](const foundation::Problem& p) {
+    const bool known = std::ranges::any_of(base.list(), [&](const foundation::Problem& p) {
       return p.subject == problem.subject && p.finding == problem.finding && p.rule == problem.rule;
     });
     if (known) continue;

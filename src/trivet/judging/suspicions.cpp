@@ -84,7 +84,7 @@ void add_limit(const std::string& table, const project::AmplitudeLimit& limit, p
 
 /// A range of two numbers of which one that is not 0 has no unit.
 bool is_bare_range(const project::Node& range) {
-  return range.items.size() == 2 && std::any_of(range.items.begin(), range.items.end(), [](const project::Node& end) {
+  return range.items.size() == 2 && std::ranges::any_of(range.items, [](const project::Node& end) {
            return end.kind != project::Node::Kind::text && end.number != 0;
          });
 }
@@ -144,8 +144,7 @@ void add_questions(const project::Case& variant, plausibility::Stated& stated) {
   for (const project::LimitLineRequest& request : asked.limit_lines)
     if (const assembly::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,
-                                        request.of, *std::max_element(line.limit.begin(), line.limit.end()),
-                                        line.unit == "m/s", true});
+                                        request.of, std::ranges::max(line.limit), line.unit == "m/s", true});
   add_windows_of_requirements(variant, stated);
   const project::Node* orders = find(variant.document, "analyses", "orders");
   const project::Node* speeds = orders ? orders->find("speed") : nullptr;
@@ -191,8 +190,8 @@ foundation::Problems doubts_about_band(const project::Case& variant, const assem
   const std::string table = "analyses.response";
   for (const plausibility::Suspicion& one :
        plausibility::suspicions_about(variant.system, {{table + ".band", band.from, band.to}})) {
-    const bool known = std::any_of(accepted.begin(), accepted.end(),
-                                   [&](const Acceptance& a) { return a.table == table && a.kind == one.kind; });
+    const bool known =
+        std::ranges::any_of(accepted, [&](const Acceptance& a) { return a.table == table && a.kind == one.kind; });
     if (!known)
       doubts.warning("--band", one.finding, fmt::format("suspicion \"{}\": {}", one.kind, one.rule), one.probable);
   }

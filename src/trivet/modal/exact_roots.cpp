@@ -14,8 +14,7 @@ using Complex = std::complex<double>;
 
 /// True if all elements have a dynamic stiffness at this frequency.
 bool is_defined(const assembly::Assembled& assembled, double omega) {
-  return omega > 0 &&
-      std::all_of(assembled.elements.begin(), assembled.elements.end(), [&](const assembly::ElementMap& map) {
+  return omega > 0 && std::ranges::all_of(assembled.elements, [&](const assembly::ElementMap& map) {
            return omega >= map.defined_from && omega <= map.defined_to;
          });
 }

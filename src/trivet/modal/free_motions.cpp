@@ -93,7 +93,7 @@ std::vector<std::string> free_motions(const model::System& system, const assembl
     std::string parts;
     std::size_t moving = 0;
     for (std::size_t b = 0; b < system.bodies().size(); ++b) {
-      const bool moves = std::any_of(rigid.begin(), rigid.end(), [&](const Mode* mode) {
+      const bool moves = std::ranges::any_of(rigid, [&](const Mode* mode) {
         return mode->principal_kinetic_energy_share.segment<6>(6 * to_index(b)).cwiseAbs().sum() > 1e-9;
       });
       if (moves && ++moving <= most_named) parts += (parts.empty() ? "" : ", ") + system.bodies()[b].name;

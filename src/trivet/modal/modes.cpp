@@ -30,12 +30,12 @@ void describe_bodies(const model::System& system, const assembly::Assembled& ass
   mode.principal_kinetic_energy_share.resize(6 * count);
   double energy = 0;
   for (Eigen::Index b = 0; b < count; ++b) {
-    const model::Body& body = system.bodies()[to_size(b)];
+    const model::Body& body = system.bodies()[b];
     const Vector6 at_pole = assembled.layout.of_body(to_size(b), phi);
     const Vector6 at_centre = spatial::rigid_motion(body.mass.centre) * at_pole;
     mode.shape.segment<6>(6 * b) = at_pole;
     mode.shape_at_centre.segment<6>(6 * b) = at_centre;
-    const spatial::PrincipalInertia& principal = principal_inertia[to_size(b)];
+    const spatial::PrincipalInertia& principal = principal_inertia[b];
     Vector6 share;
     share << body.mass.mass * (principal.axes.transpose() * at_centre.head<3>()).array().square(),
         principal.moments.array() * (principal.axes.transpose() * at_centre.tail<3>()).array().square();
@@ -98,8 +98,7 @@ void mark_repeated(std::vector<Mode>& list) {
 }
 
 void warn(const numerics::GeneralizedModes& raw, Modes& result) {
-  const auto growing =
-      std::count_if(result.list.begin(), result.list.end(), [](const Mode& m) { return m.eigenvalue_squared < 0; });
+  const auto growing = std::ranges::count_if(result.list, [](const Mode& m) { return m.eigenvalue_squared < 0; });
   if (growing > 0)
     result.warnings.warning(
         "modes", fmt::format("{} of the ω² values {} negative", growing, growing == 1 ? "is" : "are"),
@@ -125,7 +124,7 @@ Modes described(const model::System& system, const assembly::Assembled& assemble
                 const numerics::GeneralizedModes& raw, const Eigen::MatrixXd& shapes) {
   const Eigen::MatrixXd momentum = assembled.matrices.A * shapes, strain = strain_energies(assembled, shapes);
   assert(shapes.rows() == assembled.layout.size() && shapes.cols() == raw.lambda.size());
-  assert(std::is_sorted(raw.lambda.begin(), raw.lambda.end()) && "modes are numbered by ascending ω²");
+  assert(std::ranges::is_sorted(raw.lambda) && "modes are numbered by ascending ω²");
   std::vector<spatial::PrincipalInertia> principal;
   for (const model::Body& body : system.bodies()) principal.push_back(spatial::principal_inertia(body.mass));
   Modes result;
@@ -184,14 +183,14 @@ std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n
 Eigen::VectorXcd modal_forces(const Modes& modes, const Eigen::VectorXcd& forces) {
   Eigen::VectorXcd result(to_index(modes.list.size()));
   for (Eigen::Index m = 0; m < result.size(); ++m) {
-    const Eigen::VectorXd& phi = modes.list[to_size(m)].coordinates;
+    const Eigen::VectorXd& phi = modes.list[m].coordinates;
     result(m) = {phi.dot(forces.real()), phi.dot(forces.imag())};
   }
   return result;
 }
 
 bool has_rigid_motion(const Modes& modes) {
-  return std::any_of(modes.list.begin(), modes.list.end(), [](const Mode& m) { return m.eigenvalue_squared == 0; });
+  return std::ranges::any_of(modes.list, [](const Mode& m) { return m.eigenvalue_squared == 0; });
 }
 
 }  // namespace trivet::modal

@@ -42,7 +42,7 @@ std::string motion_of_nodes(const model::System& system, const Mode& mode) {
   if (!(std::accumulate(shares.begin(), shares.end(), 0.0) > inside_elements)) return "";
   constexpr double much = 0.5;  // of the largest share
   constexpr int most_names = 4;
-  const double largest = *std::max_element(shares.begin(), shares.end());
+  const double largest = std::ranges::max(shares);
   std::string names;
   int moving = 0;
   for (std::size_t b = 0; b < shares.size(); ++b)
@@ -85,8 +85,7 @@ std::string mode_name(const model::System& system, const Mode& mode) {
     return "surging inside " + names;
   }
   if (const std::string frame = motion_of_nodes(system, mode); !frame.empty()) return frame;
-  const auto bodies = std::count_if(system.bodies().begin(), system.bodies().end(),
-                                    [](const model::Body& body) { return !body.is_node; });
+  const auto bodies = std::ranges::count_if(system.bodies(), [](const model::Body& body) { return !body.is_node; });
   Eigen::Index leader = 0;
   double best = -1;
   for (Eigen::Index b = 0; b < bodies; ++b) {
@@ -96,11 +95,11 @@ std::string mode_name(const model::System& system, const Mode& mode) {
       leader = b;
     }
   }
-  const model::Body& body = system.bodies()[to_size(leader)];
+  const model::Body& body = system.bodies()[leader];
   const Eigen::VectorXd share = mode.principal_kinetic_energy_share.segment<6>(6 * leader);
-  const spatial::Screw& screw = mode.screws[to_size(leader)];
+  const spatial::Screw& screw = mode.screws[leader];
   const double translation = share.head<3>().sum() / share.sum();
-  const bool guided = std::find(body.free.begin(), body.free.end(), false) != body.free.end();
+  const bool guided = std::ranges::find(body.free, false) != body.free.end();
   std::string words;
   if (guided) {
     words = guided_name(mode.kinetic_energy_share.segment<6>(6 * leader), mode.shape.segment<6>(6 * leader));

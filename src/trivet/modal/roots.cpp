@@ -61,7 +61,7 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
     if (std::abs(start) <= at_rest) continue;  // a rigid-body mode
     if (std::abs(start.imag()) <= critical_split * std::abs(start) && lossy) continue;
     if (std::abs(start.imag()) <= critical_split * std::abs(start)) {
-      inexact[to_size(k)] = true;
+      inexact[k] = true;
       ++left;
       continue;
     }
@@ -77,7 +77,7 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
           (std::abs(starts(j) - start) > distinct * std::abs(start) &&
            std::abs(roots.lambda(j) - (lower ? std::conj(root.eigenvalue) : root.eigenvalue)) < same * std::abs(start));
     const bool kept = root.converged && !lost;
-    inexact[to_size(k)] = !kept;
+    inexact[k] = !kept;
     ++(kept ? settled : left);
     if (!kept) continue;
     roots.lambda(k) = lower ? std::conj(root.eigenvalue) : root.eigenvalue;
@@ -108,7 +108,7 @@ std::optional<int> mode_like(const Modes& modes, const Eigen::VectorXd& parts, d
   if (modes.list.empty() || !(parts.sum() > round_off * all)) return std::nullopt;
   assert(parts.size() == to_index(modes.list.size()) && "one contribution of each mode");
   Eigen::Index largest = 0;
-  if (parts.maxCoeff(&largest) > 0.5 * parts.sum()) return modes.list[to_size(largest)].number;
+  if (parts.maxCoeff(&largest) > 0.5 * parts.sum()) return modes.list[largest].number;
   return nearest_mode(modes, size, massive);
 }
 
@@ -144,7 +144,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
     Root root = classified(raw.lambda(k), scale, all.at_rest);
     // With a loss factor only the half plane of ω > 0 has a meaning.
     if (m.lossy() && root.kind != RootKind::rigid && !(raw.lambda(k).imag() > 0)) continue;
-    root.exact = !inexact[to_size(k)];
+    root.exact = !inexact[k];
     root.shape.resize(6 * to_index(system.bodies().size()));
     for (std::size_t b = 0; b < system.bodies().size(); ++b)
       root.shape.segment<6>(6 * to_index(b)) = assembled.layout.of_body(b, raw.vectors.col(k));
@@ -152,12 +152,11 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
                                   std::abs(raw.lambda(k)), massive);
     result.list.push_back(std::move(root));
   }
-  std::stable_sort(result.list.begin(), result.list.end(), [](const Root& a, const Root& b) {
+  std::ranges::stable_sort(result.list, [](const Root& a, const Root& b) {
     return std::make_pair(sort_key(a.eigenvalue), a.eigenvalue.imag()) <
         std::make_pair(sort_key(b.eigenvalue), b.eigenvalue.imag());
   });
-  const auto growing =
-      std::count_if(result.list.begin(), result.list.end(), [](const Root& r) { return r.kind == RootKind::growing; });
+  const auto growing = std::ranges::count(result.list, RootKind::growing, &Root::kind);
   if (growing > 0)
     result.warnings.warning(
         "roots", fmt::format("{} root{} with Re λ > 0", growing, growing == 1 ? "" : "s"),
@@ -171,7 +170,7 @@ bool cannot_grow(const assembly::Assembled& assembled, const Modes& modes) {
   if (assembled.frequency_dependent()) return false;  // the matrices are those of the nearest linear system
   const bool stable_modes = m.symmetric && modes.route == numerics::ModeRoute::definite_mass &&
       (modes.lowest_only || to_index(modes.list.size()) == m.size()) &&
-      std::all_of(modes.list.begin(), modes.list.end(), [](const Mode& mode) { return mode.eigenvalue_squared >= 0; });
+      std::ranges::all_of(modes.list, [](const Mode& mode) { return mode.eigenvalue_squared >= 0; });
   return stable_modes && numerics::is_positive_semidefinite(m.B) &&
       (!m.lossy() || numerics::is_positive_semidefinite(m.K_loss));
 }

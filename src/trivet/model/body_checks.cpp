@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
 #include "trivet/model/point_mass.h"
 #include "trivet/numerics/linalg/complete_pivoting.h"
@@ -17,7 +16,7 @@ bool has_regular_mass(const Body& body) {
   const spatial::Matrix6 a = spatial::mass_matrix(body.mass);
   std::vector<int> rows;
   for (int j = 0; j < 6; ++j)
-    if (body.free[to_size(j)]) rows.push_back(j);
+    if (body.free[j]) rows.push_back(j);
   if (rows.empty()) return true;  // no free coordinate: reported separately
   Eigen::MatrixXd block = a(rows, rows);
   for (Eigen::Index i = 0; i < block.rows(); ++i)
@@ -31,8 +30,8 @@ bool has_regular_mass(const Body& body) {
 
 void check_body(const Body& body, foundation::Problems& problems) {
   const std::string subject = path_of(body);
-  const bool may_move = std::any_of(body.free.begin(), body.free.end(), [](bool f) { return f; }) ||
-      std::any_of(body.left_out.begin(), body.left_out.end(), [](bool left) { return left; });
+  const bool may_move = std::ranges::any_of(body.free, [](bool f) { return f; }) ||
+      std::ranges::any_of(body.left_out, [](bool left) { return left; });
   if (!may_move)
     problems.error(subject + ".free", "no free coordinate",
                    body.is_node ? "a node must be able to move" : "a body must be able to move",

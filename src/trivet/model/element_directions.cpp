@@ -32,8 +32,7 @@ elements::Matrix12 between_ends(const ElementDirections& directions, const spati
 std::string direction_words(const Element& element, int direction) {
   static constexpr std::array<const char*, 5> along_z = {"coil_spring", "rubber_disc", "rubber_bush", "beam", "damper"};
   const char axis = "xyz"[direction % 3];
-  const bool has_axis =
-      std::any_of(along_z.begin(), along_z.end(), [&](const char* type) { return element.type == type; });
+  const bool has_axis = std::ranges::any_of(along_z, [&](const char* type) { return element.type == type; });
   if (!has_axis) return fmt::format("stiffness {} {}", direction < 3 ? "along" : "about", axis);
   if (direction == 2) return "axial stiffness";
   if (direction == 5) return "torsional stiffness";

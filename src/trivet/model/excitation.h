@@ -76,7 +76,7 @@ struct Excitation {
 
 /// True if the excitation is among those selected by name; an empty selection means all.
 [[nodiscard]] inline bool is_selected(const Excitation& excitation, const std::vector<std::string>& selected) {
-  return selected.empty() || std::find(selected.begin(), selected.end(), excitation.name) != selected.end();
+  return selected.empty() || std::ranges::find(selected, excitation.name) != selected.end();
 }
 
 }  // namespace trivet::model

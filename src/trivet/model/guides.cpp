@@ -18,7 +18,7 @@ std::string coordinates_left_behind(const Body& body, const Action::Amplitude& m
   std::string names;
   for (int j = 0; j < 6; ++j)
     if (body.is_constrained(to_size(j)) && std::abs(here(j)) > round_off * (j < 3 ? moving : turning))
-      names += (names.empty() ? "" : ", ") + std::string(coordinate_names[to_size(j)]);
+      names += (names.empty() ? "" : ", ") + std::string(coordinate_names[j]);
   return names;
 }
 

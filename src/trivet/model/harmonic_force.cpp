@@ -12,7 +12,7 @@ namespace trivet::model {
 
 HarmonicForce harmonic_force(const System& system, const std::string& excitation) {
   const auto& all = system.description().excitations;
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Excitation& e) { return e.name == excitation; });
+  const auto found = std::ranges::find(all, excitation, &Excitation::name);
   if (found == all.end() || !std::holds_alternative<Harmonic>(found->course))
     throw foundation::InvalidInput("transmissibility: \"" + excitation +
                                    "\" is not a harmonic excitation of this model");

@@ -90,7 +90,7 @@ std::vector<Coordinate> massless_coordinates(const Description& description) {
         massive(j) = massive(j) || acts(mass, first, motion.col(j), j >= 3, longest_lever(description, element));
     });
     for (int j = 0; j < 6; ++j)
-      if (body.free[to_size(j)] && !massive(j)) list.push_back({b, j});
+      if (body.free[j] && !massive(j)) list.push_back({b, j});
   }
   return list;
 }
@@ -109,18 +109,18 @@ HeldStiffness held_stiffness(const Description& description, const std::vector<C
     Eigen::MatrixXd ends(12, 0);
     for (Eigen::Index i = 0; i < n; ++i)
       for (const auto& [end, first] : {std::pair{&element.n, 0}, {&element.k, 6}})
-        if (end->body == list[to_size(i)].node) {
+        if (end->body == list[i].node) {
           rows.push_back(i);
           ends.conservativeResize(12, ends.cols() + 1);
           ends.rightCols<1>().setZero();
-          ends.rightCols<1>().segment<6>(first) = motion_of_end(*end).col(list[to_size(i)].direction);
+          ends.rightCols<1>().segment<6>(first) = motion_of_end(*end).col(list[i].direction);
         }
     if (rows.empty()) continue;
     const elements::Matrix12 stiffness = elements::stiffness(element.law);
     const Eigen::MatrixXd own = ends.transpose() * stiffness * ends;
     const double lever = longest_lever(description, element);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const bool rotation = list[to_size(rows[i])].direction >= 3;
+      const bool rotation = list[rows[i]].direction >= 3;
       result.negligible(rows[i]) += Size(stiffness).negligible(rotation, rotation, lever);
       for (std::size_t j = 0; j < rows.size(); ++j)
         result.K(rows[i], rows[j]) += 0.5 * (own(to_index(i), to_index(j)) + own(to_index(j), to_index(i)));
@@ -135,10 +135,10 @@ UnheldMotion described(const Description& description, const std::vector<Coordin
   Eigen::Index largest = 0;
   scaled.cwiseAbs().maxCoeff(&largest);
   UnheldMotion motion;
-  motion.node = list[to_size(largest)].node;
+  motion.node = list[largest].node;
   for (Eigen::Index i = 0; i < scaled.size(); ++i) {
     if (std::abs(scaled(i)) < too_small_to_name * std::abs(scaled(largest))) continue;
-    const Coordinate& one = list[to_size(i)];
+    const Coordinate& one = list[i];
     const std::string name = "\"" + description.bodies[one.node].name + "\"";
     if (one.node == motion.node) motion.directions(one.direction) = scaled(i) / std::sqrt(diagonal(i));
     else if (motion.with.find(name) == std::string::npos) motion.with += (motion.with.empty() ? "" : ", ") + name;
@@ -182,7 +182,7 @@ std::array<bool, 6> held_directions(const Description& description, std::size_t 
     const double lever = longest_lever(description, element);
     for (int j = 0; j < 6; ++j)
       for (const Eigen::MatrixXd* matrix : {&m.stiffness, &m.damping, &m.mass})
-        held[to_size(j)] = held[to_size(j)] || acts(*matrix, first, motion.col(j), j >= 3, lever);
+        held[j] = held[j] || acts(*matrix, first, motion.col(j), j >= 3, lever);
   });
   return held;
 }
@@ -190,9 +190,8 @@ std::array<bool, 6> held_directions(const Description& description, std::size_t 
 std::size_t coordinates_with_mass(const Description& description, std::size_t node) {
   const Body& body = description.bodies[node];
   const std::vector<Coordinate> massless = massless_coordinates(description);
-  const auto of_node =
-      std::count_if(massless.begin(), massless.end(), [&](const Coordinate& one) { return one.node == node; });
-  return to_size(std::count(body.free.begin(), body.free.end(), true) - of_node);
+  const auto of_node = std::ranges::count(massless, node, &Coordinate::node);
+  return to_size(std::ranges::count(body.free, true) - of_node);
 }
 
 std::vector<UnheldMotion> unheld_motions(const Description& description) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <set>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/model/checks.h"
 #include "trivet/model/system.h"
@@ -111,7 +110,7 @@ bool is_left_out(const std::vector<Body>& bodies, const Place& place, const Eige
   const Eigen::Vector3d along = body.pose.rotation.transpose() * axis;
   constexpr double nothing = 1e-12;  // rounding of the rotation
   for (int j = 0; j < 3; ++j)
-    if (body.left_out[to_size(rotation ? j + 3 : j)] && std::abs(along(j)) > nothing) return true;
+    if (body.left_out[rotation ? j + 3 : j] && std::abs(along(j)) > nothing) return true;
   return false;
 }
 

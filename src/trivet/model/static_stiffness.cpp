@@ -21,8 +21,8 @@ elements::Matrix12 deformation_projector(const Span& between) {
 
 bool has_static_stiffness(const System& system) {
   const std::vector<Element>& elements = system.elements();
-  return std::any_of(elements.begin(), elements.end(), [](const Element& one) { return one.stiffening != 1; }) &&
-      std::none_of(elements.begin(), elements.end(), has_laws);
+  return std::ranges::any_of(elements, [](const Element& one) { return one.stiffening != 1; }) &&
+      std::ranges::none_of(elements, has_laws);
 }
 
 System with_static_stiffness(const System& system) {

@@ -83,7 +83,7 @@ void check_damping(const Description& description, foundation::Problems& problem
     for (std::size_t b = 0; b < description.bodies.size(); ++b) {
       const Body& body = description.bodies[b];
       coordinates += turns_without_mass(body) ? coordinates_with_mass(description, b)
-                                              : to_size(std::count(body.free.begin(), body.free.end(), true));
+                                              : to_size(std::ranges::count(body.free, true));
     }
     for (const auto& element : description.elements)
       if (element.law.inertia) coordinates += to_size(element.law.inertia->angular_frequencies.size());
@@ -128,7 +128,7 @@ void check_random(const Description& description, foundation::Problems& problems
     if (const auto* random = std::get_if<Random>(&excitation.course))
       for (const Random::Partner& partner : random->partners) {
         const auto at = [&](const std::string& name) {
-          return to_size(std::find(names.begin(), names.end(), name) - names.begin());
+          return to_size(std::ranges::find(names, name) - names.begin());
         };
         if (at(partner.other) == names.size()) {
           const std::string guess = foundation::nearest_name(partner.other, names);
@@ -139,12 +139,11 @@ void check_random(const Description& description, foundation::Problems& problems
         } else {
           // Both excitations may state the coherence if they agree.
           const excitation::InputPair pair{at(partner.other), at(excitation.name), partner.coherence, 0};
-          const bool known_pair =
-              std::any_of(inputs.pairs.begin(), inputs.pairs.end(), [&](const excitation::InputPair& p) {
-                return p.first == pair.second && p.second == pair.first &&
-                    p.coherence.at_zero == pair.coherence.at_zero && p.coherence.decay == pair.coherence.decay &&
-                    p.coherence.distance == pair.coherence.distance && p.coherence.speed == pair.coherence.speed;
-              });
+          const bool known_pair = std::ranges::any_of(inputs.pairs, [&](const excitation::InputPair& p) {
+            return p.first == pair.second && p.second == pair.first && p.coherence.at_zero == pair.coherence.at_zero &&
+                p.coherence.decay == pair.coherence.decay && p.coherence.distance == pair.coherence.distance &&
+                p.coherence.speed == pair.coherence.speed;
+          });
           if (!known_pair) inputs.pairs.push_back(pair);
         }
       }
@@ -156,7 +155,7 @@ void check_fixed_directions(const Description& description, foundation::Problems
   for (const Element& element : description.elements)
     for (const End* end : {&element.n, &element.k}) {
       if (!end->foundation || end->foundation->fixed_directions.isZero(0)) continue;
-      const bool joined = std::any_of(description.elements.begin(), description.elements.end(), [&](const Element& e) {
+      const bool joined = std::ranges::any_of(description.elements, [&](const Element& e) {
         return joins_foundation_to_ground(e) && e.k.foundation->foundation == end->foundation->foundation;
       });
       if (!joined)
@@ -190,8 +189,8 @@ void set_linear_law_at(double deflection, Element& element) {
 }
 
 System System::in_other_state(Description description) const {
-  const bool has_nodes = std::any_of(description.bodies.begin(), description.bodies.end(),
-                                     [](const Body& body) { return turns_without_mass(body); });
+  const bool has_nodes =
+      std::ranges::any_of(description.bodies, [](const Body& body) { return turns_without_mass(body); });
   if (!has_nodes) {
     System system;
     system.description_ = std::move(description);

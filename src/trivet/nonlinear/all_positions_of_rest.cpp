@@ -20,7 +20,7 @@ std::vector<double> LoadPath::starts(Index j) const {
   assert(j >= 0 && j < linear_.size());
   constexpr double smallest = 1e-7, largest = 10, ratio = 1.1;  // [m, rad]
   const auto missing = [&](double x) {
-    return x + receptance_(j, j) * deflections_[to_size(j)].law.at_rest(x).force - linear_(j);
+    return x + receptance_(j, j) * deflections_[j].law.at_rest(x).force - linear_(j);
   };
   std::vector<double> grid = {0};
   for (double x = smallest; x < largest; x *= ratio) {
@@ -29,11 +29,11 @@ std::vector<double> LoadPath::starts(Index j) const {
   }
   std::vector<double> found = {linear_(j)};
   const auto rubs = [&](Index first) {
-    return first >= 0 && deflections_[to_size(first)].rubbing && !deflections_[to_size(first)].rubbing->law.is_ring();
+    return first >= 0 && deflections_[first].rubbing && !deflections_[first].rubbing->law.is_ring();
   };
   if (rubs(j) || rubs(j - 1)) return found;  // linear
   for (Index first = std::max<Index>(0, j - 2); first <= j; ++first)
-    if (const auto& distance = deflections_[to_size(first)].distance; distance && !distance->is_ring())
+    if (const auto& distance = deflections_[first].distance; distance && !distance->is_ring())
       found.push_back(distance->mirrored(j - first));
   for (std::size_t i = 0; i + 1 < grid.size(); ++i)
     if ((missing(grid[i]) < 0) != (missing(grid[i + 1]) < 0)) found.push_back((grid[i] + grid[i + 1]) / 2);
@@ -42,7 +42,7 @@ std::vector<double> LoadPath::starts(Index j) const {
 
 bool LoadPath::is_among(const VectorXd& one, const std::vector<VectorXd>& found) const {
   constexpr double same = 1e-6, round_off = 1e-12;
-  return std::any_of(found.begin(), found.end(), [&](const VectorXd& other) {
+  return std::ranges::any_of(found, [&](const VectorXd& other) {
     return (other - one).norm() <= std::max(same * std::max(other.norm(), one.norm()), round_off * typical_.norm()) ||
         other == one;
   });
@@ -74,10 +74,10 @@ std::optional<std::vector<VectorXd>> LoadPath::scanned() const {
     places.push_back(-x);
   }
   for (Index j = 0; j < b.size(); ++j)
-    if (const auto& distance = deflections_[to_size(j)].distance; distance && !distance->is_ring())
+    if (const auto& distance = deflections_[j].distance; distance && !distance->is_ring())
       for (Index a = 0; a < 3; ++a)
         if (b(j + a) != 0) places.push_back(distance->mirrored(a) / b(j + a));
-  std::sort(places.begin(), places.end());
+  std::ranges::sort(places);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const double low = places[i], high = places[i + 1], at_low = slope(low), at_high = slope(high);
     if (low == high) continue;
@@ -113,7 +113,7 @@ void LoadPath::add_from_grid(std::vector<VectorXd>& found) const {
   VectorXd extent = typical_.cwiseAbs();
   for (const VectorXd& one : found) extent = extent.cwiseMax(one.cwiseAbs());
   for (Index j = 0; j < extent.size(); ++j)
-    if (const auto& distance = deflections_[to_size(j)].distance; distance && !distance->is_ring())
+    if (const auto& distance = deflections_[j].distance; distance && !distance->is_ring())
       for (Index a = 0; a < 3; ++a) extent(j + a) = std::max(extent(j + a), std::abs(distance->mirrored(a)));
   const VectorXd farthest = farther * along.cwiseAbs().transpose() * extent;
   for (Index i = 0; i < (rank == 2 ? places * places : places * places * places); ++i) {
@@ -141,7 +141,7 @@ std::vector<VectorXd> LoadPath::all() const {
   if (!(across_.norm() > 0)) return {VectorXd::Zero(linear_.size())};  // no nonlinear part can move
   std::vector<VectorXd> found;
   const auto in_order = [](std::vector<VectorXd> states) {
-    std::sort(states.begin(), states.end(), [](const VectorXd& a, const VectorXd& b) { return a(0) < b(0); });
+    std::ranges::sort(states, [](const VectorXd& a, const VectorXd& b) { return a(0) < b(0); });
     return states;
   };
   if (std::optional<std::vector<VectorXd>> of_one = scanned()) return in_order(std::move(*of_one));

@@ -112,7 +112,7 @@ numerics::RowMatrix answers_of_laws(const LawsAlong& motion, const DeflectionAns
   // size, and its error is not that of stiff bristles alone.
   VectorXd scale = VectorXd::Ones(bristles);
   for (Index b = 0; b < bristles; ++b) {
-    const LawsAlong::Bristles& one = motion.bristles[to_size(b)];
+    const LawsAlong::Bristles& one = motion.bristles[b];
     if (const double squared = one.loop->law().stiffness * std::abs(accelerations(one.deflection)); squared > 0)
       scale(b) = std::sqrt(squared);
   }
@@ -130,23 +130,23 @@ numerics::RowMatrix answers_of_laws(const LawsAlong& motion, const DeflectionAns
       if (damped) forces.block<3, 3>(first, m + first) += tangent.distances[d].by_rate;
     }
     for (Index h = 0; h < loops; ++h) {
-      const Index j = motion.loops[to_size(h)].deflection;
+      const Index j = motion.loops[h].deflection;
       forces(j, j) += tangent.by_travel(h);
       forces(j, first_memory + 2 * h) = -tangent.by_travel(h);
       forces(j, first_memory + 2 * h + 1) = tangent.by_start(h);
     }
     std::vector<BristleKick> of_bristles;
     for (Index b = 0; b < bristles; ++b) {
-      const Index j = motion.bristles[to_size(b)].deflection;
-      of_bristles.emplace_back(tangent.bristles[to_size(b)], step);
+      const Index j = motion.bristles[b].deflection;
+      of_bristles.emplace_back(tangent.bristles[b], step);
       forces(j, m + j) += of_bristles.back().by_rate;
       forces(j, first_carried + b) = of_bristles.back().by_start / scale(b);
     }
     sources.setZero();
     std::vector<Fading> of_rubbings;
     for (Index r = 0; r < rubbings; ++r) {
-      const LawsAlong::Rubbing& one = motion.rubbings[to_size(r)];
-      const TangentsAlong::Rubbing& there = tangent.rubbings[to_size(r)];
+      const LawsAlong::Rubbing& one = motion.rubbings[r];
+      const TangentsAlong::Rubbing& there = tangent.rubbings[r];
       of_rubbings.emplace_back(there.moment.fading * motion.omega, step);
       for (std::size_t a = 0; a < 3; ++a)
         for (std::size_t b = 0; b < 3; ++b) {
@@ -180,15 +180,15 @@ numerics::RowMatrix answers_of_laws(const LawsAlong& motion, const DeflectionAns
     const Index first = i * (m + carried);
     all.middleRows(first, m) = step * forces;
     for (Index b = 0; b < bristles; ++b) {
-      const Index j = motion.bristles[to_size(b)].deflection;
+      const Index j = motion.bristles[b].deflection;
       auto change = all.row(first + m + b);
-      const double grown = scale(b) * of_bristles[to_size(b)].grown;
+      const double grown = scale(b) * of_bristles[b].grown;
       change = grown * step / 2 * rates_by_force.row(j) * forces;
       change(m + j) += grown;
-      change(first_carried + b) -= of_bristles[to_size(b)].lost;
+      change(first_carried + b) -= of_bristles[b].lost;
     }
     for (Index r = 0; r < rubbings; ++r) {
-      const Fading& fading = of_rubbings[to_size(r)];
+      const Fading& fading = of_rubbings[r];
       auto change = all.row(first + m + bristles + r);
       change = sources.row(r) + sources.row(r).segment(m, m) * (step / 2 * rates_by_force * forces);
       change *= fading.mean * step / units(r);

@@ -69,8 +69,8 @@ std::vector<std::string> with_friction(const model::System& system, const assemb
   std::vector<std::string> names;
   for (const Deflection& one : deflections)
     if (!one.law.bristles().empty() || (one.rubbing && one.rubbing->law.is_pressed_at_rest()) ||
-        std::any_of(one.law.hysteretic().begin(), one.law.hysteretic().end(),
-                    [](const LawAbout::Hysteretic& part) { return !elements::jumps_at_turns(part.law); }))
+        std::ranges::any_of(one.law.hysteretic(),
+                            [](const LawAbout::Hysteretic& part) { return !elements::jumps_at_turns(part.law); }))
       names.push_back(one.name);
   return names;
 }
@@ -94,8 +94,8 @@ class FreeCourse {
       throw foundation::NotComputable(
           fmt::format("backbone: mode {} does not exist; {} modes have a frequency above 0, at rest or in motion",
                       options.mode + 1, modes.size()));
-    omega_ = modes[to_size(options.mode)].angular_frequency;
-    shape_ = std::move(modes[to_size(options.mode)].shape);
+    omega_ = modes[options.mode].angular_frequency;
+    shape_ = std::move(modes[options.mode].shape);
   }
 
   Backbone follow(const foundation::Progress& progress) {
@@ -280,8 +280,8 @@ class FreeCourse {
   /// that it has no potential: the largest kinetic energy over a period.
   [[nodiscard]] double energy(const BranchPoint& point) const {
     const MatrixXd motion = motion_.motion(point.unknowns);
-    const bool has_potential = std::all_of(deflections_.begin(), deflections_.end(),
-                                           [](const Deflection& one) { return one.law.of_amplitude().empty(); });
+    const bool has_potential =
+        std::ranges::all_of(deflections_, [](const Deflection& one) { return one.law.of_amplitude().empty(); });
     if (!options_.damped && has_potential) {
       return potential((numerics::fourier_row(options_.harmonics, 0) * motion).transpose());
     }
@@ -302,7 +302,7 @@ class FreeCourse {
     double sum = q.dot(assembled_.matrices.K * q) / 2;
     const VectorXd deviations = motion_.across().transpose() * q;
     for (Index j = 0; j < deviations.size(); ++j) {
-      const Deflection& deflection = deflections_[to_size(j)];
+      const Deflection& deflection = deflections_[j];
       sum += deflection.law.energy(deviations(j));
       if (deflection.distance) sum += deflection.distance->energy(deviations.segment<3>(j));
     }
@@ -322,7 +322,7 @@ class FreeCourse {
       for (Index j = 0; j < course.cols(); ++j) {
         const double deviation = std::abs(row.dot(course.col(j)));
         found.deflection = std::max(found.deflection, deviation);
-        found.share = std::max(found.share, deviation / end_of(deflections_[to_size(j)]));
+        found.share = std::max(found.share, deviation / end_of(deflections_[j]));
       }
     }
     return found;

@@ -37,7 +37,7 @@ std::optional<SteadyEquations::Place> crossing_near(const StabilityChange& chang
   std::map<std::ptrdiff_t, double> known;  // of points
   const auto at_point = [&](std::ptrdiff_t point) {
     const auto [place, is_new] = known.try_emplace(point);
-    if (is_new) place->second = singular(connected.motions().points()[to_size(point)]);
+    if (is_new) place->second = singular(connected.motions().points()[point]);
     return place->second;
   };
   // Exactly there, Newton's method along the path has no unique step: as near as it converges.
@@ -59,7 +59,7 @@ bool lies_on(const SteadyPath& path, const SteadyPath& other) {
   constexpr double same = 1e-3;  // of the motion
   const numerics::BranchPoint& middle = path.motions().points()[path.motions().points().size() / 2];
   const std::vector<numerics::BranchPoint> there = other.motions().all_at(middle.parameter);
-  return std::any_of(there.begin(), there.end(), [&](const numerics::BranchPoint& one) {
+  return std::ranges::any_of(there, [&](const numerics::BranchPoint& one) {
     return one.unknowns.size() == middle.unknowns.size() &&
         path.balance().are_same(one.unknowns, middle.unknowns, same);
   });
@@ -90,7 +90,7 @@ BranchedPaths branched_paths(const std::vector<StabilityChange>& changes, const 
   };
   BranchedPaths found;
   for (const int periods : {1, 2}) {
-    const bool any = std::any_of(changes.begin(), changes.end(), [&](const StabilityChange& change) {
+    const bool any = std::ranges::any_of(changes, [&](const StabilityChange& change) {
       return change.kind != StabilityChange::Kind::quasi_periodic && periods_of(change) == periods;
     });
     if (!any) continue;

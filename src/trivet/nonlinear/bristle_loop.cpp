@@ -107,7 +107,7 @@ bool BristleLoop::is_above_round_off(const std::vector<double>& turns) const {
   constexpr double least = 1e-9;  // of the travel over which they forget
   std::vector<double> places;
   for (const double turn : turns) places.push_back(numerics::motion_at((slope_.size() - 1) / 2, turn, deflection_));
-  const auto [low, high] = std::minmax_element(places.begin(), places.end());
+  const auto [low, high] = std::ranges::minmax_element(places);
   return *high - *low > least * part_.law.slip / part_.law.stiffness;
 }
 

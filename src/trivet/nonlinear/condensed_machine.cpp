@@ -26,11 +26,11 @@ std::vector<Deflection> over_ground_terms(std::vector<Deflection> deflections, c
     for (const numerics::LoadTerm& term : loading.motion.terms()) {
       VectorXcd moved(to_index(given.size()));
       for (Index j = 0; j < moved.size(); ++j)
-        moved(j) = (given[to_size(j)].on_ground.transpose().cast<std::complex<double>>() * term.value)(0);
+        moved(j) = (given[j].on_ground.transpose().cast<std::complex<double>>() * term.value)(0);
       const double largest = moved.size() > 0 ? moved.cwiseAbs().maxCoeff() : 0;
       if (!(largest > 0)) continue;
       for (Index j = 0; j < moved.size(); ++j) {
-        Eigen::VectorXd& parts = deflections[to_size(j)].on_ground;
+        Eigen::VectorXd& parts = deflections[j].on_ground;
         parts.conservativeResize(parts.size() + 2);
         parts.tail<2>() << moved(j).real() / largest, moved(j).imag() / largest;
       }
@@ -53,8 +53,8 @@ CondensedMachine::CondensedMachine(const assembly::Assembled& assembled, const s
   std::vector<Deflection> independent;
   MatrixXd rows(assembled.matrices.size(), basis_.size());
   for (const Index j : basis_.independent) {
-    rows.col(to_index(independent.size())) = deflections[to_size(j)].on_coordinates;
-    independent.push_back(deflections[to_size(j)]);
+    rows.col(to_index(independent.size())) = deflections[j].on_coordinates;
+    independent.push_back(deflections[j]);
   }
   const numerics::PivotedLu<double> stiffness(assembled.matrices.K);
   machine_ = assembled.frequency_dependent() ? machine_over_frequency(assembled, independent, excitation.loadings)

@@ -36,13 +36,13 @@ Directions directions_of(const assembly::Assembled& assembled, const std::vector
                    VectorXd(to_index(deflections.size()))};
   std::array<double, 2> longest = {0, 0};  // translations, rotations
   for (Index j = 0; j < found.lengths.size(); ++j) {
-    const Deflection& one = deflections[to_size(j)];
+    const Deflection& one = deflections[j];
     found.columns.col(j) << scale.cwiseProduct(one.on_coordinates.head(coordinates)), one.on_ground.head(ground);
     found.lengths(j) = found.columns.col(j).norm();
     longest[one.is_rotation] = std::max(longest[one.is_rotation], found.lengths(j));
   }
   for (Index j = 0; j < found.lengths.size(); ++j) {
-    if (!(found.lengths(j) > round_off * longest[deflections[to_size(j)].is_rotation])) found.lengths(j) = 0;
+    if (!(found.lengths(j) > round_off * longest[deflections[j].is_rotation])) found.lengths(j) = 0;
     if (found.lengths(j) > 0) found.columns.col(j) /= found.lengths(j);
     else found.columns.col(j).setZero();
   }
@@ -52,7 +52,7 @@ Directions directions_of(const assembly::Assembled& assembled, const std::vector
 }  // namespace
 
 Index DeflectionBasis::place(Index deflection) const {
-  const auto found = std::lower_bound(independent.begin(), independent.end(), deflection);
+  const auto found = std::ranges::lower_bound(independent, deflection);
   assert(found != independent.end() && *found == deflection);
   return found - independent.begin();
 }
@@ -71,7 +71,7 @@ DeflectionBasis deflection_basis(const assembly::Assembled& assembled, const std
     Index next = 0;
     while (left(next) < as_long * longest) ++next;
     for (Index j = 0; pivots.empty() && j < left.size(); ++j)
-      if (deflections[to_size(j)].is_followed && left(j) > 0) next = j;
+      if (deflections[j].is_followed && left(j) > 0) next = j;
     VectorXd direction = rest.col(next);
     direction -= orthonormal * (orthonormal.transpose() * direction);  // once more, against round-off
     direction.normalize();
@@ -83,17 +83,17 @@ DeflectionBasis deflection_basis(const assembly::Assembled& assembled, const std
   }
   [[maybe_unused]] constexpr double of_second_projection = 1e-9;
   assert((orthonormal.transpose() * orthonormal).isIdentity(of_second_projection));
-  std::sort(pivots.begin(), pivots.end());
+  std::ranges::sort(pivots);
   DeflectionBasis found{pivots, MatrixXd::Zero(to_index(pivots.size()), columns.cols())};
-  assert(std::adjacent_find(pivots.begin(), pivots.end()) == pivots.end() && "a deflection is a pivot once");
+  assert(std::ranges::adjacent_find(pivots) == pivots.end() && "a deflection is a pivot once");
   if (pivots.empty()) return found;
   const MatrixXd along = orthonormal.transpose() * columns,
                  shares = numerics::PivotedLu<double>(MatrixXd(along(Eigen::all, pivots))).solve(along);
   for (Index j = 0; j < columns.cols(); ++j)
     for (Index b = 0; b < found.size(); ++b)
       if (lengths(j) > 0 && std::abs(shares(b, j)) > round_off)
-        found.spread(b, j) = shares(b, j) * lengths(j) / lengths(pivots[to_size(b)]);
-  for (Index b = 0; b < found.size(); ++b) found.spread.col(pivots[to_size(b)]) = VectorXd::Unit(found.size(), b);
+        found.spread(b, j) = shares(b, j) * lengths(j) / lengths(pivots[b]);
+  for (Index b = 0; b < found.size(); ++b) found.spread.col(pivots[b]) = VectorXd::Unit(found.size(), b);
   return found;
 }
 

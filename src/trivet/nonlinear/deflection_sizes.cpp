@@ -23,7 +23,7 @@ VectorXd DeflectionSizes::largest_of_kind(const VectorXd& of) const {
   std::array<double, 2> largest = {0, 0}, per_root_energy = {0, 0};
   assert(of.size() == to_index(is_rotation_.size()));
   for (Index j = 0; j < of.size(); ++j) {
-    const bool kind = is_rotation_[to_size(j)];
+    const bool kind = is_rotation_[j];
     largest[kind] = std::max(largest[kind], of(j));
     per_root_energy[kind] = std::max(per_root_energy[kind], per_root_energy_(j));
   }
@@ -33,7 +33,7 @@ VectorXd DeflectionSizes::largest_of_kind(const VectorXd& of) const {
     if (std::isfinite(as_other)) size[kind] = std::max(largest[kind], least * as_other);
   }
   VectorXd found(of.size());
-  for (Index j = 0; j < of.size(); ++j) found(j) = size[is_rotation_[to_size(j)]];
+  for (Index j = 0; j < of.size(); ++j) found(j) = size[is_rotation_[j]];
   return found;
 }
 

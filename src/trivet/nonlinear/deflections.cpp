@@ -89,8 +89,7 @@ RubbingAbout rubbing_about(const model::Element& element, const model::RubbingPa
 std::array<elements::Vector12, 2> rows_across(const model::NonlinearPart& along, const model::Span& span) {
   std::array<elements::Vector12, 2> rows;
   for (int i = 0; i < 2; ++i)
-    rows[to_size(i)] =
-        elements::deflection_row((along.axis + 1 + i) % 3, span.arm, span.n_from_k, along.centre).transpose();
+    rows[i] = elements::deflection_row((along.axis + 1 + i) % 3, span.arm, span.n_from_k, along.centre).transpose();
   return rows;
 }
 
@@ -182,8 +181,8 @@ model::System with_references(const model::System& system, const References& ref
 }
 
 std::string name_of(const model::Element& element, const model::NonlinearPart& part) {
-  if (part.is_inner()) return element.name + "." + element.law.inner->names[to_size(part.inner)];
-  return element.name + ".deflection." + model::coordinate_names[to_size(part.axis)];
+  if (part.is_inner()) return element.name + "." + element.law.inner->names[part.inner];
+  return element.name + ".deflection." + model::coordinate_names[part.axis];
 }
 
 namespace {
@@ -194,8 +193,8 @@ Deflection without_law(const std::string& name, bool is_rotation, const assembly
   Deflection deflection{name, is_rotation, Eigen::VectorXd::Zero(assembled.matrices.size()),
                         Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout({})};
   const Eigen::RowVectorXd on_free = row * map.ends, on_ground = row * map.ground_ends;
-  for (Eigen::Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[to_size(c)]) += on_free(c);
-  for (Eigen::Index c = 0; c < on_ground.size(); ++c) deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(c);
+  for (Eigen::Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[c]) += on_free(c);
+  for (Eigen::Index c = 0; c < on_ground.size(); ++c) deflection.on_ground(map.ground_rows[c]) += on_ground(c);
   return deflection;
 }
 
@@ -211,8 +210,8 @@ void add_distances(const model::System& system, const assembly::Assembled& assem
       for (Eigen::Index a = 0; a < 3; ++a) {
         Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(map.ends.rows());
         row.head<12>() = rows.row(a);
-        Deflection deflection = without_law(element.name + ".difference." + model::coordinate_names[to_size(a)], false,
-                                            assembled, map, row);
+        Deflection deflection =
+            without_law(element.name + ".difference." + model::coordinate_names[a], false, assembled, map, row);
         if (a == 0) deflection.distance.emplace(part.law, part.at_rest, references.distances[next++]);
         found.push_back(std::move(deflection));
       }
@@ -226,7 +225,7 @@ namespace {
 
 bool has_coulomb_friction(const model::NonlinearPart& part) {
   const std::vector<elements::HystereticForce> all = elements::only<elements::HystereticForce>(part.laws);
-  return std::any_of(all.begin(), all.end(), elements::jumps_at_turns);
+  return std::ranges::any_of(all, elements::jumps_at_turns);
 }
 
 }  // namespace
@@ -291,8 +290,8 @@ void add_rubbings(const model::System& system, const assembly::Assembled& assemb
         Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(map.ends.rows());
         row.head<12>() = rows[i].transpose();
         const int axis = (along.axis + 1 + static_cast<int>(i)) % 3;
-        found.push_back(without_law(element.name + ".deflection." + model::coordinate_names[to_size(axis)], false,
-                                    assembled, map, row));
+        found.push_back(
+            without_law(element.name + ".deflection." + model::coordinate_names[axis], false, assembled, map, row));
         if (i == 0) found.back().rubbing = Deflection::Rubbing{next + part.pressed_by, rubbing_about(element, part)};
       }
     }

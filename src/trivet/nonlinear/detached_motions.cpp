@@ -22,7 +22,7 @@ std::vector<double> sizes(const SteadyPath& path, const std::vector<Deflection>&
   std::vector<double> found;
   for (Index j = 0; j < to_index(deflections.size()); ++j) {
     double size = linear.col(j).norm();
-    for (const double kink : deflections[to_size(j)].law.kinks()) size = std::max(size, std::abs(kink));
+    for (const double kink : deflections[j].law.kinks()) size = std::max(size, std::abs(kink));
     found.push_back(size);
     largest = std::max(largest, size);
   }
@@ -95,13 +95,13 @@ DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<cons
       std::vector<BranchPoint> there = path.motions().all_at(motion.parameter);
       if (path.motions().points().size() < followed && path.motions().points().front().parameter == motion.parameter)
         there = path.motions().points();
-      return std::any_of(there.begin(), there.end(), [&](const BranchPoint& other) {
+      return std::ranges::any_of(there, [&](const BranchPoint& other) {
         return path.balance().are_same(other.unknowns, motion.unknowns, same) ||
             path.balance().are_same(other.unknowns, image, same);
       });
     };
-    return std::any_of(known.begin(), known.end(), [&](const SteadyPath* path) { return lies_on(*path); }) ||
-        std::any_of(found.paths.begin(), found.paths.end(), [&](const auto& path) { return lies_on(*path); });
+    return std::ranges::any_of(known, [&](const SteadyPath* path) { return lies_on(*path); }) ||
+        std::ranges::any_of(found.paths, [&](const auto& path) { return lies_on(*path); });
   };
   const auto take = [&](const BranchPoint& motion) {
     if (is_known(motion)) return;

@@ -13,7 +13,7 @@ DistanceAbout::DistanceAbout(elements::DistanceForce law, const Vector3d& at_res
       at_rest_(at_rest),
       there_(elements::force_in_motion(law_, at_rest, Vector3d::Zero())),
       kinks_(elements::kink_distances(law_)),
-      has_dampers_(std::any_of(law_.laws.begin(), law_.laws.end(), [](const elements::ScalarLaw& one) {
+      has_dampers_(std::ranges::any_of(law_.laws, [](const elements::ScalarLaw& one) {
         const auto* elastic = std::get_if<elements::ElasticForce>(&one);
         return !elastic || elements::is_damped(*elastic);
       })) {}

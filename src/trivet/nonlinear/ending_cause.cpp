@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/foundation/index.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/level_crossings.h"
 
@@ -40,8 +39,7 @@ double share_of_slip(const RubbingLoop& loop) {
 
 std::string of_friction(const std::string& contact, const RubbingLoop& here, const RubbingLoop& beyond) {
   const auto& points = beyond.points();
-  if (std::any_of(points.begin(), points.end(),
-                  [](const RubbingLoop::Point& point) { return !point.force.allFinite(); }))
+  if (std::ranges::any_of(points, [](const RubbingLoop::Point& point) { return !point.force.allFinite(); }))
     return fmt::format("; the friction of {} finds no closed loop: it is too stiff for these motions", contact);
   constexpr double little = 0.1;
   const double slips = share_of_slip(here);
@@ -66,13 +64,13 @@ std::string of_loops(const std::string& name, const LawCourse& here, const LawCo
 std::string ending_cause(const std::vector<Deflection>& deflections, const MachineLaws& laws, const MatrixXd& motion,
                          const MatrixXd& beyond, double omega) {
   for (const MachineLaws::Rubbing& one : laws.rubbings()) {
-    const std::string& name = deflections[to_size(one.on[1])].name;
+    const std::string& name = deflections[one.on[1]].name;
     const std::string found =
         of_friction(name.substr(0, name.find('.')), laws.loop(one, motion, omega), laws.loop(one, beyond, omega));
     if (!found.empty()) return found;
   }
   for (Index j = 0; j < motion.cols(); ++j) {
-    const Deflection& deflection = deflections[to_size(j)];
+    const Deflection& deflection = deflections[j];
     if (std::string found = just_touched(deflection, motion.col(j)); !found.empty()) return found;
     if (deflection.law.hysteretic().empty()) continue;
     if (std::string found = of_loops(deflection.name, laws.course(j, motion, omega), laws.course(j, beyond, omega));

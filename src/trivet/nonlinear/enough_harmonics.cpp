@@ -18,12 +18,10 @@ bool has_gas(const model::System& system) {
     const auto* elastic = std::get_if<elements::ElasticForce>(&law);
     return elastic && std::holds_alternative<elements::GasForce>(*elastic);
   };
-  const auto any = [&](const auto& laws) { return std::any_of(laws.begin(), laws.end(), is_gas); };
-  return std::any_of(system.elements().begin(), system.elements().end(), [&](const model::Element& element) {
-    return std::any_of(element.nonlinear_parts.begin(), element.nonlinear_parts.end(),
-                       [&](const auto& part) { return any(part.laws); }) ||
-        std::any_of(element.distance_parts.begin(), element.distance_parts.end(),
-                    [&](const auto& part) { return any(part.law.laws); });
+  const auto any = [&](const auto& laws) { return std::ranges::any_of(laws, is_gas); };
+  return std::ranges::any_of(system.elements(), [&](const model::Element& element) {
+    return std::ranges::any_of(element.nonlinear_parts, [&](const auto& part) { return any(part.laws); }) ||
+        std::ranges::any_of(element.distance_parts, [&](const auto& part) { return any(part.law.laws); });
   });
 }
 
@@ -57,9 +55,8 @@ Eigen::Index harmonics_for(const SteadyPath& curve, double most_left_out, int pe
     return path.balance().left_out(point.unknowns, path.driving(point.parameter).omega);
   };
   const std::vector<numerics::BranchPoint>& points = curve.motions().points();
-  const auto worst = std::max_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
-    return left_out(curve, a) < left_out(curve, b);
-  });
+  const auto worst = std::ranges::max_element(
+      points, [&](const auto& a, const auto& b) { return left_out(curve, a) < left_out(curve, b); });
   const Eigen::Index deflections = curve.balance().size() / curve.balance().coefficients();
   Eigen::MatrixXd motion = worst->unknowns.reshaped(curve.balance().coefficients(), deflections);
   for (Eigen::Index harmonics = more_harmonics(curve.balance().harmonics() / periods);;

@@ -94,7 +94,7 @@ bool FollowedMotions::split_step(std::size_t after) {
   std::optional<BranchPoint> middle = branch_.after(points_[after], lengths_[after] / 2);
   if (!middle) return false;
   const auto place = static_cast<std::ptrdiff_t>(after) + 1;
-  const auto piece = std::find_if(pieces_.begin(), pieces_.end(), [&](const Piece& one) { return one.from == after; });
+  const auto piece = std::ranges::find(pieces_, after, &Piece::from);
   const double first = Branch::length(points_[after], *middle), second = Branch::length(*middle, points_[after + 1]);
   const Piece latter{after, 0, second, middle->parameter, piece->parameter_end};
   *piece = {after, 0, first, piece->parameter_begin, middle->parameter};

@@ -20,7 +20,7 @@ HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd&
                                const std::vector<double>& turns, double turning_slope)
     : part_(part), turning_slope_(turning_slope) {
   if (turns.empty()) return;
-  assert(std::is_sorted(turns.begin(), turns.end()) && turns.front() >= 0 && turns.back() <= two_pi);
+  assert(std::ranges::is_sorted(turns) && turns.front() >= 0 && turns.back() <= two_pi);
   const Index harmonics = (deflection.size() - 1) / 2;
   for (std::size_t i = 0; i < turns.size(); ++i)
     branches_.push_back({turns[i], i + 1 < turns.size() ? turns[i + 1] : turns.front() + two_pi,

@@ -27,15 +27,14 @@ struct KnownForces::Turn {
 
 std::string KnownForces::hint() const {
   const auto any = [&](const auto& is) {
-    return std::any_of(deflections_.begin(), deflections_.end(), [&](const Deflection& one) {
-      return std::any_of(one.law.hysteretic().begin(), one.law.hysteretic().end(),
-                         [&](const LawAbout::Hysteretic& part) { return is(part.law); });
+    return std::ranges::any_of(deflections_, [&](const Deflection& one) {
+      return std::ranges::any_of(one.law.hysteretic(), [&](const LawAbout::Hysteretic& part) { return is(part.law); });
     });
   };
   if (any(elements::jumps_at_turns)) return "; friction without a stiffness may rest there: give it one";
-  const bool weakens = std::any_of(deflections_.begin(), deflections_.end(), [](const Deflection& one) {
-    return std::any_of(one.law.bristles().begin(), one.law.bristles().end(),
-                       [](const LawAbout::Bristles& part) { return part.law.has_stribeck_effect(); });
+  const bool weakens = std::ranges::any_of(deflections_, [](const Deflection& one) {
+    return std::ranges::any_of(one.law.bristles(),
+                               [](const LawAbout::Bristles& part) { return part.law.has_stribeck_effect(); });
   });
   if (weakens || any([](const elements::HystereticForce& law) { return elements::jump_at_kink(law, 1) != 0; }))
     return "; friction that breaks away above its slip moves in bursts at low frequencies: begin higher";
@@ -124,15 +123,15 @@ std::string KnownForces::rests_at_turn(const std::vector<Turn>& turns, std::size
   Eigen::MatrixXd per_force(count, count);
   VectorXd acceleration(count);
   for (Index i = 0; i < count; ++i) {
-    acceleration(i) = here[to_size(i)]->acceleration;
+    acceleration(i) = here[i]->acceleration;
     for (Index k = 0; k < count; ++k)
-      per_force(i, k) = deflections_[here[to_size(i)]->deflection].accelerations.dot(
-          deflections_[here[to_size(k)]->deflection].on_coordinates);
+      per_force(i, k) =
+          deflections_[here[i]->deflection].accelerations.dot(deflections_[here[k]->deflection].on_coordinates);
   }
   per_force.diagonal() *= 1 + singular;
   const VectorXd holds = numerics::PivotedLu<double>(per_force).solve(acceleration);
   for (Index i = 0; i < count; ++i)
-    if (std::abs(holds(i)) > here[to_size(i)]->limit) return "";
+    if (std::abs(holds(i)) > here[i]->limit) return "";
   return fmt::format(
       "the friction of {} rests for a part of the period: {:.4g} {} would hold it where it turns, and it "
       "holds up to {:.4g}; give it a stiffness, with which it can stick",

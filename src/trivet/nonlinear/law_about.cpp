@@ -11,8 +11,8 @@ using Eigen::VectorXd;
 namespace {
 
 void make_ascending(std::vector<double>& numbers) {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  std::ranges::sort(numbers);
+  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
 }
 
 elements::ForcesInMotion none(Eigen::Index count) {
@@ -142,10 +142,9 @@ std::optional<int> LawAbout::degree() const {
 
 bool LawAbout::is_piecewise_linear() const {
   const auto straight = [](const auto& law) { return elements::is_piecewise_linear(law); };
-  return std::all_of(elastic_.begin(), elastic_.end(), straight) &&
-      std::all_of(dampers_.begin(), dampers_.end(), straight) &&
-      std::all_of(hysteretic_.begin(), hysteretic_.end(),
-                  [](const Hysteretic& part) { return elements::is_piecewise_linear(part.law); }) &&
+  return std::ranges::all_of(elastic_, straight) && std::ranges::all_of(dampers_, straight) &&
+      std::ranges::all_of(hysteretic_,
+                          [](const Hysteretic& part) { return elements::is_piecewise_linear(part.law); }) &&
       bristles_.empty();
 }
 

@@ -35,7 +35,7 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
   if (!law.rate_kinks().empty()) {
     const std::vector<double> of_rate = crossings(rate_, law.rate_kinks());
     corners_.insert(corners_.end(), of_rate.begin(), of_rate.end());
-    std::sort(corners_.begin(), corners_.end());
+    std::ranges::sort(corners_);
   }
   if (law.hysteretic().empty() && law.bristles().empty()) return;
   const auto turns = [&](double turning_slope) -> std::vector<double> {
@@ -54,7 +54,7 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
     if (found.size() % 2 == 1) found.pop_back();  // the first and the last are one turning point
     return found;
   };
-  assert(std::is_sorted(corners_.begin(), corners_.end()));
+  assert(std::ranges::is_sorted(corners_));
   const double turning_slope = this->turning_slope(harmonics);
   for (const LawAbout::Hysteretic& part : law.hysteretic()) {
     const double of_part = elements::jumps_at_turns(part.law) ? turning_slope : 0;

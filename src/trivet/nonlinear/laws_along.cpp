@@ -43,9 +43,8 @@ LawsAlong::LawsAlong(const MachineLaws& laws, const VectorXd& deflections, doubl
 }
 
 bool LawsAlong::is_damped() const {
-  return std::any_of(courses.begin(), courses.end(), [](const LawCourse& course) { return course.is_damped(); }) ||
-      std::any_of(distances.begin(), distances.end(),
-                  [](const Distance& one) { return one.law->law().has_dampers(); }) ||
+  return std::ranges::any_of(courses, [](const LawCourse& course) { return course.is_damped(); }) ||
+      std::ranges::any_of(distances, [](const Distance& one) { return one.law->law().has_dampers(); }) ||
       !rubbings.empty();
 }
 
@@ -87,7 +86,7 @@ MatrixXd TangentsAlong::forces(const LawsAlong& motion, const MatrixXd& values, 
   MatrixXd rows = MatrixXd::Zero(values.rows(), n + 2 * by_travel.size());
   rows.leftCols(n) = by_deflection.asDiagonal() * values + by_rate.asDiagonal() * rates;
   for (Index h = 0; h < by_travel.size(); ++h) {
-    const Index j = motion.loops[to_size(h)].deflection;
+    const Index j = motion.loops[h].deflection;
     rows.row(j).head(n) += by_travel(h) * values.row(j);
     rows(j, n + 2 * h) = -by_travel(h);
     rows(j, n + 2 * h + 1) = by_start(h);
@@ -127,11 +126,11 @@ void set_tangents(const LawsAlong& motion, double phase, TangentsAlong& found) {
   found.by_start.resize(loops);
   numerics::set_fourier_row(motion.harmonics, phase, found.row);
   for (Index j = 0; j < count; ++j) {
-    if (motion.courses[to_size(j)].has_no_law()) {  // a deflection of a distance
+    if (motion.courses[j].has_no_law()) {  // a deflection of a distance
       found.by_deflection(j) = found.by_rate(j) = 0;
       continue;
     }
-    const LawAbout::Force here = motion.courses[to_size(j)].at(found.row);
+    const LawAbout::Force here = motion.courses[j].at(found.row);
     found.by_deflection(j) = here.by_deviation;
     found.by_rate(j) = here.by_rate;
   }
@@ -139,7 +138,7 @@ void set_tangents(const LawsAlong& motion, double phase, TangentsAlong& found) {
   for (const LawsAlong::Distance& one : motion.distances)
     found.distances.push_back(one.law->at_row(one.course, motion.omega, found.row));
   const auto on_loop = [&](const LawsAlong::Loop& one) {
-    return one.loop->at(one.loop->branch_at(phase), motion.courses[to_size(one.deflection)].deflection_at(phase));
+    return one.loop->at(one.loop->branch_at(phase), motion.courses[one.deflection].deflection_at(phase));
   };
   for (const LawsAlong::Loop& one : motion.sticking) found.by_deflection(one.deflection) += on_loop(one).by_travel;
   found.bristles.clear();
@@ -152,7 +151,7 @@ void set_tangents(const LawsAlong& motion, double phase, TangentsAlong& found) {
     found.by_rate(one.deflection) += one.loop->law().damping + one.loop->law().viscous;
   }
   for (Index h = 0; h < loops; ++h) {
-    const elements::ForceOnTravel here = on_loop(motion.loops[to_size(h)]);
+    const elements::ForceOnTravel here = on_loop(motion.loops[h]);
     found.by_travel(h) = here.by_travel;
     found.by_start(h) = here.by_start;
   }

@@ -67,8 +67,8 @@ LoadPath::LoadPath(const model::System& undeformed) {
   across_.resize(stiffness_.rows(), count);
   references_ = VectorXd::Zero(count);  // distances are held by their tangents alone
   for (Index j = 0; j < count; ++j) {
-    across_.col(j) = deflections_[to_size(j)].on_coordinates;
-    if (to_size(j) < references.parts.size()) references_(j) = references.parts[to_size(j)].stiffness;
+    across_.col(j) = deflections_[j].on_coordinates;
+    if (to_size(j) < references.parts.size()) references_(j) = references.parts[j].stiffness;
   }
   load_ = assembly::static_load(linear, assembled);
   const numerics::PivotedLu<double> stiffness(stiffness_);
@@ -97,7 +97,7 @@ LoadPath::Forces LoadPath::forces(const VectorXd& deflections) const {
   assert(count == to_index(deflections_.size()));
   Forces found{VectorXd::Zero(count), MatrixXd::Zero(count, count)};
   for (Index j = 0; j < count; ++j) {
-    const Deflection& deflection = deflections_[to_size(j)];
+    const Deflection& deflection = deflections_[j];
     const elements::ForceAndTangent single = deflection.law.at_rest(deflections(j));
     found.force(j) += single.force;
     found.tangent(j, j) += single.tangent;
@@ -123,8 +123,7 @@ void LoadPath::evaluate(const VectorXd& deflections, const VectorXd& missing, nu
 }
 
 std::optional<VectorXd> LoadPath::only_one() const {
-  if (!std::all_of(deflections_.begin(), deflections_.end(),
-                   [](const Deflection& d) { return d.law.is_monotone() && !d.distance; }))
+  if (!std::ranges::all_of(deflections_, [](const Deflection& d) { return d.law.is_monotone() && !d.distance; }))
     return std::nullopt;
   if (std::optional<VectorXd> at_once = solved(linear_, 0)) return at_once;
   std::optional<Forced> found = Forced{linear_, VectorXd::Zero(linear_.size())};
@@ -315,7 +314,7 @@ bool LoadPath::are_known(const VectorXd& deflections) const {
     return value >= range.first && value <= range.second;
   };
   for (Index j = 0; j < deflections.size(); ++j) {
-    const Deflection& one = deflections_[to_size(j)];
+    const Deflection& one = deflections_[j];
     if (one.distance ? !is_within(one.distance->distance(deflections.segment<3>(j)), one.distance->range())
                      : !is_within(deflections(j), one.law.range()))
       return false;

@@ -42,7 +42,7 @@ VectorXd MachineLaws::round_off(const MatrixXd& course) const {
 }
 
 LawCourse MachineLaws::course(Index deflection, const MatrixXd& course, double omega) const {
-  return single_[to_size(deflection)].course(course.col(deflection), omega, round_off(course)(deflection));
+  return single_[deflection].course(course.col(deflection), omega, round_off(course)(deflection));
 }
 
 RubbingLoop MachineLaws::loop(const Rubbing& one, const MatrixXd& course, double omega, const Steps& steps) const {
@@ -53,14 +53,10 @@ RubbingLoop MachineLaws::loop(const Rubbing& one, const MatrixXd& course, double
   const double longest = foundation::two_pi / std::max(steps.fewest, per_wave * static_cast<double>(harmonics));
   const Index first = one.on[0];
   if (!one.law.is_ring())
-    return {one.law,
-            own_course(one, course),
-            single_[to_size(first)].course(course.col(first), omega).corners(),
-            omega,
-            longest,
-            steps.rough};
-  const auto ring = std::find_if(distances_.begin(), distances_.end(),
-                                 [&](const Distance& distance) { return distance.first == first; });
+    return {
+        one.law,    own_course(one, course), single_[first].course(course.col(first), omega).corners(), omega, longest,
+        steps.rough};
+  const auto ring = std::ranges::find(distances_, first, &Distance::first);
   return {one.law,    own_course(one, course), ring->law.corners(course.middleCols<3>(first)), omega, longest,
           steps.rough};
 }
@@ -92,8 +88,7 @@ MatrixXd MachineLaws::forces(const MatrixXd& course, double omega) const {
   MatrixXd all = MatrixXd::Zero(course.rows(), course.cols());
   const VectorXd rests_below = round_off(course);
   for (Index j = 0; j < course.cols(); ++j)
-    if (!single_[to_size(j)].law().is_empty())
-      all.col(j) = single_[to_size(j)].force_at(course.col(j), omega, rests_below(j));
+    if (!single_[j].law().is_empty()) all.col(j) = single_[j].force_at(course.col(j), omega, rests_below(j));
   for (const Distance& one : distances_)
     all.middleCols<3>(one.first) += one.law.force_at(course.middleCols<3>(one.first), omega);
   for (const Rubbing& one : rubbings_) all(Eigen::all, one.on) += friction(one, course, omega, false).force;
@@ -105,8 +100,8 @@ CoupledForces MachineLaws::at(const MatrixXd& course, double omega) const {
   CoupledForces all{MatrixXd::Zero(course.rows(), course.cols()), MatrixXd::Zero(course.rows(), course.cols()), {}};
   const VectorXd rests_below = round_off(course);
   for (Index j = 0; j < course.cols(); ++j) {
-    if (single_[to_size(j)].law().is_empty()) continue;
-    ForceHarmonics found = single_[to_size(j)].at(course.col(j), omega, rests_below(j));
+    if (single_[j].law().is_empty()) continue;
+    ForceHarmonics found = single_[j].at(course.col(j), omega, rests_below(j));
     all.force.col(j) = found.force;
     all.by_omega.col(j) = found.by_omega;
     all.tangents.push_back({j, j, std::move(found.tangent)});

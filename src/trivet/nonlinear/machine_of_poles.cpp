@@ -26,8 +26,8 @@ class MachineOfPoles final : public LinearMachine {
     const Index n = assembled.matrices.size();
     MatrixXd rows(n, size_), ground_rows(assembled.ground.size(), size_);
     for (Index j = 0; j < size_; ++j) {
-      rows.col(j) = deflections[to_size(j)].on_coordinates;
-      ground_rows.col(j) = deflections[to_size(j)].on_ground;
+      rows.col(j) = deflections[j].on_coordinates;
+      ground_rows.col(j) = deflections[j].on_ground;
     }
     MatrixXcd right_sides = rows.cast<Complex>();
     for (const assembly::Loading& loading : loadings) {

@@ -35,8 +35,8 @@ class MachineOverFrequency final : public LinearMachine {
     rows_.resize(n, count);
     ground_rows_.resize(assembled.ground.size(), count);
     for (Index j = 0; j < count; ++j) {
-      rows_.col(j) = deflections[to_size(j)].on_coordinates.head(n);
-      ground_rows_.col(j) = deflections[to_size(j)].on_ground;
+      rows_.col(j) = deflections[j].on_coordinates.head(n);
+      ground_rows_.col(j) = deflections[j].on_ground;
     }
     for (const assembly::ElementMap& map : assembled.elements) known_to_ = std::min(known_to_, map.defined_to);
     for (const assembly::Loading& loading : loadings)
@@ -134,7 +134,7 @@ class MachineOverFrequency final : public LinearMachine {
       const VectorXcd moved = map.moved_by_ground(ground).head(12);
       const VectorXcd force =
           map.ends.topLeftCorner(12, map.end_columns).transpose().cast<Complex>() * (held(map, omega) * moved);
-      for (Index j = 0; j < force.size(); ++j) load(map.rows[to_size(j)]) -= force(j);
+      for (Index j = 0; j < force.size(); ++j) load(map.rows[j]) -= force(j);
     });
     return load;
   }

@@ -118,10 +118,10 @@ RemainderCourses remainder_courses(const ForceRemainder& forces, Index harmonics
   const auto count = to_index(phases.size());
   RemainderCourses found{VectorXd(count), VectorXd(count), MatrixXd(count, numerics::coefficient_count(harmonics)), {}};
   for (Index n = 0; n < count; ++n) {
-    const double phase = phases[to_size(n)];
+    const double phase = phases[n];
     found.phases(n) = phase;
-    const double before = n > 0 ? phases[to_size(n - 1)] : phases.back() - foundation::two_pi,
-                 after = n + 1 < count ? phases[to_size(n + 1)] : phases.front() + foundation::two_pi;
+    const double before = n > 0 ? phases[n - 1] : phases.back() - foundation::two_pi,
+                 after = n + 1 < count ? phases[n + 1] : phases.front() + foundation::two_pi;
     found.weights(n) = (after - before) / 2 / foundation::two_pi;
     found.rows.row(n) = numerics::fourier_row(harmonics, phase);
     const Eigen::RowVectorXd here = forces.at(phase);
@@ -198,11 +198,11 @@ Observer::Observer(const model::System& system, const assembly::Assembled& assem
   const Index both = std::min(direct.cols(), direct_.cols());
   direct_.leftCols(both) = direct.leftCols(both);
   constexpr int acceleration = 2;
-  if (std::none_of(channels_.begin(), channels_.end(),
-                   [](const assembly::Channel& channel) { return channel.derivative == acceleration; }))
+  if (std::ranges::none_of(channels_,
+                           [](const assembly::Channel& channel) { return channel.derivative == acceleration; }))
     return;
   MatrixXd across(assembled.matrices.size(), direct_.cols());
-  for (Index j = 0; j < across.cols(); ++j) across.col(j) = deflections[to_size(j)].on_coordinates;
+  for (Index j = 0; j < across.cols(); ++j) across.col(j) = deflections[j].on_coordinates;
   const MatrixXd per_force = accelerations_per_force(assembled.matrices, across);
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     if (channels_[c].derivative != acceleration) continue;

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "trivet/foundation/index.h"
-
 namespace trivet::nonlinear {
 
 using Eigen::Index;
@@ -53,8 +51,8 @@ void ObservedPath::add_points_between(SteadyBranch& found) {
   const FollowedMotions& motions = path_.motions();
   int added = 0;
   for (std::size_t i = 0; i + 1 < found.points.size() && added < most; ++i) {
-    const bool turns = std::any_of(motions.turns().begin(), motions.turns().end(),
-                                   [i](const FollowedMotions::Turn& turn) { return turn.after == i; });
+    const bool turns =
+        std::ranges::any_of(motions.turns(), [i](const FollowedMotions::Turn& turn) { return turn.after == i; });
     while (!turns && added < most && motions.step_length(i) > shortest && may_be_unstable_between(found, i) &&
            path_.split_step(i)) {
       found.points.insert(found.points.begin() + static_cast<std::ptrdiff_t>(i) + 1, steady(motions.points()[i + 1]));
@@ -131,7 +129,7 @@ void ObservedPath::judge_by_winding(SteadyBranch& found, const foundation::Progr
   if (found.multipliers_of != SteadyBranch::Multipliers::constant_machine || found.winding.differs_at.empty()) return;
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < count; ++i)
-    if (!std::binary_search(chosen.begin(), chosen.end(), i)) others.push_back(i);
+    if (!std::ranges::binary_search(chosen, i)) others.push_back(i);
   judge(others, found, progress);
   found.winding.decides = by_winding_ = true;
   for (SteadyPoint& point : found.points)
@@ -193,20 +191,18 @@ void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) 
   const MachineLaws& laws = path_.balance().laws();
   const Eigen::MatrixXd motion = path_.balance().motion(point.unknowns);
   for (Index j = 0; j < motion.cols(); ++j) {
-    const LawHarmonics& law = laws.single()[to_size(j)];
-    const std::string& name = machine_.deflections[to_size(j)].name;
-    if (law.law().hysteretic().empty() ||
-        std::find(found.sticking.begin(), found.sticking.end(), name) != found.sticking.end())
-      continue;
+    const LawHarmonics& law = laws.single()[j];
+    const std::string& name = machine_.deflections[j].name;
+    if (law.law().hysteretic().empty() || std::ranges::find(found.sticking, name) != found.sticking.end()) continue;
     const LawCourse course = laws.course(j, motion, path_.driving(point.parameter).omega);
-    if (std::any_of(course.loops().begin(), course.loops().end(),
-                    [](const HystereticLoop& loop) { return loop.sticks() || loop.just_reaches_slip(); }))
+    if (std::ranges::any_of(course.loops(),
+                            [](const HystereticLoop& loop) { return loop.sticks() || loop.just_reaches_slip(); }))
       found.sticking.push_back(name);
   }
   for (const MachineLaws::Rubbing& one : laws.rubbings()) {
-    std::string name = machine_.deflections[to_size(one.on[1])].name;
+    std::string name = machine_.deflections[one.on[1]].name;
     if (one.law.is_ring()) name = name.substr(0, name.find('.'));
-    if (std::find(found.sticking.begin(), found.sticking.end(), name) != found.sticking.end()) continue;
+    if (std::ranges::find(found.sticking, name) != found.sticking.end()) continue;
     if (laws.loop(one, motion, path_.driving(point.parameter).omega).always_sticks()) found.sticking.push_back(name);
   }
 }
@@ -216,8 +212,8 @@ void ObservedPath::add_changes(SteadyBranch& found) const {
     if (found.points[i].stable == found.points[i + 1].stable) continue;
     if (found.points[i].uncertain || found.points[i + 1].uncertain) continue;
     const auto is_fold_near = [&](std::size_t steps) {
-      return std::any_of(found.folds.begin(), found.folds.end(),
-                         [&](const Fold& fold) { return std::max(fold.after, i) - std::min(fold.after, i) <= steps; });
+      return std::ranges::any_of(
+          found.folds, [&](const Fold& fold) { return std::max(fold.after, i) - std::min(fold.after, i) <= steps; });
     };
     if (is_fold_near(0)) continue;
     const bool multipliers_hold = found.points[i].multipliers_hold && found.points[i + 1].multipliers_hold;

@@ -21,7 +21,7 @@ std::optional<double> common_divisor(const std::vector<response::OrderLoading>& 
   constexpr double same = 1e-9;
   for (int parts = 1; parts <= most_parts; ++parts) {
     const double divisor = orders.front().order / parts;
-    if (std::all_of(orders.begin(), orders.end(), [&](const response::OrderLoading& one) {
+    if (std::ranges::all_of(orders, [&](const response::OrderLoading& one) {
           const double multiple = one.order / divisor;
           return std::abs(multiple - std::round(multiple)) <= same * multiple;
         }))
@@ -32,9 +32,7 @@ std::optional<double> common_divisor(const std::vector<response::OrderLoading>& 
 
 bool has_orders(const model::System& system, const std::vector<std::string>& selected) {
   const auto& excitations = system.description().excitations;
-  const auto any = [&](const auto& is_wanted) {
-    return std::any_of(excitations.begin(), excitations.end(), is_wanted);
-  };
+  const auto any = [&](const auto& is_wanted) { return std::ranges::any_of(excitations, is_wanted); };
   const bool orders = any([&](const model::Excitation& e) {
     return model::is_selected(e, selected) && std::holds_alternative<model::Orders>(e.course);
   });
@@ -45,16 +43,15 @@ bool has_orders(const model::System& system, const std::vector<std::string>& sel
 
 PeriodicExcitation::Reference reference_of(const model::Excitation& excitation,
                                            const excitation::ComplexVector6& amplitude) {
-  const auto first = std::find_if(amplitude.begin(), amplitude.end(),
-                                  [](const std::complex<double>& component) { return component != 0.0; });
+  const auto first =
+      std::ranges::find_if(amplitude, [](const std::complex<double>& component) { return component != 0.0; });
   return {excitation.name, first == amplitude.end() ? 0 : std::arg(*first), excitation.action.delay};
 }
 
 /// Of the excitation that is the first of these, by name, at an order.
 PeriodicExcitation::Reference reference_of(const model::System& system, const std::string& name, double order) {
   const auto& excitations = system.description().excitations;
-  const model::Excitation& excitation =
-      *std::find_if(excitations.begin(), excitations.end(), [&](const model::Excitation& e) { return e.name == name; });
+  const model::Excitation& excitation = *std::ranges::find(excitations, name, &model::Excitation::name);
   if (const auto* orders = std::get_if<model::Orders>(&excitation.course))
     for (const excitation::Order& one : orders->list)
       if (one.order == order) return reference_of(excitation, one.fixed.isZero(0) ? one.per_speed_squared : one.fixed);
@@ -108,7 +105,7 @@ PeriodicExcitation periodic_excitation(const model::System& system, const assemb
       found.loadings.push_back(one.loading);
     }
     for (const std::string& name : one.excitations)
-      if (std::find(found.names.begin(), found.names.end(), name) == found.names.end()) found.names.push_back(name);
+      if (std::ranges::find(found.names, name) == found.names.end()) found.names.push_back(name);
   }
   return found;
 }

@@ -86,8 +86,8 @@ PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const
   const MatrixXd velocities = states.derivative(states.displacements()).on_state;
   for (Index j = 0; j < force_.cols(); ++j) {
     force_.col(j) = states.G(to_size(j)).col(response::of_value);
-    values_.row(j) = deflections[to_size(j)].on_coordinates.transpose() * states.displacements().on_state;
-    rates_.row(j) = deflections[to_size(j)].on_coordinates.transpose() * velocities;
+    values_.row(j) = deflections[j].on_coordinates.transpose() * states.displacements().on_state;
+    rates_.row(j) = deflections[j].on_coordinates.transpose() * velocities;
   }
   answers_.rates = rates_ * force_;
   answers_.drifts = without_round_off(values_ * force_, values_.cwiseAbs().maxCoeff() * force_.cwiseAbs().maxCoeff());
@@ -95,7 +95,7 @@ PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const
   if (n + states.massive() > states.size()) {  // coordinates with stiffness only
     for (Index j = 0; j < force_.cols(); ++j)
       for (Index i = 0; i < values_.rows(); ++i)
-        answers_.at_once(i, j) = deflections[to_size(i)].on_coordinates.dot(
+        answers_.at_once(i, j) = deflections[i].on_coordinates.dot(
             states.displacements().on_input.col(j * response::input_derivatives + response::of_value));
     answers_.at_once = without_round_off(answers_.at_once, answers_.at_once.cwiseAbs().maxCoeff());
   }
@@ -144,8 +144,8 @@ void PeriodicStability::check_nodes(const std::vector<Deflection>& deflections) 
     const auto is_massless = [&](Index i) {
       return !answers_.drifts.row(i).isZero(0) || !answers_.at_once.row(i).isZero(0);
     };
-    const bool jumps = std::any_of(one.law.hysteretic().begin(), one.law.hysteretic().end(),
-                                   [](const auto& part) { return elements::jumps_at_turns(part.law); });
+    const bool jumps =
+        std::ranges::any_of(one.law.hysteretic(), [](const auto& part) { return elements::jumps_at_turns(part.law); });
     const bool rubs = one.rubbing && (is_massless(row) || is_massless(row + 1)),
                depends_on_rate = one.law.has_dampers() || !one.law.of_amplitude().empty() ||
         (one.distance && one.distance->has_dampers());
@@ -186,7 +186,7 @@ void PeriodicStability::turn(const LawsAlong& motion, std::size_t loop, double p
   const Index n = F_.rows(), row = n + 2 * to_index(loop);
   assert(loop < motion.loops.size() && states.rows() == n + motion.memories());
   const LawsAlong::Loop& one = motion.loops[loop];
-  const double deflection = motion.courses[to_size(one.deflection)].deflection_at(phase);
+  const double deflection = motion.courses[one.deflection].deflection_at(phase);
   constexpr double before = 1e-9;
   const elements::ForceOnTravel end =
       one.loop->at(one.loop->branch_at(phase > before ? phase - before : phase - before + two_pi), deflection);
@@ -276,7 +276,7 @@ PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws&
     for (const double phase : one.law->corners(one.course)) corners.push_back(phase);
   for (const LawsAlong::Rubbing& one : motion.rubbings)
     for (const RubbingLoop::Change& change : one.loop.changes()) corners.push_back(change.phase);
-  std::sort(corners.begin(), corners.end());
+  std::ranges::sort(corners);
   assert(corners.front() == 0 && corners.back() == two_pi && "all phases are within one period");
   const Index all = F_.rows() + motion.memories();
   MatrixXd period = MatrixXd::Identity(all, all);

@@ -115,7 +115,7 @@ SteadyBranch phase_resonances(const model::System& system, const SteadyOptions& 
   const HeldPhase held{to_index(machine.deflections.size()) - 1, machine.excitation.harmonics.front(),
                        options.at_phase->lag, machine.excitation.reference};
   const std::vector<Index>& independent = machine.condensed.basis().independent;
-  if (!std::binary_search(independent.begin(), independent.end(), held.deflection))
+  if (!std::ranges::binary_search(independent, held.deflection))
     throw foundation::InvalidInput("steady: phase.of: " + options.at_phase->of + " cannot move; name one that can");
   const bool is_given = options.harmonics > 0;
   Index harmonics = is_given ? options.harmonics : std::max<Index>(5, machine.excitation.highest());

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "trivet/foundation/index.h"
 #include "trivet/nonlinear/phase_equations.h"
 #include "trivet/numerics/periodic/branch_walk.h"
 
@@ -24,7 +23,7 @@ std::vector<Index> moved_most(const ReferenceMachine& machine, const HarmonicBal
     std::optional<Index> most;
     double largest = 0;
     for (const Index j : machine.condensed.basis().independent) {
-      if (machine.deflections[to_size(j)].is_rotation != rotation) continue;
+      if (machine.deflections[j].is_rotation != rotation) continue;
       const double size = motion.col(j).segment<2>(2 * harmonic - 1).norm();
       if (size > largest) {
         largest = size;

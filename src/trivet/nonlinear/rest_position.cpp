@@ -210,7 +210,7 @@ void move_to_equilibrium(const model::System& given, model::Description& descrip
   std::vector<Deflection> deflections = nonlinear_deflections(settled, assembled, tangents_at_rest(settled));
   add_rubbings(given, assembled, deflections);
   VectorXd at_rest(to_index(deflections.size()));
-  for (Index j = 0; j < at_rest.size(); ++j) at_rest(j) = deflections[to_size(j)].on_coordinates.dot(displacement);
+  for (Index j = 0; j < at_rest.size(); ++j) at_rest(j) = deflections[j].on_coordinates.dot(displacement);
   set_deflections_at_rest(at_rest, description.elements);
   for (model::Element& element : description.elements)
     if (element.over_deflection) model::set_linear_law_at(element.nonlinear_parts.front().at_rest, element);
@@ -305,7 +305,7 @@ std::vector<RestState> rest_states(const model::System& system) {
   for (const VectorXd& deflections : path.all()) {
     RestState state{{}, path.is_stable(deflections)};
     for (Index j = 0; j < deflections.size(); ++j)
-      state.deflections.push_back({path.deflections()[to_size(j)].name, deflections(j)});
+      state.deflections.push_back({path.deflections()[j].name, deflections(j)});
     states.push_back(std::move(state));
   }
   return states;

@@ -25,7 +25,7 @@ using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 template <typename Of>
 VectorXd each(const RubbingLoop& loop, const Of& of) {
   VectorXd found(to_index(loop.points().size()));
-  for (Index i = 0; i < found.size(); ++i) found(i) = of(loop.points()[to_size(i)]);
+  for (Index i = 0; i < found.size(); ++i) found(i) = of(loop.points()[i]);
   return found;
 }
 
@@ -61,7 +61,7 @@ std::array<Columns<Scalar>, 3> forces_by(const RubbingLoop& loop, double omega, 
     by.limit = by_deflection.asDiagonal() * waves;
     by.limit += by_rate.asDiagonal() * slopes;
   }
-  if (!is_ring && deflection > 0) by.across[to_size(deflection - 1)] = waves;
+  if (!is_ring && deflection > 0) by.across[deflection - 1] = waves;
   if (is_ring && deflection == 2) by.across[1] = waves;
   if (!is_ring || deflection == 2) return on_deflections(loop, loop.variation<Scalar>(by, turned));
   by.across[0] =
@@ -71,14 +71,14 @@ std::array<Columns<Scalar>, 3> forces_by(const RubbingLoop& loop, double omega, 
       waves;
   std::array<Columns<Scalar>, 3> found = on_deflections(loop, loop.variation<Scalar>(by, turned));
   for (Index a = 0; a < 2; ++a)  // as the contact turns and widens
-    found[to_size(a)] += each(loop,
-                              [&](const Point& point) {
-                                const ContactFrame& frame = point.frame;
-                                const double force = point.force.x();
-                                return frame.turned(frame.friction(point.force))(a, deflection) +
-                                    frame.hoop_by_along() * force * frame.tangents(0, a) * frame.normal(deflection);
-                              })
-                             .asDiagonal() *
+    found[a] += each(loop,
+                     [&](const Point& point) {
+                       const ContactFrame& frame = point.frame;
+                       const double force = point.force.x();
+                       return frame.turned(frame.friction(point.force))(a, deflection) +
+                           frame.hoop_by_along() * force * frame.tangents(0, a) * frame.normal(deflection);
+                     })
+                    .asDiagonal() *
         waves;
   return found;
 }
@@ -103,7 +103,7 @@ RubbingHarmonics rubbing_harmonics(const RubbingLoop& loop, const MatrixXd& cour
   MatrixXd rows(points, count), integral(count, points);
   Eigen::RowVectorXd row;
   for (Index i = 0; i < points; ++i) {
-    const RubbingLoop::Point& point = loop.points()[to_size(i)];
+    const RubbingLoop::Point& point = loop.points()[i];
     numerics::set_fourier_row((count - 1) / 2, point.phase, row);
     rows.row(i) = row;
     integral.col(i) = point.weight / (two_pi / 2) * row.transpose();
@@ -128,7 +128,7 @@ RubbingHarmonics rubbing_harmonics(const RubbingLoop& loop, const MatrixXd& cour
   by_frequency.limit.resize(points, 1);
   const MatrixXd rates = slopes * course;
   for (Index i = 0; i < points; ++i) {
-    const RubbingLoop::Point& point = loop.points()[to_size(i)];
+    const RubbingLoop::Point& point = loop.points()[i];
     by_frequency.limit(i) = point.limit.by_rate * point.frame.normal.dot(rates.row(i));
   }
   const std::array<MatrixXd, 3> forces = on_deflections(loop, loop.variation<double>(by_frequency));
@@ -142,7 +142,7 @@ RubbingVariation rubbing_variation(const RubbingLoop& loop, double omega, double
   const Eigen::Matrix3d own = loop.law().own_stiffness();
   MatrixXcd waves(points, count), slopes(points, count), integral(count, points);
   for (Index i = 0; i < points; ++i) {
-    const RubbingLoop::Point& point = loop.points()[to_size(i)];
+    const RubbingLoop::Point& point = loop.points()[i];
     for (Index k = 0; k < count; ++k) {
       const double order = mu + static_cast<double>(k - harmonics);
       const Complex wave = std::polar(1.0, order * point.phase);

@@ -28,7 +28,7 @@ constexpr double round_off = 1e-12;
 RubbingLoop::RubbingLoop(const RubbingAbout& law, const MatrixXd& course, const std::vector<double>& corners,
                          double omega, double longest, bool rough)
     : law_(law), motion_(course), omega_(omega), parts_(rough ? 1 : 2) {
-  assert(course.cols() == 3 && std::is_sorted(corners.begin(), corners.end()));
+  assert(course.cols() == 3 && std::ranges::is_sorted(corners));
   assert(corners.empty() || (corners.front() >= 0 && corners.back() <= two_pi));
   std::vector<double> ends = corners;
   if (ends.empty()) ends = {0};
@@ -51,8 +51,7 @@ RubbingLoop::RubbingLoop(const RubbingAbout& law, const MatrixXd& course, const 
   const double start = ends.front();
   ends.erase(ends.begin());
   ends.push_back(start + two_pi);
-  assert(std::is_sorted(ends.begin(), ends.end()) && !(ends.front() < start) &&
-         "stretches follow each other for a period");
+  assert(std::ranges::is_sorted(ends) && !(ends.front() < start) && "stretches follow each other for a period");
   if (opens_) {
     begin(start, Vector2d::Zero());
     march(ends, longest);
@@ -80,7 +79,7 @@ std::vector<double> RubbingLoop::with_losses_of_pressure(const std::vector<doubl
       found.push_back(std::fmod(high, two_pi));
     }
   }
-  std::sort(found.begin(), found.end());
+  std::ranges::sort(found);
   return found;
 }
 
@@ -106,8 +105,7 @@ double RubbingLoop::step_of_stiffness(const std::vector<double>& ends) const {
   constexpr double straight = 1e-9;
   const auto is_along = [&](const Vector2d& line) {
     const Vector2d aside = Vector2d(-line.y(), line.x()) / fastest.norm();
-    return std::all_of(speeds.begin(), speeds.end(),
-                       [&](const Vector2d& speed) { return std::abs(aside.dot(speed)) < straight; });
+    return std::ranges::all_of(speeds, [&](const Vector2d& speed) { return std::abs(aside.dot(speed)) < straight; });
   };
   if (law_.is_ring() ? is_along(Vector2d::UnitX()) || is_along(Vector2d::UnitY()) : is_along(fastest.normalized()))
     return two_pi;
@@ -307,7 +305,7 @@ double RubbingLoop::first_change(double from, double to, bool slips) const {
 void RubbingLoop::append_nodes(double from, double to, double longest, bool slips) {
   std::vector<std::pair<double, double>> nodes;
   numerics::each_gauss_node(from, to, longest, [&](double phase, double weight) { nodes.emplace_back(phase, weight); });
-  std::sort(nodes.begin(), nodes.end());
+  std::ranges::sort(nodes);
   for (const auto& [phase, weight] : nodes) append(phase, weight, slips);
   append(to, 0, slips);
 }
@@ -414,16 +412,16 @@ RubbingLoop::Forces<Scalar> RubbingLoop::variation(const Variation<Scalar>& by, 
   const double k = law_.law().stiffness;
   if (always_sticks_) {
     for (Index c = 0; c < 2; ++c)
-      if (of_across[to_size(c)]) found[to_size(c)] = k * by.across[to_size(c)];
+      if (of_across[c]) found[c] = k * by.across[c];
     if (turned) return found;
     for (const DeepestPlace::Held& held : place_.held)
       for (Index a = 0; a < 2; ++a) {
-        auto& force = found[to_size(a)];
+        auto& force = found[a];
         if (of_limit) force.rowwise() -= (held.by_radius(a) * by.limit.row(to_index(held.disc))).eval();
         if (of_hoop) force.rowwise() -= (k * held.by_hoop(a) * by.hoop.row(to_index(held.disc))).eval();
         for (Index c = 0; c < 2; ++c)
-          if (of_across[to_size(c)])
-            force.rowwise() -= (k * held.by_center(a, c) * by.across[to_size(c)].row(to_index(held.disc))).eval();
+          if (of_across[c])
+            force.rowwise() -= (k * held.by_center(a, c) * by.across[c].row(to_index(held.disc))).eval();
       }
     return found;
   }
@@ -431,14 +429,14 @@ RubbingLoop::Forces<Scalar> RubbingLoop::variation(const Variation<Scalar>& by, 
   // period.
   std::vector<Matrix2d> kept = {Matrix2d::Identity()};
   for (Index i = 1; i < any.rows(); ++i) {
-    const Step& step = points_[to_size(i)].step;
+    const Step& step = points_[i].step;
     kept.push_back(step.by_start * kept.back());
     for (Index a = 0; a < 2; ++a) {
-      auto row = found[to_size(a)].row(i);
+      auto row = found[a].row(i);
       row = step.by_start(a, 0) * found[0].row(i - 1) + step.by_start(a, 1) * found[1].row(i - 1);
       if (of_limit) row += step.by_limit(a) * by.limit.row(i) + step.by_limit_before(a) * by.limit.row(i - 1);
       for (Index c = 0; c < 2; ++c)
-        if (const Matrix& across = by.across[to_size(c)]; of_across[to_size(c)])
+        if (const Matrix& across = by.across[c]; of_across[c])
           row += step.by_travel(a, c) * (across.row(i) - across.row(i - 1));
       if (of_hoop) row += step.by_hoop(a) * by.hoop.row(i) + step.by_hoop_before(a) * by.hoop.row(i - 1);
       if (const double earlier = step.travel_by_limit(a); of_limit && earlier != 0)
@@ -455,8 +453,7 @@ RubbingLoop::Forces<Scalar> RubbingLoop::variation(const Variation<Scalar>& by, 
                                                  start_second =
                                                      (left(0, 0) * second - left(1, 0) * first) / determinant;
   for (Index i = 0; i < any.rows(); ++i)
-    for (Index a = 0; a < 2; ++a)
-      found[to_size(a)].row(i) += kept[to_size(i)](a, 0) * start_first + kept[to_size(i)](a, 1) * start_second;
+    for (Index a = 0; a < 2; ++a) found[a].row(i) += kept[i](a, 0) * start_first + kept[i](a, 1) * start_second;
   return found;
 }
 

@@ -47,7 +47,7 @@ numerics::RowMatrix PeriodicStability::elastic_answers(const LawsAlong& motion, 
   const Index m = force_.cols();
   numerics::RowMatrix all = numerics::RowMatrix::Zero(m * steps, m);
   for (Index j = 0; j < m; ++j) {
-    const VectorXd tangents = step * motion.courses[to_size(j)].elastic_tangents(rows);
+    const VectorXd tangents = step * motion.courses[j].elastic_tangents(rows);
     for (int i = 0; i < steps; ++i) all(i * m + j, j) = tangents(i);
   }
   return all;
@@ -79,8 +79,7 @@ double PeriodicStability::fastest(const LawsAlong& motion, double from, double t
     MatrixXd of_piece;
     const MatrixXd& rows = rows_in_steps(motion, from, to, samples, of_piece);
     MatrixXd tangents(m, samples);
-    for (Index j = 0; j < m; ++j)
-      tangents.row(j) = motion.courses[to_size(j)].elastic_tangents(rows).cwiseAbs().transpose();
+    for (Index j = 0; j < m; ++j) tangents.row(j) = motion.courses[j].elastic_tangents(rows).cwiseAbs().transpose();
     const VectorXd largest = tangents.rowwise().maxCoeff();
     return std::max(std::sqrt((alike_.cwiseAbs() * tangents).maxCoeff()),
                     fastest_kicked(MatrixXd(largest.asDiagonal()), time));
@@ -257,7 +256,7 @@ bool PeriodicStability::is_overdamped(const LawsAlong& motion, double from, doub
   constexpr double quick = 300, decays = 0.2;
   const numerics::GeneralEigen found = numerics::general_eigenvalues(rates_of_states(motion, (from + to) / 2));
   const double time = two_pi / motion.omega;
-  return found.converged && std::all_of(found.values.begin(), found.values.end(), [&](const std::complex<double>& one) {
+  return found.converged && std::ranges::all_of(found.values, [&](const std::complex<double>& one) {
            return std::abs(one) * time < quick || one.real() < -decays * std::abs(one);
          });
 }

@@ -32,8 +32,8 @@ void add_stable_stretches(const SteadyBranch& branch, std::vector<Stretch>& stre
   for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
     const SteadyPoint &here = branch.points[i], &next = branch.points[i + 1];
     const auto in_step = [i](const auto& one) { return one.after == i; };
-    const auto fold = std::find_if(branch.folds.begin(), branch.folds.end(), in_step);
-    const auto change = std::find_if(branch.changes.begin(), branch.changes.end(), in_step);
+    const auto fold = std::ranges::find_if(branch.folds, in_step);
+    const auto change = std::ranges::find_if(branch.changes, in_step);
     const SteadyPoint* middle = fold != branch.folds.end() ? &fold->point
         : change != branch.changes.end()                   ? &change->point
                                                            : nullptr;
@@ -58,7 +58,7 @@ std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch&
   std::vector<Stretch> stable, without;
   add_stable_stretches(branch, stable);
   for (const SteadyBranch& curve : branch.further) add_stable_stretches(curve, stable);
-  std::sort(stable.begin(), stable.end());
+  std::ranges::sort(stable);
   double from = branch.parameter(branch.points.front()), to = from;
   for (const SteadyPoint& point : branch.points) {
     from = std::min(from, branch.parameter(point));
@@ -81,8 +81,7 @@ void add_quasi_periodic(const SteadyBranch& curve, std::vector<Stretch>& stretch
   const auto count = static_cast<std::ptrdiff_t>(curve.points.size());
   const auto ends_in_step = [&](std::ptrdiff_t step) {
     const auto in_step = [step](const auto& one) { return static_cast<std::ptrdiff_t>(one.after) == step; };
-    return std::any_of(curve.folds.begin(), curve.folds.end(), in_step) ||
-        std::any_of(curve.changes.begin(), curve.changes.end(), in_step);
+    return std::ranges::any_of(curve.folds, in_step) || std::ranges::any_of(curve.changes, in_step);
   };
   for (const StabilityChange& change : curve.changes) {
     if (change.kind != StabilityChange::Kind::quasi_periodic) continue;
@@ -108,10 +107,10 @@ std::vector<std::pair<double, double>> quasi_periodic_stretches(const SteadyBran
   for (const SteadyBranch& curve : branch.further) add_quasi_periodic(curve, all);
   const std::vector<Stretch> without = without_stable_motion(branch);
   std::erase_if(all, [&](const Stretch& one) {
-    return std::any_of(without.begin(), without.end(),
-                       [&](const Stretch& other) { return other.first <= one.first && one.second <= other.second; });
+    return std::ranges::any_of(
+        without, [&](const Stretch& other) { return other.first <= one.first && one.second <= other.second; });
   });
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   for (const Stretch& one : all)
     if (!merged.empty() && one.first <= merged.back().second)
       merged.back().second = std::max(merged.back().second, one.second);

@@ -77,7 +77,7 @@ void settle_end(const StabilityChange& at, bool is_last, SteadyBranch& curve) {
 bool passes(const SteadyBranch& curve, const SteadyPoint& change, const HarmonicBalance& balance) {
   constexpr double near = 1e-3, same = 0.02;
   const double parameter = curve.parameter(change);
-  return std::any_of(curve.points.begin(), curve.points.end(), [&](const SteadyPoint& point) {
+  return std::ranges::any_of(curve.points, [&](const SteadyPoint& point) {
     return std::abs(curve.parameter(point) - parameter) < near * parameter &&
         balance.are_same(balance.unknowns_of(point.deflections), balance.unknowns_of(change.deflections), same);
   });
@@ -109,7 +109,7 @@ class Curves {
   /// @returns nothing if another curve leaves out more than that; `enough_harmonics` then has a number to begin with
   [[nodiscard]] std::optional<SteadyBranch> all(double most_left_out) {
     SteadyBranch found = observed_.branch(progress_);
-    const bool doubles = std::any_of(found.changes.begin(), found.changes.end(), [](const StabilityChange& change) {
+    const bool doubles = std::ranges::any_of(found.changes, [](const StabilityChange& change) {
       return change.kind == StabilityChange::Kind::period_doubling;
     });
     if (doubles) twice_ = std::make_unique<const ReferenceMachine>(machine_, ReferenceMachine::TwoPeriods());
@@ -244,12 +244,11 @@ class Curves {
 std::vector<std::string> lost_means(const std::vector<Deflection>& deflections) {
   std::vector<std::string> names;
   for (const Deflection& deflection : deflections)
-    if (std::any_of(deflection.law.hysteretic().begin(), deflection.law.hysteretic().end(),
-                    [](const auto& part) {
-                      return part.at_state != 0 && !std::holds_alternative<elements::Slider>(part.law);
-                    }) ||
-        std::any_of(deflection.law.bristles().begin(), deflection.law.bristles().end(),
-                    [](const auto& part) { return part.at_state != 0; }))
+    if (std::ranges::any_of(deflection.law.hysteretic(),
+                            [](const auto& part) {
+                              return part.at_state != 0 && !std::holds_alternative<elements::Slider>(part.law);
+                            }) ||
+        std::ranges::any_of(deflection.law.bristles(), [](const auto& part) { return part.at_state != 0; }))
       names.push_back(deflection.name);
   return names;
 }

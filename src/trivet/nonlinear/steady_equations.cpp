@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/lane_lu.h"
 
@@ -25,7 +24,7 @@ VectorXd carried_with_independent(const DeflectionBasis& basis, const std::vecto
   VectorXd found = VectorXd::Zero(basis.size());
   for (Index b = 0; b < basis.size(); ++b)
     for (Index j = 0; j < basis.spread.cols(); ++j)
-      if (deflections[to_size(j)].is_rotation == deflections[to_size(basis.independent[to_size(b)])].is_rotation)
+      if (deflections[j].is_rotation == deflections[basis.independent[b]].is_rotation)
         found(b) += basis.spread(b, j) * basis.spread(b, j);
   return found.cwiseSqrt();
 }
@@ -43,12 +42,11 @@ SteadyEquations::SteadyEquations(const CondensedMachine& machine, const std::vec
   const VectorXd motion = balance_.linear_motion(driving(options_.from));
   smallest_ = share * balance_.largest_harmonics(motion);
   const auto vanish = [](const numerics::Load& load) {
-    return std::all_of(load.terms().begin(), load.terms().end(),
-                       [](const numerics::LoadTerm& term) { return term.value.isZero(0); });
+    return std::ranges::all_of(load.terms(), [](const numerics::LoadTerm& term) { return term.value.isZero(0); });
   };
-  const bool is_zero =
-      std::all_of(excitation.loadings.begin(), excitation.loadings.end(),
-                  [&](const assembly::Loading& loading) { return vanish(loading.force) && vanish(loading.motion); });
+  const bool is_zero = std::ranges::all_of(excitation.loadings, [&](const assembly::Loading& loading) {
+    return vanish(loading.force) && vanish(loading.motion);
+  });
   if (is_zero) throw foundation::NotComputable("steady: the excitation is zero; give it an amplitude");
   if (motion.isZero(0))
     throw foundation::NotComputable(

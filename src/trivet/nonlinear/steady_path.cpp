@@ -44,8 +44,8 @@ std::vector<double> resonances(const Eigen::VectorXcd& poles, const PeriodicExci
     }
   }
   std::erase_if(found, [&](double omega) { return !(omega > options.from && omega < options.to); });
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
   return found;
 }
 
@@ -126,8 +126,8 @@ std::optional<BranchPoint> SteadyPath::lowest_motion(const SteadyPath* except) c
   const auto is_on_it = [&](const BranchPoint& motion) {
     if (!except) return false;
     const std::vector<BranchPoint> there = except->motions().all_at(motion.parameter);
-    return std::any_of(there.begin(), there.end(),
-                       [&](const BranchPoint& one) { return balance().are_same(one.unknowns, motion.unknowns, same); });
+    return std::ranges::any_of(
+        there, [&](const BranchPoint& one) { return balance().are_same(one.unknowns, motion.unknowns, same); });
   };
   const double ratio = std::pow(options_.to / options_.from, 1.0 / (places_above + 1));
   for (const bool by_all_ways : {false, true}) {
@@ -239,7 +239,7 @@ std::optional<std::size_t> SteadyPath::passed(const std::vector<SteadyEquations:
 /// @returns the share of the step to the next point at which it does, if it does
 std::optional<double> SteadyPath::returns_to_one_period(const BranchPoint& next) const {
   const std::vector<Index>& excited = balance().excited();
-  if (std::any_of(excited.begin(), excited.end(), [](Index k) { return k % 2 != 0; })) return std::nullopt;
+  if (std::ranges::any_of(excited, [](Index k) { return k % 2 != 0; })) return std::nullopt;
   const Index C = balance().coefficients(), deflections = next.unknowns.size() / C;
   const VectorXd& now = points().back().unknowns;
   assert(now.size() == next.unknowns.size() && next.unknowns.size() % C == 0);
@@ -409,7 +409,7 @@ std::optional<std::vector<BranchPoint>> SteadyPath::between(const BranchPoint& n
     if (there->parameter_direction() * now.parameter_direction() < 0) there->tangent = -there->tangent;
     found.push_back(std::move(*there));
   }
-  if (next.parameter < now.parameter) std::reverse(found.begin(), found.end());
+  if (next.parameter < now.parameter) std::ranges::reverse(found);
   return found;
 }
 

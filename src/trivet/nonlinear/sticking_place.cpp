@@ -93,8 +93,7 @@ Found of_three(const std::vector<Disc>& discs, std::size_t i, std::size_t j, std
 /// From one disc that is farther away to the next: each time the deepest place in those that hold it and the new one.
 /// `beyond` only grows, so that it ends.
 DeepestPlace deepest_in_circles(const std::vector<Disc>& discs) {
-  assert(!discs.empty() &&
-         std::all_of(discs.begin(), discs.end(), [](const Disc& disc) { return !(disc.radius < 0); }));
+  assert(!discs.empty() && std::ranges::all_of(discs, [](const Disc& disc) { return !(disc.radius < 0); }));
   double largest = 0;
   for (const Disc& disc : discs) largest = std::max({largest, disc.radius, disc.center.norm()});
   const double round_off = 1e-12 * largest;
@@ -149,7 +148,7 @@ Matrix2d inverse_of(const Matrix2d& matrix) {
 /// center): Newton's method for the place that the circles around it have.
 DeepestPlace deepest_place(const std::vector<Disc>& discs) {
   DeepestPlace found = deepest_in_circles(discs);
-  if (std::all_of(discs.begin(), discs.end(), [](const Disc& disc) { return disc.hoop == 1; })) return found;
+  if (std::ranges::all_of(discs, [](const Disc& disc) { return disc.hoop == 1; })) return found;
   constexpr int most = 50;
   constexpr double accurate = 1e-12;
   double size = 0;

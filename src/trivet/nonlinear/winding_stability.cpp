@@ -167,7 +167,7 @@ class HillDeterminant {
       rubbings_.push_back({one.on, laws.loop(one, padded, omega)});
     const VectorXd rests_below = laws.round_off(motion);
     for (Index j = 0; j < motion.cols(); ++j) {
-      const Deflection& deflection = deflections[to_size(j)];
+      const Deflection& deflection = deflections[j];
       laws_.emplace_back(deflection.law, motion.col(j), omega, harmonics, rests_below(j));
       if (!deflection.distance) continue;
       distances_.emplace_back(
@@ -185,7 +185,7 @@ class HillDeterminant {
     };
     std::vector<Tangent> tangents;
     const double mu = nu / omega_;
-    for (Index j = 0; j < to_index(laws_.size()); ++j) tangents.push_back({j, j, laws_[to_size(j)].at(mu)});
+    for (Index j = 0; j < to_index(laws_.size()); ++j) tangents.push_back({j, j, laws_[j].at(mu)});
     for (const auto& [first, spectra] : distances_)
       for (std::size_t a = 0; a < 3; ++a)
         for (std::size_t b = 0; b < 3; ++b)
@@ -240,8 +240,8 @@ std::vector<double> first_places(const CondensedMachine& machine, double omega) 
       if (const double place = folded + widths * std::abs(pole.real()); place > 0 && place < omega / 2)
         places.push_back(place);
   }
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  std::ranges::sort(places);
+  places.erase(std::ranges::unique(places).begin(), places.end());
   return places;
 }
 
@@ -277,8 +277,7 @@ std::optional<int> WindingStability::unstable_exponents(const MatrixXd& motion, 
     turned += *step;
     before = next;
   }
-  const auto open = std::count_if(machine_.poles().begin(), machine_.poles().end(),
-                                  [](const Complex& pole) { return pole.real() > 0; });
+  const auto open = std::ranges::count_if(machine_.poles(), [](const Complex& pole) { return pole.real() > 0; });
   const double half_turns = -turned / (two_pi / 2), nearest = std::round(half_turns);
   constexpr double whole = 0.2;
   if (!(std::abs(half_turns - nearest) < whole)) return std::nullopt;

@@ -68,7 +68,7 @@ Attachment attachment(const model::Element& element, std::size_t index, bool at_
 
 bool is_whole(const model::Body& body) {
   return body.has_inertia && body.mass.mass > 0 && !model::is_point_mass(body) &&
-      std::all_of(body.free.begin(), body.free.end(), [](bool f) { return f; });
+      std::ranges::all_of(body.free, [](bool f) { return f; });
 }
 
 spatial::MassProperties undone_mass(const BodyPicture& picture, const Slip& undone) {
@@ -204,8 +204,8 @@ Features features(const BodyPicture& picture, const Slip& undone) {
   m.bottomRightCorner<3, 3>() = mass.inertia_about_centre;
   const std::vector<double> all = held_eigenvalues(k, m);
   if (!all.empty()) {
-    found.lowest = natural_hertz(*std::min_element(all.begin(), all.end()));
-    found.highest = natural_hertz(*std::max_element(all.begin(), all.end()));
+    found.lowest = natural_hertz(std::ranges::min(all));
+    found.highest = natural_hertz(std::ranges::max(all));
   }
   return found;
 }

@@ -126,7 +126,7 @@ void judge_dampers(const model::System& system, Suspicions& found) {
   for (auto& group : groups) {
     std::vector<std::pair<double, std::size_t>>& dampers = group.second;
     if (dampers.size() < 3) continue;
-    std::sort(dampers.begin(), dampers.end());
+    std::ranges::sort(dampers);
     const auto judge_one = [&](std::size_t which, std::size_t least,
                                std::size_t most) {  // the others range from least to most
       const double low = dampers[least].first, high = dampers[most].first, own = dampers[which].first;
@@ -148,7 +148,7 @@ void judge_damping(const model::System& system, const std::vector<BodyPicture>& 
   const auto& damping = system.description().damping;
   if (const auto* rayleigh = std::get_if<model::RayleighDamping>(&damping)) judge_rayleigh(*rayleigh, pictures, found);
   if (const auto* modal = std::get_if<model::ModalDamping>(&damping); modal && !modal->ratios.empty())
-    if (const double largest = *std::max_element(modal->ratios.begin(), modal->ratios.end()); largest >= percent_ratio)
+    if (const double largest = std::ranges::max(modal->ratios); largest >= percent_ratio)
       found.push_back(
           {"modal damping", "damping.modal", fmt::format("ratio {:.6g}", largest),
            fmt::format("damping ratios of modes are below {:.3g}, mostly between 0.002 and 0.2", percent_ratio),

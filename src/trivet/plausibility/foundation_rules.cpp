@@ -37,8 +37,7 @@ void judge_foundations(const model::System& system, const std::vector<BodyPictur
   for (const model::Element& mount : system.elements()) {
     if (mount.is_foundation || !mount.n.foundation) continue;
     const auto place = places.find(mount.n.foundation->foundation);
-    const auto picture =
-        std::find_if(pictures.begin(), pictures.end(), [&](const BodyPicture& p) { return p.body == mount.k.body; });
+    const auto picture = std::ranges::find(pictures, mount.k.body, &BodyPicture::body);
     if (place == places.end() || picture == pictures.end()) continue;
     const Eigen::Vector3d own = translation(mount, mount.n, 0).diagonal(),
                           below = translation(*place->second, place->second->k, 6).diagonal();

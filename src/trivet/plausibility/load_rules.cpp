@@ -59,8 +59,8 @@ std::optional<double> depth_of_mounts(const model::System& system, const BodyPic
 
 /// Corners of the convex hull of points in a plane, counter-clockwise.
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
-  std::sort(points.begin(), points.end(),
-            [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+  std::ranges::sort(points,
+                    [](const auto& a, const auto& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
   const auto turn = [](const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
   };
@@ -72,7 +72,7 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
       hull.push_back(p);
     }
     hull.pop_back();
-    std::reverse(points.begin(), points.end());
+    std::ranges::reverse(points);
   }
   return hull;
 }
@@ -167,9 +167,8 @@ void find_tipping(const model::System& system, Suspicions& found) {
       const model::Element& element = system.elements()[e];
       places.push_back(flat(in_ground(system.bodies()[*element.k.body], element.k.at)));
     }
-  const model::Body& heaviest =
-      *std::max_element(system.bodies().begin(), system.bodies().end(),
-                        [](const model::Body& a, const model::Body& b) { return a.mass.mass < b.mass.mass; });
+  const model::Body& heaviest = *std::ranges::max_element(
+      system.bodies(), [](const model::Body& a, const model::Body& b) { return a.mass.mass < b.mass.mass; });
   if (const auto outside = outside_of(places, flat(centre)); outside && *outside > outside_by) {
     found.push_back({"tipping", "bodies." + heaviest.name + ".center_of_mass",
                      fmt::format("the centre of mass is outside the mounts by {:.3g} % of their size", 100 * *outside),
@@ -182,8 +181,8 @@ void find_tipping(const model::System& system, Suspicions& found) {
   const double mean = sharing->bearing_in_total / static_cast<double>(sharing->mounts.size());
   const response::MountLoad* worst = nullptr;
   for (const response::MountLoad& mount : sharing->mounts) {
-    const bool counts = std::any_of(mounts.begin(), mounts.end(),
-                                    [&](std::size_t e) { return system.elements()[e].name == mount.element; });
+    const bool counts =
+        std::ranges::any_of(mounts, [&](std::size_t e) { return system.elements()[e].name == mount.element; });
     if (counts && mount.bearing < -lifted * mean && (!worst || mount.bearing < worst->bearing)) worst = &mount;
   }
   if (worst)
@@ -227,9 +226,9 @@ void judge_gravity(const model::System& system, const std::vector<BodyPicture>& 
 
 void judge_balance(const model::System& system, Suspicions& found) {
   const auto& gravity = system.description().gravity;
-  const bool guided = std::any_of(system.bodies().begin(), system.bodies().end(), [](const model::Body& body) {
-    return body.is_node ||                                                        // the mounts may be under a frame
-        std::find(body.free.begin(), body.free.end(), false) != body.free.end();  // constraints hold it too
+  const bool guided = std::ranges::any_of(system.bodies(), [](const model::Body& body) {
+    return body.is_node ||                                       // the mounts may be under a frame
+        std::ranges::find(body.free, false) != body.free.end();  // constraints hold it too
   });
   if (gravity && !gravity->isZero(0) && !guided && system.bodies().size() <= most_bodies) find_tipping(system, found);
 }

@@ -78,16 +78,15 @@ bool is_compact(const std::string& type) {
 void find_same_places(const model::System& system, const std::vector<BodyPicture>& pictures,
                       std::vector<Member> members, Suspicions& found) {
   const std::size_t body = *system.elements()[members.front().element].k.body;
-  const auto picture =
-      std::find_if(pictures.begin(), pictures.end(), [&](const BodyPicture& p) { return p.body == body; });
+  const auto picture = std::ranges::find(pictures, body, &BodyPicture::body);
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Member& m : members) middle += m.attachment->at / static_cast<double>(members.size());
   double squares = 0;
   for (const Member& m : members)
     squares += (m.attachment->at - middle).squaredNorm() / static_cast<double>(members.size());
   const double near = same_place * std::min(mass_radius(picture->mass), std::sqrt(squares));  // either may be a slip
-  std::stable_sort(members.begin(), members.end(),
-                   [](const Member& a, const Member& b) { return a.attachment->at.x() < b.attachment->at.x(); });
+  std::ranges::stable_sort(
+      members, [](const Member& a, const Member& b) { return a.attachment->at.x() < b.attachment->at.x(); });
   for (std::size_t i = 0; i < members.size(); ++i)
     for (std::size_t j = i + 1;
          j < members.size() && members[j].attachment->at.x() - members[i].attachment->at.x() <= near; ++j) {
@@ -113,7 +112,7 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
     std::vector<double> others, rotations;
     for (const Member& o : members)
       if (o.element != m.element) others.push_back(o.translation), rotations.push_back(o.rotation);
-    const auto [low, high] = std::minmax_element(others.begin(), others.end());
+    const auto [low, high] = std::ranges::minmax_element(others);
     const double usual = median(others), ratio = m.translation / usual;
     const model::Element& element = system.elements()[m.element];
     if (is_scale_in_percent(element.law.scale)) continue;  // reported as such
@@ -132,7 +131,7 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
       continue;
     }
     const double usual_rotation = median(rotations);
-    const auto [least, most] = std::minmax_element(rotations.begin(), rotations.end());
+    const auto [least, most] = std::ranges::minmax_element(rotations);
     constexpr double alike = 2;
     if (!(*least > 0) || !(m.rotation > 0) || members.size() < 3 || *most > alike * *least) continue;
     const double turn = usual_rotation / m.rotation / std::max(1e-300, usual / m.translation);
@@ -196,7 +195,7 @@ void find_mixed_directions(const model::System& system, const std::vector<BodyPi
       Eigen::Vector3d k = a.translation.diagonal();
       sum += k;
       if (!first) first = &a;
-      std::sort(k.begin(), k.end());
+      std::ranges::sort(k);
       alike = alike && a.typed && k(0) > 0 && k(1) > thousand_from * k(0) && k(1) < thousand_to * k(0);
     }
     if (!first || !alike) continue;
@@ -257,17 +256,15 @@ void judge_undamped(const model::System& system, const std::vector<BodyPicture>&
   };
   for (const auto& [group, members] : groups(system, pictures)) {
     const std::optional<std::size_t> body = std::get<0>(group);
-    const bool with_dampers = std::any_of(
-        system.elements().begin(), system.elements().end(),
-        [&](const model::Element& e) { return e.type == "damper" && (e.k.body == body || e.n.body == body); });
-    const bool are_equal = std::all_of(members.begin(), members.end(), [&](const Member& m) {
+    const bool with_dampers = std::ranges::any_of(system.elements(), [&](const model::Element& e) {
+      return e.type == "damper" && (e.k.body == body || e.n.body == body);
+    });
+    const bool are_equal = std::ranges::all_of(members, [&](const Member& m) {
       return std::abs(m.translation - members.front().translation) <= equal * members.front().translation;
     });
-    const auto undamped =
-        std::count_if(members.begin(), members.end(), [&](const Member& m) { return !is_damped(m.element); });
+    const auto undamped = std::ranges::count_if(members, [&](const Member& m) { return !is_damped(m.element); });
     if (members.size() < 3 || with_dampers || !are_equal || undamped != 1) continue;
-    const auto one =
-        std::find_if(members.begin(), members.end(), [&](const Member& m) { return !is_damped(m.element); });
+    const auto one = std::ranges::find_if(members, [&](const Member& m) { return !is_damped(m.element); });
     found.push_back({"unequal mounts", "elements." + system.elements()[one->element].name, "it has no damping",
                      fmt::format("the {} others of its kind and stiffness have damping", members.size() - 1),
                      "probably a line is missing"});

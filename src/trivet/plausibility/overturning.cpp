@@ -88,12 +88,12 @@ std::optional<Parted> parted(const model::System& system, const assembly::Assemb
     about.setIdentity();
   }
   Parted result{MatrixXd::Zero(n, about.cols()), MatrixXd::Zero(n, n - about.cols()), axes * about};
-  for (Eigen::Index i = 0; i < count; ++i) result.tilts.row(rows[to_size(i)]) = about.row(i) / scale(rows[to_size(i)]);
+  for (Eigen::Index i = 0; i < count; ++i) result.tilts.row(rows[i]) = about.row(i) / scale(rows[i]);
   Eigen::Index next = 0;
   for (Eigen::Index i = 0; i < n; ++i)
-    if (std::find(rows.begin(), rows.end(), i) == rows.end()) result.others(i, next++) = 1;
+    if (std::ranges::find(rows, i) == rows.end()) result.others(i, next++) = 1;
   if (count == 3)
-    for (Eigen::Index i = 0; i < count; ++i) result.others(rows[to_size(i)], next) = down(i) / scale(rows[to_size(i)]);
+    for (Eigen::Index i = 0; i < count; ++i) result.others(rows[i], next) = down(i) / scale(rows[i]);
   if (count == 3) result.others.col(next).normalize();
   return result;
 }

@@ -43,15 +43,15 @@ std::vector<double> natural_frequencies(const model::System& system) {
   } catch (const foundation::NotComputable&) {  // a coordinate without mass and stiffness: the analyses report it
     result.clear();
   }
-  std::sort(result.begin(), result.end());
+  std::ranges::sort(result);
   return result;
 }
 
 double hertz(double omega) { return omega / (2 * std::numbers::pi); }
 
 bool holds_any(const Window& window, const std::vector<double>& natural, double factor) {
-  return std::any_of(natural.begin(), natural.end(),
-                     [&](double w) { return factor * w * margin >= window.from && factor * w <= window.to * margin; });
+  return std::ranges::any_of(
+      natural, [&](double w) { return factor * w * margin >= window.from && factor * w <= window.to * margin; });
 }
 
 /// A window to avoid whose numbers, had they been meant in hertz, would hold a natural frequency that it misses in
@@ -59,8 +59,8 @@ bool holds_any(const Window& window, const std::vector<double>& natural, double 
 void judge_avoided(const Window& window, const std::vector<double>& natural, Suspicions& found) {
   constexpr double turn = 2 * std::numbers::pi;
   const auto inside = [&](double factor) {
-    return std::find_if(natural.begin(), natural.end(),
-                        [&](double w) { return w >= factor * window.from && w <= factor * window.to; });
+    return std::ranges::find_if(natural,
+                                [&](double w) { return w >= factor * window.from && w <= factor * window.to; });
   };
   const auto meant = inside(turn);
   if (inside(1) != natural.end() || meant == natural.end()) return;
@@ -169,8 +169,8 @@ void judge_transient(const model::System& system, const TimeQuestion& question, 
 void judge_limits(const model::System& system, const std::vector<AllowedMotion>& limits,
                   const std::vector<BodyPicture>& pictures, Suspicions& found) {
   for (const AllowedMotion& limit : limits) {
-    const auto picture = std::find_if(pictures.begin(), pictures.end(),
-                                      [&](const BodyPicture& p) { return system.bodies()[p.body].name == limit.body; });
+    const auto picture = std::ranges::find_if(
+        pictures, [&](const BodyPicture& p) { return system.bodies()[p.body].name == limit.body; });
     if (picture == pictures.end()) continue;
     const auto remedy = [&](const char* unit) {
       return limit.is_line ? fmt::format("write unit = \"{}\" if they are in it: rows without a unit are in SI", unit)

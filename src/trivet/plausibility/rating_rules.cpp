@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/plausibility/rules.h"
 #include "trivet/response/machinery/rated_loads.h"
@@ -19,9 +18,8 @@ constexpr double overload_without_gravity = 2;
 constexpr Eigen::Index most_rated_coordinates = 600;
 
 bool has_range(const model::Element& element) {
-  return element.rating && std::any_of(element.rating->load.begin(), element.rating->load.end(), [](const auto& range) {
-           return range.has_value();
-         });
+  return element.rating &&
+      std::ranges::any_of(element.rating->load, [](const auto& range) { return range.has_value(); });
 }
 
 /// Loads of all mounts at rest; none without a static load, a unique position of rest, or in too large a system.
@@ -53,10 +51,10 @@ const char* remedy_of(double load, const Eigen::Vector2d& range, bool along_axis
 void judge_rated_mount(const model::Element& element, const Eigen::Vector3d& loads, Suspicions& found) {
   std::string finding, ranges, remedy;
   for (const Eigen::Index direction : {2, 0, 1}) {
-    const auto& range = element.rating->load[to_size(direction)];
+    const auto& range = element.rating->load[direction];
     const double load = loads(direction);
     if (!range || response::is_within(load, *range)) continue;
-    const char* axis = model::coordinate_names[to_size(direction)];
+    const char* axis = model::coordinate_names[direction];
     const std::string separator = finding.empty() ? "" : ", ";
     finding += separator + fmt::format("{:.5g} N along {}", load, axis);
     if (direction == 2 && load < 0) finding += " (tension)";
@@ -106,7 +104,7 @@ void judge_estimated_loads(const model::System& system, const std::vector<BodyPi
 }  // namespace
 
 void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
-  if (std::none_of(system.elements().begin(), system.elements().end(), has_range)) return;
+  if (std::ranges::none_of(system.elements(), has_range)) return;
   const auto loads = loads_at_rest(system);
   if (!loads) return judge_estimated_loads(system, pictures, found);
   for (const response::RatedLoad& one : *loads) judge_rated_mount(system.elements()[one.element], one.load, found);

@@ -11,8 +11,8 @@ namespace trivet::plausibility {
 namespace {
 
 bool touches(const BodyPicture& picture, const std::vector<std::size_t>& elements) {
-  return std::any_of(picture.attachments.begin(), picture.attachments.end(), [&](const Attachment& a) {
-    return std::find(elements.begin(), elements.end(), a.element) != elements.end();
+  return std::ranges::any_of(picture.attachments, [&](const Attachment& a) {
+    return std::ranges::find(elements, a.element) != elements.end();
   });
 }
 
@@ -20,7 +20,7 @@ bool touches(const BodyPicture& picture, const std::vector<std::size_t>& element
 bool is_repeated(const BodyVerdict& verdict, const std::vector<BodyVerdict>& before) {
   if (!verdict.slip || (verdict.slip->stiffness == 1 && verdict.slip->places == 1 && verdict.slip->rotation == 1))
     return false;
-  return std::any_of(before.begin(), before.end(), [&](const BodyVerdict& other) {
+  return std::ranges::any_of(before, [&](const BodyVerdict& other) {
     return other.slip && other.suspicion.kind == verdict.suspicion.kind &&
         other.slip->stiffness == verdict.slip->stiffness && other.slip->places == verdict.slip->places &&
         other.slip->rotation == verdict.slip->rotation;
@@ -40,7 +40,7 @@ std::string table_of(const std::string& subject) {
 std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated) {
   const auto casts_doubt = [&](const Suspicion& s) {
     const std::pair<std::string, std::string> key{table_of(s.subject), s.kind};
-    return std::find(stated.accepted.begin(), stated.accepted.end(), key) == stated.accepted.end();
+    return std::ranges::find(stated.accepted, key) == stated.accepted.end();
   };
   Suspicions found;
   const auto doubt_since = [&](std::size_t count) {
@@ -48,14 +48,13 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   };
   const std::vector<BodyPicture> all = pictures(system, stated.inertia_about_pole, stated.from_solids);
   std::vector<std::size_t> blamed = judge_mounts(system, all, found);
-  const bool scales_accepted = std::any_of(found.begin(), found.end(), [&](const Suspicion& s) {
-    return s.kind == std::string("scale") && !casts_doubt(s);
-  });
+  const bool scales_accepted =
+      std::ranges::any_of(found, [&](const Suspicion& s) { return s.kind == std::string("scale") && !casts_doubt(s); });
   std::erase_if(blamed, [&](std::size_t e) {
     if (is_scale_in_percent(system.elements()[e].law.scale)) return scales_accepted;  // one entry for all of them
     const std::string table = "elements." + system.elements()[e].name;
-    return std::any_of(found.begin(), found.end(),
-                       [&](const Suspicion& s) { return table_of(s.subject) == table && !casts_doubt(s); });
+    return std::ranges::any_of(found,
+                               [&](const Suspicion& s) { return table_of(s.subject) == table && !casts_doubt(s); });
   });
 
   std::vector<BodyVerdict> verdicts;
@@ -65,10 +64,10 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
       if (!explained && !is_repeated(*verdict, verdicts)) verdicts.push_back(std::move(*verdict));
     }
   const auto doubted = [&](const BodyVerdict& v) { return casts_doubt(v.suspicion); };
-  const bool bodies_doubtful = std::any_of(verdicts.begin(), verdicts.end(), doubted);
+  const bool bodies_doubtful = std::ranges::any_of(verdicts, doubted);
   for (const BodyPicture& picture : all) {
-    const bool own = std::any_of(verdicts.begin(), verdicts.end(),
-                                 [&](const BodyVerdict& v) { return v.body == picture.body && doubted(v); });
+    const bool own =
+        std::ranges::any_of(verdicts, [&](const BodyVerdict& v) { return v.body == picture.body && doubted(v); });
     auto products = doubtful_products(system.bodies()[picture.body].name, picture);
     if (products && !own) found.push_back(std::move(*products));
     if (!bodies_doubtful && blamed.empty()) judge_rotation(system, picture, found);
@@ -78,9 +77,8 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   judge_gravity(system, all, found);
   const bool gravity_doubtful = doubt_since(before_gravity);
   // A consequence of a wrong mass, place, stiffness or gravity is not a separate suspicion.
-  const bool mass_doubtful = std::any_of(verdicts.begin(), verdicts.end(), [&](const BodyVerdict& v) {
-    return v.slip && v.slip->mass != 1 && doubted(v);
-  });
+  const bool mass_doubtful =
+      std::ranges::any_of(verdicts, [&](const BodyVerdict& v) { return v.slip && v.slip->mass != 1 && doubted(v); });
   if (!machine_doubtful && !gravity_doubtful) judge_balance(system, found);
   if (!mass_doubtful && !gravity_doubtful) {
     const std::size_t before = found.size();

@@ -117,7 +117,7 @@ constexpr Judged extremes[] = {{&Features::lowest, &lowest_range}, {&Features::h
 
 double missed_windows(const Features& found, const std::vector<Window>& windows) {
   if (windows.empty() || !found.lowest || !found.highest) return 0;
-  const auto missed = std::count_if(windows.begin(), windows.end(), [&](const Window& w) {
+  const auto missed = std::ranges::count_if(windows, [&](const Window& w) {
     const double from = w.from / (2 * std::numbers::pi) / window_margin,
                  to = w.to / (2 * std::numbers::pi) * window_margin;
     return *found.highest < from || *found.lowest > to;
@@ -139,8 +139,7 @@ double tilt_penalty(const Features& found) {
 
 /// The element with the most viscous damping.
 const Attachment* most_damped(const BodyPicture& picture) {
-  const auto most = std::max_element(picture.attachments.begin(), picture.attachments.end(),
-                                     [](const Attachment& a, const Attachment& b) { return a.viscous < b.viscous; });
+  const auto most = std::ranges::max_element(picture.attachments, {}, &Attachment::viscous);
   return most != picture.attachments.end() && most->viscous > 0 ? &*most : nullptr;
 }
 
@@ -152,10 +151,9 @@ Eigen::Vector3d farthest_point(const BodyPicture& picture) {
 }
 
 bool applies(const Slip& slip, const BodyPicture& picture) {
-  const bool any_typed = std::any_of(picture.attachments.begin(), picture.attachments.end(),
-                                     [](const Attachment& a) { return a.typed && a.elastic(); });
-  const bool any_place = std::any_of(picture.attachments.begin(), picture.attachments.end(),
-                                     [](const Attachment& a) { return !a.at.isZero(0); });
+  const bool any_typed =
+      std::ranges::any_of(picture.attachments, [](const Attachment& a) { return a.typed && a.elastic(); });
+  const bool any_place = std::ranges::any_of(picture.attachments, [](const Attachment& a) { return !a.at.isZero(0); });
   if (slip.mass != 1 || slip.inertia != 1) return !picture.from_solids;
   if (slip.centre != 1) return !picture.from_solids && !picture.mass.centre.isZero(0);
   if (slip.stiffness != 1 || slip.rotation != 1) return any_typed;
@@ -179,7 +177,7 @@ std::string odd_words(const Features& found, const std::vector<Window>& windows)
   };
   for (const Judged& j : judged) add(j);
   for (const Judged& j : extremes) add(j);
-  std::sort(odd.begin(), odd.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::ranges::sort(odd, [](const auto& a, const auto& b) { return a.first > b.first; });
   constexpr std::size_t most = 3;
   std::string text;
   for (std::size_t i = 0; i < odd.size() && i < most; ++i) text += (i > 0 ? ", " : "") + odd[i].second;

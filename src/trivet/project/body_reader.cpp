@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/adjustments_reader.h"
 #include "trivet/project/solids_reader.h"
@@ -67,8 +66,7 @@ void add_names(const model::Body& body, NamesInFile& in_file) {
 std::optional<model::Body> known_body(const KnownModel& known, const std::string& name, const Node& now) {
   if (!known.unchanged("bodies", name, now)) return std::nullopt;
   const auto& bodies = known.description.bodies;
-  const auto found =
-      std::find_if(bodies.begin(), bodies.end(), [&](const model::Body& body) { return body.name == name; });
+  const auto found = std::ranges::find(bodies, name, &model::Body::name);
   return found == bodies.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -111,10 +109,10 @@ void read_free(TableReader& reader, model::Body& body, NamesInFile& in_file) {
   if (!names) return;
   body.free.fill(false);
   for (const std::string& name : *names) {
-    const auto found = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
-    if (found != model::coordinate_names.end() && body.free[to_size(found - model::coordinate_names.begin())])
+    const auto found = std::ranges::find(model::coordinate_names, name);
+    if (found != model::coordinate_names.end() && body.free[found - model::coordinate_names.begin()])
       reader.error("free", "\"" + name + "\" twice", "each coordinate is named once", "remove one");
-    else if (found != model::coordinate_names.end()) body.free[to_size(found - model::coordinate_names.begin())] = true;
+    else if (found != model::coordinate_names.end()) body.free[found - model::coordinate_names.begin()] = true;
     else
       reader.error("free", foundation::quoted(name), "a coordinate is one of x, y, z, rx, ry, rz",
                    "name the coordinates that move");

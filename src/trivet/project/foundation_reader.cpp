@@ -31,7 +31,7 @@ std::vector<int> read_directions(TableReader& reader, bool with_rotation) {
   for (int j = 0; j < (with_rotation ? 6 : 3) && !names; ++j) directions.push_back(j);
   if (!names) return directions;
   for (const std::string& name : *names) {
-    const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
+    const auto at = std::ranges::find(model::coordinate_names, name);
     const auto j = static_cast<int>(at - model::coordinate_names.begin());
     if (j == 6)
       reader.error("free", foundation::quoted(name), "a direction is one of x, y, z, rx, ry, rz",
@@ -39,7 +39,7 @@ std::vector<int> read_directions(TableReader& reader, bool with_rotation) {
     else if (j > 2 && !with_rotation)
       reader.error("free", "\"" + name + "\"", "a ground point that rotates needs a rotational stiffness",
                    "add rotation = [krx, kry, krz]");
-    else if (std::find(directions.begin(), directions.end(), j) != directions.end())
+    else if (std::ranges::find(directions, j) != directions.end())
       reader.error("free", "\"" + name + "\" twice", "each direction is named once", "remove one");
     else directions.push_back(j);
   }
@@ -60,11 +60,9 @@ GroundPoints read_impedance(TableReader& reader) {
     reader.missing("translation", "give the stiffness of a ground point: translation = [kx, ky, kz]");
   for (const int j : ground.directions)
     if (!(k(j) > 0) && reader.has("translation"))
-      reader.error(j < 3 ? "translation" : "rotation",
-                   fmt::format("{:.6g} for {}", k(j), model::coordinate_names[to_size(j)]),
+      reader.error(j < 3 ? "translation" : "rotation", fmt::format("{:.6g} for {}", k(j), model::coordinate_names[j]),
                    "the stiffness of a compliant direction is > 0", "name the compliant directions: free = [\"z\"]");
-  if (turns && !ground.directions.empty() &&
-      std::none_of(ground.directions.begin(), ground.directions.end(), [](int j) { return j > 2; }))
+  if (turns && !ground.directions.empty() && std::ranges::none_of(ground.directions, [](int j) { return j > 2; }))
     warn_of_idle_key(reader, "rotation", "rotation of a ground point that does not rotate", "`free` names no rotation",
                      "add rx, ry or rz to `free`, or remove it");
   const double mass = reader.number("mass", Quantity::mass).value_or(0);
@@ -93,7 +91,7 @@ std::vector<int> read_ground_nodes(TableReader& reader, std::map<std::string, st
     if (!number || *number <= 0)
       nodes.error(key, foundation::quoted(key), "the key is the number of a node of the file", "for instance \"11\"");
     if (!number || *number <= 0 || !element) continue;
-    if (std::find(numbers.begin(), numbers.end(), *number) != numbers.end())
+    if (std::ranges::find(numbers, *number) != numbers.end())
       nodes.error(key, foundation::quoted(key), "each node is named once", "remove one");
     if (!points.emplace(*element, numbers.size()).second)
       nodes.error(key, foundation::quoted(*element) + " twice", "an element is on one node", "remove one");
@@ -138,7 +136,7 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
   model::Foundation shared{name, Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count),
                            Eigen::MatrixXd::Zero(count, count)};
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Node& node = list->items[to_size(i)];
+    const Node& node = list->items[i];
     if (node.kind != Node::Kind::table) {
       reader.error("modes", fmt::format("mode {} is {}", i + 1, kind_name(node.kind)), "a mode is a table",
                    "{frequency = …, modal_mass = …, damping = …, shapes = {…}}");
@@ -182,14 +180,14 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
 /// @param key, thing  "modes" and "shapes", or "nodes" and "a node"
 void report_idle_mount(TableReader& root, const std::string& ground, const std::string& mount, const std::string& key,
                        const std::string& thing, const NamesInFile& in_file) {
-  if (std::any_of(
-          in_file.foundation_references.begin(), in_file.foundation_references.end(),
-          [&](const NamesInFile::FoundationReference& one) { return one.element == mount && one.ground == ground; }))
+  if (std::ranges::any_of(in_file.foundation_references, [&](const NamesInFile::FoundationReference& one) {
+        return one.element == mount && one.ground == ground;
+      }))
     return;
   const std::string subject = "foundations." + ground + "." + key;
   const Node* origin = root.node("foundations")->find(ground)->find(key);
   const std::string finding = fmt::format("{} of {}", thing, foundation::quoted(mount));
-  if (std::find(in_file.elements.begin(), in_file.elements.end(), mount) != in_file.elements.end()) {
+  if (std::ranges::find(in_file.elements, mount) != in_file.elements.end()) {
     const std::string rule = "this element is not on the foundation",
                       remedy = "add foundation = \"" + ground + "\" to it, or remove " + thing;
     foundation::Problem& problem = key == "nodes" ? root.problems().error(subject, finding, rule, remedy)
@@ -225,8 +223,8 @@ void read_foundations(TableReader& root, model::Description& description, NamesI
     if (type == "mobility") grounds[name].separate = read_mobility(reader);
     if (type == "modal") grounds[name] = read_modal(reader, name, description);
     if (type) reader.finish();
-    if (std::none_of(in_file.foundation_references.begin(), in_file.foundation_references.end(),
-                     [&](const NamesInFile::FoundationReference& one) { return one.ground == name; }))
+    if (std::ranges::none_of(in_file.foundation_references,
+                             [&](const NamesInFile::FoundationReference& one) { return one.ground == name; }))
       reader.problems()
           .warning("foundations." + name, "no element is on it", "a foundation acts only under elements that name it",
                    "add foundation = \"" + name + "\" to them")
@@ -240,9 +238,9 @@ void read_foundations(TableReader& root, model::Description& description, NamesI
   std::vector<std::string> names = table ? table->keys : std::vector<std::string>{};
   for (const auto& [element_name, ground_name, origin] : in_file.foundation_references) {
     const std::string subject = "elements." + element_name + ".foundation";
-    const auto element = std::find_if(description.elements.begin(), description.elements.end(),
-                                      [&, wanted = element_name](const model::Element& e) { return e.name == wanted; });
-    if (std::find(names.begin(), names.end(), ground_name) == names.end()) {
+    const auto element = std::ranges::find_if(
+        description.elements, [&, wanted = element_name](const model::Element& e) { return e.name == wanted; });
+    if (std::ranges::find(names, ground_name) == names.end()) {
       const std::string guess = foundation::nearest_name(ground_name, names);
       root.problems()
           .error(subject, foundation::quoted(ground_name), "no foundation has this name",

@@ -8,8 +8,7 @@
 namespace trivet::project {
 
 void add_ground_point(GroundPoints& ground, const std::string& element, model::Description& description) {
-  const auto mount = std::find_if(description.elements.begin(), description.elements.end(),
-                                  [&](const model::Element& one) { return one.name == element; });
+  const auto mount = std::ranges::find(description.elements, element, &model::Element::name);
   const std::size_t point = ground.points.empty() ? 0 : ground.points.at(element);
   const std::vector<int> directions = ground.mobility ? ground.mobility->coordinates(point) : ground.directions;
   const auto count = to_index(directions.size());
@@ -18,7 +17,7 @@ void add_ground_point(GroundPoints& ground, const std::string& element, model::D
                           Eigen::MatrixXd::Zero(count, count)};
   Eigen::Matrix<double, 6, Eigen::Dynamic> shape = Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const int j = directions[to_size(i)];
+    const int j = directions[i];
     place.mass(i, i) = ground.mass(j);
     shape(j, i) = 1;
   }

@@ -25,7 +25,7 @@ MeasuredPlaces::MeasuredPlaces(const model::Description& description, std::map<i
 }
 
 bool MeasuredPlaces::put(int node, const std::string& place) {
-  const auto found = std::find_if(places_.begin(), places_.end(), [&](const auto& one) { return one.name == place; });
+  const auto found = std::ranges::find_if(places_, [&](const auto& one) { return one.name == place; });
   if (found == places_.end()) return false;
   put_[node] = to_size(found - places_.begin());
   return true;
@@ -66,8 +66,7 @@ std::optional<MeasuredPlaces::Component> MeasuredPlaces::component(const exchang
   const Eigen::Vector3d along = description_.bodies[at->body].pose.rotation.transpose() * direction_in_ground(point);
   for (int j = 0; j < 3; ++j)
     if (std::abs(along(j)) > parallel)
-      return Component{at->name + "." + model::coordinate_names[to_size(direction > 3 ? j + 3 : j)],
-                       along(j) < 0 ? -1.0 : 1.0};
+      return Component{at->name + "." + model::coordinate_names[direction > 3 ? j + 3 : j], along(j) < 0 ? -1.0 : 1.0};
   return std::nullopt;
 }
 

@@ -43,8 +43,7 @@ std::vector<UniversalNode> nodes_in_systems(const exchange::UniversalFile& file)
 
 foundation::Problems judge_directions(const std::vector<UniversalNode>& nodes) {
   std::vector<UniversalNode> turned;
-  std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(turned),
-               [](const UniversalNode& node) { return !node.axes_known; });
+  std::ranges::copy_if(nodes, std::back_inserter(turned), [](const UniversalNode& node) { return !node.axes_known; });
   foundation::Problems found;
   if (!turned.empty())
     found.warning("",
@@ -58,8 +57,7 @@ foundation::Problems judge_directions(const std::vector<UniversalNode>& nodes) {
 std::optional<exchange::UniversalPoint> in_ground(const exchange::UniversalPoint& point,
                                                   const std::vector<UniversalNode>& nodes) {
   constexpr double parallel = 1 - 1e-6;
-  const auto node =
-      std::find_if(nodes.begin(), nodes.end(), [&](const UniversalNode& one) { return one.label == point.node; });
+  const auto node = std::ranges::find(nodes, point.node, &UniversalNode::label);
   const int direction = std::abs(point.direction);
   if (node == nodes.end() || direction < 1 || direction > 6) return point;
   const Eigen::Vector3d along = node->axes.col((direction - 1) % 3);

@@ -61,18 +61,18 @@ std::vector<FunctionColumns> function_columns(const CsvTable& table, foundation:
   std::vector<FunctionColumns> all;
   for (std::size_t c = 1; c < table.columns.size(); ++c) {
     const Heading heading = heading_of(table.columns[c]);
-    const auto part = std::find(column_parts.begin(), column_parts.end(), heading.part);
+    const auto part = std::ranges::find(column_parts, heading.part);
     if (part == column_parts.end()) {
       found.error("", "column " + foundation::quoted(table.columns[c]), measured_columns, "rename or remove it");
       continue;
     }
-    auto known = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == heading.name; });
+    auto known = std::ranges::find_if(all, [&](const auto& one) { return one.name == heading.name; });
     if (known == all.end()) {
       FunctionColumns added{heading.name, "", {}};
       added.parts.fill(-1);
       known = all.insert(all.end(), added);
     }
-    known->parts[to_size(part - column_parts.begin())] = to_index(c);
+    known->parts[part - column_parts.begin()] = to_index(c);
     if (heading.part == "re" || heading.part == "amplitude") known->unit = heading.unit;
     if (heading.part == "im" && heading.unit != known->unit)
       found.error("", fmt::format("column {}: its unit is \"{}\"", foundation::quoted(table.columns[c]), heading.unit),
@@ -93,7 +93,7 @@ void check_frequencies(const CsvTable& table, foundation::Problems& found) {
     found
         .error("", fmt::format("{} = {:.6g}", table.columns.front(), frequency),
                "frequencies are ≥ 0 and increase from row to row", "sort or correct the rows")
-        .origin = {table.source, table.lines[to_size(i)]};
+        .origin = {table.source, table.lines[i]};
     return;
   }
 }
@@ -109,7 +109,7 @@ std::complex<double> value_in_row(const CsvTable& table, const FunctionColumns& 
 /// Factor of the phase to radians.
 double phase_factor(const CsvTable& table, const FunctionColumns& columns, foundation::Problems& found) {
   if (columns.is_cartesian()) return 1;
-  const std::string& column = table.columns[to_size(columns.parts[3])];
+  const std::string& column = table.columns[columns.parts[3]];
   const auto factor = to_si("1 " + heading_of(column).unit, Quantity::angle);
   if (!factor)
     found.error("", "column " + foundation::quoted(column), "a phase has the unit deg or rad",
@@ -122,9 +122,9 @@ void check_coherences(const CsvTable& table, const FunctionColumns& columns, fou
     const double value = table.values(i, columns.parts[4]);
     if (std::isnan(value) || is_coherence(value)) continue;
     found
-        .error("", fmt::format("{} = {:.6g}", table.columns[to_size(columns.parts[4])], value),
-               "a coherence is between 0 and 1", "correct it; divide a coherence in percent by 100")
-        .origin = {table.source, table.lines[to_size(i)]};
+        .error("", fmt::format("{} = {:.6g}", table.columns[columns.parts[4]], value), "a coherence is between 0 and 1",
+               "correct it; divide a coherence in percent by 100")
+        .origin = {table.source, table.lines[i]};
     return;
   }
 }
@@ -152,7 +152,7 @@ std::optional<MeasuredUnit> unit_of_columns(const FunctionColumns& columns, cons
 void judge_idle_unit(const std::vector<FunctionColumns>& columns, const GivenUnits& given,
                      foundation::Problems& found) {
   if (given.empty() || columns.empty()) return;
-  if (std::any_of(columns.begin(), columns.end(), [](const FunctionColumns& one) { return one.unit.empty(); })) return;
+  if (std::ranges::any_of(columns, [](const FunctionColumns& one) { return one.unit.empty(); })) return;
   found.warning("", fmt::format("column of {}: [{}]", foundation::quoted(columns.front().name), columns.front().unit),
                 "the unit in the heading holds, `unit` of the measurement is for columns without one",
                 "remove one of them");
@@ -215,8 +215,8 @@ foundation::Expected<MeasuredFile> read_measured_file(const std::filesystem::pat
   auto file = path.extension() == ".csv" ? read_measured_table(path, units, with_coherence)
                                          : read_measured_universal(path, units, with_coherence);
   if (!file || !with_coherence) return file;
-  if (std::none_of(file->functions.begin(), file->functions.end(),
-                   [](const MeasuredFunction& function) { return function.coherence.size() > 0; })) {
+  if (std::ranges::none_of(file->functions,
+                           [](const MeasuredFunction& function) { return function.coherence.size() > 0; })) {
     foundation::Problems found;
     found.error("", "no coherence",
                 "coherence = true needs functions of type 6 at the points of the others, or columns "

@@ -139,7 +139,7 @@ class MeasurementTable {
     std::vector<std::string> known;
     for (const MeasuredFunction& function : file.functions) {
       const auto& texts = function.texts;
-      const bool by_text = std::find(texts.begin(), texts.end(), *source) != texts.end();
+      const bool by_text = std::ranges::find(texts, *source) != texts.end();
       exchange::UniversalPoint turned = function.response;
       turned.direction = -turned.direction;
       const bool opposite = function.response.node != 0 && point_name(turned) == *source;
@@ -169,17 +169,16 @@ class MeasurementTable {
   void report_no_match(const MeasuredFile& file, const MeasuredPlaces& places) {
     std::vector<std::string> measured;
     for (const MeasuredFunction& function : file.functions)
-      if (std::find(measured.begin(), measured.end(), function.name) == measured.end())
-        measured.push_back(function.name);
+      if (std::ranges::find(measured, function.name) == measured.end()) measured.push_back(function.name);
     for (const exchange::UniversalMode& mode : file.modes)
       for (const exchange::UniversalNodeMotion& node : mode.nodes)
         if (const std::string name = fmt::format("node {} of modes", node.node);
-            std::find(measured.begin(), measured.end(), name) == measured.end())
+            std::ranges::find(measured, name) == measured.end())
           measured.push_back(name);
     const auto is_placed = [&](const MeasuredFunction& f) {
       return f.response.node != 0 && places.place(f.response.node) && f.response.direction != 0;
     };
-    if (std::any_of(file.functions.begin(), file.functions.end(), is_placed))
+    if (std::ranges::any_of(file.functions, is_placed))
       return static_cast<void>(reader_.error(
           "file", "the file has: " + foundation::comma_separated(measured),
           "their places are known, but their directions are not along axes of the bodies, which results have",
@@ -198,7 +197,7 @@ class MeasurementTable {
     for (const model::Excitation& excitation : description_.excitations)
       if (excitation.name == *name) return &excitation;
     const std::vector<std::string>& known = in_file_.harmonic_excitations;
-    if (std::find(known.begin(), known.end(), *name) != known.end()) return nullptr;  // reported elsewhere
+    if (std::ranges::find(known, *name) != known.end()) return nullptr;  // reported elsewhere
     const std::string guess = foundation::nearest_name(*name, known);
     reader_.error(
         "force", foundation::quoted(*name), "no harmonic excitation has this name",
@@ -227,7 +226,7 @@ class MeasurementTable {
         continue;
       }
       const auto& curves = result.curves;
-      if (std::any_of(curves.begin(), curves.end(), [&](const auto& c) { return c.result == match.result; }))
+      if (std::ranges::any_of(curves, [&](const auto& c) { return c.result == match.result; }))
         repeated.push_back(match.function->name);
       else add_curve(match, *factor, force ? force->delay() : 0, result);
     }
@@ -311,7 +310,7 @@ class MeasurementTable {
         derivatives_of(function.unit->quantity);
     MeasuredCurve curve{match.result, function.name, function.angular_frequency, function.value, function.coherence};
     for (Eigen::Index i = 0; i < curve.value.size(); ++i) {
-      const std::complex<double> s(0, curve.angular_frequency[to_size(i)]);
+      const std::complex<double> s(0, curve.angular_frequency[i]);
       curve.value(i) *= factor * std::pow(s, power) * std::exp(-s * delay);
     }
     result.curves.push_back(std::move(curve));
@@ -322,7 +321,7 @@ class MeasurementTable {
   [[nodiscard]] std::optional<assembly::Band> band() const {
     if (response_.band) return response_.band;
     if (response_.at.empty()) return std::nullopt;
-    const auto [low, high] = std::minmax_element(response_.at.begin(), response_.at.end());
+    const auto [low, high] = std::ranges::minmax_element(response_.at);
     return assembly::Band{*low, *high};
   }
 
@@ -347,7 +346,7 @@ class MeasurementTable {
     std::size_t lines = 0, poor_lines = 0;
     const auto asked = band();
     for (Eigen::Index i = 0; i < curve.coherence.size(); ++i) {
-      if (asked && !covers(*asked, curve.angular_frequency[to_size(i)])) continue;
+      if (asked && !covers(*asked, curve.angular_frequency[i])) continue;
       ++lines;
       poor_lines += curve.coherence(i) < poor;
     }
@@ -366,7 +365,7 @@ class MeasurementTable {
     for (const exchange::UniversalMode& mode : file.modes)
       for (const exchange::UniversalNodeMotion& node : mode.nodes)
         for (int axis = 0; axis < 3; ++axis)
-          if (node.components[to_size(axis)] != std::complex<double>(0) && places.place(node.node))
+          if (node.components[axis] != std::complex<double>(0) && places.place(node.node))
             moving.insert({node.node, axis});
     return {moving.begin(), moving.end()};
   }
@@ -388,8 +387,7 @@ class MeasurementTable {
                             exchange::damping_ratio(mode), Eigen::VectorXcd::Zero(to_index(directions.size()))};
       for (std::size_t c = 0; c < directions.size(); ++c)
         for (const exchange::UniversalNodeMotion& node : mode.nodes)
-          if (node.node == directions[c].first)
-            measured.shape(to_index(c)) = node.components[to_size(directions[c].second)];
+          if (node.node == directions[c].first) measured.shape(to_index(c)) = node.components[directions[c].second];
       result.modes.push_back(std::move(measured));
     }
   }

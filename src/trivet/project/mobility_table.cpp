@@ -21,7 +21,7 @@ constexpr const char* mobility_columns =
     "triangle), in SI or with a unit: y_z_z [(mm/s)/N]";
 
 std::string mobility_column(int i, int j) {
-  return fmt::format("y_{}_{}", model::coordinate_names[to_size(i)], model::coordinate_names[to_size(j)]);
+  return fmt::format("y_{}_{}", model::coordinate_names[i], model::coordinate_names[j]);
 }
 
 std::optional<std::pair<int, int>> entry_of(std::string name) {
@@ -54,7 +54,7 @@ void convert_mobilities(CsvTable& table, foundation::Problems& found) {
     const auto ratio = unit_ratio(heading.unit, si);
     if (!ratio) error(column, "its unit is not one of a velocity per force", "write a unit that converts to " + si);
     else table.values.col(to_index(c)) *= *ratio;
-    if (std::find(table.columns.begin(), table.columns.end(), heading.name) != table.columns.end())
+    if (std::ranges::find(table.columns, heading.name) != table.columns.end())
       error(column + ": another column is " + foundation::quoted(heading.name),
             "every column has a different name without its unit", "remove or rename one");
     table.columns[c] = heading.name;
@@ -69,7 +69,7 @@ void check_frequencies(const CsvTable& csv, const Eigen::VectorXd& frequency, fo
         .error("", fmt::format("frequency_hz = {:.6g}", frequency(i)),
                rises ? "a mobility is measured above 0 Hz" : "frequencies increase from row to row",
                "sort or correct the rows")
-        .origin = {csv.source, csv.lines[to_size(i)]};
+        .origin = {csv.source, csv.lines[i]};
   }
   if (frequency.size() < 2)
     found.error("", fmt::format("{} rows", frequency.size()), "a table has at least two rows", "add some");
@@ -101,8 +101,7 @@ std::optional<GroundMobility> read_mobility_table(TableReader& reader) {
   for (const auto& [i, j] : entries)
     if (i == j) result.directions.push_back({0, i, mobility_column(i, i)});
   const auto place = [&](int coordinate) {
-    return std::find_if(result.directions.begin(), result.directions.end(),
-                        [&](const GroundMobility::Direction& one) { return one.coordinate == coordinate; }) -
+    return std::ranges::find(result.directions, coordinate, &GroundMobility::Direction::coordinate) -
         result.directions.begin();
   };
   for (const auto& [i, j] : entries)
@@ -123,8 +122,8 @@ std::optional<GroundMobility> read_mobility_table(TableReader& reader) {
     for (Eigen::Index r = 0; r < values->rows(); ++r) {
       if (!values->row(r).allFinite())
         found.error("", name + " is missing", "every cell must hold a finite number", "complete or remove the row")
-            .origin = {csv->source, csv->lines[to_size(r)]};
-      result.rows[to_size(r)](place(i), place(j)) = result.rows[to_size(r)](place(j), place(i)) =
+            .origin = {csv->source, csv->lines[r]};
+      result.rows[r](place(i), place(j)) = result.rows[r](place(j), place(i)) =
           std::complex<double>((*values)(r, 1), (*values)(r, 2));
     }
   }

@@ -46,7 +46,7 @@ std::string name_of(const UniversalFunction& function) {
 std::vector<exchange::UniversalNode> nodes_among(const std::vector<int>& wanted, const exchange::UniversalFile& file) {
   std::vector<exchange::UniversalNode> found;
   for (const exchange::UniversalNode& node : file.nodes)
-    if (std::find(wanted.begin(), wanted.end(), node.label) != wanted.end()) found.push_back(node);
+    if (std::ranges::find(wanted, node.label) != wanted.end()) found.push_back(node);
   return found;
 }
 
@@ -92,7 +92,7 @@ class MobilityFunctions {
 
  private:
   std::optional<std::size_t> point(const UniversalPoint& at) const {
-    const auto found = std::find(nodes_.begin(), nodes_.end(), at.node);
+    const auto found = std::ranges::find(nodes_, at.node);
     return found == nodes_.end() ? std::nullopt : std::optional(to_size(found - nodes_.begin()));
   }
 

@@ -80,7 +80,7 @@ class ChoiceReader {
                     fmt::format("its type is {}, no mount of a catalogue", type ? value_text(*type) : "not given"),
                     "give it a mount first: type = \"catalogue:NAME\"; the choice replaces it. If elements share "
                     "[element_types.NAME], the path is element_types.NAME.type");
-    if (std::find(choice_.paths.begin(), choice_.paths.end(), path) != choice_.paths.end())
+    if (std::ranges::find(choice_.paths, path) != choice_.paths.end())
       return refuse(shown, "the choice names this place twice", "name it once");
     return true;
   }
@@ -142,7 +142,7 @@ class ChoiceReader {
         continue;
       }
       const std::string name = word.substr(prefix.size());
-      if (std::find(choice_.mounts.begin(), choice_.mounts.end(), name) != choice_.mounts.end())
+      if (std::ranges::find(choice_.mounts, name) != choice_.mounts.end())
         reader_.error("choices", shown, "it is named twice", "name it once");
       if (shelf.readable)
         if (const auto found = mount_named(name, shelf.catalogues); !found) {
@@ -163,8 +163,8 @@ void refuse_shared_places(const std::vector<MountChoice>& choices, TableReader& 
   for (std::size_t i = 0; i < choices.size(); ++i)
     for (const std::string& path : choices[i].paths)
       for (std::size_t j = 0; j < i; ++j) {
-        const bool same = std::any_of(choices[j].paths.begin(), choices[j].paths.end(),
-                                      [&](const std::string& other) { return path_keys(other) == path_keys(path); });
+        const bool same = std::ranges::any_of(
+            choices[j].paths, [&](const std::string& other) { return path_keys(other) == path_keys(path); });
         if (!same) continue;
         root.problems()
             .error("parameters." + choices[i].name + ".path", foundation::quoted(path),

@@ -54,7 +54,7 @@ class PlaceReader {
     }
     std::vector<std::string> known = in_file_.bodies;
     for (const auto* more : {&in_file_.nodes, &in_file_.points}) known.insert(known.end(), more->begin(), more->end());
-    if (in_file_.bodies_unknown || std::find(known.begin(), known.end(), name) != known.end()) return std::nullopt;
+    if (in_file_.bodies_unknown || std::ranges::find(known, name) != known.end()) return std::nullopt;
     const std::string guess = foundation::nearest_name(name, known);
     reader.error(
         key, foundation::quoted(name), "a place is a body, BODY.POINT, a node or \"ground\"",
@@ -89,13 +89,13 @@ std::optional<std::vector<std::size_t>> elements_named(TableReader& reader, cons
                                                        const NamesInFile& in_file) {
   std::vector<std::size_t> found;
   for (const std::string& name : names) {
-    const auto at = std::find_if(description.elements.begin(), description.elements.end(),
-                                 [&](const model::Element& e) { return e.name == name && !e.is_foundation; });
+    const auto at = std::ranges::find_if(description.elements,
+                                         [&](const model::Element& e) { return e.name == name && !e.is_foundation; });
     if (at != description.elements.end()) {
       found.push_back(static_cast<std::size_t>(at - description.elements.begin()));
       continue;
     }
-    if (std::find(in_file.elements.begin(), in_file.elements.end(), name) != in_file.elements.end()) continue;
+    if (std::ranges::find(in_file.elements, name) != in_file.elements.end()) continue;
     const std::string guess = foundation::nearest_name(name, in_file.elements);
     reader.error("elements", foundation::quoted(name), "no element has this name",
                  guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");

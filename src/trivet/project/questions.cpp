@@ -156,11 +156,10 @@ bool is_requested(const std::string& question, const Questions& questions, const
   if (questions.of_case && *questions.of_case != of_case) return false;
   if (!questions.requested) return true;
   const std::vector<std::string>& requested = *questions.requested;
-  if (std::find(requested.begin(), requested.end(), question) != requested.end()) return true;
+  if (std::ranges::find(requested, question) != requested.end()) return true;
   const bool known = question == "clearances" ||
-      std::any_of(removals().begin(), removals().end(), [&](const auto& one) { return one.first == question; }) ||
-      std::any_of(question_readers().begin(), question_readers().end(),
-                  [&](const QuestionReader& one) { return one.name == question; });
+      std::ranges::any_of(removals(), [&](const auto& one) { return one.first == question; }) ||
+      std::ranges::any_of(question_readers(), [&](const QuestionReader& one) { return one.name == question; });
   // A misspelt name may be any question, so it concerns each of them.
   return !known && !is_outside_analysis(question) && !requested.empty();
 }

@@ -40,8 +40,8 @@ std::string part_path(const std::string& subject) {
 }
 
 bool has_every_element(const model::Description& description, const NamesInFile& in_file) {
-  const auto read = std::count_if(description.elements.begin(), description.elements.end(),
-                                  [](const model::Element& element) { return !element.is_foundation; });
+  const auto read =
+      std::ranges::count_if(description.elements, [](const model::Element& element) { return !element.is_foundation; });
   return to_size(read) == in_file.elements.size();
 }
 
@@ -130,7 +130,7 @@ std::optional<ReadCase> read_case(Node written, const std::string& name, foundat
 Node without_questions(Node document) {
   for (const char* question :
        {"analyses", "limits", "limit_lines", "measurements", "requirements", "parameters", "cases"})
-    if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
+    if (const auto at = std::ranges::find(document.keys, question); at != document.keys.end()) {
       document.items.erase(document.items.begin() + (at - document.keys.begin()));
       document.keys.erase(at);
     }

@@ -62,7 +62,7 @@ Settings read_settings(const std::vector<std::string>& settings, const std::file
     std::vector<ChangedNumber> numbers;
     list_changes(*change, "", numbers);
     for (const ChangedNumber& number : numbers) {
-      const auto earlier = std::find_if(result.numbers.begin(), result.numbers.end(), [&](const ChangedNumber& known) {
+      const auto earlier = std::ranges::find_if(result.numbers, [&](const ChangedNumber& known) {
         return is_part_of(known.path, number.path) || is_part_of(number.path, known.path);
       });
       if (earlier != result.numbers.end())
@@ -84,7 +84,7 @@ std::vector<std::string> change_lines(const Node* of_case, const Settings& setti
   if (of_case) list_changes(*of_case, "", numbers);
   std::erase_if(numbers, [&](const ChangedNumber& number) {
     const auto again = [&](const ChangedNumber& setting) { return is_part_of(number.path, setting.path); };
-    return !holds(document, number) || std::any_of(settings.numbers.begin(), settings.numbers.end(), again);
+    return !holds(document, number) || std::ranges::any_of(settings.numbers, again);
   });
   numbers.insert(numbers.end(), settings.numbers.begin(), settings.numbers.end());
   std::vector<std::string> lines;

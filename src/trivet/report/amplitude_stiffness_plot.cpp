@@ -24,7 +24,7 @@ void draw_amplitude_stiffness(SvgCanvas& canvas, PixelPoint corner, const std::v
   for (const AmplitudeStiffness& one : curves) {
     if (one.angular_frequency.empty()) continue;
     largest = std::max(largest, one.stiffness.cwiseAbs().maxCoeff());
-    const auto [low, high] = std::minmax_element(one.angular_frequency.begin(), one.angular_frequency.end());
+    const auto [low, high] = std::ranges::minmax_element(one.angular_frequency);
     from = std::min(from, *low / foundation::two_pi);
     to = std::max(to, *high / foundation::two_pi);
   }

@@ -24,8 +24,8 @@ std::vector<CurveGroup> curve_groups(const std::vector<CurveName>& curves) {
     } else if (lower && component.size() == 2) {
       component = "θ" + component.substr(1);  // rx, ry, rz
     }
-    auto group = std::find_if(result.begin(), result.end(),
-                              [&](const CurveGroup& g) { return g.name == name && g.forces == forces; });
+    auto group =
+        std::ranges::find_if(result, [&](const CurveGroup& g) { return g.name == name && g.forces == forces; });
     if (group == result.end()) group = result.insert(result.end(), CurveGroup{name, forces, {}, {}});
     (lower ? group->lower : group->upper).push_back({component, c});
   }
@@ -50,7 +50,7 @@ std::string file_part(std::string name) {
   const auto unsafe = [](char c) {
     return static_cast<unsigned char>(c) < 0x80 && !std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-';
   };
-  std::replace_if(name.begin(), name.end(), unsafe, '_');
+  std::ranges::replace_if(name, unsafe, '_');
   return foundation::shortened(name, longest_file_part);
 }
 

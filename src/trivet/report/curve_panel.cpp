@@ -150,8 +150,8 @@ std::vector<PanelCurve> turning_curve(const std::vector<double>& x, const std::v
       if (i + 1 == x.size() || (x[i + 1] > x[i]) != rises) break;
     }
     if (!rises) {
-      std::reverse(piece.x.begin(), piece.x.end());
-      std::reverse(piece.y.begin(), piece.y.end());
+      std::ranges::reverse(piece.x);
+      std::ranges::reverse(piece.y);
     }
     if (curves.empty()) piece.key = {key};
     curves.push_back(std::move(piece));

@@ -19,7 +19,7 @@ using Outcome = Judgement::Outcome;
 std::string listed_judgements(std::vector<Judgement> list, Outcome outcome, const std::vector<ShownCase>& cases) {
   constexpr std::size_t most = 6;
   std::erase_if(list, [&](const Judgement& j) { return j.outcome != outcome; });
-  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.margin < b.margin; });
+  std::ranges::stable_sort(list, [](const auto& a, const auto& b) { return a.margin < b.margin; });
   std::string items;
   for (std::size_t i = 0; i < std::min(most, list.size()); ++i) {
     const std::string where = cases.size() > 1 ? " (" + cases[list[i].shown_case].name() + ")" : "";
@@ -43,8 +43,7 @@ std::string judgement_box(const std::vector<ShownCase>& cases) {
   const std::vector<Judgement> list = results::judgements(answers);
   const std::size_t violated = number_with(list, Outcome::violated), missing = number_with(list, Outcome::not_judged),
                     no_need = number_with(list, Outcome::violated_no_need), met = number_with(list, Outcome::met);
-  const bool bad_data =
-      std::any_of(cases.begin(), cases.end(), [](const ShownCase& c) { return !c.failed_checks().empty(); });
+  const bool bad_data = std::ranges::any_of(cases, [](const ShownCase& c) { return !c.failed_checks().empty(); });
   std::string html;
   if (violated > 0)
     html += judgement_part("alert", "✗ VIOLATED: " + shares_words(list, Outcome::violated),

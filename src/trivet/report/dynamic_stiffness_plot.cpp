@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/plot_panel.h"
 #include "trivet/study/element_summary.h"
@@ -28,7 +27,7 @@ std::optional<Times> relaxation_times(const elements::Law& law) {
   if (!relaxing) return std::nullopt;
   if (const auto* series = std::get_if<elements::GeneralizedMaxwell>(relaxing)) {
     if (series->times.empty()) return std::nullopt;
-    const auto [shortest, longest] = std::minmax_element(series->times.begin(), series->times.end());
+    const auto [shortest, longest] = std::ranges::minmax_element(series->times);
     return Times{*shortest, *longest};
   }
   if (const auto* zener = std::get_if<elements::Zener>(relaxing)) return Times{zener->time, zener->time};
@@ -50,7 +49,7 @@ std::vector<double> frequencies(const elements::Law& law, const assembly::Band& 
         for (const double side : {-1.0, 1.0})
           grid.push_back(std::sqrt(law.scale) * nominal * (1 + side * 0.1 * std::pow(10.0, -4.0 * i / beside)));
   std::erase_if(grid, [&](double omega) { return omega < band.from || omega > band.to; });
-  std::sort(grid.begin(), grid.end());
+  std::ranges::sort(grid);
   return grid;
 }
 
@@ -65,7 +64,7 @@ Curves curves(const elements::Law& law, const assembly::Band& band) {
     try {
       const elements::Matrix12c d = elements::dynamic_stiffness(law, omega);
       result.hertz.push_back(omega / two_pi);
-      for (int j = 0; j < 6; ++j) result.magnitude[to_size(j)].push_back(std::abs(d(6 + j, 6 + j)));
+      for (int j = 0; j < 6; ++j) result.magnitude[j].push_back(std::abs(d(6 + j, 6 + j)));
     } catch (const foundation::NotComputable&) {  // exactly at an undamped natural frequency
     }
   }
@@ -80,7 +79,7 @@ Axis magnitude_axis(const Curves& c, std::size_t first) {
     for (const double value : c.magnitude[j])
       if (std::isfinite(value) && value > 0) all.push_back(value);
   if (all.empty()) return {1, 10, true, ""};
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   const double median = all[all.size() / 2];
   return {0.7 * std::max(all.front(), below_median * median), 1.4 * std::min(all.back(), above_median * median), true,
           ""};
@@ -108,7 +107,7 @@ void draw_panel(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law, 
   draw_own_frequencies(canvas, panel, law);
   for (std::size_t j = 0; j < 3; ++j) {
     const std::vector<double>& magnitude = c.magnitude[first + j];
-    largest = *std::max_element(magnitude.begin(), magnitude.end());
+    largest = std::ranges::max(magnitude);
     const double x = panel.corner.x + 10 + 70.0 * static_cast<double>(j), y = panel.corner.y - 8;
     canvas.line({x, y - 4}, {x + 26, y - 4}, series_stroke(j));
     canvas.text({x + 31, y}, study::component_name(static_cast<int>(first + j)), "");

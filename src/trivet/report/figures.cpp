@@ -47,8 +47,8 @@ Extent extent(const study::ResponseAnswer& answer, const std::vector<GroupedCurv
     for (const auto& value : answer.curves.curves[s.curve].value)
       if (std::isfinite(std::abs(value))) all.push_back(std::abs(value));
   if (all.empty()) return {};
-  std::sort(all.begin(), all.end());
-  const auto visible = std::upper_bound(all.begin(), all.end(), invisible * all.back());
+  std::ranges::sort(all);
+  const auto visible = std::ranges::upper_bound(all, invisible * all.back());
   return {all.back(), all[all.size() / 2], visible == all.end() ? all.back() : *visible};
 }
 
@@ -197,15 +197,14 @@ bool is_drawable(const study::Answers& answers) {
 
 /// The case with the same curves as the base model (for example the first of a series), if there is one.
 const study::Answers* repeating_case(const std::vector<study::Answers>& cases) {
-  const auto base = std::find_if(cases.begin(), cases.end(), [](const study::Answers& answers) {
-    return answers.case_name.empty() && is_drawable(answers);
-  });
+  const auto base = std::ranges::find_if(
+      cases, [](const study::Answers& answers) { return answers.case_name.empty() && is_drawable(answers); });
   if (base == cases.end()) return nullptr;
   const auto same = [](const response::Curve& a, const response::Curve& b) {
     return a.name == b.name && a.value.size() == b.value.size() && a.value == b.value;
   };
   const auto& curves = base->response->curves.curves;
-  const auto found = std::find_if(cases.begin(), cases.end(), [&](const study::Answers& other) {
+  const auto found = std::ranges::find_if(cases, [&](const study::Answers& other) {
     if (&other == &*base || !is_drawable(other) ||
         other.response->curves.angular_frequency != base->response->curves.angular_frequency)
       return false;
@@ -274,7 +273,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
   const std::size_t rows = (shown.size() + columns - 1) / columns;
   const double canvas_width =
       std::max(30 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
-  const bool one_panel_each = std::all_of(shown.begin(), shown.end(), [](const study::Answers* answers) {
+  const bool one_panel_each = std::ranges::all_of(shown, [](const study::Answers* answers) {
     return curve_groups(curve_names(answers->response->curves.curves)).front().lower.empty();
   });
   const double row_pitch = one_panel_each ? pitch_of_two_panels - (height + 28) : pitch_of_two_panels;
@@ -300,7 +299,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
                 "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
-      const Extent& range = ranges[to_size(part)];
+      const Extent& range = ranges[part];
       const UnitPrefix unit = amplitude_prefix(range.largest, answers, *series);
       Panel panel{
           left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0,

@@ -45,7 +45,7 @@ bool is_near_front(const study::FrontObjective& one) {
 }  // namespace
 
 Figure front_figure(const study::DesignFront& front, const std::string& title) {
-  const bool with_given = std::all_of(front.objectives.begin(), front.objectives.end(), is_near_front);
+  const bool with_given = std::ranges::all_of(front.objectives, is_near_front);
   const ScaledObjective x = scaled_objective(front, 0, with_given), y = scaled_objective(front, 1, with_given);
   const PlotPanel panel{front_corner, front_width, front_height, x.axis, y.axis};
   const auto place = [&](double first, double second) {

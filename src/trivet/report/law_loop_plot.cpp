@@ -19,8 +19,8 @@ void draw_law_loops(SvgCanvas& canvas, PixelPoint corner, const study::ElementLa
   const bool turns = laws.turns;
   double low_x = 0, high_x = 0, low_y = 0, high_y = 0;
   for (const nonlinear::LawLoop& loop : laws.loops) {
-    const auto [x_low, x_high] = std::minmax_element(loop.deflections.begin(), loop.deflections.end());
-    const auto [y_low, y_high] = std::minmax_element(loop.forces.begin(), loop.forces.end());
+    const auto [x_low, x_high] = std::ranges::minmax_element(loop.deflections);
+    const auto [y_low, y_high] = std::ranges::minmax_element(loop.forces);
     low_x = std::min(low_x, *x_low);
     high_x = std::max(high_x, *x_high);
     low_y = std::min(low_y, *y_low);
@@ -46,8 +46,8 @@ void draw_law_loops(SvgCanvas& canvas, PixelPoint corner, const study::ElementLa
     }
     falling.x.push_back(rising.x.front());
     falling.y.push_back(rising.y.front());
-    std::reverse(falling.x.begin(), falling.x.end());
-    std::reverse(falling.y.begin(), falling.y.end());
+    std::ranges::reverse(falling.x);
+    std::ranges::reverse(falling.y);
     row.curves.push_back(std::move(falling));
     row.curves.push_back(std::move(rising));
   }

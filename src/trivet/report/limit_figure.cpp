@@ -45,7 +45,7 @@ PanelRow limit_row(const study::LimitLineResult& answer, const project::ShownUni
   const auto in_unit = [&](double omega) { return results::shown_frequency(display, omega); };
   const results::DisplayUnit shown = answer.line.rms ? results::display_unit(display, answer.line.unit)
                                                      : results::amplitude_unit(display, answer.line.unit);
-  const UnitPrefix unit = unit_prefix(*std::max_element(answer.line.limit.begin(), answer.line.limit.end()), shown);
+  const UnitPrefix unit = unit_prefix(std::ranges::max(answer.line.limit), shown);
   PanelRow row;
   PanelCurve limit{{answer.line.name.empty() ? "limit" : answer.line.name},
                    {},

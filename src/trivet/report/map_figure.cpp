@@ -71,8 +71,8 @@ double room_at(const MapPicture& picture, PixelPoint p) {
 /// Free position on the longest piece of a line, far from the boundary.
 std::optional<PixelPoint> label_place(const MapPicture& picture, const design::MarginLine& margin, double half_width) {
   constexpr double least = 10, enough = 45;  // pixels of room
-  const auto longest = std::max_element(margin.lines.begin(), margin.lines.end(),
-                                        [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  const auto longest =
+      std::ranges::max_element(margin.lines, [](const auto& a, const auto& b) { return a.size() < b.size(); });
   if (longest == margin.lines.end()) return std::nullopt;
   double most = least;
   std::optional<PixelPoint> best;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 
@@ -25,7 +26,7 @@ std::vector<std::string> distinct(const std::vector<study::DesignMap>& maps,
                                   project::DesignAxis project::MapRequest::* axis) {
   std::vector<std::string> names;
   for (const study::DesignMap& map : maps)
-    if (const std::string& name = (map.request.*axis).name; std::find(names.begin(), names.end(), name) == names.end())
+    if (const std::string& name = (map.request.*axis).name; std::ranges::find(names, name) == names.end())
       names.push_back(name);
   return names;
 }
@@ -41,7 +42,7 @@ class Layout {
 
   [[nodiscard]] PlotPanel panel(const study::DesignMap& map) const {
     const auto place = [](const std::vector<std::string>& names, const std::string& name) {
-      return static_cast<double>(std::find(names.begin(), names.end(), name) - names.begin());
+      return static_cast<double>(std::ranges::find(names, name) - names.begin());
     };
     return {{matrix_left + place(columns_, map.request.x.name) * (width_ + between_x),
              matrix_top + place(rows_, map.request.y.name) * (height_ + between_y)},
@@ -83,14 +84,12 @@ std::vector<Governed> governed(const std::vector<study::DesignMap>& maps,
     }
   std::vector<Governed> list;
   for (const auto& [rule, one] : by_rule) list.push_back(one);
-  std::stable_sort(list.begin(), list.end(),
-                   [](const Governed& a, const Governed& b) { return a.designs > b.designs; });
+  std::ranges::stable_sort(list, std::ranges::greater{}, &Governed::designs);
   return list;
 }
 
 std::size_t rank_of(const std::vector<Governed>& rules, std::size_t rule) {
-  return to_size(std::find_if(rules.begin(), rules.end(), [&](const Governed& one) { return one.rule == rule; }) -
-                 rules.begin());
+  return to_size(std::ranges::find(rules, rule, &Governed::rule) - rules.begin());
 }
 
 /// Share of the map that is feasible, and the best margin.
@@ -139,13 +138,13 @@ void explain_points(const std::vector<std::vector<PlacedMark>>& placed, const st
                     SvgCanvas& canvas, Key& key) {
   for (const bool feasible : {true, false}) {
     const auto is_there = [&](const std::vector<PlacedMark>& marks) {
-      return std::any_of(marks.begin(), marks.end(), [&](const PlacedMark& m) { return m.feasible == feasible; });
+      return std::ranges::any_of(marks, [&](const PlacedMark& m) { return m.feasible == feasible; });
     };
-    if (std::any_of(placed.begin(), placed.end(), is_there)) {
+    if (std::ranges::any_of(placed, is_there)) {
       draw_case_mark(canvas, key.sample(), feasible);
       key.add_text(feasible ? "given design or case, meets every rule" : "given design or case, violates a rule", "");
     }
-    if (std::any_of(maps.begin(), maps.end(), [&](const study::DesignMap& map) {
+    if (std::ranges::any_of(maps, [&](const study::DesignMap& map) {
           return map.best && map.outcomes[*map.best].feasible() == feasible;
         })) {
       draw_best(canvas, key.sample(), feasible);
@@ -159,7 +158,7 @@ std::vector<std::string> notes_of(const std::vector<study::DesignMap>& maps) {
                                     "In each map all other parameters have the values of the file."};
   for (const study::DesignMap& map : maps)
     for (const std::string& doubt : doubts(map))
-      if (std::find(notes.begin(), notes.end(), doubt) == notes.end()) notes.push_back(doubt);
+      if (std::ranges::find(notes, doubt) == notes.end()) notes.push_back(doubt);
   return notes;
 }
 

@@ -18,7 +18,7 @@ bool is_inside(const PlotPanel& panel, const Box& b) {
 }  // namespace
 
 double width_of(const std::string& text) {
-  return letter * static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) {
+  return letter * static_cast<double>(std::ranges::count_if(text, [](char c) {
            return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
          }));
 }
@@ -36,7 +36,7 @@ std::vector<std::vector<PixelPoint>> MapPicture::rings(const std::vector<design:
 }
 
 bool MapPicture::is_free(const Box& box) const {
-  return is_inside(panel, box) && std::none_of(taken.begin(), taken.end(), [&](const Box& t) { return t.meets(box); });
+  return is_inside(panel, box) && std::ranges::none_of(taken, [&](const Box& t) { return t.meets(box); });
 }
 
 void Key::heading(const std::string& text) {

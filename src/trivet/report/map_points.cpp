@@ -118,9 +118,8 @@ std::vector<PlacedMark> placed_marks(const MapPicture& picture) {
     if (!is_drawn(picture.map, mark)) continue;
     const PixelPoint p = picture.at({picture.map.request.x.share(*mark.x), picture.map.request.y.share(*mark.y)});
     const std::string name = mark.name.empty() ? "base" : mark.name;
-    const auto same = std::find_if(placed.begin(), placed.end(), [&](const PlacedMark& m) {
-      return std::hypot(m.point.x - p.x, m.point.y - p.y) < 1;
-    });
+    const auto same = std::ranges::find_if(
+        placed, [&](const PlacedMark& m) { return std::hypot(m.point.x - p.x, m.point.y - p.y) < 1; });
     if (same == placed.end()) placed.push_back({p, name, mark.judged->governing.feasible()});
     else same->names += ", " + name;
   }
@@ -149,8 +148,7 @@ void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key&
   if (placed.empty() && !picture.map.best) return;
   key.heading("Points");
   for (const bool feasible : {true, false}) {
-    if (std::none_of(placed.begin(), placed.end(), [&](const PlacedMark& m) { return m.feasible == feasible; }))
-      continue;
+    if (std::ranges::none_of(placed, [&](const PlacedMark& m) { return m.feasible == feasible; })) continue;
     draw_case_mark(picture.canvas, key.sample(), feasible);
     key.add_text(feasible ? "case that meets every rule" : "case that violates a rule", "");
   }

@@ -69,7 +69,7 @@ class Side {
 
  private:
   static bool is_uniform(const Labels& labels) {
-    return std::all_of(labels.begin(), labels.end(), [&](std::uint8_t label) { return label == labels.front(); });
+    return std::ranges::all_of(labels, [&](std::uint8_t label) { return label == labels.front(); });
   }
   [[nodiscard]] design::MapPlace place(std::size_t i, std::size_t j) const {
     return map_.grid.place(map_.drawn.columns[i], map_.drawn.rows[j]);
@@ -122,7 +122,7 @@ std::vector<MapRegion> map_regions(const study::DesignMap& map) {
     region.governing = governing;
     result.push_back(std::move(region));
   }
-  std::stable_sort(result.begin(), result.end(), [](const MapRegion& a, const MapRegion& b) {
+  std::ranges::stable_sort(result, [](const MapRegion& a, const MapRegion& b) {
     return a.known() != b.known() ? a.known() : a.designs > b.designs;
   });
   return result;

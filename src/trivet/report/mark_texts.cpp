@@ -58,8 +58,7 @@ std::optional<TextPlace> free_place(const PlotPanel& panel, const PanelMark& mar
       const TextBox here = box_of(mark, place);
       if (here.bottom > frame.bottom) continue;
       if (inside && (here.left < frame.left || here.right > frame.right || here.top < frame.top)) continue;
-      if (std::none_of(taken.begin(), taken.end(), [&](const TextBox& other) { return overlap(here, other); }))
-        return place;
+      if (std::ranges::none_of(taken, [&](const TextBox& other) { return overlap(here, other); })) return place;
     }
   return std::nullopt;
 }

@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "trivet/documents/shown_numbers.h"
-#include "trivet/foundation/index.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
@@ -50,10 +49,10 @@ PanelCurve phases(std::string key, std::string stroke, const std::vector<double>
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const double degrees = response::phase(values(i)) * 180 / std::numbers::pi;
     if (!curve.y.empty() && std::abs(degrees - curve.y.back()) > 180) {
-      curve.x.push_back(x[to_size(i)]);
+      curve.x.push_back(x[i]);
       curve.y.push_back(std::numeric_limits<double>::quiet_NaN());
     }
-    curve.x.push_back(x[to_size(i)]);
+    curve.x.push_back(x[i]);
     curve.y.push_back(degrees);
   }
   return curve;

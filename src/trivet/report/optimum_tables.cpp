@@ -96,8 +96,8 @@ std::string optimum_frequencies_table(const Optimization& found, const project::
                               i < best.size() ? frequency_cell(best[i], display) : right("–")},
                              ""});
     for (std::size_t b = 0; b < std::min(after.decoupling.size(), most_bodies); ++b) {
-      const auto same = std::find_if(before.decoupling.begin(), before.decoupling.end(),
-                                     [&](const auto& one) { return one.body == after.decoupling[b].body; });
+      const auto same = std::ranges::find_if(before.decoupling,
+                                             [&](const auto& one) { return one.body == after.decoupling[b].body; });
       decoupling.push_back({{{words_in_case(found, c, after.decoupling[b].body)},
                              same == before.decoupling.end() ? right("not known") : percent_cell(same->least),
                              percent_cell(after.decoupling[b].least)},

@@ -184,9 +184,7 @@ std::vector<Figure> orbit_figures(const study::Answers& answers) {
   for (std::size_t c = 0; c < branch->results.size(); ++c) names.push_back({branch->results[c], branch->units[c]});
   for (const CurveGroup& group : curve_groups(names)) {
     const auto is_motion = [&](const GroupedCurve& one) { return branch->units[one.curve] == "m"; };
-    if (figures.size() == most || group.upper.empty() ||
-        !std::all_of(group.upper.begin(), group.upper.end(), is_motion))
-      continue;
+    if (figures.size() == most || group.upper.empty() || !std::ranges::all_of(group.upper, is_motion)) continue;
     const std::vector<ShownMotion> shown = shown_motions(*branch, group, answers.display);
     double largest = 0;
     for (const ShownMotion& motion : shown) largest = std::max(largest, half_of_range(*motion.point, group));

@@ -23,7 +23,7 @@ struct Notice {
 };
 
 void add(std::vector<Notice>& notices, const std::string& text, const std::string& place, std::size_t which) {
-  auto found = std::find_if(notices.begin(), notices.end(), [&](const Notice& n) { return n.text == text; });
+  auto found = std::ranges::find(notices, text, &Notice::text);
   if (found == notices.end()) found = notices.insert(found, {text, place, {}});
   found->cases.insert(which);
 }
@@ -87,8 +87,7 @@ const study::MapMark* map_mark(const ShownCase& shown, const std::vector<ShownCa
       : with_map != cases.end()                   ? &*with_map->answers.map
                                                   : nullptr;
   if (!map) return nullptr;
-  const auto mark = std::find_if(map->marks.begin(), map->marks.end(),
-                                 [&](const study::MapMark& m) { return m.name == shown.answers.case_name; });
+  const auto mark = std::ranges::find(map->marks, shown.answers.case_name, &study::MapMark::name);
   return mark == map->marks.end() ? nullptr : &*mark;
 }
 
@@ -101,8 +100,8 @@ Cell map_cell(const ShownCase& shown, const std::vector<ShownCase>& cases) {
 }
 
 Cell requirements_cell(const study::CaseVerdict& judged) {
-  const auto violated = std::count_if(judged.results.begin(), judged.results.end(),
-                                      [](const study::RequirementResult& r) { return r.value && !r.met(); });
+  const auto violated =
+      std::ranges::count_if(judged.results, [](const study::RequirementResult& r) { return r.value && !r.met(); });
   if (violated == 0 && judged.not_judged() > 0)
     return missing_verdict_cell(fmt::format("{} not judged", judged.not_judged()));
   if (violated > 0 && !judged.decides) return {fmt::format("{} violated, no need", violated)};
@@ -129,11 +128,9 @@ std::pair<double, double> natural_range(const ShownCase& shown) {
 }  // namespace
 
 std::string glance_table(const std::vector<ShownCase>& cases) {
-  const bool has_map =
-      std::any_of(cases.begin(), cases.end(), [&](const ShownCase& c) { return map_mark(c, cases) != nullptr; });
+  const bool has_map = std::ranges::any_of(cases, [&](const ShownCase& c) { return map_mark(c, cases) != nullptr; });
   std::vector<Cell> headings = {{"case"}, right("changes"), {"warnings"}, {"checks"}, {"limits"}};
-  const bool has_verdict =
-      std::any_of(cases.begin(), cases.end(), [](const ShownCase& c) { return c.answers.verdict.has_value(); });
+  const bool has_verdict = std::ranges::any_of(cases, [](const ShownCase& c) { return c.answers.verdict.has_value(); });
   if (has_verdict) headings.push_back({"requirements"});
   if (has_map) headings.push_back({"rules of the map"});
   const project::ShownUnits display = cases.empty() ? project::ShownUnits() : cases.front().variant.display;

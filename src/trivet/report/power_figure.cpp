@@ -46,7 +46,7 @@ PanelRow total_row(const response::PowerFlow& power, const std::vector<double>& 
       one_way(hertz, power.into_ground_in_total, unit.factor, {"all mounts"}, "stroke=\"#000000\" stroke-width=\"2\""));
   PanelCurve back = one_way(hertz, power.into_ground_in_total, -unit.factor, {"all mounts, out of the ground"},
                             "stroke=\"#000000\" stroke-width=\"2\" stroke-dasharray=\"1,4\"");
-  if (std::any_of(back.y.begin(), back.y.end(), [](double y) { return y > 0; })) row.curves.push_back(std::move(back));
+  if (std::ranges::any_of(back.y, [](double y) { return y > 0; })) row.curves.push_back(std::move(back));
   row.y = logarithmic_axis(row.curves, invisible_power, "mean power [" + unit.unit + "]");
   return row;
 }

@@ -20,7 +20,7 @@ std::vector<std::size_t> outliers(const std::vector<model::Residual>& residuals)
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < residuals.size(); ++i)
     if (residuals[i].outlier && std::isfinite(residuals[i].standardised)) found.push_back(i);
-  std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(found, [&](std::size_t a, std::size_t b) {
     return std::abs(residuals[a].standardised) > std::abs(residuals[b].standardised);
   });
   return found;

@@ -29,7 +29,7 @@ std::vector<std::size_t> tallest_orders(const response::RunUp& run_up, std::size
   std::vector<std::size_t> kept;
   for (const auto& [height, k] : heights)
     if (height > negligible * heights.front().first && kept.size() < most_orders) kept.push_back(k);
-  std::sort(kept.begin(), kept.end());
+  std::ranges::sort(kept);
   return kept;
 }
 
@@ -45,7 +45,7 @@ Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
   std::vector<double> overall;
   for (const double y : curves.front().y)
     if (std::isfinite(y)) overall.push_back(y);
-  std::sort(overall.begin(), overall.end());
+  std::ranges::sort(overall);
   const double top = tallest(curves);
   if (!overall.empty() && top > spiky * overall[overall.size() / 2])
     return logarithmic_axis(curves, invisible, std::move(label));

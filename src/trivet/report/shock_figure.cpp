@@ -31,8 +31,8 @@ PanelRow spectrum_row(const study::ShockSpectrumResult& answer, const project::S
   row.curves = {{{"positive maximax"}, hertz, up, series_stroke(0)},
                 {{"negative maximax"}, hertz, down, series_stroke(1)},
                 {{"residual: after the shock,", "either sign"}, hertz, after, series_stroke(2)}};
-  const auto top = std::max_element(answer.spectrum.begin(), answer.spectrum.end(),
-                                    [](const auto& a, const auto& b) { return a.maximax() < b.maximax(); });
+  const auto top =
+      std::ranges::max_element(answer.spectrum, [](const auto& a, const auto& b) { return a.maximax() < b.maximax(); });
   row.marks = {{results::shown_frequency(display, top->angular_frequency), top->maximax() * unit.factor,
                 series_colour(top->largest() >= -top->smallest() ? 0 : 1),
                 fmt::format("{:.4g} {}", top->maximax() * unit.factor, unit.unit)}};

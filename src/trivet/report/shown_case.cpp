@@ -26,18 +26,16 @@ std::size_t ShownCase::limits() const { return answers.limits.size() + answers.l
 std::size_t ShownCase::exceeded_limits() const {
   const auto& limits = answers.limits;
   const auto& lines = answers.limit_lines;
-  return static_cast<std::size_t>(
-      std::count_if(limits.begin(), limits.end(), [](const auto& l) { return !l.met; }) +
-      std::count_if(lines.begin(), lines.end(), [](const auto& l) { return !l.comparison.met(); }));
+  return static_cast<std::size_t>(std::ranges::count_if(limits, [](const auto& l) { return !l.met; }) +
+                                  std::ranges::count_if(lines, [](const auto& l) { return !l.comparison.met(); }));
 }
 
 bool ShownCase::grows() const {
   const auto& modes = answers.modes.list;
   const auto& roots = answers.roots.list;
-  return (variant.analyses.modes &&
-          std::any_of(modes.begin(), modes.end(), [](const auto& m) { return !m.angular_frequency; })) ||
+  return (variant.analyses.modes && std::ranges::any_of(modes, [](const auto& m) { return !m.angular_frequency; })) ||
       (variant.analyses.roots &&
-       std::any_of(roots.begin(), roots.end(), [](const auto& r) { return r.kind == modal::RootKind::growing; }));
+       std::ranges::any_of(roots, [](const auto& r) { return r.kind == modal::RootKind::growing; }));
 }
 
 std::vector<ShownCase> shown_cases(const project::Project& project, const std::vector<study::Answers>& answers) {

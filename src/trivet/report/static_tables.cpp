@@ -32,7 +32,7 @@ const std::vector<Columns>& all_columns() {
 
 bool belongs_to(const Columns& columns, const CurveGroup& group) {
   const std::vector<GroupedCurve>& any = group.upper.empty() ? group.lower : group.upper;
-  return std::find(columns.labels.begin(), columns.labels.end(), any.front().label) != columns.labels.end();
+  return std::ranges::find(columns.labels, any.front().label) != columns.labels.end();
 }
 
 std::string static_table(const std::vector<response::StaticValue>& values, const std::vector<CurveGroup>& groups,
@@ -55,8 +55,7 @@ std::string static_table(const std::vector<response::StaticValue>& values, const
     rows.push_back({{{g.name}}, ""});
     for (std::size_t k = 0; k < columns.labels.size(); ++k) {
       const std::vector<GroupedCurve>& kind = k < 3 ? g.upper : g.lower;
-      const auto found =
-          std::find_if(kind.begin(), kind.end(), [&](const GroupedCurve& c) { return c.label == columns.labels[k]; });
+      const auto found = std::ranges::find(kind, columns.labels[k], &GroupedCurve::label);
       if (found == kind.end()) {
         rows.back().cells.push_back(right("–"));
         continue;
@@ -78,8 +77,8 @@ std::string static_tables(const project::Case&, const study::Answers& answers) {
   std::string html;
   for (const Columns& columns : all_columns()) {
     std::vector<CurveGroup> groups;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(groups),
-                 [&](const CurveGroup& group) { return belongs_to(columns, group); });
+    std::ranges::copy_if(all, std::back_inserter(groups),
+                         [&](const CurveGroup& group) { return belongs_to(columns, group); });
     if (!groups.empty())
       html += (html.empty() ? "" : "<p></p>") + static_table(values, groups, columns, answers.display, kinds);
   }

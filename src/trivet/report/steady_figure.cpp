@@ -51,8 +51,7 @@ std::vector<const SteadyPoint*> course_of(const SteadyBranch& branch) {
 
 /// What the dashed motions are.
 std::string word_of_others(const SteadyBranch& branch) {
-  const bool any =
-      std::any_of(branch.points.begin(), branch.points.end(), [](const SteadyPoint& point) { return point.uncertain; });
+  const bool any = std::ranges::any_of(branch.points, &SteadyPoint::uncertain);
   return any ? "unstable or uncertain" : "unstable";
 }
 
@@ -89,8 +88,8 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
     if (key) piece.key = {name + (stable ? "" : ", " + others)};
     key = false;
     if (!rises) {
-      std::reverse(piece.x.begin(), piece.x.end());
-      std::reverse(piece.y.begin(), piece.y.end());
+      std::ranges::reverse(piece.x);
+      std::ranges::reverse(piece.y);
     }
     curves.push_back(std::move(piece));
   }
@@ -122,9 +121,9 @@ std::vector<PanelCurve> nonlinear_modes(const SteadyBranch& branch, std::size_t 
   std::vector<PanelCurve> found;
   const auto* modes = answers.find<std::vector<nonlinear::Backbone>>("backbone");
   if (!modes || branch.over != nonlinear::Parameter::frequency || branch.of_shaft) return found;
-  const auto [low, high] = std::minmax_element(
-      branch.points.begin(), branch.points.end(),
-      [](const SteadyPoint& a, const SteadyPoint& b) { return a.angular_frequency < b.angular_frequency; });
+  const auto [low, high] = std::ranges::minmax_element(branch.points, [](const SteadyPoint& a, const SteadyPoint& b) {
+    return a.angular_frequency < b.angular_frequency;
+  });
   for (const nonlinear::Backbone& mode : *modes)
     for (std::size_t c = 0; c < mode.results.size(); ++c) {
       if (mode.results[c] != branch.results[result] || mode.units[c] != branch.units[result]) continue;
@@ -210,9 +209,8 @@ PanelRow harmonics_row(const SteadyBranch& branch, std::size_t result, const pro
         : branch.of_shaft           ? fmt::format("order {:.4g}", static_cast<double>(k) * branch.first_harmonic)
                                     : fmt::format("harmonic {}", k);
     std::vector<PanelCurve> course = pieces(branch, display, value, series_colour(to_size(k)), name);
-    const bool has_stable = std::any_of(course.begin(), course.end(), [&](const PanelCurve& piece) {
-      return !piece.key.empty() && piece.key.front() == name;
-    });
+    const bool has_stable = std::ranges::any_of(
+        course, [&](const PanelCurve& piece) { return !piece.key.empty() && piece.key.front() == name; });
     for (PanelCurve& piece : course) {
       if (!piece.key.empty() && piece.key.front() != name)  // dashes mean the same as above
         piece.key = has_stable ? std::vector<std::string>() : std::vector<std::string>{name};

@@ -87,7 +87,7 @@ void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response:
     if (i + 1 == lines.size() || lines[i + 1].speed != line.speed)
       canvas.line(s.at(0, rpm, 0), s.at(s.hertz_to, rpm, 0), "stroke=\"#b8b8b8\" stroke-width=\"0.8\"");
     if (hertz > s.hertz_to || !std::isfinite(line.amplitude)) continue;
-    const auto order = to_size(std::find(orders.begin(), orders.end(), line.order) - orders.begin());
+    const auto order = to_size(std::ranges::find(orders, line.order) - orders.begin());
     canvas.line(s.at(hertz, rpm, 0), s.at(hertz, rpm, line.amplitude * factor),
                 fmt::format("stroke=\"{}\" stroke-width=\"2\"", series_colour(order)));
   }
@@ -129,8 +129,8 @@ std::vector<Figure> waterfall_figures(const study::Answers& answers) {
     if (line.amplitude > 0.01 * largest) space.hertz_to = std::max(space.hertz_to, line.angular_frequency / two_pi);
   space.amplitude_to = largest * unit.factor;
   std::vector<response::WaterfallLine> visible;
-  std::copy_if(lines.begin(), lines.end(), std::back_inserter(visible),
-               [&](const auto& line) { return by_order[line.order] > 1e-3 * largest; });
+  std::ranges::copy_if(lines, std::back_inserter(visible),
+                       [&](const auto& line) { return by_order[line.order] > 1e-3 * largest; });
 
   const std::string title = case_title("Waterfall: " + run_up.overall[*curve].name, answers);
   SvgCanvas canvas(980, 556);

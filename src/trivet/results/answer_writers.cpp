@@ -134,8 +134,7 @@ namespace {
 
 const AnswerWriter& writer_of(const std::string& question) {
   const auto& list = answer_writers();
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const AnswerWriter& one) { return one.name == question; });
+  const auto found = std::ranges::find(list, question, &AnswerWriter::name);
   if (found == list.end()) throw foundation::InvalidInput("no answer is called \"" + question + "\"");
   return *found;
 }

@@ -43,13 +43,13 @@ constexpr std::array<std::pair<const char*, const char*>, 12> known_tables = {
      {"inertia_about_center", "inertia factor"}}};
 
 std::string with_blanks(std::string key) {
-  std::replace(key.begin(), key.end(), '_', ' ');
+  std::ranges::replace(key, '_', ' ');
   return key;
 }
 
 template <std::size_t size>
 std::string meaning(const std::array<std::pair<const char*, const char*>, size>& known, const std::string& key) {
-  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& one) { return key == one.first; });
+  const auto found = std::ranges::find_if(known, [&](const auto& one) { return key == one.first; });
   return found == known.end() ? with_blanks(key) : found->second;
 }
 

@@ -44,7 +44,7 @@ Json drawn_response(const study::Answers& answers) {
     for (const response::Extremum& extremum : answer.extrema[c])
       extrema.push_back({extremum.angular_frequency, extremum.maximum ? Json(extremum.amplitude) : Json(nullptr)});
     const Eigen::VectorXd& phase = answer.phase[c];
-    const auto first = std::find_if(phase.begin(), phase.end(), [](double angle) { return std::isfinite(angle); });
+    const auto first = std::ranges::find_if(phase, [](double angle) { return std::isfinite(angle); });
     result["results"].push_back({{"name", answer.curves.curves[c].name},
                                  {"unit", answer.curves.curves[c].unit},
                                  {"extrema", std::move(extrema)},

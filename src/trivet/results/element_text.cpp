@@ -236,7 +236,7 @@ std::string laws_text(const study::ElementSummary& summary, const ShownUnits& di
     if (laws.loops.empty()) continue;
     TextTable table({"amplitude", "force from", "to", "storage", "loss", "lost per cycle"});
     for (const nonlinear::LawLoop& loop : laws.loops) {
-      const auto [low, high] = std::minmax_element(loop.forces.begin(), loop.forces.end());
+      const auto [low, high] = std::ranges::minmax_element(loop.forces);
       table.add({value_text(loop.amplitude, deflection), value_text(*low, force), value_text(*high, force),
                  value_text(loop.storage, stiffness), value_text(without_round_off(loop.loss, loop.storage), stiffness),
                  value_text(without_round_off(loop.energy, loop.amplitude * loop.amplitude * loop.storage),

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "trivet/documents/csv_field.h"
-#include "trivet/foundation/index.h"
 #include "trivet/results/json_parts.h"
 #include "trivet/study/explanation.h"
 
@@ -32,7 +31,7 @@ Json shares_json(const project::Case& variant, const study::Explanation& explana
   Json modes = Json::array(), elements = Json::array();
   for (const response::ModeShare& mode : shares.modes)
     modes.push_back({{"mode", mode.mode},
-                     {"name", explanation.modes.list[to_size(mode.mode - 1)].name},
+                     {"name", explanation.modes.list[mode.mode - 1].name},
                      {"part", json::complex_number(mode.part)},
                      {"share", json::number(mode.share)}});
   for (std::size_t e = 0; e < shares.elements.size(); ++e)

@@ -9,7 +9,6 @@
 
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
-#include "trivet/foundation/index.h"
 
 namespace trivet::results {
 namespace {
@@ -49,8 +48,7 @@ std::string modes_table(const study::Explanation& explanation, const study::Expl
   int rows = 0;
   for (const response::ModeShare& mode : peak.shares.modes) {
     if (std::abs(mode.share) < worth_an_element) continue;
-    table.add(
-        {std::to_string(mode.mode), rounded_percent(mode.share), explanation.modes.list[to_size(mode.mode - 1)].name});
+    table.add({std::to_string(mode.mode), rounded_percent(mode.share), explanation.modes.list[mode.mode - 1].name});
     ++rows;
   }
   if (std::abs(peak.shares.beyond_modes) >= worth_an_element)

@@ -59,7 +59,7 @@ bool is_required(const study::Answers& answers, study::RequirementKind kind, con
                  const std::string& name = "") {
   if (!answers.verdict || !answers.verdict->decides) return false;
   const auto& results = answers.verdict->results;
-  return std::any_of(results.begin(), results.end(), [&](const study::RequirementResult& r) {
+  return std::ranges::any_of(results, [&](const study::RequirementResult& r) {
     return r.kind == kind && r.subject == subject && (name.empty() || r.words.ends_with("\"" + name + "\""));
   });
 }
@@ -92,8 +92,8 @@ void add_map(const study::DesignMap& map, std::size_t which, const std::vector<c
   if (map.feasible_designs == 0)
     list.push_back({Outcome::violated, "map", "map of designs", "no design of the map meets every rule", 0, which});
   for (const study::MapMark& mark : map.marks) {
-    const auto found = std::find_if(cases.begin(), cases.end(),
-                                    [&](const study::Answers* one) { return one->case_name == mark.name; });
+    const auto found =
+        std::ranges::find_if(cases, [&](const study::Answers* one) { return one->case_name == mark.name; });
     Judgement one{Outcome::not_judged,
                   "map",
                   "rules of the map",
@@ -135,8 +135,7 @@ std::string count_words(std::size_t count, const std::string& one) {
 }
 
 std::size_t number_with(const std::vector<Judgement>& list, Outcome outcome) {
-  return static_cast<std::size_t>(
-      std::count_if(list.begin(), list.end(), [&](const Judgement& j) { return j.outcome == outcome; }));
+  return static_cast<std::size_t>(std::ranges::count(list, outcome, &Judgement::outcome));
 }
 
 /// "2 of 9 requirements, 1 of 1 limit": of those that decide, and of what is not judged elsewhere.
@@ -175,8 +174,8 @@ std::vector<Judgement> judgements(const std::vector<const study::Answers*>& case
                       std::numeric_limits<double>::infinity(), i});
     add_cut_short(answers, i, list);
     for (const std::string& failure : answers.failures)
-      if (std::none_of(list.begin(), list.end(),
-                       [&](const Judgement& one) { return one.shown_case == i && one.finding == failure; }))
+      if (std::ranges::none_of(list,
+                               [&](const Judgement& one) { return one.shown_case == i && one.finding == failure; }))
         list.push_back({Outcome::not_judged, "answer", "not computed", failure, 0, i});
   }
   return list;

@@ -20,8 +20,7 @@ namespace {
 using RuleKind = design::DesignRule::Kind;
 
 bool has(const study::DesignMap& map, RuleKind kind) {
-  return std::any_of(map.rules.begin(), map.rules.end(),
-                     [&](const design::MapRule& rule) { return rule.kind == kind; });
+  return std::ranges::any_of(map.rules, [&](const design::MapRule& rule) { return rule.kind == kind; });
 }
 
 std::string band_words(const std::optional<assembly::Band>& band, bool in_hertz) {
@@ -41,8 +40,7 @@ std::string asked_words(const study::DesignMap& map) {
         "{}resonance peaks at all frequencies, from {:g} % above the adjacent minimum (rises below {:g} of the curve "
         "maximum are ignored)",
         text.empty() ? "" : "; ", 100 * map.request.peak_tolerance, map.request.min_prominence);
-  const auto others = std::count_if(map.rules.begin(), map.rules.end(),
-                                    [](const design::MapRule& rule) { return rule.kind == RuleKind::requirement; });
+  const auto others = std::ranges::count(map.rules, RuleKind::requirement, &design::MapRule::kind);
   if (others > 0)
     text += fmt::format("{}{} {}requirement{}", text.empty() ? "" : "; ", others, text.empty() ? "" : "other ",
                         others == 1 ? "" : "s");
@@ -66,8 +64,7 @@ std::string feasible_words(const study::DesignMap& map) {
         "design between them, at a lightly damped resonance for instance, may violate a rule unnoticed; use more "
         "points there",
         map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
-  if (std::any_of(map.marks.begin(), map.marks.end(),
-                  [&](const study::MapMark& mark) { return study::contradicts(map, mark); }))
+  if (std::ranges::any_of(map.marks, [&](const study::MapMark& mark) { return study::contradicts(map, mark); }))
     text += "; unreliable: a case is feasible where all designs around it are not, or the reverse; use more points";
   return text;
 }
@@ -111,7 +108,7 @@ std::vector<std::size_t> governing_rules(const study::DesignMap& map) {
   const auto designs = [&](std::size_t rule) { return map.shares[rule].infeasible + map.shares[rule].feasible; };
   std::vector<std::size_t> order(map.rules.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return designs(a) > designs(b); });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return designs(a) > designs(b); });
   std::erase_if(order, [&](std::size_t rule) { return designs(rule) == 0; });
   return order;
 }

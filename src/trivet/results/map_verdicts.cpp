@@ -37,7 +37,7 @@ std::string words_beside(const study::MapMark& mark, const design::MapRule& rule
 /// Are the peaks of this rule among those of the model of the mark, which are listed together?
 bool lists_peaks(const study::DesignMap& map, const study::MapMark& mark, const design::MapRule& rule) {
   return (rule.in_case.empty() || rule.in_case == mark.name) &&
-      std::any_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& other) {
+      std::ranges::any_of(map.rules, [&](const design::MapRule& other) {
            return other.kind == rule.kind && other.in_case.empty() && other.answer == rule.answer &&
                other.unit == rule.unit;
          });
@@ -56,7 +56,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
   }
   const design::JudgedDesign& judged = *mark.judged;
   const auto add = [&](const std::string& line) {  // a rule of a further case may be one of the map too
-    if (std::find(words.begin(), words.end(), line) == words.end()) words.push_back(line);
+    if (std::ranges::find(words, line) == words.end()) words.push_back(line);
   };
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const design::MapRule& rule = map.rules[r];
@@ -81,7 +81,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
   for (const bool counted : {true, false})
     for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {
       const std::string& name = judged.peaks.curves[c].name;
-      const bool ruled = std::any_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& r) {
+      const bool ruled = std::ranges::any_of(map.rules, [&](const design::MapRule& r) {
         return r.kind == design::DesignRule::Kind::no_peak && r.answer == name && r.unit == judged.peaks.curves[c].unit;
       });
       std::string list;

@@ -90,8 +90,8 @@ std::string requirements_text(const Optimization& found) {
     TextTable table({"requirement", "given: margin", "optimum: margin", "verdict"});
     std::vector<std::size_t> order(after.results.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return after.results[a].margin < after.results[b].margin; });
+    std::ranges::stable_sort(
+        order, [&](std::size_t a, std::size_t b) { return after.results[a].margin < after.results[b].margin; });
     const auto margin = [](const RequirementResult& r) { return r.value ? ratio_words(r.margin) : "not judged"; };
     for (const std::size_t i : order)
       table.add({after.results[i].words, margin(before.results[i]), margin(after.results[i]),
@@ -108,8 +108,7 @@ std::string decoupling_text(const std::string& of, const std::vector<study::Body
   constexpr std::size_t most = 12;
   std::string text;
   for (std::size_t b = 0; b < after.size() && b < most; ++b) {
-    const auto same =
-        std::find_if(before.begin(), before.end(), [&](const auto& one) { return one.body == after[b].body; });
+    const auto same = std::ranges::find_if(before, [&](const auto& one) { return one.body == after[b].body; });
     text += fmt::format("Decoupling of {}, {}least of its modes: given {}, optimum {:.4g} %\n", after[b].body, of,
                         same == before.end() ? "not known" : fmt::format("{:.4g} %", 100 * same->least),
                         100 * after[b].least);

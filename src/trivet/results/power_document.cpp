@@ -28,7 +28,7 @@ LargestPower largest_power(const PowerFlow& p, const std::string& mount, const E
   Eigen::Index at = 0;
   LargestPower found{.mount = mount, .power = without_round_off(power.maxCoeff(&at), most)};
   const double total = p.into_ground_in_total(at);
-  if (found.power != 0) found.at = p.angular_frequency[to_size(at)];
+  if (found.power != 0) found.at = p.angular_frequency[at];
   if (found.power > 0 && total > 0) found.share = found.power / total;
   found.fed = p.by_forces(at) + std::max(p.by_ground(at), 0.0);
   return found;

@@ -52,8 +52,8 @@ ResultManifest earlier_result(const foundation::FolderHandle& folder, const fs::
   if (!folder.is_open()) refuse(target, fmt::format("cannot be read ({})", std::strerror(errno)));
   if (const auto manifest = ResultManifest::read(folder)) return *manifest;
   const std::vector<std::string> names = folder.names();
-  if (std::all_of(names.begin(), names.end(),
-                  [](const std::string& name) { return name.starts_with(foundation::temporary_name_start); }))
+  if (std::ranges::all_of(names,
+                          [](const std::string& name) { return name.starts_with(foundation::temporary_name_start); }))
     return {};
   refuse(target,
          fmt::format("exists and is not an earlier result of trivet (no {} that lists its files)", manifest_name));

@@ -31,13 +31,12 @@ std::string place_text(const SteadyBranch& branch, const SteadyPoint& point, con
 }
 
 std::ptrdiff_t unstable_points(const SteadyBranch& curve) {
-  return std::count_if(curve.points.begin(), curve.points.end(),
-                       [](const SteadyPoint& point) { return !point.stable && !point.uncertain; });
+  return std::ranges::count_if(curve.points,
+                               [](const SteadyPoint& point) { return !point.stable && !point.uncertain; });
 }
 
 std::string uncertain_words(const SteadyBranch& curve) {
-  const auto count =
-      std::count_if(curve.points.begin(), curve.points.end(), [](const SteadyPoint& point) { return point.uncertain; });
+  const auto count = std::ranges::count_if(curve.points, &SteadyPoint::uncertain);
   return count > 0 ? fmt::format(", {} of uncertain stability", count) : "";
 }
 
@@ -111,10 +110,9 @@ std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& di
       table.add({fmt::format("{}, curve {}", jump_of(branch, fold), i + 1), place_text(branch, fold.point, display, 9),
                  jump_words(fold, branch, display)});
     }
-  const bool leaves_period =
-      std::any_of(branch.changes.begin(), branch.changes.end(), [](const nonlinear::StabilityChange& change) {
-        return change.kind == nonlinear::StabilityChange::Kind::quasi_periodic;
-      });
+  const bool leaves_period = std::ranges::any_of(branch.changes, [](const nonlinear::StabilityChange& change) {
+    return change.kind == nonlinear::StabilityChange::Kind::quasi_periodic;
+  });
   if (any)
     return table.text() + (leaves_period ? "  quasi-periodic motions are not computed; a jump may end in one\n" : "");
   return branch.changes.empty() && branch.further.empty()

@@ -59,7 +59,7 @@ std::string phase_text(const std::complex<double>& amplitude) {
 /// Harmonics above round-off and above a millionth of the largest, and those that are excited.
 bool is_shown(const FoundMotion& motion, Eigen::Index k) {
   constexpr double small = 1e-6;
-  return std::any_of(motion.point.results.begin(), motion.point.results.end(), [&](const ObservedMotion& result) {
+  return std::ranges::any_of(motion.point.results, [&](const ObservedMotion& result) {
     return std::abs(result.harmonics(k - 1)) > small * result.harmonics.cwiseAbs().maxCoeff();
   });
 }

@@ -241,9 +241,9 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
   const SteadyBranch& branch = branch_of(answers);
   const project::ShownUnits& display = variant.display;
   const std::string unit = varied_unit(branch, display);
-  const auto [low, high] = std::minmax_element(
-      branch.points.begin(), branch.points.end(),
-      [&](const SteadyPoint& a, const SteadyPoint& b) { return branch.parameter(a) < branch.parameter(b); });
+  const auto [low, high] = std::ranges::minmax_element(branch.points, [&](const SteadyPoint& a, const SteadyPoint& b) {
+    return branch.parameter(a) < branch.parameter(b);
+  });
   std::string text = excited_at_once(branch.excitations) + orders_text(branch) +
       fmt::format("Periodic motions from {} to {} {}, connected with {}{}\n"
                   "  {} points, {} of them unstable{}; {} {} at most {:.2g} of the deflections\n",

@@ -49,7 +49,7 @@ struct Shared {
 };
 
 void add(std::vector<Shared>& list, const std::string& text, std::size_t which) {
-  auto found = std::find_if(list.begin(), list.end(), [&](const Shared& one) { return one.text == text; });
+  auto found = std::ranges::find(list, text, &Shared::text);
   if (found == list.end()) found = list.insert(found, {text, {}});
   if (found->cases.empty() || found->cases.back() != which) found->cases.push_back(which);
 }
@@ -72,12 +72,11 @@ std::string after_colon(const std::string& words) { return words.empty() ? "" : 
 std::string judgement_text(const std::vector<const Judgement*>& same, const Cases& cases) {
   constexpr std::size_t most = 12;
   const Judgement& first = *same.front();
-  const bool equal =
-      std::all_of(same.begin(), same.end(), [&](const Judgement* one) { return one->finding == first.finding; });
+  const bool equal = std::ranges::all_of(same, [&](const Judgement* one) { return one->finding == first.finding; });
   if (equal) {
     std::vector<std::size_t> owners;
     for (const Judgement* one : same) owners.push_back(one->shown_case);
-    std::sort(owners.begin(), owners.end());
+    std::ranges::sort(owners);
     return "  " + first.words + after_colon(finding_words(first)) + owners_words(owners, cases) + "\n";
   }
   std::string text = "  " + first.words + "\n";
@@ -100,11 +99,10 @@ std::string outcome_text(const std::string& mark, const std::vector<Judgement>& 
     if (one.outcome == outcome) list.push_back(one);
   if (list.empty()) return "";
   std::string text = mark + shares_words(all, outcome) + "\n";
-  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.margin < b.margin; });
+  std::ranges::stable_sort(list, [](const auto& a, const auto& b) { return a.margin < b.margin; });
   std::vector<std::vector<const Judgement*>> groups;
   for (const Judgement& one : list) {
-    const auto found =
-        std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.front()->words == one.words; });
+    const auto found = std::ranges::find_if(groups, [&](const auto& g) { return g.front()->words == one.words; });
     if (found == groups.end()) groups.push_back({&one});
     else found->push_back(&one);
   }
@@ -140,7 +138,7 @@ std::string causes_text(const Cases& cases) {
 /// What is wrong, or the least margin.
 std::string wrong_text(const project::Project& project, const std::vector<Judgement>& list, const Cases& cases) {
   std::vector<Judgement> judged;
-  std::copy_if(list.begin(), list.end(), std::back_inserter(judged), [](const auto& one) { return !is_answer(one); });
+  std::ranges::copy_if(list, std::back_inserter(judged), [](const auto& one) { return !is_answer(one); });
   std::string text = outcome_text("VIOLATED: ", judged, Outcome::violated, cases) + causes_text(cases) +
       outcome_text("NOT JUDGED: ", judged, Outcome::not_judged, cases) + missing_text(project, list, cases);
   const std::size_t wrong = number_with(judged, Outcome::violated) + number_with(judged, Outcome::not_judged);
@@ -181,7 +179,7 @@ std::string frequencies_cell(const project::Case& variant, const study::Answers&
   }
   std::string text = rigid > 0 ? fmt::format("{} at 0", rigid) : "";
   if (natural.empty()) return text;
-  const auto [lowest, highest] = std::minmax_element(natural.begin(), natural.end());
+  const auto [lowest, highest] = std::ranges::minmax_element(natural);
   text += fmt::format("{}{:.4g}", rigid > 0 ? ", " : "", shown_frequency(answers.display, *lowest));
   if (*highest > *lowest) text += fmt::format(" … {:.4g}", shown_frequency(answers.display, *highest));
   return text + (answers.modes.lowest_only ? ", more above" : "");
@@ -189,7 +187,7 @@ std::string frequencies_cell(const project::Case& variant, const study::Answers&
 
 bool is_not_computed(const study::Answers& answers, const foundation::Problem& warning) {
   const auto& failures = answers.failures;
-  return std::find(failures.begin(), failures.end(), warning.subject) != failures.end();
+  return std::ranges::find(failures, warning.subject) != failures.end();
 }
 
 std::string cases_text(const project::Project& project, const std::vector<Judgement>& list, const Cases& cases) {
@@ -199,8 +197,7 @@ std::string cases_text(const project::Project& project, const std::vector<Judgem
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const study::Answers& answers = cases[i];
     const auto& warnings = answers.warnings.list();
-    const auto count =
-        std::count_if(warnings.begin(), warnings.end(), [&](const auto& w) { return !is_not_computed(answers, w); });
+    const auto count = std::ranges::count_if(warnings, [&](const auto& w) { return !is_not_computed(answers, w); });
     rows.push_back({case_name_words(answers), verdict_cell(list, i), count == 0 ? "none" : std::to_string(count),
                     frequencies_cell(project.cases[i], answers), highest_peak(answers)});
   }

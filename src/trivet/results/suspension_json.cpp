@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "trivet/documents/csv_field.h"
-#include "trivet/foundation/index.h"
 #include "trivet/results/json_parts.h"
 
 namespace trivet::results {
@@ -44,7 +43,7 @@ Json modes_json(const modal::BodySuspension& body) {
     result.push_back({{"angular_frequency", json::optional(mode.angular_frequency)},
                       {"kinetic_energy_share", json::list(mode.kinetic_energy_share)},
                       {"in_elements", json::number(mode.in_elements)},
-                      {"purest", model::coordinate_names[to_size(mode.purest)]},
+                      {"purest", model::coordinate_names[mode.purest]},
                       {"decoupling", json::number(mode.decoupling())}});
   return result;
 }
@@ -83,8 +82,7 @@ std::string suspension_csv(const project::Case& variant, const study::Suspension
       text += csv_field(variant.system.bodies()[body.body].name) + "," +
           (mode.angular_frequency ? fmt::format("{}", *mode.angular_frequency) : "");
       for (const double share : mode.kinetic_energy_share) text += fmt::format(",{}", share);
-      text += fmt::format(",{},{},{}\n", mode.in_elements, model::coordinate_names[to_size(mode.purest)],
-                          mode.decoupling());
+      text += fmt::format(",{},{},{}\n", mode.in_elements, model::coordinate_names[mode.purest], mode.decoupling());
     }
   return text;
 }

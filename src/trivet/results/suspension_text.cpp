@@ -10,7 +10,6 @@
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
-#include "trivet/foundation/index.h"
 #include "trivet/modal/motion_words.h"
 
 namespace trivet::results {
@@ -71,9 +70,8 @@ std::string roll_text(const modal::BodySuspension& suspension, const project::Sh
 }
 
 std::string decoupling_text(const modal::BodySuspension& suspension, const project::ShownUnits& display) {
-  const bool heavy_elements =
-      std::any_of(suspension.modes.begin(), suspension.modes.end(),
-                  [](const modal::BodyMode& mode) { return std::abs(mode.in_elements) >= 5e-4; });
+  const bool heavy_elements = std::ranges::any_of(
+      suspension.modes, [](const modal::BodyMode& mode) { return std::abs(mode.in_elements) >= 5e-4; });
   std::vector<std::string> header = {frequency_heading(display), "x", "y", "z", "rx", "ry", "rz"};
   if (heavy_elements) header.emplace_back("in elements");
   header.emplace_back("purest");
@@ -84,7 +82,7 @@ std::string decoupling_text(const modal::BodySuspension& suspension, const proje
     std::vector<std::string> row = {number_text(shown_frequency(display, mode.angular_frequency.value_or(nothing)), 5)};
     for (const double share : mode.kinetic_energy_share) row.push_back(percent(share));
     if (heavy_elements) row.push_back(percent(mode.in_elements));
-    row.emplace_back(model::coordinate_names[to_size(mode.purest)]);
+    row.emplace_back(model::coordinate_names[mode.purest]);
     row.push_back(percent(mode.decoupling()));
     table.add(row);
   }

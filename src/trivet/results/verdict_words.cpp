@@ -92,15 +92,15 @@ std::string requirement_words(const RequirementResult& r, const project::ShownUn
 }
 
 std::string verdict_summary(const CaseVerdict& judged) {
-  const auto met = std::count_if(judged.results.begin(), judged.results.end(), [](const auto& r) { return r.met(); });
-  std::string text = fmt::format("{}: {}, {} of {} requirements met", case_words(judged),
-                                 judged.met() ? "meets its requirements"
-                                     : judged.not_judged() > 0 &&
-                                         std::all_of(judged.results.begin(), judged.results.end(),
-                                                     [](const auto& r) { return !r.value || r.met(); })
-                                     ? "NOT JUDGED completely"
-                                     : "VIOLATES its requirements",
-                                 met, judged.results.size());
+  const auto met = std::ranges::count_if(judged.results, [](const auto& r) { return r.met(); });
+  std::string text =
+      fmt::format("{}: {}, {} of {} requirements met", case_words(judged),
+                  judged.met() ? "meets its requirements"
+                      : judged.not_judged() > 0 &&
+                          std::ranges::all_of(judged.results, [](const auto& r) { return !r.value || r.met(); })
+                      ? "NOT JUDGED completely"
+                      : "VIOLATES its requirements",
+                  met, judged.results.size());
   if (judged.not_judged() > 0) text += fmt::format(", {} not judged", judged.not_judged());
   if (judged.governing) {
     const RequirementResult& r = judged.results[*judged.governing];
@@ -120,7 +120,7 @@ const char* verdict_word(const RequirementResult& result) {
 std::vector<RequirementRow> requirement_rows(const CaseVerdict& judged) {
   std::vector<std::size_t> order(judged.results.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     const RequirementResult &x = judged.results[a], &y = judged.results[b];
     return x.value.has_value() == y.value.has_value() ? x.margin < y.margin : !x.value.has_value();
   });
@@ -145,7 +145,7 @@ std::string case_of_envelope(const std::string& name) { return name.empty() ? "b
 std::vector<std::string> reasons_words(const CaseVerdict& judged) {
   std::vector<std::string> reasons;
   for (const RequirementResult& r : judged.results)
-    if (!r.value && std::find(reasons.begin(), reasons.end(), r.reason) == reasons.end()) reasons.push_back(r.reason);
+    if (!r.value && std::ranges::find(reasons, r.reason) == reasons.end()) reasons.push_back(r.reason);
   return reasons;
 }
 

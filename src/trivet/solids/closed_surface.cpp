@@ -35,7 +35,7 @@ class Connected {
   void join(int a, int b) { parent(std::max(root(a), root(b))) = std::min(root(a), root(b)); }
 
  private:
-  int& parent(int i) { return parent_[to_size(i)]; }
+  int& parent(int i) { return parent_[i]; }
   std::vector<int> parent_;
 };
 
@@ -68,9 +68,9 @@ void report_opposed(const TriangleSurface& surface, std::vector<SurfaceEdge>& op
   std::map<std::array<int, 3>, int> count;
   for (const auto& triangle : surface.triangles.colwise()) {
     std::array<int, 3> corners = {triangle(0), triangle(1), triangle(2)};
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    std::rotate(corners.begin(), std::ranges::min_element(corners), corners.end());
     const int side = corners[1] < corners[2] ? 1 : -1;
-    std::sort(corners.begin(), corners.end());
+    std::ranges::sort(corners);
     if (!open_edges.contains({corners[0], corners[1]}) || !open_edges.contains({corners[1], corners[2]}) ||
         !open_edges.contains({corners[0], corners[2]}))
       continue;
@@ -83,9 +83,9 @@ void report_opposed(const TriangleSurface& surface, std::vector<SurfaceEdge>& op
     if (side != 0 || count[corners] < 2) continue;
     ++pairs;
     const auto belongs = [&, c = corners](const SurfaceEdge& edge) {
-      return std::find(c.begin(), c.end(), edge.low) != c.end() && std::find(c.begin(), c.end(), edge.high) != c.end();
+      return std::ranges::find(c, edge.low) != c.end() && std::ranges::find(c, edge.high) != c.end();
     };
-    std::copy_if(open.begin(), open.end(), std::back_inserter(of_pairs), belongs);
+    std::ranges::copy_if(open, std::back_inserter(of_pairs), belongs);
     std::erase_if(open, belongs);
   }
   if (pairs > 0)
@@ -208,8 +208,8 @@ void check_shells(const std::vector<Shell>& shells, Problems& problems) {
                                  shell.integrals.volume),
                      "a solid has a volume > 0", "remove the flat part, or give it its thickness");
     } else if (shell.integrals.volume < 0 &&
-               std::none_of(
-                   shells.begin(), shells.end(),
+               std::ranges::none_of(
+                   shells,
                    [&](const Shell& outer) {
                      return outer.integrals.volume > -shell.integrals.volume && outer.box.contains(shell.box);
                    })) {

@@ -63,7 +63,7 @@ struct Measure {
                     fmt::format("solids are numbered from 1 to {}", volumes->size()), "name existing solids");
       else if (!taken.insert(number).second)
         found.error("solids", fmt::format("{} is named twice", number), "each solid counts once", "name it once");
-      else total = sum(total, (*volumes)[to_size(number) - 1]);
+      else total = sum(total, (*volumes)[number - 1]);
     }
     if (found.has_errors()) return tl::unexpected(found);
     if (step.solids.empty())

@@ -19,7 +19,7 @@ std::vector<SurfaceEdge> surface_edges(const Eigen::Matrix3Xi& triangles) {
       all.push_back({std::min(from, to), std::max(from, to), from<to, from> to});
     }
   }
-  std::sort(all.begin(), all.end(), [](const SurfaceEdge& a, const SurfaceEdge& b) {
+  std::ranges::sort(all, [](const SurfaceEdge& a, const SurfaceEdge& b) {
     return std::tie(a.low, a.high) < std::tie(b.low, b.high);
   });
   std::vector<SurfaceEdge> merged;

@@ -33,7 +33,7 @@ struct Pair {
 /// The vertices of a triangle, the lowest first: equal for triangles with the same vertices and the same outside.
 std::array<int, 3> from_lowest(const Eigen::Vector3i& triangle) {
   std::array<int, 3> order = {triangle(0), triangle(1), triangle(2)};
-  std::rotate(order.begin(), std::min_element(order.begin(), order.end()), order.end());
+  std::rotate(order.begin(), std::ranges::min_element(order), order.end());
   return order;
 }
 
@@ -45,14 +45,14 @@ void drop_repeated(TriangleSurface& surface) {
   all.reserve(to_size(surface.triangles.cols()));
   for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t)
     all.emplace_back(from_lowest(surface.triangles.col(t)), t);
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   std::vector<bool> repeats(all.size(), false);
   std::size_t count = 0;
   Eigen::Index first = surface.triangles.cols();
   for (std::size_t i = 1; i < all.size(); ++i) {
     const std::array<int, 3>& corners = all[i].first;
     if (corners != all[i - 1].first || corners[0] == corners[1] || corners[1] == corners[2]) continue;
-    repeats[to_size(all[i].second)] = true;
+    repeats[all[i].second] = true;
     first = std::min(first, all[i].second);
     ++count;
   }
@@ -64,7 +64,7 @@ void drop_repeated(TriangleSurface& surface) {
                           "each triangle of a surface is written once", "the repeated ones are ignored");
   Eigen::Index next = 0;
   for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t)
-    if (!repeats[to_size(t)]) surface.triangles.col(next++) = surface.triangles.col(t).eval();
+    if (!repeats[t]) surface.triangles.col(next++) = surface.triangles.col(t).eval();
   surface.triangles.conservativeResize(Eigen::NoChange, next);
 }
 
@@ -72,8 +72,8 @@ std::vector<int> open_vertices(const std::vector<SurfaceEdge>& edges) {
   std::vector<int> open;
   for (const SurfaceEdge& edge : edges)
     if (edge.up != edge.down) open.insert(open.end(), {edge.low, edge.high});
-  std::sort(open.begin(), open.end());
-  open.erase(std::unique(open.begin(), open.end()), open.end());
+  std::ranges::sort(open);
+  open.erase(std::ranges::unique(open).begin(), open.end());
   return open;
 }
 
@@ -91,7 +91,7 @@ std::optional<std::vector<Pair>> near_pairs(const Eigen::Matrix3Xd& vertices, co
   for (const int v : open) {
     const Eigen::Vector3d at = vertices.col(v);
     Cell own;
-    for (int j = 0; j < 3; ++j) own[to_size(j)] = static_cast<std::int64_t>(std::floor(at(j) / tolerance));
+    for (int j = 0; j < 3; ++j) own[j] = static_cast<std::int64_t>(std::floor(at(j) / tolerance));
     for (int near = 0; near < 27; ++near) {
       const auto found = grid.find({own[0] + near % 3 - 1, own[1] + near / 3 % 3 - 1, own[2] + near / 9 - 1});
       if (found == grid.end()) continue;
@@ -102,7 +102,7 @@ std::optional<std::vector<Pair>> near_pairs(const Eigen::Matrix3Xd& vertices, co
     }
     grid[own].push_back(v);
   }
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.distance < b.distance; });
+  std::ranges::stable_sort(pairs, {}, &Pair::distance);
   return pairs;
 }
 

@@ -102,10 +102,10 @@ std::string missing_requirement(const RequirementResult::Transmitted& transmitte
 /// A requirement on the isolation, or on forces on the ground.
 bool speaks_of_the_ground(const project::Analyses& analyses) {
   const auto is_of_ground = [](const auto& limit) { return limit.name.starts_with("ground."); };
-  if (std::any_of(analyses.limits.begin(), analyses.limits.end(), is_of_ground)) return true;
+  if (std::ranges::any_of(analyses.limits, is_of_ground)) return true;
   if (!analyses.requirements) return false;
   const auto& limits = analyses.requirements->limits;
-  return !analyses.requirements->isolation.empty() || std::any_of(limits.begin(), limits.end(), is_of_ground);
+  return !analyses.requirements->isolation.empty() || std::ranges::any_of(limits, is_of_ground);
 }
 
 }  // namespace
@@ -129,13 +129,11 @@ foundation::Problems amplification_warnings(const CaseContext& c, const project:
   foundation::Problems warnings;
   if (speaks_of_the_ground(analyses) || is_too_large_for_roots(c.assembled)) return warnings;
   std::vector<Operation> all = judged_operations(c, analyses);
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Operation& a, const Operation& b) { return *a.asked.value > *b.asked.value; });
+  std::ranges::stable_sort(all, [](const Operation& a, const Operation& b) { return *a.asked.value > *b.asked.value; });
   std::vector<std::string> named;
   for (const Operation& one : all) {
     constexpr double round_off = 1e-9;  // a rigid machine transmits 1
-    if (!(*one.asked.value > 1 + round_off) || std::find(named.begin(), named.end(), one.words) != named.end())
-      continue;
+    if (!(*one.asked.value > 1 + round_off) || std::ranges::find(named, one.words) != named.end()) continue;
     named.push_back(one.words);
     const double hertz = one.asked.angular_frequency.value_or(0) / foundation::two_pi;
     warnings.warning(

@@ -58,13 +58,13 @@ std::vector<Eigen::VectorXd> phases(const CaseContext& c, const DrivenChannels& 
   }
   // Whole turns are counted from ω = 0 along a grid fine enough to miss none, for any requested points.
   const auto& asked_at = response.angular_frequency;
-  const double top = *std::max_element(asked_at.begin(), asked_at.end());
+  const double top = std::ranges::max(asked_at);
   const response::CurveModel model = response::curve_model(c.assembled, driven.channels, driven.load, c.roots().poles,
                                                            peaks, {lowest_defined(c.assembled), top}, {}, c.progress);
   std::vector<double> grid = response::drawing_grid(model, peaks);
   grid.insert(grid.end(), asked_at.begin(), asked_at.end());
-  std::sort(grid.begin(), grid.end());
-  grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
+  std::ranges::sort(grid);
+  grid.erase(std::ranges::unique(grid).begin(), grid.end());
   const Eigen::MatrixXcd dense = model.at(grid);
   for (std::size_t curve = 0; curve < response.curves.size(); ++curve) {
     const Eigen::VectorXd along = response::continuous_phase(dense.row(to_index(curve)).transpose());
@@ -72,7 +72,7 @@ std::vector<Eigen::VectorXd> phases(const CaseContext& c, const DrivenChannels& 
     for (std::size_t i = 0; i < asked_at.size(); ++i) {
       const auto row = to_index(i);
       const double own = response::phase(response.curves[curve].value(row));
-      const double followed = along(std::lower_bound(grid.begin(), grid.end(), asked_at[i]) - grid.begin());
+      const double followed = along(std::ranges::lower_bound(grid, asked_at[i]) - grid.begin());
       at(row) = std::isfinite(followed)
           ? own + 2 * std::numbers::pi * std::round((followed - own) / (2 * std::numbers::pi))
           : own;
@@ -228,7 +228,7 @@ class CaseStudy {
         grid = response::logarithmic_grid(result.band, request.points);
       }
     } else {
-      result.band = {*std::min_element(grid.begin(), grid.end()), *std::max_element(grid.begin(), grid.end())};
+      result.band = {std::ranges::min(grid), std::ranges::max(grid)};
     }
     foundation::report_progress(c_.progress, "response", 0.5);
     // With constant matrices solving costs less than evaluating the curve model; with exact springs or tables it costs
@@ -254,7 +254,7 @@ class CaseStudy {
       project::AnswerSelection selection = analyses.response->selection;
       const auto& curves = response.curves.curves;
       const bool among_curves =
-          std::any_of(curves.begin(), curves.end(), [&](const response::Curve& c) { return c.name == limit.name; });
+          std::ranges::any_of(curves, [&](const response::Curve& c) { return c.name == limit.name; });
       if (!among_curves) selection.of = {limit.name};
       result.push_back(limit_answer(limit, selection, response.band));
     }
@@ -266,8 +266,8 @@ class CaseStudy {
   bool grows_toward_rest(const response::Peaks& found, std::size_t curve, const DrivenChannels& driven) const {
     constexpr double rounding = 1e-9, nearer = 0.25, growth = 2;  // a curve ∝ ω⁻¹ grows by 4
     const response::CurveSummary& summary = found.curves[curve];
-    const bool from_tables = std::any_of(c_.assembled.elements.begin(), c_.assembled.elements.end(),
-                                         [](const assembly::ElementMap& map) { return map.defined_from > 0; });
+    const bool from_tables = std::ranges::any_of(c_.assembled.elements,
+                                                 [](const assembly::ElementMap& map) { return map.defined_from > 0; });
     if (from_tables) return false;  // unknown below the tables
     if (!(found.searched_from > 0) || summary.highest_at > found.searched_from * (1 + rounding)) return false;
     const auto near_rest =
@@ -279,9 +279,8 @@ class CaseStudy {
   LimitAnswer limit_answer(const project::Limit& limit, const project::AnswerSelection& selection,
                            const assembly::Band& band) {
     const response::Peaks& found = peaks_of(selection);
-    const auto curve = to_size(std::find_if(found.curves.begin(), found.curves.end(),
-                                            [&](const response::CurveSummary& c) { return c.name == limit.name; }) -
-                               found.curves.begin());
+    const auto curve =
+        to_size(std::ranges::find(found.curves, limit.name, &response::CurveSummary::name) - found.curves.begin());
     LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest,
                        true};
     const DrivenChannels driven = driven_channels(c_.system, c_.assembled, selection);
@@ -294,7 +293,7 @@ class CaseStudy {
       for (const response::Curve& drawn : response_->curves.curves)
         for (Eigen::Index i = 0; drawn.name == limit.name && i < drawn.value.size(); ++i)
           if (const double size = std::abs(drawn.value(i)); std::isfinite(size) && size > answer.in_band)
-            answer.in_band = size, answer.in_band_at = response_->curves.angular_frequency[to_size(i)];
+            answer.in_band = size, answer.in_band_at = response_->curves.angular_frequency[i];
     answer.met = design::meets_limit(answer.in_band, answer.limit);
     return answer;
   }

@@ -129,7 +129,7 @@ const std::vector<AskedQuestion>& asked_questions() {
 
 const AskedQuestion& asked_question(const std::string& name) {
   const auto& list = asked_questions();
-  const auto found = std::find_if(list.begin(), list.end(), [&](const AskedQuestion& one) { return one.name == name; });
+  const auto found = std::ranges::find(list, name, &AskedQuestion::name);
   if (found == list.end()) throw foundation::InvalidInput("no question is called \"" + name + "\"");
   return *found;
 }

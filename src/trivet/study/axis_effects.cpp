@@ -27,7 +27,7 @@ using Amplitudes = Eigen::Array<double, Eigen::Dynamic, static_cast<int>(frequen
 std::vector<std::string> answers_of(const std::vector<design::MapRule>& rules) {
   std::vector<std::string> names;
   for (const design::MapRule& rule : rules)
-    if (std::find(names.begin(), names.end(), rule.answer) == names.end()) names.push_back(rule.answer);
+    if (std::ranges::find(names, rule.answer) == names.end()) names.push_back(rule.answer);
   return names;
 }
 

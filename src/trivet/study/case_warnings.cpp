@@ -44,7 +44,7 @@ void warn_of_guide_forces(const CaseContext& c, const project::Analyses& analyse
   }
   for (const auto& [name, question] : analyses.questions)
     of.insert(of.end(), question->selection.of.begin(), question->selection.of.end());
-  if (std::none_of(of.begin(), of.end(), [](const std::string& word) { return word.starts_with("ground"); })) return;
+  if (std::ranges::none_of(of, [](const std::string& word) { return word.starts_with("ground"); })) return;
   for (const model::Body& body : c.system.bodies())
     if (body.is_constrained())
       warnings.warning("ground", (body.is_node ? "node \"" : "body \"") + body.name + "\" is constrained",

@@ -43,8 +43,8 @@ class CurveRequirements {
     for (const project::AmplitudeLimit& limit : limits)
       if (limit.speed) add_under_orders(limit);
     std::vector<project::AmplitudeLimit> harmonic;
-    std::copy_if(limits.begin(), limits.end(), std::back_inserter(harmonic),
-                 [](const project::AmplitudeLimit& limit) { return !limit.speed; });
+    std::ranges::copy_if(limits, std::back_inserter(harmonic),
+                         [](const project::AmplitudeLimit& limit) { return !limit.speed; });
     if (harmonic.empty()) return;
     const std::size_t first = list_.size();
     list_.add_bounds(c_, RequirementKind::amplitude, harmonic, "");
@@ -140,8 +140,7 @@ class CurveRequirements {
   void add_limit_lines(const project::Requirements& required) {
     for (const project::LimitLineRequest& line : analyses_.limit_lines) {
       const auto& named = required.limit_lines;
-      const bool asked =
-          !analyses_.requirements || std::find(named.begin(), named.end(), line.line.name) != named.end();
+      const bool asked = !analyses_.requirements || std::ranges::find(named, line.line.name) != named.end();
       const auto& response = analyses_.response;
       if (!asked || !(response || required.band)) continue;
       const std::size_t first = list_.size();

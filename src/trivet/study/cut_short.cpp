@@ -12,7 +12,7 @@ bool is_cut_short(const Answers& answers) {
   const auto* steady = answers.find<nonlinear::SteadyBranch>("steady");
   const auto* modes = answers.find<std::vector<nonlinear::Backbone>>("backbone");
   const auto ends = [](const auto& curve) { return !curve.ended.empty(); };
-  return (steady && ends(*steady)) || (modes && std::any_of(modes->begin(), modes->end(), ends));
+  return (steady && ends(*steady)) || (modes && std::ranges::any_of(*modes, ends));
 }
 
 }  // namespace trivet::study

@@ -59,11 +59,10 @@ Eigen::RowVectorXd share_slopes(const modal::OwnSystem& own, const modal::OwnMod
   for (std::size_t j = 0; j < 6; ++j) shares(to_index(j)) = moved.dot(own.energy[j] * moved) / modes.norm(k);
   Eigen::Index purest = 0;
   const double share = shares.maxCoeff(&purest);
-  const Eigen::MatrixXd& energy = own.energy[to_size(purest)];
+  const Eigen::MatrixXd& energy = own.energy[purest];
   const Eigen::MatrixXd changes = shape_changes(own, shape, modes.lambda(k), rates).topRows(moved.size());
   Eigen::RowVectorXd slopes = moved.transpose() * (energy + energy.transpose()) * changes;
-  for (std::size_t j = 0; j < rates.size(); ++j)
-    slopes(to_index(j)) += moved.dot(rates[j].energy[to_size(purest)] * moved);
+  for (std::size_t j = 0; j < rates.size(); ++j) slopes(to_index(j)) += moved.dot(rates[j].energy[purest] * moved);
   return slopes / (modes.norm(k) * share);
 }
 

@@ -28,7 +28,7 @@ class Looks {
     std::vector<std::size_t> all = judge_quickly(shares);
     const std::size_t count = all.size();
     const auto by_rank = [&](std::size_t a, std::size_t b) { return rank_of(a) > rank_of(b); };
-    std::stable_sort(all.begin(), all.end(), by_rank);
+    std::ranges::stable_sort(all, by_rank);
     // Amplitudes and peaks lower the ranks further: in this order, until what is left cannot be among the best.
     constexpr std::size_t batch = 4096;
     std::vector<std::size_t> judged;
@@ -38,7 +38,7 @@ class Looks {
       if (judged.size() >= wanted && rank_of(judged[wanted - 1]) >= rank_of(next.front())) break;
       lower(next, &packed_curve_margins);
       judged.insert(judged.end(), next.begin(), next.end());
-      std::stable_sort(judged.begin(), judged.end(), by_rank);
+      std::ranges::stable_sort(judged, by_rank);
     }
     return judged;
   }
@@ -112,9 +112,8 @@ std::vector<Eigen::VectorXd> apart(const Eigen::MatrixXd& shares, const std::vec
     for (const std::size_t row : rows) {
       if (chosen.size() >= wanted) return chosen;
       const Eigen::VectorXd point = shares.row(to_index(row)).transpose();
-      const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const Eigen::VectorXd& other) {
-        return (other - point).lpNorm<Eigen::Infinity>() <= distance;
-      });
+      const bool near = std::ranges::any_of(
+          chosen, [&](const Eigen::VectorXd& other) { return (other - point).lpNorm<Eigen::Infinity>() <= distance; });
       if (!near) chosen.push_back(point);
     }
   return chosen;
@@ -138,8 +137,7 @@ std::vector<double> family_ranks(const DesignObjective& objective, const Eigen::
 
 DesignLooks design_looks(const DesignObjective& objective, std::size_t wanted, const foundation::Progress& progress,
                          std::size_t among) {
-  const bool any = std::any_of(objective.families().begin(), objective.families().end(),
-                               [](const CaseFamily& one) { return one.judges(); });
+  const bool any = std::ranges::any_of(objective.families(), [](const CaseFamily& one) { return one.judges(); });
   const std::size_t count = any ? std::max(among, wanted) : wanted;
   const Eigen::MatrixXd shares = sobol_points(to_index(objective.space().size()), count);
   DesignLooks looks;

@@ -28,7 +28,7 @@ bool has_band_in_hertz(const project::Case& variant) {
   for (const char* table : {"analyses.map", "requirements", "analyses.response"}) {
     const project::Node* band = project::deepest(variant.document, table).find("band");
     if (!band || band->kind != project::Node::Kind::array) continue;
-    return std::any_of(band->items.begin(), band->items.end(), [](const project::Node& end) {
+    return std::ranges::any_of(band->items, [](const project::Node& end) {
       return end.kind == project::Node::Kind::text && end.text.ends_with("Hz");
     });
   }

@@ -54,11 +54,10 @@ double logarithm(double margin) {
 std::vector<RequirementResult::Candidate> nearest(const RequirementResult& result) {
   std::vector<RequirementResult::Candidate> candidates = result.candidates;
   if (places_of(result.kind) == 1) candidates = {{result.margin, 0, 0, 0, false}};
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto& a, const auto& b) { return a.margin < b.margin; });
+  std::ranges::stable_sort(candidates, [](const auto& a, const auto& b) { return a.margin < b.margin; });
   candidates.resize(std::min(candidates.size(), most_candidates));
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const auto& a, const auto& b) { return a.angular_frequency < b.angular_frequency; });
+  std::ranges::stable_sort(candidates,
+                           [](const auto& a, const auto& b) { return a.angular_frequency < b.angular_frequency; });
   return candidates;
 }
 
@@ -80,9 +79,8 @@ project::Analyses differenced_alone(project::Analyses analyses, const std::vecto
   differenced.no_contact = all.no_contact;
   differenced.steady = all.steady;
   if (RequirementSlopes::are_missing(RequirementKind::rms, system)) differenced.rms = all.rms;
-  differenced.mount_load = std::any_of(given.begin(), given.end(), [](const RequirementResult& result) {
-    return result.kind == RequirementKind::mount_shock_deflection;
-  });
+  differenced.mount_load = std::ranges::any_of(
+      given, [](const RequirementResult& result) { return result.kind == RequirementKind::mount_shock_deflection; });
   analyses.requirements = std::move(differenced);
   return analyses;
 }
@@ -114,8 +112,8 @@ bool is_of_repeated_frequency(const modal::Modes& modes, RequirementKind kind,
 /// True if another root is within the distance below which roots are one subspace (root_slopes.cpp).
 bool is_repeated_root(const modal::Roots& roots, const RequirementResult::Candidate& candidate) {
   constexpr double one_subspace = 1e-6;
-  const std::complex<double> own = roots.list[to_size(candidate.mode - 1)].eigenvalue;
-  return std::count_if(roots.list.begin(), roots.list.end(), [&](const modal::Root& other) {
+  const std::complex<double> own = roots.list[candidate.mode - 1].eigenvalue;
+  return std::ranges::count_if(roots.list, [&](const modal::Root& other) {
            return std::abs(other.eigenvalue - own) <= one_subspace * std::abs(own);
          }) > 1;
 }
@@ -124,7 +122,7 @@ Eigen::MatrixXd slopes_of_roots(const PackedSlopes& of_family, const modal::Root
                                 const std::vector<RequirementResult::Candidate>& candidates) {
   std::vector<Eigen::RowVectorXd> rows;
   for (const RequirementResult::Candidate& one : candidates)
-    rows.push_back(of_family.damping_ratio_slopes(roots.list[to_size(one.mode - 1)].eigenvalue));
+    rows.push_back(of_family.damping_ratio_slopes(roots.list[one.mode - 1].eigenvalue));
   Eigen::MatrixXd slopes(to_index(rows.size()), rows.front().size());
   for (std::size_t i = 0; i < rows.size(); ++i) slopes.row(to_index(i)) = rows[i];
   return slopes;
@@ -168,7 +166,7 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
     : space_(project, request.parameters), minimized_(request) {
   const std::vector<std::string> hold_in = cases_to_hold(project);
   for (const project::Case& variant : project.cases)
-    if (std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end()) cases_.push_back(&variant);
+    if (std::ranges::find(hold_in, variant.name) != hold_in.end()) cases_.push_back(&variant);
   refuse_overruled_cases(space_, project, cases_);
   for (const project::Case* variant : cases_) {
     asked_.push_back(variant->analyses);
@@ -204,14 +202,14 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
 }
 
 bool DesignObjective::is_expensive() const {
-  return std::any_of(asked_.begin(), asked_.end(), [](const project::Analyses& asked) {
+  return std::ranges::any_of(asked_, [](const project::Analyses& asked) {
     return asked.requirements && asked.requirements->is_about_steady_motion();
   });
 }
 
 bool DesignObjective::has_quick(Effort effort) const {
   if (effort == Effort::quick) return false;
-  return std::any_of(asked_.begin(), asked_.end(), [](const project::Analyses& asked) {
+  return std::ranges::any_of(asked_, [](const project::Analyses& asked) {
     const auto* steady = asked.find<project::SteadyQuestion>("steady");
     return asked.requirements && asked.requirements->no_jump && !(steady && steady->all_branches);
   });
@@ -237,7 +235,7 @@ std::vector<std::string> DesignObjective::differenced() const {
   for (std::size_t c = 0; c < given_.size(); ++c)
     for (std::size_t r = 0; r < given_[c].size(); ++r) {
       const std::string kind = name(given_[c][r].kind);
-      if (is_differenced(c, r) && std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+      if (is_differenced(c, r) && std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(kind);
     }
   return kinds;
 }
@@ -311,7 +309,7 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
   if (!slopes) return;
   double least_objective = unlimited;
   for (Eigen::Index i = first; i < place; ++i)
-    if (is_objective_[to_size(i)]) least_objective = std::min(least_objective, values(i));
+    if (is_objective_[i]) least_objective = std::min(least_objective, values(i));
   for (Smooth& one : smooth)
     one.keep_near(values, is_objective_, minimized_.are_separate() ? one.least(values) : least_objective);
   std::optional<DesignNeighbours> neighbours;  // models that are read again: only for what a family does not give
@@ -334,11 +332,11 @@ void DesignObjective::set_slopes(std::size_t c, const CaseContext& context, cons
     const std::vector<RequirementResult::Candidate>& candidates = smooth[r].candidates;
     if (candidates.empty() || is_constant(found[r].kind)) continue;
     const bool of_roots = found[r].kind == RequirementKind::damping_ratio;
-    const bool by_family = families()[c].gives_slopes(r) &&
-        std::none_of(candidates.begin(), candidates.end(), [&](const RequirementResult::Candidate& one) {
-                             return of_roots ? is_repeated_root(context.roots(), one)
-                                             : is_of_repeated_frequency(context.modes, found[r].kind, one);
-                           });
+    const bool by_family =
+        families()[c].gives_slopes(r) && std::ranges::none_of(candidates, [&](const RequirementResult::Candidate& one) {
+          return of_roots ? is_repeated_root(context.roots(), one)
+                          : is_of_repeated_frequency(context.modes, found[r].kind, one);
+        });
     if (by_family && !of_family)
       of_family.emplace(families()[c].packed(), families()[c].family().at(design),
                         families()[c].family().slopes(design));
@@ -364,7 +362,7 @@ void DesignObjective::Smooth::keep_near(const Eigen::VectorXd& values, const std
                                         double least_objective) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (values(rows[i]) > far + (is_objective[to_size(rows[i])] ? least_objective : 0)) continue;
+    if (values(rows[i]) > far + (is_objective[rows[i]] ? least_objective : 0)) continue;
     rows[kept] = rows[i];
     candidates[kept++] = candidates[i];
   }

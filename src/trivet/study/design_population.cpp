@@ -41,20 +41,20 @@ class Population {
     for (const std::size_t i : by_rank()) {
       if (chosen.size() >= wanted) break;
       const Eigen::VectorXd one = members_.row(to_index(i)).transpose();
-      if (std::none_of(chosen.begin(), chosen.end(),
-                       [&](const Eigen::VectorXd& other) { return (other - one).lpNorm<Eigen::Infinity>() <= apart; }))
+      if (std::ranges::none_of(
+              chosen, [&](const Eigen::VectorXd& other) { return (other - one).lpNorm<Eigen::Infinity>() <= apart; }))
         chosen.push_back(one);
     }
     return chosen;
   }
 
  private:
-  [[nodiscard]] double highest() const { return *std::max_element(ranks_.begin(), ranks_.end()); }
+  [[nodiscard]] double highest() const { return *std::ranges::max_element(ranks_); }
 
   [[nodiscard]] std::vector<std::size_t> by_rank() const {
     std::vector<std::size_t> order(ranks_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ranks_[a] > ranks_[b]; });
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return ranks_[a] > ranks_[b]; });
     return order;
   }
 
@@ -104,8 +104,7 @@ class Population {
 
 bool can_evolve(const DesignObjective& objective) {
   return objective.minimized().weights().empty() &&
-      std::all_of(objective.families().begin(), objective.families().end(),
-                  [](const CaseFamily& one) { return one.judges(); });
+      std::ranges::all_of(objective.families(), [](const CaseFamily& one) { return one.judges(); });
 }
 
 std::vector<Eigen::VectorXd> evolved_designs(const DesignObjective& objective,

@@ -140,9 +140,8 @@ class Search {
   [[nodiscard]] bool few_agree() const {
     constexpr std::size_t fewest_numbers = 4, one_in = 8;
     if (objective_.is_expensive() || objective_.space().size() < fewest_numbers || result_.falls_short) return false;
-    const auto agreeing = std::count_if(result_.ends.begin(), result_.ends.end(), [&](const MaxMinPoint& end) {
-      return rank(end) >= rank(result_.best) - same_objective;
-    });
+    const auto agreeing = std::ranges::count_if(
+        result_.ends, [&](const MaxMinPoint& end) { return rank(end) >= rank(result_.best) - same_objective; });
     return to_size(agreeing) * one_in < result_.ends.size() && rank(result_.best) < DesignObjective::most;
   }
 
@@ -189,8 +188,8 @@ class Search {
     problem_ = watch_.over(problem_of_requirements(searched_));
     std::vector<MaxMinPoint> ends = on_a_line ? best_on_the_line(chosen) : climbed(at(chosen));
     std::vector<MaxMinPoint> meeting;
-    std::copy_if(ends.begin(), ends.end(), std::back_inserter(meeting),
-                 [](const MaxMinPoint& end) { return end.objective >= least_met; });
+    std::ranges::copy_if(ends, std::back_inserter(meeting),
+                         [](const MaxMinPoint& end) { return end.objective >= least_met; });
     if (meeting.empty()) {
       result_.problem = problem_of_requirements(objective_);
       result_.falls_short = true;
@@ -236,8 +235,7 @@ class Search {
                                  for (std::size_t i = first; i < last; ++i)
                                    seen[from + i] = numerics::point_at(problem_, points[from + i]);
                                });
-      if (std::any_of(seen.begin(), seen.end(),
-                      [](const MaxMinPoint& one) { return rank(one) >= DesignObjective::unlimited; }))
+      if (std::ranges::any_of(seen, [](const MaxMinPoint& one) { return rank(one) >= DesignObjective::unlimited; }))
         break;
     }
     looks_ = seen;
@@ -267,8 +265,7 @@ class Search {
     problem_ = watch_.over(result_.problem);
     std::vector<MaxMinPoint> bounds = result_.ends;
     if (!result_.falls_short) bounds.insert(bounds.end(), looks_.begin(), looks_.end());
-    std::stable_sort(bounds.begin(), bounds.end(),
-                     [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) > rank(b); });
+    std::ranges::stable_sort(bounds, [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) > rank(b); });
     std::optional<MaxMinPoint> best;
     bool confirmed = true;
     for (const MaxMinPoint& bound : bounds) {
@@ -278,8 +275,7 @@ class Search {
       if (!best || rank(complete) > rank(*best)) best = std::move(complete);
     }
     result_.ends = at(result_.ends);
-    if (std::none_of(result_.ends.begin(), result_.ends.end(),
-                     [&](const MaxMinPoint& end) { return end.x == best->x; }))
+    if (std::ranges::none_of(result_.ends, [&](const MaxMinPoint& end) { return end.x == best->x; }))
       result_.ends.push_back(*best);
     if (!confirmed && can_climb(*best)) {
       const std::vector<MaxMinPoint> further = on_a_line ? best_on_the_line({*best}) : climbed({*best});
@@ -333,7 +329,7 @@ class Search {
     result_.problem.evaluate(result_.best.x, values, nullptr);
     Eigen::Index least = 0;
     values.minCoeff(&least);
-    const Place& place = objective_.places()[to_size(least)];
+    const Place& place = objective_.places()[least];
     if (objective_.minimized().contain(place))
       throw foundation::NotComputable("optimize: " + objective_.words(place) +
                                       " is unbounded in every design looked at: an undamped resonance lies in the "
@@ -382,15 +378,13 @@ MaxMinProblem problem_of_requirements(const DesignObjective& objective, const st
 }
 
 std::vector<MaxMinPoint> chosen_starts(std::vector<MaxMinPoint> looks, std::size_t starts) {
-  std::stable_sort(looks.begin(), looks.end(),
-                   [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) > rank(b); });
+  std::ranges::stable_sort(looks, [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) > rank(b); });
   std::vector<MaxMinPoint> chosen;
   for (const double apart : {0.15, 0.05, 0.0})
     for (const MaxMinPoint& look : looks) {
       if (chosen.size() >= starts) return chosen;
-      const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const MaxMinPoint& other) {
-        return (other.x - look.x).lpNorm<Eigen::Infinity>() <= apart;
-      });
+      const bool near = std::ranges::any_of(
+          chosen, [&](const MaxMinPoint& other) { return (other.x - look.x).lpNorm<Eigen::Infinity>() <= apart; });
       if (!near) chosen.push_back(look);
     }
   return chosen;

@@ -13,7 +13,7 @@ namespace trivet::study {
 
 DesignSpace::DesignSpace(const project::Project& project, const std::vector<std::string>& names) {
   for (const project::DesignAxis& axis : project.base().analyses.parameters) {
-    if (!names.empty() && std::find(names.begin(), names.end(), axis.name) == names.end()) continue;
+    if (!names.empty() && std::ranges::find(names, axis.name) == names.end()) continue;
     axes_.push_back(axis);
     numbers_.emplace_back(axis);
     given_.push_back(numbers_.back().read(project.base()));
@@ -27,7 +27,7 @@ DesignSpace::DesignSpace(const project::Project& project, const std::vector<std:
 
 Eigen::VectorXd DesignSpace::values(const Eigen::VectorXd& shares) const {
   Eigen::VectorXd result(shares.size());
-  for (Eigen::Index j = 0; j < shares.size(); ++j) result(j) = axes_[to_size(j)].at(shares(j));
+  for (Eigen::Index j = 0; j < shares.size(); ++j) result(j) = axes_[j].at(shares(j));
   return result;
 }
 

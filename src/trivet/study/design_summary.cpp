@@ -17,7 +17,7 @@ DesignSummary design_summary(const model::System& system) {
     if (mode.angular_frequency.value_or(0) > 0) summary.angular_frequencies.push_back(*mode.angular_frequency);
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const model::Body& body = system.bodies()[b];
-    if (body.is_node || std::count(body.free.begin(), body.free.end(), true) < 2) continue;  // one is never coupled
+    if (body.is_node || std::ranges::count(body.free, true) < 2) continue;  // one is never coupled
     try {
       const std::vector<modal::BodyMode> modes = modal::body_suspension(system, assembled, b).modes;
       double least = 1;

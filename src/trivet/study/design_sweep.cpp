@@ -142,7 +142,7 @@ Family<Design> fitted(const Sweep& sweep, const SweepRequest& request, const mod
   if (!result.first) return result;
   std::vector<design::SumVariable> variables;
   for (const SweptNumber& number : request.numbers) {
-    const auto [least, most] = std::minmax_element(number.values.begin(), number.values.end());
+    const auto [least, most] = std::ranges::minmax_element(number.values);
     variables.push_back({*least, *most, number.path});
   }
   design::SumFamilyOrReason found = design::SumFamily::fitted(

@@ -46,8 +46,8 @@ namespace {
 bool has_dampers(const elements::ScalarLaws& laws) {
   const std::vector<elements::LuGreFriction> bristles = elements::only<elements::LuGreFriction>(laws);
   return !elements::only<elements::DampingForce>(laws).empty() ||
-      std::any_of(bristles.begin(), bristles.end(),
-                  [](const elements::LuGreFriction& law) { return law.damping > 0 || law.viscous > 0; });
+      std::ranges::any_of(bristles,
+                          [](const elements::LuGreFriction& law) { return law.damping > 0 || law.viscous > 0; });
 }
 
 /// The force along the line of a strut, or across the axis of a ring, in both senses.
@@ -79,7 +79,7 @@ std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t 
     model::NonlinearPart shown = part;
     const bool whole = element.over_deflection && &part == &element.nonlinear_parts.front();
     if (whole) shown.laws.erase(shown.laws.begin() + 1);  // less the linear law
-    const char* axis = model::coordinate_names[to_size(part.axis)];
+    const char* axis = model::coordinate_names[part.axis];
     all.push_back({axis, fmt::format("{} {}", part.is_rotation() ? "about" : "along", "xyz"[part.axis % 3]),
                    part.is_rotation(), part.at_rest, has_dampers(part.laws), whole,
                    nonlinear::law_loops(shown, whole ? 0 : own)});
@@ -90,8 +90,8 @@ std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t 
 
 std::vector<nonlinear::AmplitudeStiffness> stiffness_over_amplitude(const project::Case& variant, std::size_t index) {
   const model::Element& element = variant.system.elements()[index];
-  const bool has_inner_laws = std::any_of(element.nonlinear_parts.begin(), element.nonlinear_parts.end(),
-                                          [](const model::NonlinearPart& part) { return part.is_inner(); });
+  const bool has_inner_laws =
+      std::ranges::any_of(element.nonlinear_parts, [](const model::NonlinearPart& part) { return part.is_inner(); });
   if (!has_inner_laws) return {};
   // The slowest column of fluid against all chambers resonates there; the usual amplitudes of test rigs.
   const elements::InnerParts& inner = *element.law.inner;

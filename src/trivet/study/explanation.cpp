@@ -40,7 +40,7 @@ model::System changed_at_rest(const model::System& system, const response::Param
 std::vector<long> pieces_at_rest(const model::System& system) {
   std::vector<long> found;
   const auto add = [&](const std::vector<double>& kinks, double deflection) {
-    found.push_back(std::count_if(kinks.begin(), kinks.end(), [&](double kink) { return kink < deflection; }));
+    found.push_back(std::ranges::count_if(kinks, [&](double kink) { return kink < deflection; }));
   };
   for (const model::Element& element : system.elements()) {
     for (const model::NonlinearPart& part : element.nonlinear_parts)
@@ -105,9 +105,9 @@ std::vector<response::Peak> tallest(const std::vector<response::Peak>& peaks, in
     return bounded ? std::array{peak.amplitude / top, peak.prominence / top}
                    : std::array{peak.amplitude, peak.prominence};
   };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) > rank(b); });
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return rank(a) > rank(b); });
   order.resize(std::min(order.size(), to_size(std::max(most, 0))));
-  std::sort(order.begin(), order.end());
+  std::ranges::sort(order);
   std::vector<response::Peak> result;
   for (const std::size_t i : order) result.push_back(peaks[i]);
   return result;
@@ -139,7 +139,7 @@ std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, 
   const std::string path = "elements." + foundation::path_key(element.name) + ".";
   const std::string whole = stiffness_words(element, "stiffness");
   for (const Candidate& one :
-       {Candidate{path + fmt::format("stiffness_factor.{}", model::coordinate_names[to_size(direction)]),
+       {Candidate{path + fmt::format("stiffness_factor.{}", model::coordinate_names[direction]),
                   fmt::format("the {} of \"{}\"", model::direction_words(element, static_cast<int>(direction)),
                               element.name)},
         Candidate{path + "scale", whole}, Candidate{path + "stiffness_factor.all", whole}})
@@ -171,7 +171,7 @@ std::optional<Candidate> strongest(const project::Case& variant, std::optional<s
   for (std::size_t e = of.value_or(0); e < (of ? *of + 1 : elements.size()); ++e) {
     const std::string path = "elements." + foundation::path_key(elements[e].name) + ".";
     for (int j = 0; j < 6; ++j)
-      consider(path + fmt::format("stiffness_factor.{}", model::coordinate_names[to_size(j)]),
+      consider(path + fmt::format("stiffness_factor.{}", model::coordinate_names[j]),
                stiffness_words(elements[e], model::direction_words(elements[e], j)));
     consider(path + "scale", stiffness_words(elements[e], "stiffness"));
   }
@@ -237,7 +237,7 @@ void solve_again(const project::Case& variant, const response::Question& questio
 void note_close_modes(const modal::Modes& modes, ExplainedPeak& peak) {
   constexpr double close = 0.02;
   if (!peak.peak.nearest_mode) return;
-  const modal::Mode& own = modes.list[to_size(*peak.peak.nearest_mode - 1)];
+  const modal::Mode& own = modes.list[*peak.peak.nearest_mode - 1];
   for (const modal::Mode& mode : modes.list) {
     const double apart = std::abs(mode.angular_frequency.value_or(0) / *own.angular_frequency - 1);
     if (mode.number != own.number && apart < close && !own.repeated)
@@ -304,10 +304,9 @@ Explanation explanation(const project::Case& variant, const ExplainRequest& requ
     peak.notes = table.peaks[i].notes;
     peak.sensitivities = table.peaks[i].list;
     const bool unbounded = std::isinf(peak.peak.amplitude);
-    std::stable_sort(peak.sensitivities.begin(), peak.sensitivities.end(),
-                     [&](const Sensitivity& a, const Sensitivity& b) {
-                       return strength(a, result.parameters, unbounded) > strength(b, result.parameters, unbounded);
-                     });
+    std::ranges::stable_sort(peak.sensitivities, [&](const Sensitivity& a, const Sensitivity& b) {
+      return strength(a, result.parameters, unbounded) > strength(b, result.parameters, unbounded);
+    });
     note_close_modes(result.modes, peak);
     try_more(variant, question, result.parameters, peak);
     peak.sentence = sentence(variant, result, peak);

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/foundation/index.h"
 #include "trivet/modal/stored_energy.h"
 #include "trivet/model/element_directions.h"
 
@@ -24,9 +23,7 @@ std::string place_words(double omega) {
   return fmt::format("{:.4g} rad/s ({:.4g} Hz)", omega, omega / (2 * std::numbers::pi));
 }
 
-const modal::Mode& mode_of(const Explanation& explanation, int number) {
-  return explanation.modes.list[to_size(number - 1)];
-}
+const modal::Mode& mode_of(const Explanation& explanation, int number) { return explanation.modes.list[number - 1]; }
 
 std::string modes_words(const Explanation& explanation, const ExplainedPeak& peak) {
   if (std::isinf(peak.peak.amplitude))
@@ -34,8 +31,7 @@ std::string modes_words(const Explanation& explanation, const ExplainedPeak& pea
                                                 mode_of(explanation, *peak.peak.nearest_mode).name)
                                   : "";
   std::vector<response::ModeShare> modes = peak.shares.modes;
-  std::stable_sort(modes.begin(), modes.end(),
-                   [](const auto& a, const auto& b) { return std::abs(a.share) > std::abs(b.share); });
+  std::ranges::stable_sort(modes, [](const auto& a, const auto& b) { return std::abs(a.share) > std::abs(b.share); });
   if (modes.empty()) return "";
   std::string words = fmt::format("Mode {}, {}, contributes {} of it", modes[0].mode,
                                   mode_of(explanation, modes[0].mode).name, percent(modes[0].share));
@@ -50,9 +46,9 @@ std::string energy_words(const project::Case& variant, const ExplainedPeak& peak
   const response::PeakShares shares = response::of_positive_parts(peak.shares);
   const auto& elements = shares.elements;
   if (elements.empty() || shares.strain_energy == 0) return "";
-  const auto most = std::max_element(elements.begin(), elements.end(),
-                                     [](const auto& a, const auto& b) { return a.stored < b.stored; });
-  const model::Element& element = variant.system.elements()[to_size(most - elements.begin())];
+  const auto most =
+      std::ranges::max_element(elements, [](const auto& a, const auto& b) { return a.stored < b.stored; });
+  const model::Element& element = variant.system.elements()[most - elements.begin()];
   Eigen::Index direction = 0;
   const double in_direction = most->by_direction.maxCoeff(&direction);
   if (!(most->stored > 0)) return "";
@@ -63,15 +59,14 @@ std::string energy_words(const project::Case& variant, const ExplainedPeak& peak
   else if (in_direction > 0)
     words += fmt::format(", {} in its {}", percent(in_direction),
                          model::direction_words(element, static_cast<int>(direction)));
-  const auto damping = std::max_element(elements.begin(), elements.end(),
-                                        [](const auto& a, const auto& b) { return a.dissipated < b.dissipated; });
+  const auto damping =
+      std::ranges::max_element(elements, [](const auto& a, const auto& b) { return a.dissipated < b.dissipated; });
   if (const double returned = response::given_back(peak.shares); returned >= modal::noticeably_given_back)
     words +=
         fmt::format("; {} of what is stored is given back by preload, weight or negative stiffness", percent(returned));
   if (damping->dissipated > shares.system_damping)
-    words +=
-        fmt::format("; \"{}\" dissipates {} of the power",
-                    variant.system.elements()[to_size(damping - elements.begin())].name, percent(damping->dissipated));
+    words += fmt::format("; \"{}\" dissipates {} of the power",
+                         variant.system.elements()[damping - elements.begin()].name, percent(damping->dissipated));
   return words;
 }
 

@@ -91,8 +91,7 @@ class FrequencyRequirements {
                     fmt::format("{} decoupled by {:.4g} %", wanted.body, 100 * wanted.least), "1", wanted.least);
       list_.attempt(first, [&] {
         const auto& bodies = c_.system.bodies();
-        const auto at =
-            std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.name == wanted.body; });
+        const auto at = std::ranges::find_if(bodies, [&](const auto& b) { return b.name == wanted.body; });
         const modal::BodySuspension suspension =
             modal::body_suspension(c_.system, c_.assembled, to_size(at - bodies.begin()));
         result.margin = result.value.emplace(infinity);

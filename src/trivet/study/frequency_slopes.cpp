@@ -41,7 +41,7 @@ std::vector<Eigen::MatrixXcd> FrequencySlopes::changes(const Subspace& subspace)
   Eigen::MatrixXcd shapes(matrices_.size(), count);
   double square = 0;
   for (Eigen::Index i = 0; i < count; ++i) {
-    const modal::Mode& mode = modes_.list[subspace.first + to_size(i)];
+    const modal::Mode& mode = modes_.list[subspace.first + i];
     shapes.col(i) = mode.coordinates.cast<std::complex<double>>();
     square += mode.eigenvalue_squared / static_cast<double>(count);
   }

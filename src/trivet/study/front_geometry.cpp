@@ -82,7 +82,7 @@ std::vector<double> equally_spaced(const std::vector<double>& at, const std::vec
   std::vector<double> result = at;
   for (std::size_t k = 1; k + 1 < at.size(); ++k) {
     const double wanted = length.back() * static_cast<double>(k) / static_cast<double>(at.size() - 1);
-    const auto next = std::upper_bound(length.begin(), length.end(), wanted);
+    const auto next = std::ranges::upper_bound(length, wanted);
     const std::size_t i = std::min(to_size(next - length.begin()), length.size() - 1);
     const double share = (wanted - length[i - 1]) / (length[i] - length[i - 1]);
     result[k] = at[i - 1] + share * (at[i] - at[i - 1]);

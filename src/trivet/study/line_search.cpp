@@ -20,10 +20,10 @@ struct Bracket {
 
 /// Points that are no worse than their neighbours, the best first.
 std::vector<Bracket> brackets_of(std::vector<MaxMinPoint> known) {
-  std::sort(known.begin(), known.end(), [](const MaxMinPoint& a, const MaxMinPoint& b) { return a.x(0) < b.x(0); });
-  known.erase(std::unique(known.begin(), known.end(),
-                          [](const MaxMinPoint& a, const MaxMinPoint& b) { return a.x(0) == b.x(0); }),
-              known.end());
+  std::ranges::sort(known, [](const MaxMinPoint& a, const MaxMinPoint& b) { return a.x(0) < b.x(0); });
+  known.erase(
+      std::ranges::unique(known, [](const MaxMinPoint& a, const MaxMinPoint& b) { return a.x(0) == b.x(0); }).begin(),
+      known.end());
   std::vector<Bracket> result;
   for (std::size_t i = 0; i < known.size(); ++i) {
     const bool first = i == 0, last = i + 1 == known.size();
@@ -32,8 +32,7 @@ std::vector<Bracket> brackets_of(std::vector<MaxMinPoint> known) {
     if ((!first && rank(known[i - 1]) >= here) || (!last && rank(known[i + 1]) > here)) continue;
     result.push_back({known[i], first ? known[i].x(0) : known[i - 1].x(0), last ? known[i].x(0) : known[i + 1].x(0)});
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Bracket& a, const Bracket& b) { return rank(a.middle) > rank(b.middle); });
+  std::ranges::stable_sort(result, [](const Bracket& a, const Bracket& b) { return rank(a.middle) > rank(b.middle); });
   return result;
 }
 

@@ -31,7 +31,7 @@ struct Port {
 std::array<bool, 6> directions(const model::Excitation& excitation) {
   std::array<bool, 6> acts{};
   const auto add = [&](const auto& amplitude) {
-    for (int j = 0; j < 6; ++j) acts[to_size(j)] = acts[to_size(j)] || amplitude(j) != std::complex<double>(0);
+    for (int j = 0; j < 6; ++j) acts[j] = acts[j] || amplitude(j) != std::complex<double>(0);
   };
   if (const auto* orders = std::get_if<model::Orders>(&excitation.course)) {
     for (const excitation::Order& order : orders->list) {
@@ -45,7 +45,7 @@ std::array<bool, 6> directions(const model::Excitation& excitation) {
 }
 
 Port port(const assembly::Assembled& assembled, const model::Excitation& excitation, int direction) {
-  const char* const axis = model::coordinate_names[to_size(direction)];
+  const char* const axis = model::coordinate_names[direction];
   Port found;
   found.motion = !excitation.action.body;
   if (found.motion) {
@@ -53,7 +53,7 @@ Port port(const assembly::Assembled& assembled, const model::Excitation& excitat
     found.unit = direction < 3 ? "m" : "rad";
   } else {
     found.name = fmt::format("{}.{}.{}", excitation.name, direction < 3 ? "force" : "moment",
-                             model::coordinate_names[to_size(direction % 3)]);
+                             model::coordinate_names[direction % 3]);
     found.unit = direction < 3 ? "N" : "N m";
   }
   model::Action unit = excitation.action;
@@ -80,7 +80,7 @@ std::vector<Port> ports(const project::Case& variant, const assembly::Assembled&
           excitation.name));
     const std::array<bool, 6> acts = directions(excitation);
     for (int j = 0; j < 6; ++j)
-      if (acts[to_size(j)]) all.push_back(port(assembled, excitation, j));
+      if (acts[j]) all.push_back(port(assembled, excitation, j));
   }
   return all;
 }
@@ -138,7 +138,7 @@ void take_physical_states(const response::StateSpace& space, const std::vector<S
   system.C = system.C * to_states;
   for (const bool velocity : {false, true})
     for (Eigen::Index i = 0; i < n; ++i) {
-      const std::string &name = coordinates[to_size(i)].name, &unit = coordinates[to_size(i)].unit;
+      const std::string &name = coordinates[i].name, &unit = coordinates[i].unit;
       if (velocity)
         system.states.push_back({name + ".velocity", unit.empty() ? "1/s" : unit + "/s", "", typical_velocity});
       else system.states.push_back({name, unit, "", typical_displacement});

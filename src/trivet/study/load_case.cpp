@@ -6,7 +6,6 @@
 #include <map>
 
 #include "trivet/assembly/channels.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/static_machine.h"
 #include "trivet/response/machinery/rated_loads.h"
@@ -26,8 +25,8 @@ std::vector<std::size_t> mounts_and_rated(const model::System& system) {
   std::vector<std::size_t> found = response::mounts(system);
   for (std::size_t e = 0; e < system.elements().size(); ++e)
     if (system.elements()[e].rating) found.push_back(e);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
   return found;
 }
 
@@ -62,7 +61,7 @@ std::vector<MountAtRest> mounts_at_rest(const model::System& moving, const assem
   for (std::size_t m = 0; m < result.size(); ++m) {
     const std::size_t first = values_per_mount * m;
     Eigen::Vector3d force;  // on the N side, axes of the mount
-    for (int j = 0; j < 3; ++j) force(j) = rest.values[first + to_size(j)].value;
+    for (int j = 0; j < 3; ++j) force(j) = rest.values[first + j].value;
     force = response::mount_axes(system, system.elements()[mounts[m]]).transpose() * force;
     // What is compared with the ranges of its maker is the same everywhere.
     for (const response::RatedLoad& one : rated)
@@ -111,9 +110,8 @@ Envelope envelope(const std::vector<const LoadCase*>& cases) {
   const auto size = [](const EnvelopeRow& row) { return std::max(std::abs(row.least), std::abs(row.largest)); };
   std::erase_if(result.rows,
                 [&](const EnvelopeRow& row) { return size(row) <= round_off_at_rest * largest.at(row.unit); });
-  const bool differ = std::any_of(result.rows.begin(), result.rows.end(), [&](const EnvelopeRow& row) {
-    return row.largest - row.least > differs * size(row);
-  });
+  const bool differ = std::ranges::any_of(
+      result.rows, [&](const EnvelopeRow& row) { return row.largest - row.least > differs * size(row); });
   if (cases.size() < 2 || !differ) result.rows.clear();
   return result;
 }

@@ -39,9 +39,7 @@ design::EvaluationOptions without_family_for(const project::MapRequest& request,
 }
 
 const foundation::Problem& first_error(const foundation::Problems& problems) {
-  return *std::find_if(problems.list().begin(), problems.list().end(), [](const foundation::Problem& problem) {
-    return problem.severity == foundation::Severity::error;
-  });
+  return *std::ranges::find(problems.list(), foundation::Severity::error, &foundation::Problem::severity);
 }
 
 /// The rules of the map in a case of `hold_in`, on the axes of the base map.
@@ -97,8 +95,7 @@ MapJudge::MapJudge(const project::Project& project, const project::Case& variant
   const bool as_asked = variant.analyses.requirements.has_value();
   if (variant.name.empty())
     for (const project::Case& further : project.cases) {
-      const bool holds =
-          !further.name.empty() && std::find(hold_in.begin(), hold_in.end(), further.name) != hold_in.end();
+      const bool holds = !further.name.empty() && std::ranges::find(hold_in, further.name) != hold_in.end();
       if (holds && takes_numbers(further, request, as_asked, warnings_)) add_further(further, request, options);
     }
   if (rules_.size() > DesignOutcome::most_rules)

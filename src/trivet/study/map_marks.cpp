@@ -54,8 +54,7 @@ std::vector<MapMark> map_marks(const project::Project& project, const project::M
   std::vector<MapMark> all;
   std::vector<const project::Case*> cases;
   for (const project::Case& c : project.cases) {
-    const bool listed =
-        request.cases && std::find(request.cases->begin(), request.cases->end(), c.name) != request.cases->end();
+    const bool listed = request.cases && std::ranges::find(*request.cases, c.name) != request.cases->end();
     MapMark mark{c.name, project::ModelNumber(request.x).read(c), project::ModelNumber(request.y).read(c), false, {},
                  ""};
     if (request.cases ? !listed : !mark.placed()) continue;

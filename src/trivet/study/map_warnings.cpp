@@ -48,8 +48,8 @@ void warn_of_band_crossings(const DesignMap& map, foundation::Problems& warnings
 }
 
 bool has_requirements(const DesignMap& map) {
-  return std::any_of(map.rules.begin(), map.rules.end(),
-                     [](const design::MapRule& rule) { return rule.kind == design::DesignRule::Kind::requirement; });
+  return std::ranges::any_of(
+      map.rules, [](const design::MapRule& rule) { return rule.kind == design::DesignRule::Kind::requirement; });
 }
 
 /// Does a requirement change from one design to the next along an axis? Its margins show it, where it governs.
@@ -81,8 +81,8 @@ void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation
   for (const std::string& name : found.zero_answers)
     warnings.warning("map: " + name, "is zero except for round-off", "its rules have no effect",
                      "check the directions of forces and constraints, or remove the rules");
-  const bool all_zero = std::all_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) {
-    return std::find(found.zero_answers.begin(), found.zero_answers.end(), rule.answer) != found.zero_answers.end();
+  const bool all_zero = std::ranges::all_of(map.rules, [&](const design::MapRule& rule) {
+    return std::ranges::find(found.zero_answers, rule.answer) != found.zero_answers.end();
   });
   if (all_zero) return;
   for (const auto& [axis, changes] : {std::pair{&map.request.x, found.by_x}, {&map.request.y, found.by_y}})
@@ -114,10 +114,9 @@ void warn_of_drift(const project::Case& variant, const DesignMap& map, foundatio
   const auto unbounded = [&](const design::DesignOutcome& d) {
     return d.known() && d.margin == 0 && map.rules[d.governing].kind == design::DesignRule::Kind::amplitude;
   };
-  if (!std::all_of(map.outcomes.begin(), map.outcomes.end(),
-                   [&](const design::DesignOutcome& d) { return !d.known() || unbounded(d); }))
+  if (!std::ranges::all_of(map.outcomes, [&](const design::DesignOutcome& d) { return !d.known() || unbounded(d); }))
     return;
-  const auto first = std::find_if(map.outcomes.begin(), map.outcomes.end(), unbounded);
+  const auto first = std::ranges::find_if(map.outcomes, unbounded);
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   std::vector<std::string> names = map.request.excitations;
   if (names.empty())

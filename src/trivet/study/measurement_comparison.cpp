@@ -25,7 +25,7 @@ double decibels(double ratio) { return 20 * std::log10(ratio); }
 bool is_excited_as(const model::System& system, const project::AnswerSelection& selection,
                    const std::string& excitation) {
   const auto& all = system.description().excitations;
-  return excitation.empty() || std::all_of(all.begin(), all.end(), [&](const model::Excitation& one) {
+  return excitation.empty() || std::ranges::all_of(all, [&](const model::Excitation& one) {
            const bool acts =
                model::is_selected(one, selection.excitations) && project::drives(one, project::Drive::harmonic);
            return acts == (one.name == excitation);
@@ -60,7 +60,7 @@ void set_differences(ChannelComparison& channel) {
     ++lines;
     if (lines > 1 && !(std::abs(level) > std::abs(channel.largest_db))) continue;
     channel.largest_db = level;
-    channel.largest_at = channel.angular_frequency[to_size(i)];
+    channel.largest_at = channel.angular_frequency[i];
   }
   channel.rms_db = lines > 0 ? std::sqrt(squares / static_cast<double>(lines)) : no_value;
   channel.assurance = assurance(channel.measured, channel.computed);

@@ -87,7 +87,7 @@ bool MinimizedResults::contain(const ResultPlace& place) const {
 
 void MinimizedResults::refuse_unlike(const std::vector<RequirementResult>& given) const {
   const auto all_of_cases = [&](std::size_t limited) {
-    return std::all_of(limited_.begin(), limited_.end(), [&](std::size_t one) { return one == limited; });
+    return std::ranges::all_of(limited_, [&](std::size_t one) { return one == limited; });
   };
   if (!any() || are_of_front() || all_of_cases(count())) return;
   bool unlike = !all_of_cases(0);

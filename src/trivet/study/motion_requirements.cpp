@@ -65,8 +65,8 @@ class MotionRequirements {
   void add_largest(const std::vector<project::AmplitudeLimit>& limits) {
     for (const MotionQuantity quantity : motion_quantities) {
       std::vector<project::AmplitudeLimit> same;
-      std::copy_if(limits.begin(), limits.end(), std::back_inserter(same),
-                   [&](const auto& limit) { return limit.quantity == quantity; });
+      std::ranges::copy_if(limits, std::back_inserter(same),
+                           [&](const auto& limit) { return limit.quantity == quantity; });
       if (same.empty()) continue;
       const std::size_t first = list_.size();
       list_.add_bounds(c_, RequirementKind::largest, same, "largest ");
@@ -105,8 +105,7 @@ class MotionRequirements {
         const double creep = creep_in(c_.system, limits[i].name);
         RequirementResult& result = list_[first + i];
         // One value for both where a result has a limit and is minimised.
-        const auto found = std::find_if(rest.values.begin(), rest.values.end(),
-                                        [&](const response::StaticValue& one) { return one.name == limits[i].name; });
+        const auto found = std::ranges::find(rest.values, limits[i].name, &response::StaticValue::name);
         result.value = creep * std::abs(found->value);
         result.margin = margin_of(result.allowed, *result.value);
         if (creep > 1) result.detail = fmt::format("with its creep factor {:.4g}", creep);

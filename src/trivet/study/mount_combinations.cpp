@@ -52,7 +52,7 @@ double bound_of_loads(const model::Rating& rating, const Eigen::Vector3d& load) 
   constexpr double surely = 1 + 1e-6;  // round-off must not bring a bound below the margin
   double least = foundation::infinity;
   for (Eigen::Index i = 0; i < load.size(); ++i) {
-    const auto& range = rating.load[to_size(i)];
+    const auto& range = rating.load[i];
     if (range) least = std::min(least, margin_in_range(load(i), *range));
     else if (std::abs(load(i)) > surely * response::noticeable_load * load.norm()) least = 0;
   }
@@ -122,9 +122,9 @@ std::vector<std::string> lacks(const model::Rating& rating, const project::Requi
 void refuse_unusable_mounts(const MountCombinations& all) {
   std::vector<std::pair<std::string, std::vector<std::string>>> lacking;  // data and the mounts without them
   const auto add = [&](const std::string& data, const std::string& mount) {
-    auto at = std::find_if(lacking.begin(), lacking.end(), [&](const auto& one) { return one.first == data; });
+    auto at = std::ranges::find_if(lacking, [&](const auto& one) { return one.first == data; });
     if (at == lacking.end()) at = lacking.insert(at, {data, {}});
-    if (std::find(at->second.begin(), at->second.end(), mount) == at->second.end()) at->second.push_back(mount);
+    if (std::ranges::find(at->second, mount) == at->second.end()) at->second.push_back(mount);
   };
   for (const project::Case* variant : all.cases()) {
     const project::Requirements required = variant->analyses.requirements.value_or(project::Requirements());
@@ -157,7 +157,7 @@ std::vector<const project::Case*> deciding_cases(const project::Project& project
   const std::vector<std::string> hold_in = cases_to_hold(project);
   std::vector<const project::Case*> cases;
   for (const project::Case& variant : project.cases)
-    if (std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end()) cases.push_back(&variant);
+    if (std::ranges::find(hold_in, variant.name) != hold_in.end()) cases.push_back(&variant);
   return cases;
 }
 
@@ -213,7 +213,7 @@ model::System MountCombinations::system(const project::Case& variant, std::size_
 project::Project MountCombinations::project(const project::Project& given, std::size_t combination) const {
   project::Project result{given.title, given.source, given.folder, given.sha256, {}};
   for (const project::Case& variant : given.cases) {
-    const bool decides = std::find(cases_.begin(), cases_.end(), &variant) != cases_.end();
+    const bool decides = std::ranges::find(cases_, &variant) != cases_.end();
     if (decides || &variant == &given.base())
       result.cases.push_back(valid(judging::changed_case(variant, changes(combination))));
   }
@@ -225,8 +225,7 @@ void MountCombinations::add_decoupled(const CaseContext& given, Sums& sums) {
   const auto& bodies = given.system.bodies();
   if (assembled.layout.of_bodies() != assembled.matrices.size()) return;  // coordinates inside elements move along
   for (const project::Requirements::Decoupling& wanted : sums.required.decoupling) {
-    const auto at =
-        std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.name == wanted.body; });
+    const auto at = std::ranges::find_if(bodies, [&](const auto& body) { return body.name == wanted.body; });
     std::vector<Eigen::Index> rows;
     std::vector<int> coordinates;
     for (int j = 0; j < 6; ++j)
@@ -272,12 +271,12 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
   if (variant.analyses.requirements) sums.required = *variant.analyses.requirements;
   add_decoupled(given, sums);
   const auto is_of = [](const project::MountChoice& choice, const std::string& name) {
-    return std::find(choice.elements.begin(), choice.elements.end(), name) != choice.elements.end();
+    return std::ranges::find(choice.elements, name) != choice.elements.end();
   };
   add_mounts(
       given, sums.shapes,
       [&](const std::string& name) {
-        return std::none_of(choices_.begin(), choices_.end(), [&](const auto& choice) { return is_of(choice, name); });
+        return std::ranges::none_of(choices_, [&](const auto& choice) { return is_of(choice, name); });
       },
       sums.mounts, sums.price, sums.mass);
   for (std::size_t c = 0; c < choices_.size(); ++c) {
@@ -363,8 +362,7 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   if (!wants_loads && !wants_frequencies && !wants_decoupling) return result;
   const auto [stiffness, rest_stiffness, standing, load, has_rest] = added(sums, mounts);
   if (!has_rest) return result;  // no position of rest to first order: the verdict says so
-  const bool wants_shapes = wants_decoupling &&
-      std::any_of(sums.decoupled.begin(), sums.decoupled.end(), [](const Decoupled& one) { return one.whole; });
+  const bool wants_shapes = wants_decoupling && std::ranges::any_of(sums.decoupled, &Decoupled::whole);
   const UnitModes modes =
       wants_shapes ? unit_modes(stiffness) : UnitModes{numerics::symmetric_eigenvalues(stiffness), {}};
   const Eigen::VectorXd& squares = modes.squares;
@@ -445,8 +443,8 @@ std::vector<std::size_t> MountCombinations::scattered(std::size_t wanted) const 
     const double share = golden * static_cast<double>(k);
     result.push_back(static_cast<std::size_t>((share - std::floor(share)) * static_cast<double>(count_)));
   }
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
+  std::ranges::sort(result);
+  result.erase(std::ranges::unique(result).begin(), result.end());
   return result;
 }
 

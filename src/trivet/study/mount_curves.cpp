@@ -31,8 +31,7 @@ design::PackedDesign packed_or_reason(const PackedCase& of, const model::System&
 MountCurves::MountCurves(const MountCombinations& all) : all_(all) {
   try {
     for (const project::Case* variant : all.cases()) add_case(*variant);
-    const bool any =
-        std::any_of(cases_.begin(), cases_.end(), [](const Case& one) { return !one.packed.results().empty(); });
+    const bool any = std::ranges::any_of(cases_, [](const Case& one) { return !one.packed.results().empty(); });
     if (!any) cases_.clear();
     reason_ = difference_from_assembled();
   } catch (const NoCurves& no_curves) {

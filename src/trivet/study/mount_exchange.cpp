@@ -2,6 +2,7 @@
 #include "trivet/study/mount_exchange.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -39,8 +40,8 @@ MountRanking MountExchange::ranking(std::vector<std::size_t> combinations) {
 }
 
 void MountExchange::forget_repeated_ones() {
-  std::sort(seen_.begin(), seen_.end());
-  seen_.erase(std::unique(seen_.begin(), seen_.end()), seen_.end());
+  std::ranges::sort(seen_);
+  seen_.erase(std::ranges::unique(seen_).begin(), seen_.end());
 }
 
 std::vector<MountDesign> MountExchange::best_of(std::vector<std::size_t> combinations, std::size_t most) {
@@ -73,7 +74,7 @@ std::vector<std::size_t> MountExchange::starts() {
   for (const MountDesign& design : best_of(uniform, uniform_starts)) result.push_back(number(design));
   const auto looks = static_cast<std::size_t>(most_at_once());
   for (const MountDesign& design : best_of(all_.scattered(looks), scattered_starts))
-    if (std::find(result.begin(), result.end(), number(design)) == result.end()) result.push_back(number(design));
+    if (std::ranges::find(result, number(design)) == result.end()) result.push_back(number(design));
   return result;
 }
 
@@ -95,8 +96,8 @@ std::vector<std::vector<std::size_t>> MountExchange::blocks() const {
         if (count > most_at_once() && !block.empty()) break;
         block.push_back(choice);
       }
-      std::sort(block.begin(), block.end());
-      if (std::find(result.begin(), result.end(), block) == result.end()) result.push_back(std::move(block));
+      std::ranges::sort(block);
+      if (std::ranges::find(result, block) == result.end()) result.push_back(std::move(block));
     }
   return result;
 }
@@ -145,8 +146,7 @@ std::size_t MountExchange::roomiest(const std::vector<std::size_t>& combinations
     if (bounds[i].margin >= margin * (1 - same_margin)) places.push_back(i);
   }
   std::erase_if(places, [&](std::size_t i) { return !(bounds[i].crowding < here); });
-  std::sort(places.begin(), places.end(),
-            [&](std::size_t a, std::size_t b) { return bounds[a].crowding < bounds[b].crowding; });
+  std::ranges::sort(places, [&](std::size_t a, std::size_t b) { return bounds[a].crowding < bounds[b].crowding; });
   places.resize(std::min(places.size(), tried));
   for (const std::size_t i : places)
     if (best_of({combinations[i]}, 1).front().margin >= margin * (1 - same_margin)) return combinations[i];
@@ -156,10 +156,9 @@ std::size_t MountExchange::roomiest(const std::vector<std::size_t>& combinations
 /// Adds designs to the best of all exchanges.
 void MountExchange::keep(const std::vector<MountDesign>& designs) {
   for (const MountDesign& design : designs)
-    if (std::none_of(best_.begin(), best_.end(), [&](const MountDesign& one) { return one.mounts == design.mounts; }))
+    if (std::ranges::none_of(best_, [&](const MountDesign& one) { return one.mounts == design.mounts; }))
       best_.push_back(design);
-  std::stable_sort(best_.begin(), best_.end(),
-                   [](const MountDesign& a, const MountDesign& b) { return a.margin > b.margin; });
+  std::ranges::stable_sort(best_, std::ranges::greater{}, &MountDesign::margin);
   if (best_.size() > most_) best_.resize(most_);
 }
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/static_machine.h"
 #include "trivet/response/steady/static_response.h"
@@ -23,7 +22,7 @@ constexpr Eigen::Index along_axis = 2;  // e3
 /// "left carries 0 … 800 N", for x and y with the direction.
 std::string carries_words(const std::string& name, const Eigen::Vector2d& range, Eigen::Index direction) {
   const std::string words = fmt::format("{} carries {:.5g} … {:.5g} N", name, range(0), range(1));
-  return direction == along_axis ? words : words + " along " + model::coordinate_names[to_size(direction)];
+  return direction == along_axis ? words : words + " along " + model::coordinate_names[direction];
 }
 
 RequirementResult judged_load(const model::Element& element, Eigen::Index direction, const Eigen::Vector2d& range,
@@ -46,7 +45,7 @@ RequirementResult judged_load(const model::Element& element, Eigen::Index direct
 
 /// A load for which the catalogue has no range: without a value, so that it never counts as within.
 RequirementResult load_without_range(const model::Element& element, Eigen::Index direction, double load) {
-  const char* axis = model::coordinate_names[to_size(direction)];
+  const char* axis = model::coordinate_names[direction];
   RequirementResult result;
   result.kind = RequirementKind::mount_load;
   result.subject = element.name;
@@ -78,13 +77,13 @@ void judge_mount(const model::Element& element, const response::RatedLoad* at_re
                  std::vector<RequirementResult>& results) {
   const std::size_t first = results.size();
   for (const Eigen::Index direction : {along_axis, Eigen::Index{0}, Eigen::Index{1}})
-    if (const auto& range = element.rating->load[to_size(direction)])
+    if (const auto& range = element.rating->load[direction])
       results.push_back(judged_load(element, direction, *range, at_rest));
   if (element.rating->deflection) results.push_back(judged_deflection(element, *element.rating->deflection, at_rest));
   for (std::size_t i = first; i < results.size(); ++i) results[i].reason = reason;
   for (Eigen::Index direction = 0; at_rest && direction < 3; ++direction)
     if (const double load = at_rest->load(direction);
-        !element.rating->load[to_size(direction)] && std::abs(load) > response::noticeable_load * at_rest->load.norm())
+        !element.rating->load[direction] && std::abs(load) > response::noticeable_load * at_rest->load.norm())
       results.push_back(load_without_range(element, direction, load));
 }
 

@@ -47,17 +47,17 @@ class SumReader {
   [[nodiscard]] const char* word() const { return order_ == MountOrder::price ? "price" : "mass"; }
 
   static bool is_of(const project::MountChoice& choice, const std::string& element) {
-    return std::find(choice.elements.begin(), choice.elements.end(), element) != choice.elements.end();
+    return std::ranges::find(choice.elements, element) != choice.elements.end();
   }
   [[nodiscard]] bool is_chosen(const std::string& element) const {
-    return std::any_of(all_.choices().begin(), all_.choices().end(),
-                       [&](const project::MountChoice& choice) { return is_of(choice, element); });
+    return std::ranges::any_of(all_.choices(),
+                               [&](const project::MountChoice& choice) { return is_of(choice, element); });
   }
 
   double value(const model::Element& element) {
     if (!element.rating) return 0;
     const auto note = [](std::vector<std::string>& list, const std::string& name) {
-      if (std::find(list.begin(), list.end(), name) == list.end()) list.push_back(name);
+      if (std::ranges::find(list, name) == list.end()) list.push_back(name);
     };
     const model::Rating& rating = *element.rating;
     if (order_ == MountOrder::mass) {
@@ -88,7 +88,7 @@ class SumReader {
 };
 
 void require_isolation(const MountCombinations& all) {
-  const bool any = std::any_of(all.cases().begin(), all.cases().end(), [](const project::Case* variant) {
+  const bool any = std::ranges::any_of(all.cases(), [](const project::Case* variant) {
     return variant->analyses.requirements && !variant->analyses.requirements->isolation.empty();
   });
   if (!any)
@@ -102,7 +102,7 @@ void require_isolation(const MountCombinations& all) {
 const char* name(MountOrder order) { return order_names[static_cast<std::size_t>(order)]; }
 
 MountOrder mount_order(const std::string& word) {
-  const auto found = std::find(order_names.begin(), order_names.end(), word);
+  const auto found = std::ranges::find(order_names, word);
   if (found != order_names.end()) return static_cast<MountOrder>(found - order_names.begin());
   throw foundation::InvalidInput("select by " + foundation::quoted(word) +
                                  ": combinations are ranked by margin, isolation, price or mass");

@@ -15,7 +15,7 @@ class Adder {
   [[nodiscard]] double price(const std::optional<model::Price>& price, const std::string& mount) {
     if (price && currency.empty()) currency = price->currency;
     if (price && price->currency == currency) return price->amount;
-    if (std::find(without_.begin(), without_.end(), mount) == without_.end()) without_.push_back(mount);
+    if (std::ranges::find(without_, mount) == without_.end()) without_.push_back(mount);
     return 0;
   }
 
@@ -33,8 +33,8 @@ class Adder {
 };
 
 bool is_chosen(const MountCombinations& all, const std::string& element) {
-  return std::any_of(all.choices().begin(), all.choices().end(), [&](const project::MountChoice& choice) {
-    return std::find(choice.elements.begin(), choice.elements.end(), element) != choice.elements.end();
+  return std::ranges::any_of(all.choices(), [&](const project::MountChoice& choice) {
+    return std::ranges::find(choice.elements, element) != choice.elements.end();
   });
 }
 
@@ -52,7 +52,7 @@ MountPrices::MountPrices(const MountCombinations& all, const project::Case& vari
       double& price = prices.emplace_back(0);
       const model::System system = all.system_with(variant, c, m);
       for (const model::Element& element : system.elements())
-        if (std::find(choice.elements.begin(), choice.elements.end(), element.name) != choice.elements.end())
+        if (std::ranges::find(choice.elements, element.name) != choice.elements.end())
           price +=
               adder.price(element.rating ? element.rating->price : std::nullopt, foundation::quoted(choice.mounts[m]));
     }

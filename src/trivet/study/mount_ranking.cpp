@@ -44,15 +44,14 @@ MountRanking::MountRanking(const MountCombinations& all, const MountCurves& curv
     ++failed_[static_cast<std::size_t>(curve_fails ? MountTest::curves : sums_[i].failed)];
   }
   std::iota(order_.begin(), order_.end(), std::size_t{0});
-  std::stable_sort(order_.begin(), order_.end(),
-                   [&](std::size_t a, std::size_t b) { return sums_[a].margin > sums_[b].margin; });
+  std::ranges::stable_sort(order_, [&](std::size_t a, std::size_t b) { return sums_[a].margin > sums_[b].margin; });
 }
 
 void MountRanking::lower(const Combinations& batch) {
   if (curves_.empty()) return;
   Combinations unknown;
-  std::copy_if(batch.begin(), batch.end(), std::back_inserter(unknown),
-               [&](std::size_t combination) { return !has_curves_[combination]; });
+  std::ranges::copy_if(batch, std::back_inserter(unknown),
+                       [&](std::size_t combination) { return !has_curves_[combination]; });
   std::vector<std::size_t> numbers;
   for (const std::size_t place : unknown) numbers.push_back(list_[place]);
   const std::vector<double> margins = curves_.margins(numbers, progress_);
@@ -103,7 +102,7 @@ std::vector<MountDesign> MountRanking::best_of(const Combinations& ordered, std:
     if (batch.empty()) break;
     judge(batch);
     found.insert(found.end(), batch.begin(), batch.end());
-    std::stable_sort(found.begin(), found.end(), by_margin);
+    std::ranges::stable_sort(found, by_margin);
     if (found.size() > most) found.resize(most);
   }
   std::vector<MountDesign> designs;
@@ -118,7 +117,7 @@ std::vector<MountDesign> MountRanking::first_that_hold(MountOrder by, std::size_
   Combinations waiting;
   for (const std::size_t combination : order_)
     if (bounds_[combination] >= 1) waiting.push_back(combination);
-  std::stable_sort(waiting.begin(), waiting.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(waiting, [&](std::size_t a, std::size_t b) {
     return keys[a] != keys[b] ? keys[a] < keys[b] : bounds_[a] > bounds_[b];
   });
   const auto key_of = [&](std::size_t combination) { return nine_digits(order_key(by, judged_.at(combination))); };
@@ -138,9 +137,9 @@ std::vector<MountDesign> MountRanking::first_that_hold(MountOrder by, std::size_
     for (; next < waiting.size() && batch.size() < judged_together; ++next)
       if (may_be_among_them(waiting[next])) batch.push_back(waiting[next]);
     judge(batch);
-    std::copy_if(batch.begin(), batch.end(), std::back_inserter(found),
-                 [&](std::size_t combination) { return judged_.at(combination).met; });
-    std::stable_sort(found.begin(), found.end(), comes_first);
+    std::ranges::copy_if(batch, std::back_inserter(found),
+                         [&](std::size_t combination) { return judged_.at(combination).met; });
+    std::ranges::stable_sort(found, comes_first);
     if (found.size() > most) found.resize(most);
   }
   std::vector<MountDesign> designs;
@@ -158,8 +157,8 @@ std::vector<MountDesign> MountRanking::best_with_each(std::size_t choice) {
 
 void MountRanking::judge(const Combinations& batch) {
   Combinations missing;
-  std::copy_if(batch.begin(), batch.end(), std::back_inserter(missing),
-               [&](std::size_t combination) { return !judged_.contains(combination); });
+  std::ranges::copy_if(batch, std::back_inserter(missing),
+                       [&](std::size_t combination) { return !judged_.contains(combination); });
   std::vector<MountDesign> designs(missing.size());
   foundation::parallel_for(missing.size(), {.progress = progress_, .task = "all requirements"},
                            [&](std::size_t first, std::size_t last) {

@@ -108,14 +108,12 @@ class Combinations {
   static void keep_considered(const std::vector<Reached>& considered, std::vector<Reached>& optimized) {
     for (Reached& one : optimized) {
       if (!one.ended) continue;
-      const auto before = std::find_if(considered.begin(), considered.end(),
-                                       [&](const Reached& other) { return other.combination == one.combination; });
+      const auto before = std::ranges::find(considered, one.combination, &Reached::combination);
       if (before == considered.end()) continue;
       one = *before;
       one.ended = true;
     }
-    std::stable_sort(optimized.begin(), optimized.end(),
-                     [](const Reached& a, const Reached& b) { return a.is_better_than(b); });
+    std::ranges::stable_sort(optimized, [](const Reached& a, const Reached& b) { return a.is_better_than(b); });
   }
 
   /// The numbers of the cheapest are optimised, then those of the next, until some meet every requirement.
@@ -125,7 +123,7 @@ class Combinations {
     for (const Bounded& one : by_bound()) order.push_back(one.combination);
     std::vector<double> price(all_.count());
     for (std::size_t i = 0; i < price.size(); ++i) price[i] = prices_->of(i).amount;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return price[a] < price[b]; });
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return price[a] < price[b]; });
     order.resize(std::min(order.size(), to_size(request_.combinations)));
     constexpr std::size_t batch = 32;
     std::vector<Reached> optimized;
@@ -137,8 +135,7 @@ class Combinations {
       optimized.insert(optimized.end(), found.begin(), found.end());
       if (found.front().meets()) cheapest = std::min(cheapest, price[found.front().combination]);
     }
-    std::stable_sort(optimized.begin(), optimized.end(),
-                     [](const Reached& a, const Reached& b) { return a.is_better_than(b); });
+    std::ranges::stable_sort(optimized, [](const Reached& a, const Reached& b) { return a.is_better_than(b); });
     refuse_hopeless(optimized);
     return described(optimized, optimized.size());
   }
@@ -196,7 +193,7 @@ class Combinations {
       constexpr std::uint64_t golden = 0x9E3779B97F4A7C15U;  // 2⁶⁴ times the golden section, odd
       return golden * combination;
     };
-    std::sort(order.begin(), order.end(), [&](const Bounded& a, const Bounded& b) {
+    std::ranges::sort(order, [&](const Bounded& a, const Bounded& b) {
       return a.margin != b.margin ? a.margin > b.margin : scattered(a.combination) < scattered(b.combination);
     });
     return order;
@@ -268,8 +265,7 @@ class Combinations {
             }
           }
         });
-    std::stable_sort(result.begin(), result.end(),
-                     [](const Reached& a, const Reached& b) { return a.is_better_than(b); });
+    std::ranges::stable_sort(result, [](const Reached& a, const Reached& b) { return a.is_better_than(b); });
     return result;
   }
 
@@ -280,8 +276,7 @@ class Combinations {
     search_problem(objective).evaluate(found.x, values, nullptr);
     Eigen::Index least = 0;
     values.minCoeff(&least);
-    return "the margin of \"" + objective.words(objective.places()[to_size(least)]) +
-        "\" is 0 with all numbers that were tried";
+    return "the margin of \"" + objective.words(objective.places()[least]) + "\" is 0 with all numbers that were tried";
   }
 
   void refuse_hopeless(const std::vector<Reached>& optimized) const {
@@ -309,8 +304,7 @@ class Combinations {
     found.chosen = all_.mounts(optimized.front().combination);
     found.combinations = all_.count();
     found.considered = considered;
-    found.optimized =
-        to_size(std::count_if(optimized.begin(), optimized.end(), [](const Reached& one) { return !one.ended; }));
+    found.optimized = to_size(std::ranges::count_if(optimized, [](const Reached& one) { return !one.ended; }));
     if (prices_) found.price = prices_->of(optimized.front().combination);
     found.some_met = prices_ && optimized.front().meets();
     for (std::size_t i = 1; i < optimized.size() && i <= listed_others; ++i) {

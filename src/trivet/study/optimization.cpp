@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -148,8 +149,7 @@ class Description {
       result_.summaries_before.push_back(design_summary(before.system));
       result_.summaries_after.push_back(design_summary(optimum.system));
     }
-    result_.feasible =
-        std::all_of(result_.after.begin(), result_.after.end(), [](const CaseVerdict& judged) { return judged.met(); });
+    result_.feasible = std::ranges::all_of(result_.after, [](const CaseVerdict& judged) { return judged.met(); });
     for (std::size_t c = 0; c < objective_.cases().size(); ++c)
       at_best_.push_back(objective_.results(c, objective_.space().system(*objective_.cases()[c], values)));
     result_.objective_before = objective_of(given_.given());
@@ -214,14 +214,13 @@ class Description {
       constexpr double some = 1e-6;
       if (multiplier <= some) continue;
       const Place& place = objective_.places()[i];
-      const auto same = std::find_if(held.begin(), held.end(), [&](const Held& one) {
+      const auto same = std::ranges::find_if(held, [&](const Held& one) {
         return one.place.result_case == place.result_case && one.place.result == place.result;
       });
       if (same != held.end()) same->multiplier += multiplier;
       else held.push_back({place, multiplier});
     }
-    std::stable_sort(held.begin(), held.end(),
-                     [](const Held& a, const Held& b) { return a.multiplier > b.multiplier; });
+    std::ranges::stable_sort(held, std::ranges::greater{}, &Held::multiplier);
     for (const Held& one : held) {
       const RequirementResult& result = at_best_[one.place.result_case][one.place.result];
       result_.active.push_back({one.place.result_case, objective_.words(one.place),
@@ -271,15 +270,14 @@ class Description {
         }
         continue;
       }
-      const auto same = std::find_if(places.begin(), places.end(), [&](const Top& place) {
+      const auto same = std::ranges::find_if(places, [&](const Top& place) {
         return std::abs(rank(place.point) - rank(end)) <= same_objective &&
             (place.point.x - end.x).lpNorm<Eigen::Infinity>() <= same_place;
       });
       if (same == places.end()) places.push_back({end, 1});
       else ++same->starts;
     }
-    std::stable_sort(places.begin(), places.end(),
-                     [](const Top& a, const Top& b) { return rank(a.point) > rank(b.point); });
+    std::ranges::stable_sort(places, [](const Top& a, const Top& b) { return rank(a.point) > rank(b.point); });
     constexpr std::size_t shown = 3;
     for (std::size_t i = 0; i < places.size() && i < shown; ++i) {
       const Eigen::VectorXd values = objective_.space().values(places[i].point.x);

@@ -54,7 +54,7 @@ foundation::Problems zero_results(const Optimization& found) {
 }
 
 bool all_met(const std::vector<CaseVerdict>& verdicts) {
-  return std::all_of(verdicts.begin(), verdicts.end(), [](const CaseVerdict& one) { return one.met(); });
+  return std::ranges::all_of(verdicts, [](const CaseVerdict& one) { return one.met(); });
 }
 
 /// A warning if the search did not reach the given design: its ranges do not contain it, or no start led there.

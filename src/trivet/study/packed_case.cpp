@@ -147,9 +147,8 @@ PackedCase::PackedCase(const project::Case& variant, const project::Analyses& as
     covered_[r] = covered_[r] || results_[r].kind == RequirementKind::avoided_frequencies ||
         results_[r].kind == RequirementKind::separation;
   std::vector<design::DrivenDesign> designs;
-  has_damping_ratio_ = std::any_of(results_.begin(), results_.end(), [](const RequirementResult& one) {
-    return one.kind == RequirementKind::damping_ratio;
-  });
+  has_damping_ratio_ = std::ranges::any_of(
+      results_, [](const RequirementResult& one) { return one.kind == RequirementKind::damping_ratio; });
   reason_ = form(variant.system, assembled, designs);
   if (!reason_.empty()) {
     covered_.assign(covered_.size(), false);
@@ -174,7 +173,7 @@ void PackedCase::plan_searches(const project::Analyses& asked) {
     search.count_peaks = peaks;
     search.band = result.band;
     if (peaks) search.min_prominence = required.min_prominence;
-    const auto same = std::find_if(searches_.begin(), searches_.end(), [&](const Search& other) {
+    const auto same = std::ranges::find_if(searches_, [&](const Search& other) {
       return other.count_peaks == search.count_peaks && have_same_drive(results_[other.results.front()], result);
     });
     Search& chosen = same != searches_.end() ? *same : searches_.emplace_back(search);
@@ -193,7 +192,7 @@ void PackedCase::plan_rest(const model::System& system, const assembly::Assemble
     RestValue& value = at_rest_.emplace_back(RestValue{r, {}});
     for (const model::Element& element : system.elements())
       if (kind == RequirementKind::mount_load && element.name == results_[r].subject)
-        value.range = element.rating->load[to_size(results_[r].direction)];
+        value.range = element.rating->load[results_[r].direction];
     covered_[r] = true;
   }
 }
@@ -203,8 +202,7 @@ void PackedCase::plan_decoupling(const model::System& system, const assembly::As
   if (assembled.layout.of_bodies() != n_) return;
   for (std::size_t r = 0; r < results_.size(); ++r) {
     if (results_[r].kind != RequirementKind::decoupling) continue;
-    const auto at =
-        std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.name == results_[r].subject; });
+    const auto at = std::ranges::find_if(bodies, [&](const auto& body) { return body.name == results_[r].subject; });
     Decoupled one{r, to_size(at - bodies.begin()), {}, {}};
     for (int j = 0; j < 6; ++j)
       if (const Eigen::Index row = assembled.layout.row(one.body, j); row >= 0) {
@@ -283,7 +281,7 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
       const double largest = std::max(least, rest.cwiseProduct(root_of_mass).cwiseAbs().maxCoeff());
       list.add(lower_triangle(forms.constant), scale);
       for (Eigen::Index k = 0; k < n_; ++k)
-        list.add(lower_triangle(forms.per_coordinate[to_size(k)]), scale * root_of_mass(k) / largest);
+        list.add(lower_triangle(forms.per_coordinate[k]), scale * root_of_mass(k) / largest);
     }
     for (const RestValue& value : at_rest_) {
       if (has_loads_ && results_[value.result].kind == RequirementKind::static_value &&
@@ -343,18 +341,17 @@ PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const 
   for (Eigen::Index d = 0; d < entries.rows(); ++d) {
     const Eigen::MatrixXd first = numerics::unpacked(designs.rest_stiffness, d);
     if (!numerics::is_positive_definite(first)) {
-      designs.falls[to_size(d)] = true;
+      designs.falls[d] = true;
       continue;
     }
     const Eigen::VectorXd rest = numerics::cholesky_solution(first, Eigen::VectorXd(designs.load.row(d).transpose()));
     Eigen::ArrayXd added = designs.constant.row(d).transpose().array();
-    for (Eigen::Index k = 0; k < n_; ++k)
-      added += rest(k) * designs.per_coordinate[to_size(k)].row(d).transpose().array();
+    for (Eigen::Index k = 0; k < n_; ++k) added += rest(k) * designs.per_coordinate[k].row(d).transpose().array();
     designs.free.K.row(d) += added.transpose();
     designs.standing.row(d) += added.transpose();
     if (!numerics::is_positive_definite(numerics::unpacked(designs.free.K, d)) ||
         !numerics::is_positive_definite(numerics::unpacked(designs.standing, d))) {
-      designs.falls[to_size(d)] = true;
+      designs.falls[d] = true;
       designs.free.K.row(d) = designs.rest_K.row(d);
     }
   }
@@ -386,9 +383,8 @@ PackedCase::Unpacked PackedCase::changes(const Unpacked& here, const Eigen::Matr
                           moved = numerics::cholesky_solution(stiffness, pull);
     Eigen::ArrayXd added = changes.constant.row(j).transpose().array();
     for (Eigen::Index k = 0; k < n_; ++k)
-      added += (moved(k) * here.per_coordinate[to_size(k)].row(0) + rest(k) * changes.per_coordinate[to_size(k)].row(j))
-                   .transpose()
-                   .array();
+      added +=
+          (moved(k) * here.per_coordinate[k].row(0) + rest(k) * changes.per_coordinate[k].row(j)).transpose().array();
     changes.free.K.row(j) += added.transpose();
     changes.standing.row(j) += added.transpose();
   }

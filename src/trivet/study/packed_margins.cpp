@@ -57,8 +57,7 @@ void set_curves(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen
           of.results()[search.results[k]].allowed};
       for (Eigen::Index d = 0; d < margins.rows(); ++d) {
         const double value = search.count_peaks ? found.largest_rise(d, to_index(k)) : found.highest(d, to_index(k));
-        margins(d, column) =
-            found.status[to_size(d)] == numerics::DesignStatus::proven ? design::margin(rule, value) : unknown;
+        margins(d, column) = found.status[d] == numerics::DesignStatus::proven ? design::margin(rule, value) : unknown;
       }
     }
   }
@@ -100,7 +99,7 @@ double decoupling(const PackedCase::Decoupled& body, const MassNumbers& numbers,
   double least = infinity;
   for (Eigen::Index k = 0; k < n; ++k) {
     spatial::Vector6 at_pole = spatial::Vector6::Zero();
-    for (Eigen::Index i = 0; i < n; ++i) at_pole(body.coordinates[to_size(i)]) = shapes(k * n + i);
+    for (Eigen::Index i = 0; i < n; ++i) at_pole(body.coordinates[i]) = shapes(k * n + i);
     const spatial::Vector6 at_centre = to_centre * at_pole;
     spatial::Vector6 momentum;
     momentum << mass.mass * at_centre.head<3>(), mass.inertia_about_centre * at_centre.tail<3>();
@@ -141,7 +140,7 @@ void set_rest(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::
 /// Machines that fall over are left to the model itself, which says so.
 void leave_falling(const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
   for (Eigen::Index d = 0; d < margins.rows(); ++d)
-    if (designs.falls[to_size(d)]) margins.row(d) = unknown;
+    if (designs.falls[d]) margins.row(d) = unknown;
 }
 
 }  // namespace
@@ -155,8 +154,7 @@ numerics::Designs part_of_designs(const numerics::Designs& all, const std::vecto
   Eigen::Index to = 0;
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j <= i; ++j, ++to) {
-      const Eigen::Index high = std::max(rows[to_size(i)], rows[to_size(j)]),
-                         low = std::min(rows[to_size(i)], rows[to_size(j)]);
+      const Eigen::Index high = std::max(rows[i], rows[j]), low = std::min(rows[i], rows[j]);
       part.A.col(to) = all.A.col(high * (high + 1) / 2 + low);
       part.K.col(to) = all.K.col(high * (high + 1) / 2 + low);
     }

@@ -38,7 +38,7 @@ PackedSlopes::PackedSlopes(const PackedCase& of, const Eigen::VectorXd& entries,
 Eigen::MatrixXd PackedSlopes::height_slopes(std::size_t result, const std::vector<double>& frequencies) const {
   for (std::size_t s = 0; s < of_.searches().size(); ++s) {
     const std::vector<std::size_t>& results = of_.searches()[s].results;
-    const auto at = std::find(results.begin(), results.end(), result);
+    const auto at = std::ranges::find(results, result);
     if (at == results.end()) continue;
     const std::size_t curve = to_size(at - results.begin());
     Eigen::MatrixXd slopes(to_index(frequencies.size()), parameters_);
@@ -89,15 +89,15 @@ Eigen::RowVectorXd PackedSlopes::frequency_slopes(int mode) const {
   const double square = all_->squares(k);
   Eigen::RowVectorXd slopes(parameters_);
   for (Eigen::Index j = 0; j < parameters_; ++j)
-    slopes(j) = (all_->stiffness[to_size(j)](k, k) - square * all_->inertia[to_size(j)](k, k)) / (2 * square);
+    slopes(j) = (all_->stiffness[j](k, k) - square * all_->inertia[j](k, k)) / (2 * square);
   return slopes;
 }
 
 Eigen::RowVectorXd PackedSlopes::rest_slopes(std::size_t result) const {
   const auto& values = of_.at_rest();
-  const auto found = std::find_if(values.begin(), values.end(), [&](const auto& one) { return one.result == result; });
-  const auto& rows = here_.rows[to_size(found - values.begin())];
-  const auto& moved = change_.rows[to_size(found - values.begin())];
+  const auto found = std::ranges::find_if(values, [&](const auto& one) { return one.result == result; });
+  const auto& rows = here_.rows[found - values.begin()];
+  const auto& moved = change_.rows[found - values.begin()];
   const Eigen::Index n = of_.coordinates();
   const Eigen::VectorXd row = rows.row(0).head(n).transpose();
   const auto [by_weight, by_loads] = PackedCase::rest_of(here_, 0);
@@ -125,7 +125,7 @@ Eigen::RowVectorXd PackedSlopes::rest_slopes(std::size_t result) const {
 
 Eigen::RowVectorXd PackedSlopes::decoupling_slopes(std::size_t result, int mode) const {
   const auto& all = of_.decoupled();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.result == result; });
+  const auto found = std::ranges::find_if(all, [&](const auto& one) { return one.result == result; });
   const std::size_t number = to_size(found - all.begin());
   std::optional<Modes>& own = of_decoupled_[number];
   if (!own) own = modes(part_of_designs(here_.free, found->rows), part_of_designs(change_.free, found->rows));
@@ -141,7 +141,7 @@ Eigen::RowVectorXd PackedSlopes::decoupling_slopes(std::size_t result, int mode)
   };
   const auto six = [&](const Eigen::VectorXd& shape) {
     spatial::Vector6 motion = spatial::Vector6::Zero();
-    for (Eigen::Index i = 0; i < n; ++i) motion(found->coordinates[to_size(i)]) = shape(i);
+    for (Eigen::Index i = 0; i < n; ++i) motion(found->coordinates[i]) = shape(i);
     return motion;
   };
   const spatial::Vector6 pole = six(own->shapes.col(k)), centre = to_centre * pole, moving = momentum(mass, centre);
@@ -151,7 +151,7 @@ Eigen::RowVectorXd PackedSlopes::decoupling_slopes(std::size_t result, int mode)
   for (Eigen::Index j = 0; j < parameters_; ++j) {
     Eigen::VectorXd weights(n);
     for (Eigen::Index m = 0; m < n; ++m) {
-      const double dA = own->inertia[to_size(j)](m, k), dK = own->stiffness[to_size(j)](m, k);
+      const double dA = own->inertia[j](m, k), dK = own->stiffness[j](m, k);
       const double apart = own->squares(k) - own->squares(m);
       constexpr double repeated = 1e-12;  // shapes of a repeated ω² turn among themselves: no derivative
       if (m == k) weights(m) = -dA / 2;
@@ -201,13 +201,13 @@ Eigen::MatrixXd PackedSlopes::slopes(std::size_t result, const RequirementResult
     Eigen::MatrixXd slopes = both.bottomRows(rows) - both.topRows(rows);
     // margin (1 + a)/(1 + r) below 1 and a/r above, with 1 + r = peak / minimum
     for (Eigen::Index i = 0; i < rows; ++i)
-      if (const double margin = candidates[to_size(i)].margin; margin >= 1)
+      if (const double margin = candidates[i].margin; margin >= 1)
         slopes.row(i) *= (1 + found.allowed / margin) / (found.allowed / margin);
     return slopes;
   }
   Eigen::MatrixXd slopes(rows, parameters_);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const RequirementResult::Candidate& one = candidates[to_size(i)];
+    const RequirementResult::Candidate& one = candidates[i];
     if (found.kind == RequirementKind::avoided_frequencies)
       slopes.row(i) = (one.below ? -1 : 1) * frequency_slopes(one.mode);
     else if (found.kind == RequirementKind::separation)

@@ -22,8 +22,8 @@ std::string values_of_places(const project::Project& project, const project::Des
   for (const auto& value : project::ModelNumber(axis).values(project.base())) {
     if (!value) return "";
     constexpr double same = 1e-9;  // relative, as for one value of all places
-    const bool known = std::any_of(named.begin(), named.end(),
-                                   [&](double other) { return std::abs(other - *value) <= same * std::abs(other); });
+    const bool known =
+        std::ranges::any_of(named, [&](double other) { return std::abs(other - *value) <= same * std::abs(other); });
     if (known) continue;
     words += (named.empty() ? "" : " and ") + in_unit(*value, axis);
     named.push_back(*value);

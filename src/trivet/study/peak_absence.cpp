@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "trivet/foundation/constants.h"
@@ -117,11 +118,9 @@ std::vector<AbsentPeak> absent_peaks(const CaseContext& context, const Requireme
     }
     found.push_back(peak);
   }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const AbsentPeak& a, const AbsentPeak& b) { return a.measure > b.measure; });
+  std::ranges::stable_sort(found, std::ranges::greater{}, &AbsentPeak::measure);
   found.resize(std::min(found.size(), most_absent_peaks));
-  std::stable_sort(found.begin(), found.end(),
-                   [](const AbsentPeak& a, const AbsentPeak& b) { return a.angular_frequency < b.angular_frequency; });
+  std::ranges::stable_sort(found, {}, &AbsentPeak::angular_frequency);
   return found;
 }
 

@@ -21,9 +21,7 @@ response::PowerFlow answer_power(const CaseContext& c, const project::BandQuesti
   // At ω = 0 nothing moves; at an undamped resonance there is no steady power.
   const response::FrequencyResponse defined = response::frequency_response(c.assembled, channels, loading, grid);
   std::erase_if(grid, [&](double w) {
-    return w == 0 ||
-        std::find(defined.check.undefined_at.begin(), defined.check.undefined_at.end(), w) !=
-        defined.check.undefined_at.end();
+    return w == 0 || std::ranges::find(defined.check.undefined_at, w) != defined.check.undefined_at.end();
   });
   return response::power_flow(c.system, c.assembled, loading, grid, c.progress);
 }

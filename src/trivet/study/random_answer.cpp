@@ -17,7 +17,7 @@ namespace {
 std::optional<std::size_t> axis_of(const assembly::Channel& channel) {
   if (!channel.unit.starts_with("m") && !channel.unit.starts_with("rad")) return std::nullopt;
   const std::string component = channel.name.substr(channel.name.rfind('.') + 1);
-  const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), component);
+  const auto at = std::ranges::find(model::coordinate_names, component);
   if (at == model::coordinate_names.end()) return std::nullopt;
   return to_size(at - model::coordinate_names.begin());
 }

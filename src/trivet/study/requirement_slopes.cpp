@@ -23,13 +23,12 @@ using Candidates = std::vector<RequirementResult::Candidate>;
 
 template <typename Named>
 std::size_t index_by_name(const std::vector<Named>& list, const std::string& name) {
-  return to_size(std::find_if(list.begin(), list.end(), [&](const Named& one) { return one.name == name; }) -
-                 list.begin());
+  return to_size(std::ranges::find(list, name, &Named::name) - list.begin());
 }
 
 bool is_frequency_dependent(const model::System& system) {
-  return std::any_of(system.elements().begin(), system.elements().end(),
-                     [](const model::Element& element) { return elements::is_frequency_dependent(element.law); });
+  return std::ranges::any_of(
+      system.elements(), [](const model::Element& element) { return elements::is_frequency_dependent(element.law); });
 }
 
 }  // namespace
@@ -130,7 +129,7 @@ Eigen::RowVectorXd RequirementSlopes::of_mount(const RequirementResult& result) 
         const Eigen::RowVectorXd row = load ? Eigen::RowVectorXd(rows.load.row(result.direction)) : rows.deflection;
         return response::RestRow{row, row, load ? rows.load_at_rest(result.direction) : rows.deflection_at_rest};
       });
-  const auto range = [&] { return *c_.system.elements()[element].rating->load[to_size(result.direction)]; };
+  const auto range = [&] { return *c_.system.elements()[element].rating->load[result.direction]; };
   return load && is_near_lower_end(*result.value, range()) ? slopes : -slopes;
 }
 

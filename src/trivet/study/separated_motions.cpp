@@ -23,9 +23,8 @@ Eigen::MatrixXd separated_motions(const std::vector<Eigen::MatrixXcd>& changes, 
       if (!found.converged) continue;
       std::vector<Eigen::Index> order(to_size(m));
       std::iota(order.begin(), order.end(), 0);
-      std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-        return measure(found.values(a)) < measure(found.values(b));
-      });
+      std::ranges::stable_sort(
+          order, [&](Eigen::Index a, Eigen::Index b) { return measure(found.values(a)) < measure(found.values(b)); });
       const double width = measure(found.values(order.back())) - measure(found.values(order.front()));
       if (!(width > widest)) continue;
       widest = width;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "trivet/elements/stiffness_properties.h"
 #include "trivet/foundation/index.h"
@@ -109,8 +110,7 @@ std::vector<ModeComparison> paired(const model::System& system, const modal::Mod
       candidates.push_back({result.size(), g, similarity(system, mode, partners[g])});
     result.push_back({mode.number, mode.name, mode.angular_frequency, std::nullopt, 0});
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.similarity > b.similarity; });
+  std::ranges::stable_sort(candidates, std::ranges::greater{}, &Candidate::similarity);
   std::vector<bool> done(result.size(), false);
   for (const Candidate& candidate : candidates) {
     Group& partner = partners[candidate.partner];
@@ -201,8 +201,7 @@ Simplification simplification(const project::Case& variant, const std::vector<st
   for (const Mode& mode : full.list)
     if (is_inner(mode) && result.inner_modes++ == 0) result.first_inner_mode = mode.angular_frequency;
   for (const std::string& motion : modal::free_motions(simple.system, simple_assembled, simplified))
-    if (std::find(already_free.begin(), already_free.end(), motion) == already_free.end())
-      result.free_motions.push_back(motion);
+    if (std::ranges::find(already_free, motion) == already_free.end()) result.free_motions.push_back(motion);
   compare_peaks(variant, simple, progress, result);
   return result;
 }

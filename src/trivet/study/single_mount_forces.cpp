@@ -130,8 +130,7 @@ bool is_limited(const CaseContext& c, const project::Analyses& analyses, const M
   const std::string name = fmt::format("{}.force.{}", c.system.elements()[found.at].name, "xyz"[found.component]);
   const auto is_it = [&](const auto& limit) { return limit.name == name; };
   const auto& limits = analyses.requirements->limits;
-  return std::any_of(analyses.limits.begin(), analyses.limits.end(), is_it) ||
-      std::any_of(limits.begin(), limits.end(), is_it);
+  return std::ranges::any_of(analyses.limits, is_it) || std::ranges::any_of(limits, is_it);
 }
 
 void warn_of_shares(const CaseContext& c, const std::string& force, const MountTransmission& of,
@@ -162,7 +161,7 @@ foundation::Problems single_mount_warnings(const CaseContext& c, const project::
       if (!model::reason_without_transmission(c.system, force).empty()) continue;  // the requirement says so
       const MountTransmission of = mount_transmission(c, force);
       for (const assembly::Band& band : project::isolated_at(wanted, c.system, force)) {
-        if (std::find(done.begin(), done.end(), std::pair(force, band)) != done.end()) continue;
+        if (std::ranges::find(done, std::pair(force, band)) != done.end()) continue;
         done.emplace_back(force, band);
         const auto found = worst_shares(c, of, band);
         if (found && !is_limited(c, analyses, *found)) warn_of_shares(c, force, of, *found, warnings);

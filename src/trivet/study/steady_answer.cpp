@@ -25,7 +25,7 @@ assembly::Band usual_band(const CaseContext& c, const std::vector<std::string>& 
   if (frequencies.empty())
     throw foundation::NotComputable("steady: no natural frequency about rest to choose a band from; give band = […]");
   constexpr double floats = 1e-3;
-  const double high = *std::max_element(frequencies.begin(), frequencies.end());
+  const double high = std::ranges::max(frequencies);
   double low = high;
   for (const double omega : frequencies)
     if (omega > floats * high) low = std::min(low, omega);

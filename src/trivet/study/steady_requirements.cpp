@@ -122,8 +122,7 @@ void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, st
 std::string uncertain_stability(const SteadyBranch& branch) {
   std::ptrdiff_t uncertain = 0, all = 0;
   const auto add = [&](const SteadyBranch& curve) {
-    uncertain += std::count_if(curve.points.begin(), curve.points.end(),
-                               [](const SteadyPoint& point) { return point.uncertain; });
+    uncertain += std::ranges::count_if(curve.points, &SteadyPoint::uncertain);
     all += std::ssize(curve.points);
   };
   add(branch);
@@ -132,8 +131,8 @@ std::string uncertain_stability(const SteadyBranch& branch) {
 }
 
 void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
-  const bool always_stable = std::all_of(branch.points.begin(), branch.points.end(),
-                                         [](const SteadyPoint& point) { return point.stable || point.uncertain; });
+  const bool always_stable =
+      std::ranges::all_of(branch.points, [](const SteadyPoint& point) { return point.stable || point.uncertain; });
   std::size_t jumps = std::max<std::size_t>(branch.folds.size() + branch.changes.size(), always_stable ? 0 : 1);
   const std::vector<const SteadyBranch*> detached = branch.further_ones(SteadyBranch::Found::detached);
   for (const SteadyBranch* curve : detached)

@@ -11,7 +11,7 @@ namespace trivet::study {
 namespace {
 
 void name_block(const std::string& owner, Eigen::Index first, Eigen::Index count, std::vector<std::string>& names) {
-  for (Eigen::Index i = 0; i < count; ++i) names[to_size(first + i)] = fmt::format("{}.coordinate {}", owner, i + 1);
+  for (Eigen::Index i = 0; i < count; ++i) names[first + i] = fmt::format("{}.coordinate {}", owner, i + 1);
 }
 
 }  // namespace
@@ -22,8 +22,7 @@ std::vector<std::string> row_names(const model::System& system, const assembly::
   std::vector<std::string> names(to_size(layout.size()));
   for (std::size_t b = 0; b < parts.bodies.size(); ++b)
     for (int j = 0; j < 6; ++j)
-      if (layout.row(b, j) >= 0)
-        names[to_size(layout.row(b, j))] = parts.bodies[b].name + "." + model::coordinate_names[to_size(j)];
+      if (layout.row(b, j) >= 0) names[layout.row(b, j)] = parts.bodies[b].name + "." + model::coordinate_names[j];
   for (std::size_t f = 0; f < parts.foundations.size(); ++f)
     name_block(parts.foundations[f].name, layout.foundation_row(f), parts.foundations[f].mass.rows(), names);
   constexpr Eigen::Index of_ends = 12;
@@ -36,7 +35,7 @@ std::vector<std::string> row_units(const model::System& system, const assembly::
   std::vector<std::string> units(to_size(assembled.layout.size()), "1");
   for (std::size_t b = 0; b < system.bodies().size(); ++b)
     for (int j = 0; j < 6; ++j)
-      if (const Eigen::Index row = assembled.layout.row(b, j); row >= 0) units[to_size(row)] = j < 3 ? "m" : "rad";
+      if (const Eigen::Index row = assembled.layout.row(b, j); row >= 0) units[row] = j < 3 ? "m" : "rad";
   return units;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/transient_answer.h"
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/analyses/transient_question.h"
 #include "trivet/response/transient/transient_refusals.h"
@@ -14,8 +13,7 @@ namespace {
 Eigen::Index row_of(const CaseContext& c, const std::string& name) {
   for (std::size_t b = 0; b < c.system.bodies().size(); ++b)
     for (int j = 0; j < 6; ++j)
-      if (name == c.system.bodies()[b].name + "." + model::coordinate_names[to_size(j)] &&
-          c.assembled.layout.row(b, j) >= 0)
+      if (name == c.system.bodies()[b].name + "." + model::coordinate_names[j] && c.assembled.layout.row(b, j) >= 0)
         return c.assembled.layout.row(b, j);
   throw foundation::NotComputable("transient: initial value of \"" + name + "\": no free coordinate has this name");
 }

@@ -44,8 +44,7 @@ void keep_unbounded_at_middle(const project::Case& variant, const project::MapRe
   if (!system) return;
   try {
     const std::vector<std::string> there = unbounded(*system, request);
-    std::erase_if(names,
-                  [&](const std::string& name) { return std::find(there.begin(), there.end(), name) == there.end(); });
+    std::erase_if(names, [&](const std::string& name) { return std::ranges::find(there, name) == there.end(); });
   } catch (const foundation::NotComputable&) {
   } catch (const foundation::InvalidInput&) {
   }

@@ -68,7 +68,7 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   CaseVerdict result;
   result.case_name = variant.name;
   result.display = variant.display;
-  result.decides = std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end();
+  result.decides = std::ranges::find(hold_in, variant.name) != hold_in.end();
   result.warnings = variant.warnings;
   result.warnings.add(context.modes.warnings);
   result.results = requirement_values(context, variant.analyses, result.warnings);
@@ -112,15 +112,15 @@ const char* name(RequirementKind kind) {
 }
 
 std::size_t CaseVerdict::not_judged() const {
-  return to_size(std::count_if(results.begin(), results.end(), [](const RequirementResult& r) { return !r.value; }));
+  return to_size(std::ranges::count_if(results, [](const RequirementResult& r) { return !r.value; }));
 }
 
 bool CaseVerdict::met() const {
-  return std::all_of(results.begin(), results.end(), [](const RequirementResult& r) { return r.met(); });
+  return std::ranges::all_of(results, [](const RequirementResult& r) { return r.met(); });
 }
 
 bool Verdict::met() const {
-  return std::all_of(cases.begin(), cases.end(), [](const CaseVerdict& c) { return !c.decides || c.met(); });
+  return std::ranges::all_of(cases, [](const CaseVerdict& c) { return !c.decides || c.met(); });
 }
 
 std::optional<std::size_t> Verdict::governing_case() const {

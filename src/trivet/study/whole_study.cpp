@@ -186,7 +186,7 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
     found.lines = check_lines(variant);
     if (!cases.empty())
       std::erase_if(found.lines, [&](const CheckLine& line) {
-        return std::find(cases.front().lines.begin(), cases.front().lines.end(), line) != cases.front().lines.end();
+        return std::ranges::find(cases.front().lines, line) != cases.front().lines.end();
       });
     found.mounts = quick_mounts(variant.system, assembled);
     if (!cases.empty() && found.mounts == of_base) found.mounts.clear();

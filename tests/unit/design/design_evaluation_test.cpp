@@ -125,7 +125,7 @@ TEST(DesignEvaluation, IsTheSameOnAnyNumberOfThreadsAndReportsProgress) {
   }
   EXPECT_EQ(texts[0], texts[1]);
   for (const char* task : {"designs", "boundary", "cases"}) EXPECT_THAT(tasks, testing::Contains(task));
-  EXPECT_GE(std::count(tasks.begin(), tasks.end(), "designs"), 20);  // with one thread, after each design
+  EXPECT_GE(std::ranges::count(tasks, "designs"), 20);  // with one thread, after each design
 }
 
 }  // namespace design_evaluation_test

@@ -5,7 +5,6 @@
 
 #include "support/map_outcomes.h"
 #include "trivet/design/margin_lines.h"
-#include "trivet/foundation/index.h"
 
 namespace margin_lines_test {
 
@@ -25,7 +24,7 @@ TEST(DrawnGrid, ContainsBothEndsAndMapsItsPlaces) {
   EXPECT_EQ(drawn.columns.back(), 999);
   const design::MapGrid nodes = drawn.nodes();
   for (const int k : {0, 1, 100, 239, 240})
-    EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[to_size(k)] / 999.0, round_off);
+    EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[k] / 999.0, round_off);
 }
 
 TEST(MarginLines, LieAtTheirMarginOnAFineGrid) {

@@ -33,7 +33,7 @@ TEST(StiffnessTable, PassesThroughItsKnots) {
   for (const Interpolation way : {Interpolation::linear, Interpolation::monotone_cubic}) {
     const StiffnessTable table = over_frequencies({0, 10, 30, 100}, {1e5, 3e5, 2.5e5, 8e5}, way);
     for (int i = 0; i < 4; ++i) {
-      const auto k = dynamic_stiffness(table, table.angular_frequencies[to_size(i)], 0);
+      const auto k = dynamic_stiffness(table, table.angular_frequencies[i], 0);
       EXPECT_THAT(k.real(), test::RelativelyNear(table.storage(i, 0), round_off));
       EXPECT_THAT(k.imag(), test::RelativelyNear(table.loss(i, 0), round_off));
     }

@@ -12,7 +12,6 @@
 #include "trivet/exchange/fixed_components.h"
 #include "trivet/exchange/matrix_market.h"
 #include "trivet/exchange/numpy_array.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::test {
@@ -43,7 +42,7 @@ NamedMatrix shuffled(const NamedMatrix& matrix) {
   const auto n = static_cast<int>(matrix.labels.size());
   const auto from = [n](int i) { return (7 * i + 3) % n; };  // 7 and 30 have no common divisor
   for (int i = 0; i < n; ++i) {
-    result.labels[to_size(i)] = matrix.labels[to_size(from(i))];
+    result.labels[i] = matrix.labels[from(i)];
     for (int j = 0; j < n; ++j) result.values(i, j) = matrix.values(from(i), from(j));
   }
   return result;

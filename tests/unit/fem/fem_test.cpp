@@ -115,7 +115,7 @@ double patch_unbalance(const fem::Mesh& regular, const Eigen::Matrix3d& gradient
   const bool curved = mesh.kind == fem::Mesh::Kind::hex27;
   const Eigen::MatrixXd shift = 0.02 * random_matrix(3, mesh.nodes.cols(), 7);
   for (Eigen::Index a = 0; a < mesh.nodes.cols() && curved; ++a)
-    if (inside[to_size(a)]) mesh.nodes.col(a) += shift.col(a);
+    if (inside[a]) mesh.nodes.col(a) += shift.col(a);
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, mesh.nodes.cols());
   const Eigen::Matrix3Xd all = (gradient - Eigen::Matrix3d::Identity()) * mesh.nodes;
   const Eigen::Vector4d corner_pressure = Eigen::Vector4d::Constant(pressure);
@@ -131,7 +131,7 @@ double patch_unbalance(const fem::Mesh& regular, const Eigen::Matrix3d& gradient
   }
   double worst = 0;
   for (Eigen::Index a = 0; a < mesh.nodes.cols(); ++a)
-    if (inside[to_size(a)]) worst = std::max(worst, forces.col(a).cwiseAbs().maxCoeff());
+    if (inside[a]) worst = std::max(worst, forces.col(a).cwiseAbs().maxCoeff());
   return worst / scale;
 }
 
@@ -162,14 +162,13 @@ TEST(Substructuring, GivesTheSchurComplementAndTheCondensedUnknowns) {
     matrices.emplace_back((a + a.transpose()).eval() + 4 * (e < 30 ? 1 : -1) * Eigen::MatrixXd::Identity(3, 3));
     centres(0, e) = e;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        whole(unknowns.back()[to_size(i)], unknowns.back()[to_size(j)]) += matrices.back()(i, j);
+      for (int j = 0; j < 3; ++j) whole(unknowns.back()[i], unknowns.back()[j]) += matrices.back()(i, j);
   }
   fem::Substructuring substructuring(unknowns, centres, inner, retained);
   const Eigen::MatrixXd solution = whole.topLeftCorner(inner, inner).lu().solve(whole.topRightCorner(inner, retained));
   const Eigen::MatrixXd expected =
       whole.bottomRightCorner(retained, retained) - whole.bottomLeftCorner(retained, inner) * solution;
-  const auto matrix = [&](int e) { return matrices[to_size(e)]; };
+  const auto matrix = [&](int e) { return matrices[e]; };
   const auto one = substructuring.condense(matrix, true, 1, {}), two = substructuring.condense(matrix, true, 2, {});
   EXPECT_LT((one.matrix - expected).cwiseAbs().maxCoeff(), round_off * expected.cwiseAbs().maxCoeff());
   EXPECT_EQ(one.matrix, two.matrix);

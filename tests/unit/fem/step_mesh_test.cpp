@@ -135,7 +135,7 @@ TEST_F(StepMeshing, JoinsTouchingSolidsAndNumbersThemAsMaterials) {
   for (Eigen::Index e = 0; e < step->mesh.elements.cols(); ++e) {
     double z = 0;
     for (int k = 0; k < 4; ++k) z += step->mesh.nodes(2, step->mesh.elements(k, e)) / 4;
-    EXPECT_EQ(step->mesh.material[to_size(e)], z < 10 * mm ? 0 : z < 14 * mm ? 1 : 2);
+    EXPECT_EQ(step->mesh.material[e], z < 10 * mm ? 0 : z < 14 * mm ? 1 : 2);
   }
 }
 

@@ -48,7 +48,7 @@ TEST(MessageList, HasAHundredMessagesErrorsFirstAndTheNumberOfTheRest) {
   EXPECT_EQ(first.list().size(), most_messages);
   EXPECT_EQ(first.errors(), 80u);
   const std::string text = message_list(problems);
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 101);
+  EXPECT_EQ(std::ranges::count(text, '\n'), 101);
   EXPECT_THAT(text,
               testing::EndsWith("… and 50 more (0 errors, 50 warnings); correct what is listed and check again\n"));
 }

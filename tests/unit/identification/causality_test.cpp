@@ -171,8 +171,8 @@ TEST(Causality, AResonanceWithAWrongPhaseIsDetected) {
       const CausalityCheck check =
           checked(over_hertz([&](double w) { return wrong(hydromount(w, hertz, damping), w); }, 1, 50, rows));
       EXPECT_FALSE(check.passes) << name << " at " << hertz << " Hz, " << damping << ": " << check.verdict;
-      EXPECT_TRUE(std::any_of(check.warnings.list().begin(), check.warnings.list().end(),
-                              [](const auto& p) { return p.finding.find("k*") != std::string::npos; }));
+      EXPECT_TRUE(std::ranges::any_of(check.warnings.list(),
+                                      [](const auto& p) { return p.finding.find("k*") != std::string::npos; }));
     }
 }
 

@@ -54,7 +54,7 @@ TEST(Modes, RepeatedRootsHaveAnOrthonormalBasisAndAreMarked) {
                          "60]\nrotation = [40, 40, 90]\n"));
   const modal::Modes modes = modal::modes(project.base().system);
   const Eigen::MatrixXd A = assembly::assemble(project.base().system).matrices.A;
-  EXPECT_EQ(std::count_if(modes.list.begin(), modes.list.end(), [](const auto& m) { return m.repeated; }), 5);
+  EXPECT_EQ(std::ranges::count_if(modes.list, [](const auto& m) { return m.repeated; }), 5);
   for (const auto& a : modes.list)
     for (const auto& b : modes.list) EXPECT_NEAR(a.shape.dot(A * b.shape), a.number == b.number ? 1 : 0, round_off);
 }
@@ -172,12 +172,8 @@ TEST(Roots, ADashpotToTheWallLeavesOneDriftAndOneDecay) {
                     "[elements.d]\ntype = \"damper\"\non = \"m1\"\nat = [0, 0, 0]\naxis = \"x\"\ncoefficient = 5\n")
           .base()
           .system);
-  EXPECT_EQ(std::count_if(roots.list.begin(), roots.list.end(),
-                          [](const auto& r) { return r.kind == modal::RootKind::rigid; }),
-            1);
-  EXPECT_EQ(std::count_if(roots.list.begin(), roots.list.end(),
-                          [](const auto& r) { return r.kind == modal::RootKind::overdamped; }),
-            1);
+  EXPECT_EQ(std::ranges::count_if(roots.list, [](const auto& r) { return r.kind == modal::RootKind::rigid; }), 1);
+  EXPECT_EQ(std::ranges::count_if(roots.list, [](const auto& r) { return r.kind == modal::RootKind::overdamped; }), 1);
 }
 
 TEST(ModalDamping, GivesTheRequestedRatios) {

@@ -27,7 +27,7 @@ struct Machine {
   /// Coordinates × deflections.
   [[nodiscard]] MatrixXd rows() const {
     MatrixXd found(assembled.matrices.size(), to_index(deflections.size()));
-    for (Index j = 0; j < found.cols(); ++j) found.col(j) = deflections[to_size(j)].on_coordinates;
+    for (Index j = 0; j < found.cols(); ++j) found.col(j) = deflections[j].on_coordinates;
     return found;
   }
 
@@ -55,7 +55,7 @@ void expect_basis(const Machine& machine, Index rank) {
     for (const numerics::LoadTerm& term : loading.motion.terms()) {
       Eigen::VectorXcd moved(rows.cols());  // by the ground alone
       for (Index j = 0; j < moved.size(); ++j)
-        moved(j) = (machine.deflections[to_size(j)].on_ground.transpose() * term.value)(0);
+        moved(j) = (machine.deflections[j].on_ground.transpose() * term.value)(0);
       const Eigen::VectorXcd found = basis.spread.transpose() * moved(basis.independent);
       EXPECT_LT((found - moved).norm(), round_off * moved.norm());
     }

@@ -69,7 +69,7 @@ class JoinedMotions : public testing::Test {
 TEST_F(JoinedMotions, FollowTheCurveFromEndToEnd) {
   const std::vector<double> along = places(joined.points());
   EXPECT_EQ(along.size(), points_of_both - 1) << "the first motion of both sides stands there once";
-  EXPECT_TRUE(std::is_sorted(along.begin(), along.end()));
+  EXPECT_TRUE(std::ranges::is_sorted(along));
   EXPECT_LT(along.front(), -2.4);
   EXPECT_GT(along.back(), 2.4);
   EXPECT_THAT(joined.corners(), testing::ElementsAre(5, 6, 7));

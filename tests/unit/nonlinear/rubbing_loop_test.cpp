@@ -203,7 +203,7 @@ TEST(RubbingLoop, HasTheDerivativesOfSticksFromItsClosing) {
   course.rightCols<2>() *= 0.2;
   const RubbingLoop found = loop(law, course, pressed);
   const std::vector<RubbingLoop::Change> changes = found.changes();
-  ASSERT_TRUE(std::any_of(changes.begin(), changes.end(), [](const RubbingLoop::Change& change) {
+  ASSERT_TRUE(std::ranges::any_of(changes, [](const RubbingLoop::Change& change) {
     return change.before == RubbingLoop::State::open && change.after == RubbingLoop::State::sticks;
   }));
   const nonlinear::RubbingHarmonics harmonic = nonlinear::rubbing_harmonics(found, course, omega, true);

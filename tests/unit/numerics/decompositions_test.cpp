@@ -70,7 +70,7 @@ TYPED_TEST(SymmetricEigenByType, SatisfiesItsEquationWithOrthonormalVectorsInAsc
   EXPECT_TRUE(found.converged);
   EXPECT_LE(rest(S * vectors - vectors * values.asDiagonal()), round_off);
   EXPECT_LE(rest(vectors.transpose() * vectors - Eigen::MatrixXd::Identity(n, n)), round_off);
-  EXPECT_TRUE(std::is_sorted(found.values.begin(), found.values.end()));
+  EXPECT_TRUE(std::ranges::is_sorted(found.values));
 }
 
 template <typename Matrix>
@@ -83,7 +83,7 @@ void expect_eigenvalues(Eigen::Index n) {
     EXPECT_LE(numerics::symmetric_eigenvalues(Matrix(shifted.adjoint() * shifted))(0), round_off) << lambda;
   }
   EXPECT_NEAR(values.sum(), std::real(S.trace()), round_off);
-  EXPECT_TRUE(std::is_sorted(values.begin(), values.end()));
+  EXPECT_TRUE(std::ranges::is_sorted(values));
 }
 
 TEST(SymmetricEigenvalues, MakeTheMatrixSingularAndAddUpToItsTrace) {

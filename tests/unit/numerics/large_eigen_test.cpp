@@ -36,7 +36,7 @@ TEST(LargeEigenproblem, SymmetricPairHasOrthonormalVectors) {
   EXPECT_LE((unit - Eigen::MatrixXd::Identity(size, size)).cwiseAbs().maxCoeff(), round_off);
   const Eigen::MatrixXd rest = S * found.vectors - P * found.vectors * found.values.asDiagonal();
   EXPECT_LE(rest.cwiseAbs().maxCoeff(), round_off * S.norm());
-  EXPECT_TRUE(std::is_sorted(found.values.begin(), found.values.end()));
+  EXPECT_TRUE(std::ranges::is_sorted(found.values));
   EXPECT_LE((symmetric_eigenvalues(S) - symmetric_eigen(S).values).cwiseAbs().maxCoeff(), round_off * S.norm());
   EXPECT_NEAR(symmetric_eigenvalues(S).sum(), S.trace(), round_off * S.norm());
 }

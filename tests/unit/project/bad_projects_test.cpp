@@ -45,8 +45,7 @@ TEST_P(BadProject, IsRejectedWithTheExpectedMessages) {
       EXPECT_EQ(errors, std::stoi(line.substr(8))) << all;
       continue;
     }
-    EXPECT_TRUE(std::any_of(messages.begin(), messages.end(),
-                            [&](const std::string& m) { return m.find(line) != std::string::npos; }))
+    EXPECT_TRUE(std::ranges::any_of(messages, [&](const std::string& m) { return m.find(line) != std::string::npos; }))
         << "no message holds: " << line << "\nmessages:\n"
         << all;
   }
@@ -57,13 +56,13 @@ std::vector<fs::path> files() {
   std::vector<fs::path> all;
   for (const auto& entry : fs::directory_iterator(std::string(TRIVET_SOURCE_DIR) + "/tests/bad"))
     if (entry.path().extension() == ".toml") all.push_back(entry.path());
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   return all;
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, BadProject, testing::ValuesIn(files()), [](const auto& info) {
   std::string name = info.param.stem().string();
-  std::replace_if(name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  std::ranges::replace_if(name, [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
   return name;
 });
 

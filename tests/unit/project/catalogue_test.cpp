@@ -118,9 +118,7 @@ TEST(Catalogue, IsWarnedAboutOnceForAllItsElements) {
   std::filesystem::remove_all(folder);
   ASSERT_TRUE(project.has_value()) << foundation::message(project.error().list().front());
   const auto& warnings = project->base().warnings.list();
-  EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(),
-                          [](const auto& w) { return w.subject == "mounts.M 20.loss_factor"; }),
-            1);
+  EXPECT_EQ(std::ranges::count_if(warnings, [](const auto& w) { return w.subject == "mounts.M 20.loss_factor"; }), 1);
 }
 
 TEST(Catalogue, ProposesTheNearestName) {

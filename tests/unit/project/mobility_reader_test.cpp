@@ -167,8 +167,7 @@ TEST(MobilityReader, AppliesAUnitToTheFunctionsThatItFits) {
   const std::string nodes = R"({"11" = "left", "12" = "right"})";
   const auto errors = [&](const std::string& keys) {
     const auto all = messages(with(tilt), nodes, {}, keys);
-    return std::count_if(all.begin(), all.end(),
-                         [](const std::string& one) { return one.find("error") != std::string::npos; });
+    return std::ranges::count_if(all, [](const std::string& one) { return one.find("error") != std::string::npos; });
   };
   EXPECT_EQ(errors("unit = \"(m/s)/N\"\n"), 0);
   EXPECT_EQ(errors("unit = [\"(m/s)/N\", \"(rad/s)/(N m)\"]\n"), 0);

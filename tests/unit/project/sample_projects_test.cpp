@@ -34,7 +34,7 @@ std::vector<fs::path> files() {
   std::vector<fs::path> all;
   for (const auto& entry : fs::directory_iterator(std::string(TRIVET_SOURCE_DIR) + "/tests/samples"))
     if (entry.path().extension() == ".toml") all.push_back(entry.path());
-  std::sort(all.begin(), all.end());
+  std::ranges::sort(all);
   return all;
 }
 

@@ -98,7 +98,7 @@ TEST_F(UnitsInRows, WrongAndMixedUnitsAreErrorsThatNameTheUnitOfBareNumbers) {
   write("twice.csv", "frequency_hz,limit [m/s],limit [mm/s]\n10,4.5,4.5\n50,4.5,4.5\n");
   const std::string twice = errors(line + "file = \"twice.csv\"\n");
   EXPECT_THAT(twice, AllOf(HasSubstr("limit [mm/s]"), HasSubstr("another column is \"limit\"")));
-  EXPECT_EQ(std::count(twice.begin(), twice.end(), '\n'), 1) << twice;
+  EXPECT_EQ(std::ranges::count(twice, '\n'), 1) << twice;
   write("cell.csv", "frequency_hz,limit\n10,4.5 mm/s\n50,4.5 mm/s\n");
   EXPECT_THAT(errors(line + "file = \"cell.csv\"\n"), HasSubstr("its unit is in the heading: NAME [unit]"));
 }
@@ -147,7 +147,7 @@ TEST_F(UnitsInRows, SpectraOfEarthquakesHaveThem) {
     const auto* asked = project->base().analyses.find<project::EarthquakeQuestion>("earthquake");
     ASSERT_NE(asked, nullptr);
     const auto& list = asked->spectrum.accelerations;
-    EXPECT_THAT(*std::max_element(list.begin(), list.end()), test::RelativelyNear(0.3 * g, round_off)) << given;
+    EXPECT_THAT(std::ranges::max(list), test::RelativelyNear(0.3 * g, round_off)) << given;
   }
 }
 

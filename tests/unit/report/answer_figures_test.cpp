@@ -70,8 +70,8 @@ std::string xml_fault(const std::string& text) {
 
 /// The figure with a file name that begins with `file`.
 const report::Figure& figure(const std::vector<report::Figure>& figures, const std::string& file) {
-  const auto found = std::find_if(figures.begin(), figures.end(),
-                                  [&](const report::Figure& f) { return f.file_name.starts_with(file); });
+  const auto found =
+      std::ranges::find_if(figures, [&](const report::Figure& f) { return f.file_name.starts_with(file); });
   if (found == figures.end()) throw std::out_of_range(file);
   return *found;
 }
@@ -86,8 +86,8 @@ TEST(AnswerFigures, AreWellFormedWithFiniteNumbersAndDifferentNames) {
   }
   EXPECT_EQ(names.size(),
             3u * 3 + 2 + 2 + 3);  // random, transient and run-up of machine, seat and ground; Campbell, waterfall; …
-  std::sort(names.begin(), names.end());
-  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+  std::ranges::sort(names);
+  EXPECT_EQ(std::ranges::adjacent_find(names), names.end());
 }
 
 TEST(AnswerFigures, NameQuantityAndUnitOnTheirAxes) {
@@ -176,9 +176,8 @@ TEST(VisiblePieces, ThinManyPointsButKeepASingleHighOne) {
   const auto pieces = report::visible_pieces(panel, x, y);
   ASSERT_EQ(pieces.size(), 1u);
   EXPECT_LT(pieces[0].size(), 10u);
-  EXPECT_NEAR(
-      std::min_element(pieces[0].begin(), pieces[0].end(), [](const auto& a, const auto& b) { return a.y < b.y; })->y,
-      10, round_off);
+  EXPECT_NEAR(std::ranges::min_element(pieces[0], [](const auto& a, const auto& b) { return a.y < b.y; })->y, 10,
+              round_off);
 }
 
 /// A path that comes back on itself keeps its turning points.

@@ -32,7 +32,7 @@ bool holds(const design::MapLine& ring, const design::MapPlace& p) {
 }
 
 bool holds(const std::vector<design::MapLine>& rings, const design::MapPlace& p) {
-  return std::any_of(rings.begin(), rings.end(), [&](const design::MapLine& ring) { return holds(ring, p); });
+  return std::ranges::any_of(rings, [&](const design::MapLine& ring) { return holds(ring, p); });
 }
 
 TEST(MapRegions, NoInfeasiblePlaceIsShownAsUnlimited) {
@@ -50,7 +50,7 @@ TEST(MapRegions, CoverBothSidesOfTheBoundary) {
     for (int k = 0; k < 4000; ++k) {
       const design::MapPlace p{std::fmod(0.31 + 0.618033988749895 * k, 1.0), (k + 0.5) / 4000};
       const bool feasible = holds(map.feasible.rings, p);
-      const auto covering = std::count_if(regions.begin(), regions.end(), [&](const report::MapRegion& region) {
+      const auto covering = std::ranges::count_if(regions, [&](const report::MapRegion& region) {
         return holds(feasible ? region.feasible : region.infeasible, p);
       });
       EXPECT_EQ(covering, 1) << points << " points: " << p.x << ", " << p.y;

@@ -14,9 +14,9 @@ using namespace trivet;
 TEST(GaussRules, IntegratePolynomialsExactlyUpToTheirDegree) {
   constexpr double rounding = 1e-15;
   const auto sixteen = response::gauss_nodes({-1, 1});
-  EXPECT_TRUE(std::is_sorted(sixteen.omega.begin(), sixteen.omega.end()));
+  EXPECT_TRUE(std::ranges::is_sorted(sixteen.omega));
   const response::KronrodRule rule = response::kronrod_rule();
-  EXPECT_TRUE(std::is_sorted(rule.node.begin(), rule.node.end()));
+  EXPECT_TRUE(std::ranges::is_sorted(rule.node));
   const auto by_sixteen = [&](int degree) { return sixteen.weight.dot(sixteen.omega.array().pow(degree).matrix()); };
   const auto by_kronrod = [&](int degree) { return (rule.kronrod * rule.node.pow(degree)).sum(); };
   const auto by_seven = [&](int degree) { return (rule.gauss * rule.node.pow(degree)).sum(); };

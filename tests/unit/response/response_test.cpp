@@ -53,7 +53,7 @@ TEST(AutomaticGrid, ContainsEveryPeakAndResolvesTheCurve) {
   const auto& omega = answers.response->curves.angular_frequency;
   EXPECT_LT(omega.size(), 1500u);
   for (const auto& peak : answers.peaks->peaks.list) {
-    const auto nearest = *std::min_element(omega.begin(), omega.end(), [&](double a, double b) {
+    const auto nearest = std::ranges::min(omega, [&](double a, double b) {
       return std::abs(a - peak.angular_frequency) < std::abs(b - peak.angular_frequency);
     });
     EXPECT_NEAR(nearest, peak.angular_frequency, peak_position * peak.angular_frequency) << "no peak is cut";

@@ -126,7 +126,7 @@ struct Answered {
       std::istringstream row(line);
       std::vector<std::string> cells;
       while (std::getline(row, cell, ',')) cells.push_back(cell);
-      if (column < 0) column = std::find(cells.begin(), cells.end(), header) - cells.begin();
+      if (column < 0) column = std::ranges::find(cells, header) - cells.begin();
       else numbers.push_back(cells.at(column).empty() ? std::nan("") : std::stod(cells.at(column)));
     }
     return numbers;
@@ -146,7 +146,7 @@ std::vector<double> real(const LabelledArrays& arrays, const std::string& name) 
 }
 
 bool has_units_of_rows(const LabelledArray& array, const LabelledArrays& arrays) {
-  return std::any_of(array.axes.begin(), array.axes.end(), [&](const std::string& axis) {
+  return std::ranges::any_of(array.axes, [&](const std::string& axis) {
     const LabelledArray* of_axis = arrays.find(axis + ".unit");
     const LabelledArray* plain = arrays.find("unit");
     return of_axis || (plain && plain->axes.front() == axis);

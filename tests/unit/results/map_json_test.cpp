@@ -18,7 +18,7 @@ TEST(DesignMap, WritesOneCsvRowPerDesign) {
   const project::Project project =
       test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n"));
   const std::string csv = results::map_csv(study::design_map(project, project.base(), *project.base().analyses.map));
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 21);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 21);
   EXPECT_THAT(csv,
               testing::StartsWith(
                   "elements.spring.scale,elements.spring.damping.proportional [s],margin,governing,kept\n0.5,0.01,"));

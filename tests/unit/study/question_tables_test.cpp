@@ -39,7 +39,7 @@ TEST(QuestionTables, ReadAnswerAndWriteEachQuestionUnderItsName) {
   EXPECT_EQ(names(study::question_answers()), table);
   for (std::size_t i = 0; i < table.size(); ++i) {
     const auto& writers = results::answer_writers();
-    EXPECT_TRUE(std::any_of(writers.begin(), writers.end(), [&](const results::AnswerWriter& writer) {
+    EXPECT_TRUE(std::ranges::any_of(writers, [&](const results::AnswerWriter& writer) {
       return writer.name == table[i] && !writer.has_answer;
     })) << table[i];
     EXPECT_NE(study::question_answers()[i].by_default(), nullptr);

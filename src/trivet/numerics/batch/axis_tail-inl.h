@@ -42,7 +42,7 @@ HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve<
   place(inverted.poles);
   const std::unique_ptr<ScannedCurve<Size>[]> inverted_curves(new ScannedCurve<Size>[to_size(channels)]);
   for (int c = 0; c < channels; ++c) {
-    ScannedCurve<Size>& curve = inverted_curves[to_size(c)];
+    ScannedCurve<Size>& curve = inverted_curves[c];
     assert(!curves[c].f.grows && "curves with powers of x beyond 1 have a finite band");
     curve.f = curves[c].f;
     curve.best = curves[c].best;
@@ -64,10 +64,10 @@ HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve<
     form_powers(inverted.poles, half, half, powers);
     LaneMask all_settled = hn::Eq(half, half);
     for (int c = 0; c < channels; ++c) {
-      ScannedCurve<Size>& curve = inverted_curves[to_size(c)];
+      ScannedCurve<Size>& curve = inverted_curves[c];
       LaneMask own = bound_slope(inverted, powers, half, half, options, settled, curve);
       // Slopes that vanish at u = 0 keep their sign while they are monotonic.
-      if (!ends[to_size(c)].flat_at_infinity) {
+      if (!ends[c].flat_at_infinity) {
         // The sign must be the same at u = 0, or the slope there so small that a turn before it cannot be seen.
         const Pack change = hn::Mul(hn::Mul(all(8.0), half), hn::Max(curve.rest, hn::Abs(curve.start)));
         own = hn::And(own,

@@ -62,7 +62,7 @@ HWY_NOINLINE void first_signs(const ScannedPack<Size>& pack, ScannedCurve<Size>*
   for (int c = 0; c < channels; ++c) {
     bound_slope(pack, powers, pack.from, hn::Zero(Lanes()), options, hn::Not(pack.asked), curves[c]);
     curves[c].sign = curves[c].after;
-    if (ends[to_size(c)].zero_at_start) curves[c].sign = all(1.0);
+    if (ends[c].zero_at_start) curves[c].sign = all(1.0);
   }
 }
 
@@ -112,7 +112,7 @@ class CurveSearch {
     const SquarePoles<Size>& poles = pack_.poles;
     update_maxima(pack_, pack_.from, curves_, channels_, at_start());
     for (int c = 0; c < channels_; ++c)
-      if (ends_[to_size(c)].zero_at_start) at_start()[c] = hn::Zero(Lanes());  // exactly
+      if (ends_[c].zero_at_start) at_start()[c] = hn::Zero(Lanes());  // exactly
     for (int k = 0; k < poles.count; ++k) {
       const Pack above =
           hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
@@ -139,8 +139,8 @@ class CurveSearch {
     // The extrema of one curve, ascending, as a linked list.
     std::vector<int> first(to_size(channels_ * lanes), -1), next(found_.size(), -1);
     for (std::size_t e = found_.size(); e-- > 0;) {
-      int& head = first[to_size(found_[e].channel * lanes + found_[e].lane)];
-      assert((head < 0 || found_[e].lower <= found_[to_size(head)].lower) && "the scan goes along the axis");
+      int& head = first[found_[e].channel * lanes + found_[e].lane];
+      assert((head < 0 || found_[e].lower <= found_[head].lower) && "the scan goes along the axis");
       next[e] = head;
       head = static_cast<int>(e);
     }
@@ -158,7 +158,7 @@ class CurveSearch {
         hn::StoreU(doubt_at(c, pack_.to, band_.to, at_end()[c]), Lanes(), end_doubts);
       }
       for (int i = 0; i < lanes; ++i) {
-        ChannelPeaks& answer = peaks.channels[to_size(c * table_lanes + lane_ + i)];
+        ChannelPeaks& answer = peaks.channels[c * table_lanes + lane_ + i];
         answer = {amplitude(numbers[0][i]), band_.from, 0, 0};
         const auto raise = [&](double height, double at) {
           if (height > answer.highest) answer.highest = height, answer.highest_at = at;
@@ -167,8 +167,8 @@ class CurveSearch {
         double doubtful = 1e-6;  // round-off
         heights.assign(1, answer.highest);
         doubts.assign(1, start_doubts[i]);
-        for (int at = first[to_size(c * lanes + i)]; at >= 0; at = next[to_size(at)]) {
-          const FoundExtremum& e = found_[to_size(at)];
+        for (int at = first[c * lanes + i]; at >= 0; at = next[at]) {
+          const FoundExtremum& e = found_[at];
           doubtful = std::max(doubtful, doubt(e, numbers[2][i], band_));
           heights.push_back(amplitude(e.value));
           // A panel skipped as too low may be even lower than such a minimum.
@@ -213,7 +213,7 @@ class CurveSearch {
   /// Relative error of a height at an end of the band by round-off.
   [[nodiscard]] Pack doubt_at(int channel, const Pack& x, double omega, const Pack& value) const {
     const SquaredResponse<Size::most>& f = curves_[channel].f;
-    if (omega == 0 && ends_[to_size(channel)].zero_at_start) return hn::Zero(Lanes());
+    if (omega == 0 && ends_[channel].zero_at_start) return hn::Zero(Lanes());
     const Pack missed =
         hn::Mul(hn::Mul(all(0.5), round_off_), std::isinf(omega) ? f.constant_parts : sum_of_moduli(pack_.poles, f, x));
     return hn::IfThenElseZero(hn::Gt(missed, hn::Zero(Lanes())), hn::Div(missed, hn::Abs(value)));

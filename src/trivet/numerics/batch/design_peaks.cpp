@@ -92,7 +92,7 @@ class Piece {
     return designs_.A.row(d).allFinite() && designs_.B.row(d).allFinite() && designs_.K.row(d).allFinite() &&
         load(d).allFinite();
   }
-  DesignStatus& status(Eigen::Index d) { return result_.status[to_size(d)]; }
+  DesignStatus& status(Eigen::Index d) { return result_.status[d]; }
 
   void store(Eigen::Index d, std::size_t channel, const ChannelPeaks& answer) {
     assert(channel < question_.rows.size() && d < designs_.count());

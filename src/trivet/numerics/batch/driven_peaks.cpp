@@ -125,9 +125,9 @@ DesignPeaks driven_peaks(const DrivenDesigns& designs, const DrivenPeakOptions& 
     TRIVET_DISPATCH(driven_peaks_in_lanes)(n, designs, ends, band, first, found);
     for (Eigen::Index d = first; d < std::min(first + table_lanes, count); ++d) {
       if (!found.complete[d - first]) continue;
-      result.status[to_size(d)] = DesignStatus::proven;
+      result.status[d] = DesignStatus::proven;
       for (Eigen::Index c = 0; c < channels; ++c) {
-        const ChannelPeaks& of = found.channels[to_size(c * table_lanes + (d - first))];
+        const ChannelPeaks& of = found.channels[c * table_lanes + (d - first)];
         result.highest(d, c) = of.highest;
         result.highest_at(d, c) = of.highest_at;
         if (!options.count_peaks) continue;

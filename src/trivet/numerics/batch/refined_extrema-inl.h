@@ -33,7 +33,7 @@ class LaneStore {
   LaneStore(const SquarePoles<Size>& poles, const ScannedCurve<Size>* curves, const std::vector<CurveEnds>& ends,
             const Pack& of_sums)
       : count_(poles.count),
-        differentiated_(std::any_of(ends.begin(), ends.end(), [](const CurveEnds& of) { return of.powers_of_x > 0; })),
+        differentiated_(std::ranges::any_of(ends, [](const CurveEnds& of) { return of.powers_of_x > 0; })),
         grows_(std::any_of(curves, curves + ends.size(), [](const ScannedCurve<Size>& of) { return of.f.grows; })),
         of_channel_(to_size(3 * poles.count + 4 + (grows_ ? 6 : 0) + (differentiated_ ? 3 * poles.count + 1 : 0))),
         C_(ends.size() * of_channel_ * table_lanes) {

@@ -7,10 +7,10 @@
 namespace trivet::numerics {
 
 std::vector<Eigen::Index> rows_without(Eigen::Index n, const std::vector<Eigen::Index>& rows) {
-  assert(std::is_sorted(rows.begin(), rows.end()) && (rows.empty() || (rows.front() >= 0 && rows.back() < n)));
+  assert(std::ranges::is_sorted(rows) && (rows.empty() || (rows.front() >= 0 && rows.back() < n)));
   std::vector<Eigen::Index> result;
   for (Eigen::Index i = 0; i < n; ++i)
-    if (!std::binary_search(rows.begin(), rows.end(), i)) result.push_back(i);
+    if (!std::ranges::binary_search(rows, i)) result.push_back(i);
   return result;
 }
 

@@ -50,8 +50,8 @@ GeneralizedModes general_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& 
   Eigen::MatrixXd shapes(K.rows(), to_index(real.size()));
   Eigen::VectorXd lambda(shapes.cols());
   for (Eigen::Index i = 0; i < shapes.cols(); ++i) {
-    shapes.col(i) = eigen.vectors.col(real[to_size(i)]).real();
-    lambda(i) = values(real[to_size(i)]).real();
+    shapes.col(i) = eigen.vectors.col(real[i]).real();
+    lambda(i) = values(real[i]).real();
   }
   GeneralizedModes result = normed_modes(K, A, shapes, ModeRoute::general, lambda);
   result.complex_pairs = static_cast<int>(values.size() - shapes.cols()) / 2;

@@ -166,7 +166,7 @@ int LaneLu::determinant_sign() const {
   for (Eigen::Index k = 0; k < rows_; ++k) {
     const double pivot = factors_.data()[k * stride_ + k];
     if (pivot == 0) return 0;
-    if ((pivot < 0) != (pivots_[to_size(k)] != k)) sign = -sign;
+    if ((pivot < 0) != (pivots_[k] != k)) sign = -sign;
   }
   return sign;
 }

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "trivet/foundation/index.h"
-
 namespace trivet::numerics {
 namespace {
 
@@ -36,8 +34,8 @@ std::complex<double> LoadTerm::factor(std::complex<double> omega) const {
 void Load::add(LoadTerm term) {
   if (term.value.size() == 0 || term.value.isZero(0)) return;
   assert(term.value.size() == size_);
-  const auto same = std::find_if(terms_.begin(), terms_.end(),
-                                 [&](const LoadTerm& t) { return t.power == term.power && t.delay == term.delay; });
+  const auto same =
+      std::ranges::find_if(terms_, [&](const LoadTerm& t) { return t.power == term.power && t.delay == term.delay; });
   if (same == terms_.end()) terms_.push_back(std::move(term));
   else {
     same->value += term.value;
@@ -71,7 +69,7 @@ Eigen::VectorXcd Load::at(std::complex<double> omega) const {
 
 Eigen::MatrixXcd Load::at(const std::vector<double>& omega) const {
   Eigen::MatrixXcd h(size_, vanishes() ? 0 : std::ssize(omega));
-  for (Eigen::Index i = 0; i < h.cols(); ++i) h.col(i) = at(omega[to_size(i)]);
+  for (Eigen::Index i = 0; i < h.cols(); ++i) h.col(i) = at(omega[i]);
   return h;
 }
 

@@ -65,7 +65,7 @@ class Subspace {
     const SymmetricEigen<Eigen::MatrixXd> ritz = symmetric_eigen(small_k, small_a);
     if (!ritz.converged || !ritz.vectors.allFinite()) return false;
     theta_ = ritz.values;
-    assert(std::is_sorted(theta_.begin(), theta_.end()) && "the first columns converge to the lowest modes");
+    assert(std::ranges::is_sorted(theta_) && "the first columns converge to the lowest modes");
     x_ = y * (inverse.asDiagonal() * ritz.vectors);
     return true;
   }

@@ -45,7 +45,7 @@ MassiveSystem massive_system(const DynamicMatrices& m) {
   result.K = condensed_sum<Eigen::MatrixXd>(m.K(massive, massive), m.K(massive, massless), follow);
   if (m.symmetric) result.K = (0.5 * (result.K + result.K.transpose())).eval();
   result.recovery.setZero(m.size(), n);
-  for (Eigen::Index j = 0; j < n; ++j) result.recovery(massive[to_size(j)], j) = 1;
+  for (Eigen::Index j = 0; j < n; ++j) result.recovery(massive[j], j) = 1;
   for (std::size_t i = 0; i < massless.size(); ++i) result.recovery.row(massless[i]) = follow.row(to_index(i));
   return result;
 }

@@ -45,7 +45,7 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
     Eigen::Index entering = -1;
     for (Eigen::Index j = 0; j < a.cols(); ++j)
       if (gradient(j) > negligible * gradient_scale(j) && (entering < 0 || gradient(j) > gradient(entering)))
-        if (std::find(free.begin(), free.end(), j) == free.end()) entering = j;
+        if (std::ranges::find(free, j) == free.end()) entering = j;
     if (entering < 0) break;
     free.push_back(entering);
     Eigen::VectorXd wanted = solution_over(a, b, free);

@@ -48,13 +48,13 @@ GeneralizedModes normed(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, cons
   lambda = (lambda.array().abs() <= negligible).select(0.0, lambda);
   std::vector<Eigen::Index> order(to_size(count));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index x, Eigen::Index y) { return lambda(x) < lambda(y); });
+  std::ranges::stable_sort(order, [&](Eigen::Index x, Eigen::Index y) { return lambda(x) < lambda(y); });
   assert(to_index(order.size()) == count && lambda.size() == count);
   result.lambda.resize(count);
   result.norm.resize(count);
   result.shapes.resize(n, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Index from = order[to_size(i)];
+    const Eigen::Index from = order[i];
     result.lambda(i) = lambda(from);
     result.norm(i) = norm(from);
     result.shapes.col(i) = normed.col(from);

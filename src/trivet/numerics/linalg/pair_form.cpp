@@ -31,17 +31,17 @@ std::vector<States> coupled_states(const Eigen::MatrixXd& F) {
   std::vector<States> all;
   std::vector<bool> known(to_size(n), false);
   for (Eigen::Index first = 0; first < n; ++first) {
-    if (known[to_size(first)]) continue;
-    known[to_size(first)] = true;
+    if (known[first]) continue;
+    known[first] = true;
     States states = {first};
     for (std::size_t next = 0; next < states.size(); ++next)
       for (Eigen::Index j = 0; j < n; ++j) {
         const Eigen::Index i = states[next];
-        if (known[to_size(j)] || (std::abs(F(i, j)) <= none && std::abs(F(j, i)) <= none)) continue;
-        known[to_size(j)] = true;
+        if (known[j] || (std::abs(F(i, j)) <= none && std::abs(F(j, i)) <= none)) continue;
+        known[j] = true;
         states.push_back(j);
       }
-    std::sort(states.begin(), states.end());
+    std::ranges::sort(states);
     all.push_back(std::move(states));
   }
   return all;
@@ -68,8 +68,8 @@ Eigen::MatrixXd paired_vectors(const GeneralEigen& eigen) {
     X.col(column++) = eigen.vectors.col(k).real();
     X.col(column++) = eigen.vectors.col(k).imag();
   }
-  std::sort(real.begin(), real.end(),
-            [&](Eigen::Index a, Eigen::Index b) { return eigen.values(a).real() < eigen.values(b).real(); });
+  std::ranges::sort(real,
+                    [&](Eigen::Index a, Eigen::Index b) { return eigen.values(a).real() < eigen.values(b).real(); });
   if (column + to_index(real.size()) != n) return {};
   for (const Eigen::Index k : real) X.col(column++) = eigen.vectors.col(k).real();
   for (Eigen::Index first = 0; first < n; first += 2) {

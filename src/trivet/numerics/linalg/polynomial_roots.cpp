@@ -20,7 +20,7 @@ std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& co
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(degree, degree);
   companion.diagonal(-1).setOnes();
   for (Eigen::Index i = 0; i < degree; ++i)
-    companion(i, degree - 1) = -coefficients[to_size(i)] / last * std::pow(unit, static_cast<double>(i - degree));
+    companion(i, degree - 1) = -coefficients[i] / last * std::pow(unit, static_cast<double>(i - degree));
   const GeneralEigen eigen = general_eigenvalues(companion);
   if (!eigen.converged) throw foundation::NotComputable("the roots of a polynomial did not converge");
   const Eigen::VectorXcd roots = unit * eigen.values;

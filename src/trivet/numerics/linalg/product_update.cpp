@@ -111,7 +111,7 @@ struct RowsUpdate {
         rest.fill(0);
         subtract(depth, left, right, rest.data(), tile.rows);
         for (Index column = 0; column < width; ++column)
-          for (Index row = 0; row < height; ++row) c(i + row, j + column) += rest[to_size(column * tile.rows + row)];
+          for (Index row = 0; row < height; ++row) c(i + row, j + column) += rest[column * tile.rows + row];
       }
     }
   }

@@ -26,7 +26,7 @@ long double QuadraticForm::operator()(const Eigen::Ref<const Eigen::VectorXd>& v
   std::size_t e = 0;
   for (Eigen::Index j = 0; j < v.size(); ++j) {
     Extended column = 0.5L * diagonal_(j) * v(j);
-    for (; e < end_of_[to_size(j)]; ++e) column += Extended(entries_[e].value) * v(entries_[e].row);
+    for (; e < end_of_[j]; ++e) column += Extended(entries_[e].value) * v(entries_[e].row);
     sum += 2 * column * v(j);
   }
   return sum;
@@ -38,7 +38,7 @@ double QuadraticForm::terms(const Eigen::Ref<const Eigen::VectorXd>& v) const {
   std::size_t e = 0;
   for (Eigen::Index j = 0; j < v.size(); ++j) {
     double column = 0.5 * std::abs(diagonal_(j) * v(j));
-    for (; e < end_of_[to_size(j)]; ++e) column += entries_[e].magnitude * std::abs(v(entries_[e].row));
+    for (; e < end_of_[j]; ++e) column += entries_[e].magnitude * std::abs(v(entries_[e].row));
     sum += 2 * column * std::abs(v(j));
   }
   return sum;

@@ -45,16 +45,16 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
   Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(s + m, s + m);
   for (Eigen::Index i = 0; i < s; ++i)
     for (Eigen::Index j = 0; j < m; ++j)
-      if (sprung[to_size(i)] == moving[to_size(j)]) {
-        state(i, s + j) = omega(sprung[to_size(i)]);
-        state(s + j, i) = -omega(sprung[to_size(i)]);
+      if (sprung[i] == moving[j]) {
+        state(i, s + j) = omega(sprung[i]);
+        state(s + j, i) = -omega(sprung[i]);
       }
   for (Eigen::Index i = 0; i < m; ++i) {
-    const Eigen::Index row = moving[to_size(i)];
-    for (Eigen::Index j = 0; j < m; ++j) state(s + i, s + j) = -B(row, moving[to_size(j)]);
+    const Eigen::Index row = moving[i];
+    for (Eigen::Index j = 0; j < m; ++j) state(s + i, s + j) = -B(row, moving[j]);
     if (K_loss.size() > 0)
       for (Eigen::Index j = 0; j < s; ++j) {
-        const Eigen::Index column = sprung[to_size(j)];
+        const Eigen::Index column = sprung[j];
         state(s + i, j) -= Complex(0, K_loss(row, column) / omega(column));
       }
   }
@@ -68,7 +68,7 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
   result.lambda.head(s + m) = found.values;
   const Eigen::VectorXd weight = Eigen::VectorXd::Ones(n);
   for (Eigen::Index k = 0; k < s + m; ++k) {
-    for (Eigen::Index i = 0; i < m; ++i) result.vectors(moving[to_size(i)], k) = found.vectors(s + i, k);
+    for (Eigen::Index i = 0; i < m; ++i) result.vectors(moving[i], k) = found.vectors(s + i, k);
     normalise_by_largest(result.vectors.col(k), weight);
   }
   Eigen::Index k = s + m;

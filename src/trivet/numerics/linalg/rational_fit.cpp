@@ -42,7 +42,7 @@ class Loewner {
         gram_(0, 0) {}
 
   void add_node(Eigen::Index node) {
-    assert(std::find(nodes_.begin(), nodes_.end(), node) == nodes_.end() && "a sample becomes a node once");
+    assert(std::ranges::find(nodes_, node) == nodes_.end() && "a sample becomes a node once");
     const Eigen::Index old = to_index(nodes_.size());
     if (old > 0) {
       auto rows_of_node = rows_.middleRows(node * functions_, functions_);
@@ -52,7 +52,7 @@ class Loewner {
     nodes_.push_back(node);
     Eigen::VectorXcd column = Eigen::VectorXcd::Zero(rows_.rows());
     for (Eigen::Index k = 0; k < x_.size(); ++k) {
-      if (std::find(nodes_.begin(), nodes_.end(), k) != nodes_.end()) continue;
+      if (std::ranges::find(nodes_, k) != nodes_.end()) continue;
       const Eigen::VectorXcd slopes =
           ((values_.col(k) - values_.col(node)).array() / scales_.col(k).array() / (x_(k) - x_(node))).matrix();
       auto part = column.segment(k * functions_, functions_);
@@ -83,11 +83,11 @@ class Loewner {
   /// errors times the denominator. The error is the root of the sum of squares over the functions, or nearly.
   [[nodiscard]] std::pair<Eigen::Index, double> worst_combined(const Eigen::VectorXcd& weights) const {
     Eigen::VectorXcd scaled = weights;
-    for (Eigen::Index j = 0; j < scaled.size(); ++j) scaled(j) *= lengths_[to_size(j)];
+    for (Eigen::Index j = 0; j < scaled.size(); ++j) scaled(j) *= lengths_[j];
     const Eigen::VectorXcd products = rows_ * scaled;
     std::pair<Eigen::Index, double> worst{x_.size() / 2, 0};
     for (Eigen::Index k = 0; k < x_.size(); ++k) {
-      if (std::find(nodes_.begin(), nodes_.end(), k) != nodes_.end()) continue;
+      if (std::ranges::find(nodes_, k) != nodes_.end()) continue;
       Complex denominator = 0;
       for (std::size_t j = 0; j < nodes_.size(); ++j) denominator += weights(to_index(j)) / (x_(k) - x_(nodes_[j]));
       const double sum = products.segment(k * functions_, functions_).norm() / std::abs(denominator);
@@ -133,7 +133,7 @@ class Loewner {
       v(j) = std::polar(1.0, 2.4 * static_cast<double>(j));  // no direction preferred
     for (int step = 0; step < steps; ++step) v = inverse(v.normalized());
     v.normalize();
-    for (Eigen::Index j = 0; j < n; ++j) v(j) /= lengths_[to_size(j)];
+    for (Eigen::Index j = 0; j < n; ++j) v(j) /= lengths_[j];
     return v / v.cwiseAbs().maxCoeff();
   }
 
@@ -209,11 +209,11 @@ RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& value
   if (!values.allFinite() || !(scales.minCoeff() > 0))
     throw foundation::InvalidInput("rational fit: values must be finite and scales > 0");
   Loewner loewner(x, values, scales);
-  assert(std::is_sorted(x.begin(), x.end()) && "samples ascend");
+  assert(std::ranges::is_sorted(x) && "samples ascend");
   const Eigen::Index most_nodes = loewner.most_nodes();
   RationalFit fit = with_weights(x, values, {x.size() / 2}, Eigen::VectorXcd::Ones(1));
   for (const double node : first) {
-    const auto at = std::lower_bound(x.begin(), x.end(), node) - x.begin();
+    const auto at = std::ranges::lower_bound(x, node) - x.begin();
     if (at < x.size() && x(at) == node && std::ssize(loewner.nodes()) < most_nodes) loewner.add_node(at);
   }
   if (!loewner.nodes().empty()) fit = with_weights(x, values, loewner.nodes(), loewner.quick_weights());

@@ -35,7 +35,7 @@ std::vector<Eigen::Index> elimination_order(Eigen::Index n, const std::vector<Sp
   Eigen::AMDOrdering<int>()(pattern, order);
   // The ordering returns the coordinate at each place.
   std::vector<Eigen::Index> place(to_size(n));
-  for (Eigen::Index at = 0; at < n; ++at) place[to_size(order.indices()(at))] = at;
+  for (Eigen::Index at = 0; at < n; ++at) place[order.indices()(at)] = at;
   return place;
 }
 
@@ -60,9 +60,9 @@ Eigen::VectorXcd SystemFactors::solve(const Eigen::VectorXcd& b) const {
   if (data_->dense) return data_->dense->solve(b);
   assert(b.size() == to_index(data_->place.size()) && "one place in the factors for each coordinate");
   Eigen::VectorXcd ordered(b.size()), x(b.size());
-  for (Eigen::Index i = 0; i < b.size(); ++i) ordered(data_->place[to_size(i)]) = b(i);
+  for (Eigen::Index i = 0; i < b.size(); ++i) ordered(data_->place[i]) = b(i);
   const Eigen::VectorXcd solved = data_->sparse->solve(ordered);
-  for (Eigen::Index i = 0; i < b.size(); ++i) x(i) = solved(data_->place[to_size(i)]);
+  for (Eigen::Index i = 0; i < b.size(); ++i) x(i) = solved(data_->place[i]);
   return x;
 }
 
@@ -81,8 +81,8 @@ SparseSystem::SparseSystem(const DynamicMatrices& m) : size_(m.size()), symmetri
 
 SparseSystem::SparseSystem(Eigen::Index size, std::vector<Entry> entries)
     : size_(size), symmetric_(false), entries_(std::move(entries)) {
-  assert(std::all_of(entries_.begin(), entries_.end(),
-                     [&](const Entry& e) { return e.row >= 0 && e.row < size_ && e.column >= 0 && e.column < size_; }));
+  assert(std::ranges::all_of(
+      entries_, [&](const Entry& e) { return e.row >= 0 && e.row < size_ && e.column >= 0 && e.column < size_; }));
   choose_factors();
 }
 
@@ -145,7 +145,7 @@ SystemFactors SparseSystem::factors(double omega, bool transposed) const {
     std::vector<Eigen::Triplet<Complex>> values;
     values.reserve(entries_.size());
     for (const Entry& e : entries_) {
-      const Eigen::Index row = order_[to_size(e.row)], column = order_[to_size(e.column)];
+      const Eigen::Index row = order_[e.row], column = order_[e.column];
       values.emplace_back(transposed ? column : row, transposed ? row : column, coefficient(e, 0, omega));
     }
     Sparse z(size_, size_);

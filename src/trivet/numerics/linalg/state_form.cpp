@@ -47,8 +47,8 @@ StateForm state_form(const DynamicMatrices& given, const Eigen::MatrixXcd& given
   form.input.middleRows(n, n) = v_input / speed;
   form.input.bottomRows(k) = z_input;
   form.output = Eigen::MatrixXcd::Zero(m.size(), 2 * n + k);
-  for (Eigen::Index i = 0; i < n; ++i) form.output(p[to_size(i)], i) = d(p[to_size(i)]);
-  for (Eigen::Index i = 0; i < k; ++i) form.output(z[to_size(i)], 2 * n + i) = d(z[to_size(i)]);
+  for (Eigen::Index i = 0; i < n; ++i) form.output(p[i], i) = d(p[i]);
+  for (Eigen::Index i = 0; i < k; ++i) form.output(z[i], 2 * n + i) = d(z[i]);
   return form;
 }
 

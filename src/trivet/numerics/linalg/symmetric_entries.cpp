@@ -34,11 +34,11 @@ void add_free(const std::vector<FreeEntry>& free, std::vector<SymmetricEntry>& e
     else missing.push_back(entry);
   }
   const auto old = static_cast<std::ptrdiff_t>(entries.size());
-  std::sort(missing.begin(), missing.end(), before);
+  std::ranges::sort(missing, before);
   entries.insert(entries.end(), missing.begin(), missing.end());
   std::inplace_merge(entries.begin(), entries.begin() + old, entries.end(), before);
-  assert(std::adjacent_find(entries.begin(), entries.end(),
-                            [&](const SymmetricEntry& a, const SymmetricEntry& b) { return !before(a, b); }) ==
+  assert(std::ranges::adjacent_find(entries,
+                                    [&](const SymmetricEntry& a, const SymmetricEntry& b) { return !before(a, b); }) ==
              entries.end() &&
          "column by column, each place once");
 }

@@ -41,7 +41,7 @@ double rest_limit(const QuadraticRoots& roots, Eigen::Index most) {
   if (most == 0) return 0;
   assert(most <= roots.lambda.size());
   Eigen::VectorXd size = roots.lambda.cwiseAbs();
-  std::sort(size.begin(), size.end());
+  std::ranges::sort(size);
   return std::min(size(most - 1), 1e-7 * size(size.size() - 1));
 }
 

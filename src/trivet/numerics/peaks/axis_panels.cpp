@@ -72,10 +72,9 @@ PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& loa
     if (std::abs(poles(k).real()) <= round_off && poles(k).imag() > round_off)
       cover.poles_on_axis.push_back(poles(k).imag());
   }
-  std::sort(cover.poles_on_axis.begin(), cover.poles_on_axis.end());
+  std::ranges::sort(cover.poles_on_axis);
   const auto same = [](double a, double b) { return b - a <= 4 * gap_at_pole * b; };
-  cover.poles_on_axis.erase(std::unique(cover.poles_on_axis.begin(), cover.poles_on_axis.end(), same),
-                            cover.poles_on_axis.end());
+  cover.poles_on_axis.erase(std::ranges::unique(cover.poles_on_axis, same).begin(), cover.poles_on_axis.end());
   const bool free = (of_system.array() == std::complex<double>(0)).any();
   cover.lowest = free           ? lowest_beside_free_motion(smallest, largest)
       : !load.unbounded_at_rest ? 0

@@ -64,8 +64,7 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, S
   level.setZero(curves);
   for (int j = 0; j < samples; ++j)
     for (int k = 0; k < samples; ++k)
-      series.col(j) +=
-          values[to_size(k)] * std::polar(1.0 / samples, -2 * std::numbers::pi * ((j * k) % samples) / samples);
+      series.col(j) += values[k] * std::polar(1.0 / samples, -2 * std::numbers::pi * ((j * k) % samples) / samples);
   for (const auto& v : values) level = level.cwiseMax(v.cwiseAbs());
   // The last coefficients equal those of the first negative powers: the principal part of a pole inside the circle.
   doubt.setZero(curves);
@@ -110,7 +109,7 @@ class CircleScan {
         rise_(to_size(curves), 0.0),
         found_{std::vector<SearchedCurve>(to_size(curves)), options.from, options.to, 0} {
     seams_.push_back(options.to);
-    std::sort(seams_.begin(), seams_.end());
+    std::ranges::sort(seams_);
   }
 
   AxisSearch search() {
@@ -143,7 +142,7 @@ class CircleScan {
                       "tables with fewer rows",
                       trials_, from));
     // The whole circle must be where the laws are defined: Re ω > 0.
-    const double seam = *std::upper_bound(seams_.begin(), seams_.end(), from * (1 + on_a_seam));
+    const double seam = *std::ranges::upper_bound(seams_, from * (1 + on_a_seam));
     radius = std::min({radius, 0.5 * (std::min(seam, options_.to) - from), from / (spread - 1) * 0.9});
     const Panel panel{from + radius, radius, false};
     Sizes sizes;
@@ -180,7 +179,7 @@ class CircleScan {
   }
 
   void leave_gap(double& from) {
-    std::fill(rise_.begin(), rise_.end(), 0);
+    std::ranges::fill(rise_, 0);
     if (++gaps_ > most_gaps_in_a_row)
       throw foundation::NotComputable(
           fmt::format("peaks: the laws of the elements give no smooth curve at {:.6g} rad/s", from));

@@ -132,8 +132,7 @@ double amplitude(const CurveSeries& series, const Panel& panel, double tau) {
 
 double limit_at_infinity(const CurveSeries& series, const Panel& panel) {
   const double negligible = std::pow(vanishing_share * size_of(series), 2);
-  const auto leading =
-      std::find_if(series.square.begin(), series.square.end(), [&](double s) { return s > negligible; });
+  const auto leading = std::ranges::find_if(series.square, [&](double s) { return s > negligible; });
   const auto power = std::ptrdiff_t{2} * series.power + (leading - series.square.begin());  // of 1/ω in |y|²
   if (leading == series.square.end() || power > 0) return 0;
   return power < 0 ? std::numeric_limits<double>::infinity()
@@ -147,7 +146,7 @@ double rise_of_square(const CurveSeries& series, const Panel& panel, double tau)
 void add_extrema(const CurveSeries& series, const Panel& panel, double from, double to,
                  std::vector<Extremum>& extrema) {
   std::vector<SignChange> changes = sign_changes(slope(series), panel.at_infinity ? 0 : -1 - overlap, 1 + overlap);
-  if (panel.at_infinity) std::reverse(changes.begin(), changes.end());
+  if (panel.at_infinity) std::ranges::reverse(changes);
   for (const SignChange& change : changes) {
     if (panel.at_infinity && !(change.at > 0)) continue;
     const double omega = panel.at_infinity ? 1 / (panel.radius * change.at) : panel.centre + panel.radius * change.at;

@@ -55,9 +55,8 @@ bool search_panel(const ObservedCurve& curve, const Panel& panel, const Coordina
 /// Whether the panel is at an undamped pole, within its radius and the accuracy of the pole.
 bool stands_on_a_pole(const Panel& panel, const std::vector<double>& poles) {
   constexpr double own_digits = 64 * gap_at_pole;
-  return std::any_of(poles.begin(), poles.end(), [&](double pole) {
-    return std::abs(where_sized(panel) - pole) <= panel.radius + own_digits * pole;
-  });
+  return std::ranges::any_of(
+      poles, [&](double pole) { return std::abs(where_sized(panel) - pole) <= panel.radius + own_digits * pole; });
 }
 
 /// |y|, curves × frequencies, from direct solutions.

@@ -9,8 +9,7 @@
 namespace trivet::numerics {
 
 std::vector<Extremum> alternating(std::vector<Extremum> all) {
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Extremum& a, const Extremum& b) { return a.angular_frequency < b.angular_frequency; });
+  std::ranges::stable_sort(all, {}, &Extremum::angular_frequency);
   std::vector<Extremum> result;
   for (const Extremum& e : all) {
     if (result.empty() || result.back().maximum != e.maximum) result.push_back(e);
@@ -56,7 +55,7 @@ Extremum unbounded_at(double pole) {
 std::optional<Extremum> bounded_at(double pole, const std::array<double, 4>& y) {
   if (!(y[1] > y[0]) || !(y[2] > y[3])) return std::nullopt;
   std::array<double, 4> f;
-  std::transform(y.begin(), y.end(), f.begin(), [](double amplitude) { return 1 / (amplitude * amplitude); });
+  std::ranges::transform(y, f.begin(), [](double amplitude) { return 1 / (amplitude * amplitude); });
   const double bend = (f[0] + f[3] - f[1] - f[2]) / (2 * (far * far - near * near));
   const double slope = (far * (f[3] - f[0]) + near * (f[2] - f[1])) / (2 * (far * far + near * near));
   const double middle = 0.25 * (f[0] + f[1] + f[2] + f[3]) - 0.5 * bend * (far * far + near * near);

@@ -156,7 +156,7 @@ SeriesAtInfinity ResponseSeries::at_infinity(double radius, int order) const {
   for (Eigen::Index i = 0; i < m.size(); ++i) {
     if (!m.A.row(i).isZero(0)) continue;
     const int by = m.B.row(i).isZero(0) ? 2 : 1;
-    lowered[to_size(i)] = by;
+    lowered[i] = by;
     for (int k = 0; k < by; ++k) {
       constant.row(i) = slope.row(i) / radius;
       slope.row(i) = curvature.row(i) / radius;
@@ -169,7 +169,7 @@ SeriesAtInfinity ResponseSeries::at_infinity(double radius, int order) const {
   // s² Z q = s² h; q = s^power p.
   Eigen::MatrixXcd right = Eigen::MatrixXcd::Zero(m.size(), order + 1);
   for (Eigen::Index i = 0; i < m.size(); ++i) {
-    const int by = lowered[to_size(i)] - shift;  // divided by s^lowered, multiplied by s^shift
+    const int by = lowered[i] - shift;  // divided by s^lowered, multiplied by s^shift
     for (int j = std::max(0, -by); j <= order; ++j) right(i, j) = h.coefficients(i, j + by) * std::pow(radius, -by);
   }
   return {scale_.asDiagonal() * series(constant, slope, curvature, right), 2 + h.power - shift};

@@ -128,7 +128,7 @@ double polynomial_value(std::span<const double> c, double tau) {
 
 std::vector<SignChange> sign_changes(std::span<const double> coefficients, double lower, double upper) {
   std::vector<SignChange> found;
-  if (!std::all_of(coefficients.begin(), coefficients.end(), [](double c) { return std::isfinite(c); }))
+  if (!std::ranges::all_of(coefficients, [](double c) { return std::isfinite(c); }))
     throw foundation::NotComputable(
         "the extrema of a curve were not found: its series contains numbers beyond the range of computation");
   if (coefficients.size() > 1) Search(coefficients, found).between(lower, upper);

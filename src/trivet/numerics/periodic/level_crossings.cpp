@@ -107,8 +107,7 @@ std::vector<double> level_crossings(const VectorXd& motion, const std::vector<do
     const double phase = step * static_cast<double>(n), next = course((n + 1) % count);
     places.emplace_back(phase, course(n));
     const double low = std::min(course(n), next) - beyond, high = std::max(course(n), next) + beyond;
-    if (std::none_of(levels.begin(), levels.end(), [&](double level) { return level >= low && level <= high; }))
-      continue;
+    if (std::ranges::none_of(levels, [&](double level) { return level >= low && level <= high; })) continue;
     const double rate_here = rate_at(n), rate_next = rate_at(n + 1);
     if ((rate_here < 0) == (rate_next < 0)) continue;
     const double extremum = crossing(rate, 0, phase, phase + step, rate_here, rate_next);
@@ -121,7 +120,7 @@ std::vector<double> level_crossings(const VectorXd& motion, const std::vector<do
       if ((places[i].second < level) != (places[i + 1].second < level))
         phases.push_back(crossing(motion, level, places[i].first, places[i + 1].first, places[i].second - level,
                                   places[i + 1].second - level));
-  std::sort(phases.begin(), phases.end());
+  std::ranges::sort(phases);
   return phases;
 }
 

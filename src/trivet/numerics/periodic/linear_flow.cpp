@@ -29,12 +29,12 @@ LinearFlow::LinearFlow(const MatrixXd& F) {
     const bool pair = value.imag() != 0 && i + 1 < n;
     growth_(i) = value.real();
     turning_(i) = pair ? value.imag() : 0;
-    partner_[to_size(i)] = pair ? i + 1 : i;
+    partner_[i] = pair ? i + 1 : i;
     to_states_.col(i) = eigen.vectors.col(i).real();
     if (pair) {
       growth_(i + 1) = value.real();
       turning_(i + 1) = -value.imag();
-      partner_[to_size(i + 1)] = i;
+      partner_[i + 1] = i;
       to_states_.col(i + 1) = eigen.vectors.col(i).imag();
     }
     i += pair ? 2 : 1;
@@ -59,7 +59,7 @@ LinearFlow::Step LinearFlow::step(double time) const {
 void LinearFlow::apply(const Step& step, RowMatrix& y) const {
   const Index columns = y.cols();
   for (Index i = 0; i < y.rows(); ++i) {
-    const Index other = partner_[to_size(i)];
+    const Index other = partner_[i];
     double* const row = y.row(i).data();
     const double on_diagonal = step.diagonal(i);
     if (other == i) {
@@ -86,7 +86,7 @@ void LinearFlow::apply_with_kicks(double step, const Kicks& kicks, RowMatrix& y)
   };
   const Step half = with_rest(this->step(step / 2)), whole = with_rest(this->step(step));
   std::vector<char> leads(to_size(n));
-  for (Index i = 0; i < moving; ++i) leads[to_size(i)] = partner_[to_size(i)] > i;
+  for (Index i = 0; i < moving; ++i) leads[i] = partner_[i] > i;
   LineMemory states;
   states.resize(to_size(n * stride));
   Eigen::Map<RowMatrix> padded(states.data(), n, stride);

@@ -69,7 +69,7 @@ void pieces_of_modes(Size n, const Designs& designs, Eigen::Index first, Eigen::
       double verdict[8];
       hn::StoreU(hn::IfThenElseZero(definite, all(1.0)), Lanes(), verdict);
       for (Eigen::Index lane = 0; lane < lane_count() && at + lane < taken; ++lane)
-        result.definite[to_size(first + at + lane)] = verdict[lane] != 0;
+        result.definite[first + at + lane] = verdict[lane] != 0;
     }
     lambda.write(result.lambda, first, taken);
     x.write(result.shapes, first, taken);
@@ -106,7 +106,7 @@ void modes_without_lanes(const Designs& designs, Eigen::Index first, Eigen::Inde
   for (Eigen::Index design = first; design < last; ++design) {
     const Eigen::MatrixXd A = unpacked(designs.A, design), K = unpacked(designs.K, design);
     const bool definite = A.allFinite() && K.allFinite() && is_positive_definite(A);
-    result.definite[to_size(design)] = definite;
+    result.definite[design] = definite;
     if (!definite) {
       result.lambda.row(design).setConstant(std::numeric_limits<double>::quiet_NaN());
       result.shapes.row(design).setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -146,7 +146,7 @@ void design_modes(const Designs& designs, DesignModes& result, const DesignModes
                              if (n > 12) return modes_without_lanes(designs, from, to, result);
                              TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
                              for (Eigen::Index d = from; d < to; ++d)  // not converged in lanes
-                               if (result.definite[to_size(d)] && std::isnan(result.lambda(d, 0)))
+                               if (result.definite[d] && std::isnan(result.lambda(d, 0)))
                                  modes_without_lanes(designs, d, d + 1, result);
                            });
 }

@@ -65,13 +65,12 @@ bool roots_of_states(const DynamicMatrices& m, const Eigen::VectorXd& load, Root
     if (form.poles(k).imag() == 0) real.push_back(k);
   }
   if (turning.size() + real.size() / 2 != to_size(n)) return false;
-  std::sort(real.begin(), real.end(),
-            [&](Eigen::Index a, Eigen::Index b) { return form.poles(a).real() > form.poles(b).real(); });
+  std::ranges::sort(real, [&](Eigen::Index a, Eigen::Index b) { return form.poles(a).real() > form.poles(b).real(); });
   for (int pair = 0; pair < n; ++pair) {
     const auto turns = static_cast<int>(turning.size());
     const bool is_real = pair >= turns;
-    const Eigen::Index one = is_real ? real[to_size(2 * (pair - turns))] : turning[to_size(pair)];
-    const Eigen::Index two = is_real ? real[to_size(2 * (pair - turns) + 1)] : one;
+    const Eigen::Index one = is_real ? real[2 * (pair - turns)] : turning[pair];
+    const Eigen::Index two = is_real ? real[2 * (pair - turns) + 1] : one;
     table.real[pair][lane] = is_real;
     table.first[pair][lane] = form.poles(one).real();
     table.second[pair][lane] = is_real ? form.poles(two).real() : form.poles(one).imag();

@@ -35,7 +35,7 @@ bool is_better(const MaxMinPoint& a, const MaxMinPoint& b, double tolerance) {
 Eigen::VectorXd least_of_groups(const MaxMinProblem& problem, const Eigen::VectorXd& values) {
   Eigen::VectorXd least = Eigen::VectorXd::Constant(to_index(problem.groups()), foundation::infinity);
   for (Eigen::Index i = 0; i < values.size(); ++i)
-    if (problem.is_objective[to_size(i)]) {
+    if (problem.is_objective[i]) {
       double& one = least(to_index(problem.group_of(to_size(i))));
       one = std::min(one, values(i));
     }
@@ -127,7 +127,7 @@ constexpr double flat = 1e-2;
 MaxMinPoint point_with(const MaxMinProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& values) {
   MaxMinPoint point{x, 0, foundation::infinity};
   for (Eigen::Index i = 0; i < values.size(); ++i)
-    if (!problem.is_objective[to_size(i)]) point.constraint = std::min(point.constraint, values(i));
+    if (!problem.is_objective[i]) point.constraint = std::min(point.constraint, values(i));
   const Eigen::VectorXd least = least_of_groups(problem, values);
   for (Eigen::Index g = 0; g < least.size(); ++g) point.objective += problem.weight(to_size(g)) * least(g);
   return point;
@@ -189,7 +189,7 @@ Multipliers multipliers(const MaxMinProblem& problem, const MaxMinPoint& point, 
   std::vector<Eigen::Index> near;
   bool any_objective = false;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
-    const bool objective = problem.is_objective[to_size(i)];
+    const bool objective = problem.is_objective[i];
     if (values(i) > (objective ? least(to_index(problem.group_of(to_size(i)))) : 0.0) + active) continue;
     near.push_back(i);
     any_objective = any_objective || objective;
@@ -200,7 +200,7 @@ Multipliers multipliers(const MaxMinProblem& problem, const MaxMinPoint& point, 
   constexpr double at_bound = 1e-9;
   const auto count = to_index(near.size());
   Eigen::MatrixXd columns(problem.variables, count + problem.variables);
-  for (Eigen::Index i = 0; i < count; ++i) columns.col(i) = slopes.row(near[to_size(i)]).transpose();
+  for (Eigen::Index i = 0; i < count; ++i) columns.col(i) = slopes.row(near[i]).transpose();
   Eigen::Index total = count;
   for (Eigen::Index j = 0; j < problem.variables; ++j) {
     const double side = point.x(j) <= at_bound ? 1 : point.x(j) >= 1 - at_bound ? -1 : 0;
@@ -215,13 +215,13 @@ Multipliers multipliers(const MaxMinProblem& problem, const MaxMinPoint& point, 
   system.topRows(problem.variables) = columns.leftCols(total);
   system.bottomRows(groups).setZero();
   for (Eigen::Index i = 0; i < count; ++i)
-    if (const std::size_t value = to_size(near[to_size(i)]); problem.is_objective[value])
+    if (const std::size_t value = to_size(near[i]); problem.is_objective[value])
       system(problem.variables + to_index(problem.group_of(value)), i) = heavy;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(problem.variables + groups);
   for (Eigen::Index g = 0; g < groups; ++g) right(problem.variables + g) = heavy * problem.weight(to_size(g));
   const Eigen::VectorXd lambda = nonnegative_least_squares(system, right);
   result.residual = (columns.leftCols(total) * lambda).norm();
-  for (Eigen::Index i = 0; i < count; ++i) result.of_values(near[to_size(i)]) = lambda(i);
+  for (Eigen::Index i = 0; i < count; ++i) result.of_values(near[i]) = lambda(i);
   return result;
 }
 

@@ -55,9 +55,9 @@ bool mostly_filled(const Couplings& c) {
       for (int before = -1; const int j : c[i])
         if (const int block = j / body_coordinates; block != std::exchange(before, block)) columns.push_back(block);
     }
-    std::sort(columns.begin(), columns.end());
+    std::ranges::sort(columns);
     room += static_cast<double>(rows) *
-        static_cast<double>(body_coordinates * (std::unique(columns.begin(), columns.end()) - columns.begin()));
+        static_cast<double>(body_coordinates * (std::ranges::unique(columns).begin() - columns.begin()));
   }
   return entries >= most * room;
 }
@@ -80,11 +80,11 @@ Neighbours graph(const Couplings& c, const std::vector<int>& block_of_row, std::
   Neighbours neighbours(blocks);
   for (std::size_t i = 0; i < c.size(); ++i)
     for (int before = block_of_row[i]; const int j : c[i])
-      if (const int block = block_of_row[to_size(j)]; block != std::exchange(before, block) && block != block_of_row[i])
-        neighbours[to_size(block_of_row[i])].push_back(block);
+      if (const int block = block_of_row[j]; block != std::exchange(before, block) && block != block_of_row[i])
+        neighbours[block_of_row[i]].push_back(block);
   for (std::vector<int>& of_block : neighbours) {
-    std::sort(of_block.begin(), of_block.end());
-    of_block.erase(std::unique(of_block.begin(), of_block.end()), of_block.end());
+    std::ranges::sort(of_block);
+    of_block.erase(std::ranges::unique(of_block).begin(), of_block.end());
   }
   return neighbours;
 }
@@ -93,13 +93,13 @@ Neighbours graph(const Couplings& c, const std::vector<int>& block_of_row, std::
 
 Couplings couplings(Eigen::Index rows, const std::vector<SymmetricEntry>& entries) {
   Couplings c(to_size(rows));
-  assert(std::all_of(entries.begin(), entries.end(),
-                     [&](const SymmetricEntry& e) { return e.column >= 0 && e.column <= e.row && e.row < rows; }) &&
+  assert(std::ranges::all_of(
+             entries, [&](const SymmetricEntry& e) { return e.column >= 0 && e.column <= e.row && e.row < rows; }) &&
          "entries of the lower triangle");
   for (const SymmetricEntry& e : entries)
-    c[to_size(e.row)].push_back(static_cast<int>(e.column));  // columns come in order, and none right of the diagonal
+    c[e.row].push_back(static_cast<int>(e.column));  // columns come in order, and none right of the diagonal
   for (const SymmetricEntry& e : entries)
-    if (e.row != e.column) c[to_size(e.column)].push_back(static_cast<int>(e.row));
+    if (e.row != e.column) c[e.column].push_back(static_cast<int>(e.row));
   return c;
 }
 
@@ -111,55 +111,55 @@ BlockElimination block_elimination(const Couplings& couplings, const std::vector
   std::vector<int> size, block_of_row(to_size(n));
   std::vector<char> has_load(starts.size(), 0);
   for (int b = 0; b < blocks; ++b) {
-    const Eigen::Index end = b + 1 < blocks ? starts[to_size(b + 1)] : n;
-    size.push_back(static_cast<int>(end - starts[to_size(b)]));
+    const Eigen::Index end = b + 1 < blocks ? starts[b + 1] : n;
+    size.push_back(static_cast<int>(end - starts[b]));
     assert(size.back() > 0 && size.back() <= largest_kernel_block && "the rows of a block fit the registers");
-    for (Eigen::Index i = starts[to_size(b)]; i < end; ++i) {
-      block_of_row[to_size(i)] = b;
-      if (loaded[to_size(i)]) has_load[to_size(b)] = 1;
+    for (Eigen::Index i = starts[b]; i < end; ++i) {
+      block_of_row[i] = b;
+      if (loaded[i]) has_load[b] = 1;
     }
   }
   Neighbours neighbours = graph(couplings, block_of_row, starts.size());
   const auto degree = [&](int b) {
-    return std::accumulate(neighbours[to_size(b)].begin(), neighbours[to_size(b)].end(), 0,
-                           [&](int sum, int k) { return sum + size[to_size(k)]; });
+    return std::accumulate(neighbours[b].begin(), neighbours[b].end(), 0,
+                           [&](int sum, int k) { return sum + size[k]; });
   };
   using Waiting = std::tuple<int, char, int>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;  // may contain outdated degrees
   std::vector<int> now;                                                      // current degrees
-  for (int b = 0; b < blocks; ++b) queue.emplace(now.emplace_back(degree(b)), has_load[to_size(b)], b);
+  for (int b = 0; b < blocks; ++b) queue.emplace(now.emplace_back(degree(b)), has_load[b], b);
 
   std::vector<int> order, turn(starts.size(), -1), joined;
   BlockElimination result;
   while (!queue.empty()) {
     const auto [then, with_load, next] = queue.top();
     queue.pop();
-    if (turn[to_size(next)] >= 0 || then != now[to_size(next)]) continue;
-    turn[to_size(next)] = static_cast<int>(order.size());
+    if (turn[next] >= 0 || then != now[next]) continue;
+    turn[next] = static_cast<int>(order.size());
     order.push_back(next);
-    const std::vector<int> clique = std::move(neighbours[to_size(next)]);
+    const std::vector<int> clique = std::move(neighbours[next]);
     for (const int k : clique) {
       joined.clear();
-      std::set_union(neighbours[to_size(k)].begin(), neighbours[to_size(k)].end(), clique.begin(), clique.end(),
+      std::set_union(neighbours[k].begin(), neighbours[k].end(), clique.begin(), clique.end(),
                      std::back_inserter(joined));
       std::erase_if(joined, [&](int b) { return b == k || b == next; });
-      neighbours[to_size(k)] = joined;
-      now[to_size(k)] = degree(k);
+      neighbours[k] = joined;
+      now[k] = degree(k);
     }
-    for (const int k : clique) queue.emplace(now[to_size(k)], has_load[to_size(k)], k);
+    for (const int k : clique) queue.emplace(now[k], has_load[k], k);
     result.below.push_back(clique);
   }
   assert(order.size() == starts.size() && "every block is eliminated once, also without couplings");
   result.first.push_back(0);
   for (const int b : order) {
-    for (int i = 0; i < size[to_size(b)]; ++i) result.rows.push_back(starts[to_size(b)] + i);
+    for (int i = 0; i < size[b]; ++i) result.rows.push_back(starts[b] + i);
     result.first.push_back(to_index(result.rows.size()));
   }
   for (std::vector<int>& later : result.below) {
-    for (int& b : later) b = turn[to_size(b)];
-    assert(std::all_of(later.begin(), later.end(), [&](int b) { return b > &later - result.below.data(); }) &&
+    for (int& b : later) b = turn[b];
+    assert(std::ranges::all_of(later, [&](int b) { return b > &later - result.below.data(); }) &&
            "a block acts on later ones only");
-    std::sort(later.begin(), later.end());
+    std::ranges::sort(later);
   }
   return result;
 }
@@ -168,7 +168,7 @@ double multiply_adds(const BlockElimination& e) {
   double sum = 0;
   for (int j = 0; j < e.count(); ++j) {
     double n = e.size(j), rows = 0;
-    for (const int i : e.below[to_size(j)]) rows += e.size(i);
+    for (const int i : e.below[j]) rows += e.size(i);
     sum += n * (n + 1) * (n + 2) / 6 + n * n + rows * n * (n + 1) / 2 + rows * (rows + 1) / 2 * n + 2 * rows * n;
   }
   return sum;
@@ -180,7 +180,7 @@ double cost(const BlockElimination& e) {
   double visits = 0;
   bool all_six = true;
   for (int j = 0; j < e.count(); ++j) {
-    const auto below = static_cast<double>(e.below[to_size(j)].size());
+    const auto below = static_cast<double>(e.below[j].size());
     visits += 1 + below + below * (below + 1) / 2;
     all_six = all_six && e.size(j) == body_coordinates;
   }

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/symmetric_entries.h"
 
 namespace trivet::numerics {
@@ -25,9 +24,7 @@ struct BlockElimination {
   std::vector<std::vector<int>> below;  ///< later blocks coupled to each block when it is eliminated, ascending
 
   [[nodiscard]] int count() const { return static_cast<int>(below.size()); }
-  [[nodiscard]] int size(int block) const {
-    return static_cast<int>(first[to_size(block) + 1] - first[to_size(block)]);
-  }
+  [[nodiscard]] int size(int block) const { return static_cast<int>(first[block + 1] - first[block]); }
 };
 
 /// Minimum degree on the graph of blocks (Tinney and Walker 1967): the block with the fewest coupled rows comes next;

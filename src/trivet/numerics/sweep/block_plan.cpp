@@ -48,10 +48,10 @@ class Planner {
     for (const LoadTerm& term : load->terms()) {
       plan_.load.push_back({term, {}});
       for (int j = 0; j < e_.count(); ++j)
-        for (Eigen::Index i = e_.first[to_size(j)]; i < e_.first[to_size(j) + 1]; ++i)
-          if (const std::complex<double> value = term.value(e_.rows[to_size(i)]); value != 0.0) {
+        for (Eigen::Index i = e_.first[j]; i < e_.first[j + 1]; ++i)
+          if (const std::complex<double> value = term.value(e_.rows[i]); value != 0.0) {
             plan_.load.back().rows.push_back({to_size(i), value});
-            loaded_[to_size(j)] = true;
+            loaded_[j] = true;
           }
     }
   }
@@ -61,7 +61,7 @@ class Planner {
     std::vector<Eigen::Index> turn(plan_.rows);
     for (std::size_t i = 0; i < plan_.rows; ++i) turn[plan_.given_row[i]] = to_index(i);
     for (SymmetricEntry& e : entries_) {
-      const Eigen::Index a = turn[to_size(e.row)], b = turn[to_size(e.column)];
+      const Eigen::Index a = turn[e.row], b = turn[e.column];
       e.row = std::max(a, b), e.column = std::min(a, b);
     }
     for (int j = 0; j < e_.count(); ++j) block_of_row_.insert(block_of_row_.end(), to_size(e_.size(j)), j);
@@ -77,22 +77,21 @@ class Planner {
   void add_column_blocks(int j) {
     first_of_column_.push_back(static_cast<int>(plan_.blocks.size()));
     add_block(j, j);
-    for (const int i : e_.below[to_size(j)]) add_block(i, j);
+    for (const int i : e_.below[j]) add_block(i, j);
   }
 
   [[nodiscard]] int number(int i, int j) const {
-    if (i == j) return first_of_column_[to_size(j)];
-    const std::vector<int>& below = e_.below[to_size(j)];
-    assert(std::binary_search(below.begin(), below.end(), i) && "the elimination knows every block that it fills");
-    return first_of_column_[to_size(j)] + 1 +
-        static_cast<int>(std::lower_bound(below.begin(), below.end(), i) - below.begin());
+    if (i == j) return first_of_column_[j];
+    const std::vector<int>& below = e_.below[j];
+    assert(std::ranges::binary_search(below, i) && "the elimination knows every block that it fills");
+    return first_of_column_[j] + 1 + static_cast<int>(std::ranges::lower_bound(below, i) - below.begin());
   }
 
   void add_values() {
     std::vector<int> block_of_entry;
     for (const SymmetricEntry& e : entries_) {
-      block_of_entry.push_back(number(block_of_row_[to_size(e.row)], block_of_row_[to_size(e.column)]));
-      BlockPlan::Block& block = plan_.blocks[to_size(block_of_entry.back())];
+      block_of_entry.push_back(number(block_of_row_[e.row], block_of_row_[e.column]));
+      BlockPlan::Block& block = plan_.blocks[block_of_entry.back()];
       block.has_K |= e.K != 0, block.has_loss |= e.loss != 0, block.has_B |= e.B != 0, block.has_A |= e.A != 0;
       block.free_end += e.free >= 0 ? 1 : 0;  // their number, for now
     }
@@ -107,12 +106,11 @@ class Planner {
     }
     plan_.values.assign(values, 0);
     plan_.free.resize(free);
-    for (std::size_t k = 0; k < entries_.size(); ++k) put(entries_[k], plan_.blocks[to_size(block_of_entry[k])]);
+    for (std::size_t k = 0; k < entries_.size(); ++k) put(entries_[k], plan_.blocks[block_of_entry[k]]);
   }
 
   void put(SymmetricEntry& e, BlockPlan::Block& block) {
-    const Eigen::Index i = e.row - e_.first[to_size(block_of_row_[to_size(e.row)])],
-                       j = e.column - e_.first[to_size(block_of_row_[to_size(e.column)])];
+    const Eigen::Index i = e.row - e_.first[block_of_row_[e.row]], j = e.column - e_.first[block_of_row_[e.column]];
     const Eigen::Index entry = block.diagonal ? i * (i + 1) / 2 + j : i * block.columns + j;
     assert(entry >= 0 && entry < block.entries() && i >= 0 && j >= 0 && j < block.columns);
     std::size_t to = block.values + to_size(entry);
@@ -121,18 +119,16 @@ class Planner {
       if (has) plan_.values[to] = value, to += to_size(block.entries());
     }
     if (e.free < 0) return;
-    plan_.free[block.free_end] = {to_size(entry), to_size(e.free),
-                                  plan_.scale[to_size(e.row)] * plan_.scale[to_size(e.column)], to_size(e.row),
-                                  to_size(e.column)};
+    plan_.free[block.free_end] = {to_size(entry), to_size(e.free), plan_.scale[e.row] * plan_.scale[e.column],
+                                  to_size(e.row), to_size(e.column)};
     e.free = static_cast<int>(block.free_end++);
   }
 
   /// Marks the blocks that are updated before they are divided.
   void mark_kept(int j) {
-    const std::vector<int>& below = e_.below[to_size(j)];
+    const std::vector<int>& below = e_.below[j];
     for (std::size_t left = 0; left < below.size(); ++left)
-      for (std::size_t right = 0; right <= left; ++right)
-        plan_.blocks[to_size(number(below[left], below[right]))].kept = true;
+      for (std::size_t right = 0; right <= left; ++right) plan_.blocks[number(below[left], below[right])].kept = true;
   }
 
   void place_kept() {
@@ -143,25 +139,24 @@ class Planner {
   }
 
   bool first_touch(int block) {
-    const bool first = !touched_[to_size(block)];
-    touched_[to_size(block)] = true;
+    const bool first = !touched_[block];
+    touched_[block] = true;
     return first;
   }
 
   void add_column(int j) {
     BlockPlan::Column column;
-    column.size = e_.size(j), column.row = to_size(e_.first[to_size(j)]), column.diagonal = number(j, j);
+    column.size = e_.size(j), column.row = to_size(e_.first[j]), column.diagonal = number(j, j);
     column.first = first_touch(column.diagonal);
-    column.loaded = loaded_[to_size(j)];
+    column.loaded = loaded_[j];
     column.below_first = plan_.below.size(), column.update_first = plan_.updates.size();
     std::size_t entries = 0;
-    const std::vector<int>& below = e_.below[to_size(j)];
+    const std::vector<int>& below = e_.below[j];
     for (const int i : below) {
       const int block = number(i, j);
-      plan_.below.push_back(
-          {block, to_size(e_.first[to_size(i)]), first_touch(block) && plan_.blocks[to_size(block)].kept, entries});
-      entries += to_size(plan_.blocks[to_size(block)].entries());
-      if (column.loaded) loaded_[to_size(i)] = true;
+      plan_.below.push_back({block, to_size(e_.first[i]), first_touch(block) && plan_.blocks[block].kept, entries});
+      entries += to_size(plan_.blocks[block].entries());
+      if (column.loaded) loaded_[i] = true;
     }
     for (std::size_t left = 0; left < below.size(); ++left)
       for (std::size_t right = 0; right <= left; ++right) {
@@ -177,15 +172,15 @@ class Planner {
   void add_entries() {
     plan_.entry_first.assign(plan_.rows + 1, 0);
     for (const SymmetricEntry& e : entries_) {
-      ++plan_.entry_first[to_size(e.row) + 1];
-      if (e.row != e.column) ++plan_.entry_first[to_size(e.column) + 1];
+      ++plan_.entry_first[e.row + 1];
+      if (e.row != e.column) ++plan_.entry_first[e.column + 1];
     }
     std::partial_sum(plan_.entry_first.begin(), plan_.entry_first.end(), plan_.entry_first.begin());
     plan_.entries.resize(plan_.entry_first.back());
     std::vector<std::size_t> next = plan_.entry_first;
     for (const SymmetricEntry& e : entries_) {
-      plan_.entries[next[to_size(e.row)]++] = {to_size(e.column), e.A, e.B, e.K, e.loss, e.free};
-      if (e.row != e.column) plan_.entries[next[to_size(e.column)]++] = {to_size(e.row), e.A, e.B, e.K, e.loss, e.free};
+      plan_.entries[next[e.row]++] = {to_size(e.column), e.A, e.B, e.K, e.loss, e.free};
+      if (e.row != e.column) plan_.entries[next[e.column]++] = {to_size(e.row), e.A, e.B, e.K, e.loss, e.free};
     }
   }
 
@@ -202,7 +197,7 @@ class Planner {
           sum += std::abs(plan_.entries[k].*part);
         if (sum > most) most = sum, largest = i;
       }
-      if (most > 0 && std::find(plan_.large_rows.begin(), plan_.large_rows.end(), largest) == plan_.large_rows.end())
+      if (most > 0 && std::ranges::find(plan_.large_rows, largest) == plan_.large_rows.end())
         plan_.large_rows.push_back(largest);
     }
   }
@@ -243,7 +238,7 @@ BlockPlan block_plan(const DynamicMatrices& matrices, const Load* load, const Ei
   if (load != nullptr)
     for (const LoadTerm& term : load->terms())
       for (Eigen::Index i = 0; i < term.value.size(); ++i)
-        if (term.value(i) != 0.0) loaded[to_size(i)] = true;
+        if (term.value(i) != 0.0) loaded[i] = true;
   std::vector<SymmetricEntry> entries = symmetric_entries(matrices, scale);
   add_free(free, entries);
   const BlockElimination elimination =

@@ -9,7 +9,6 @@
 
 #include <cassert>
 
-#include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/block_solver-inl.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 
@@ -21,7 +20,7 @@ inline Pack row_norm(const BlockPlan& plan, std::size_t row, const Pass& p) {
   for (std::size_t k = plan.entry_first[row]; k < plan.entry_first[row + 1]; ++k) {
     const BlockPlan::Entry& e = plan.entries[k];
     ComplexPack z{hn::NegMulAdd(p.at.square, all(e.A), all(e.K)), hn::MulAdd(p.at.omega, all(e.B), all(e.loss))};
-    if (e.free >= 0) z = z + p.free[to_size(e.free)];
+    if (e.free >= 0) z = z + p.free[e.free];
     sum = hn::Add(sum, one_norm(z));
   }
   return sum;
@@ -76,11 +75,11 @@ inline Pack set_residual(const BlockPlan& plan, const BlockSolver& solver, const
   for (const BlockPlan::Column& column : plan.columns) {
     const ComplexPack* x = p.q + column.row;
     ComplexPack* r = p.residual + column.row;
-    solver.assemble_block(plan.blocks[to_size(column.diagonal)], p, z);
+    solver.assemble_block(plan.blocks[column.diagonal], p, z);
     subtract_symmetric(column.size, z, x, r);
     for (std::size_t k = column.below_first; k < column.below_end; ++k) {
       const BlockPlan::Below& below = plan.below[k];
-      const BlockPlan::Block& b = plan.blocks[to_size(below.block)];
+      const BlockPlan::Block& b = plan.blocks[below.block];
       if (b.is_filled()) continue;
       assert(b.entries() <= largest_kernel_block * largest_kernel_block);
       solver.assemble_block(b, p, z);

@@ -100,7 +100,7 @@ class BlockSolver {
   static constexpr int written_out = 0;  ///< the instrumented build keeps its loops: unrolling takes minutes to compile
 #endif
 
-  [[nodiscard]] const BlockPlan::Block& block(int number) const { return plan_.blocks[to_size(number)]; }
+  [[nodiscard]] const BlockPlan::Block& block(int number) const { return plan_.blocks[number]; }
   [[nodiscard]] Given given(const BlockPlan::Block& b) const { return {b, plan_.values.data()}; }
 
   template <int fixed>
@@ -214,14 +214,13 @@ class BlockSolver {
         forward(size, l, sum.x[p]);
         divide_by_pivots(size, l, sum.x[p]);
       }
-      if (loaded)
-        TRIVET_UNROLL for (int i = 0; i < size; ++i) sum.x[p][i] = x[p][column.row + to_size(i)] + sum.x[p][i];
+      if (loaded) TRIVET_UNROLL for (int i = 0; i < size; ++i) sum.x[p][i] = x[p][column.row + i] + sum.x[p][i];
       for (std::size_t k = column.below_first; k < column.below_end; ++k) {
         const BlockPlan::Block& b = block(plan_.below[k].block);
         if (b.kept) backward_below(b.rows, size, passes_[p].factors + b.place, x[p] + plan_.below[k].row, sum.x[p]);
       }
       backward(size, l, sum.x[p]);
-      TRIVET_UNROLL for (int i = 0; i < size; ++i) x[p][column.row + to_size(i)] = sum.x[p][i];
+      TRIVET_UNROLL for (int i = 0; i < size; ++i) x[p][column.row + i] = sum.x[p][i];
     }
   }
 

@@ -44,8 +44,8 @@ void SweepWorkspace::recompute(const std::vector<char>& marked) {
     };
     const Planes load = planes(n), solution = planes(n), part = plan_->part_ ? planes(n * n) : Planes{};
     for (long k = 0; k < width; ++k) {
-      const long f = which[to_size(k)];
-      omega[to_size(k)] = omega_.data()[f];
+      const long f = which[k];
+      omega[k] = omega_.data()[f];
       const Eigen::VectorXcd h = load_at(f);
       for (Eigen::Index i = 0; i < n; ++i) load.put(i * width + k, h(i));
       for (Eigen::Index e = 0; e < n * n && part.re; ++e)

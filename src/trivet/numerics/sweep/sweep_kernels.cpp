@@ -85,7 +85,7 @@ Coefficients::Coefficients(const DynamicMatrices& m) : n(static_cast<int>(m.size
   const auto rows = [&](const Eigen::MatrixXd& x) {
     std::vector<double> all(to_size(size * size));
     for (Eigen::Index i = 0; i < size && x.size() > 0; ++i)
-      for (Eigen::Index j = 0; j < size; ++j) all[to_size(i * size + j)] = x(i, j);
+      for (Eigen::Index j = 0; j < size; ++j) all[i * size + j] = x(i, j);
     return all;
   };
   K = rows(m.K), A = rows(m.A), B = rows(m.B), K_loss = rows(m.K_loss);

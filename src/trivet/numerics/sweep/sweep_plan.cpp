@@ -33,8 +33,8 @@ std::vector<FreeEntry> entries_of(const FrequencyPart& part, Eigen::Index n) {
     for (const Eigen::Index i : rows)
       for (const Eigen::Index j : rows)
         if (i >= j) places.emplace_back(j, i);
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  std::ranges::sort(places);
+  places.erase(std::ranges::unique(places).begin(), places.end());
   std::vector<FreeEntry> entries;
   assert(places.empty() || (places.front().first >= 0 && places.back().second < n));
   for (const auto& [column, row] : places) entries.push_back({row, column});
@@ -95,8 +95,8 @@ void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
     if (x.size() == 0) return x;
     x.row(last).swap(x.row(n - 1));
     x.col(last).swap(x.col(n - 1));
-    for (Eigen::Index i = 0; i < n - 1; ++i) x.row(i) -= aim_.ratio[to_size(i)] * x.row(n - 1);
-    for (Eigen::Index j = 0; j < n - 1; ++j) x.col(j) -= aim_.ratio[to_size(j)] * x.col(n - 1);
+    for (Eigen::Index i = 0; i < n - 1; ++i) x.row(i) -= aim_.ratio[i] * x.row(n - 1);
+    for (Eigen::Index j = 0; j < n - 1; ++j) x.col(j) -= aim_.ratio[j] * x.col(n - 1);
     return x;
   };
   solved_.emplace(DynamicMatrices{transformed(matrices_.A), transformed(matrices_.B), transformed(matrices_.K),

@@ -108,7 +108,7 @@ void SweepWorkspace::fill_free(long first, long count) {
     h = plan_->load_.at(omega).cwiseQuotient(plan_->scale_);
     plan_->part_.add(omega, z_part_, h);
     for (long k = 0; k < entries; ++k) {
-      const FreeEntry& at = plan_->free_[to_size(k)];
+      const FreeEntry& at = plan_->free_[k];
       planes.put(k * parts_together + f, z_part_(at.row, at.column));
       z_part_(at.row, at.column) = z_part_(at.column, at.row) = 0;
     }
@@ -189,7 +189,7 @@ Planes SweepWorkspace::solve(const double* omega, long count, bool every_backwar
     // Growth does not include the load, which may be infinite at rest (a negative power of ω).
     untrusted.resize(to_size(count));
     for (long f = 0; f < count; ++f)
-      if (!load_at(f).allFinite()) untrusted[to_size(f)] = 1;
+      if (!load_at(f).allFinite()) untrusted[f] = 1;
   }
   if (every_backward_error) {
     sweep_kernels::backward_errors(plain(), batch);

@@ -96,7 +96,7 @@ HWY_INLINE LaneMask solve_packs(const sweep_kernels::Coefficients& z, const swee
         subtract_product(q[i][p], ComplexPack{lr[i * n + k][p], li[i * n + k][p]}, q[k][p]);
   }
   TRIVET_UNROLL for (int i = n - 1; i >= 0; --i) {
-    const int to = aimed ? aim->order[to_size(i)] : i;
+    const int to = aimed ? aim->order[i] : i;
     TRIVET_UNROLL for (int p = 0; p < packs; ++p) {
       ComplexPack& x = q[i][p];
       if (!aimed || i == n - 1) {
@@ -117,7 +117,7 @@ HWY_INLINE LaneMask solve_packs(const sweep_kernels::Coefficients& z, const swee
     if (aimed) {
       const int to = aim->order[n - 1];
       TRIVET_UNROLL for (int i = n - 2; i >= 0; --i) q[n - 1][p] =
-          subtract_product(q[n - 1][p], all(aim->ratio[to_size(i)]), q[i][p]);
+          subtract_product(q[n - 1][p], all(aim->ratio[i]), q[i][p]);
       store_pack(all(batch.scale[to]) * q[n - 1][p], batch.q, to * batch.q.stride + at + p * width);
     }
     const LaneMask good = trusted(growth[p], polynomial(z.norm, omega[p], square[p]), n);

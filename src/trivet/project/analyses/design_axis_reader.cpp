@@ -33,7 +33,7 @@ bool has_stray_blank(const std::string& path) {
 bool is_adjustment(const std::string& key) {
   static constexpr std::array<const char*, 4> tables = {"stiffness_factor", "moved", "center_moved",
                                                         "inertia_about_center"};
-  return std::find(tables.begin(), tables.end(), key) != tables.end();
+  return std::ranges::find(tables, key) != tables.end();
 }
 
 std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string& key) {
@@ -95,8 +95,7 @@ void refuse_shared_numbers(const std::vector<DesignAxis>& parameters, TableReade
   for (const DesignAxis& parameter : parameters)
     for (const ParameterPlace& place : parameter.places) {
       const std::vector<std::string> keys = path_keys(place.path);
-      const auto same =
-          std::find_if(known.begin(), known.end(), [&](const Known& other) { return other.keys == keys; });
+      const auto same = std::ranges::find(known, keys, &Known::keys);
       if (same != known.end())
         root.problems()
             .error("parameters." + parameter.name + ".path", foundation::quoted(place.path),
@@ -124,7 +123,7 @@ void check_model_path(TableReader& root, TableReader& reader, const std::string&
   const std::vector<std::string> keys = path_keys(path);
   const std::vector<std::string> parts = {"bodies",      "nodes",   "elements",   "element_types",
                                           "excitations", "damping", "foundations"};
-  if (keys.size() < 2 || std::find(parts.begin(), parts.end(), keys.front()) == parts.end()) {
+  if (keys.size() < 2 || std::ranges::find(parts, keys.front()) == parts.end()) {
     reader.error(key, shown, "a parameter is a number of the model, named by its path as in --set",
                  "for instance \"elements.mount.scale\" or \"bodies.machine.mass\"");
     return;
@@ -148,8 +147,7 @@ void check_model_path(TableReader& root, TableReader& reader, const std::string&
   const auto at_this_path = [&](const foundation::Problem& p) {
     return p.severity == foundation::Severity::error && p.subject == path;
   };
-  if (!written_number(*node) &&
-      std::none_of(root.problems().list().begin(), root.problems().list().end(), at_this_path))
+  if (!written_number(*node) && std::ranges::none_of(root.problems().list(), at_this_path))
     reader.error(key, shown,
                  fmt::format("it is {}, not a number",
                              node->kind == Node::Kind::text ? project::value_text(*node) : kind_name(node->kind)),

@@ -36,8 +36,8 @@ bool drives(const model::Excitation& excitation, Drive drive) {
 
 bool is_driven(const model::System& system, Drive drive) {
   const auto& excitations = system.description().excitations;
-  return std::any_of(excitations.begin(), excitations.end(),
-                     [&](const model::Excitation& excitation) { return drives(excitation, drive); });
+  return std::ranges::any_of(excitations,
+                             [&](const model::Excitation& excitation) { return drives(excitation, drive); });
 }
 
 MissingExcitation missing_excitation(Drive drive) {

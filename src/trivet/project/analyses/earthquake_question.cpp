@@ -37,12 +37,12 @@ std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames
   std::vector<double> places(rows->col(0).begin(), rows->col(0).end()),
       accelerations(rows->col(1).begin(), rows->col(1).end());
   for (double& one : accelerations) one *= acceleration.bare;
-  if (std::any_of(places.begin(), places.end(), [](double x) { return !(x > 0); })) {
+  if (std::ranges::any_of(places, [](double x) { return !(x > 0); })) {
     reader.error(source, "a period or frequency that is not > 0", "a spectrum on logarithmic axes begins above 0",
                  "give the peak ground acceleration at a short period, 0.01 s for instance");
     return asked;
   }
-  if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) != places.end()) {
+  if (std::ranges::adjacent_find(places, std::greater_equal<>()) != places.end()) {
     reader.error(source, over_period ? "periods" : "frequencies", "they increase from row to row", "sort the rows");
     return asked;
   }

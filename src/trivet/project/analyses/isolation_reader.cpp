@@ -79,7 +79,7 @@ void read_frequencies(TableReader& reader, Isolation& result) {
 
 void check_place(TableReader& reader, const std::string& key, const std::string& name,
                  const std::vector<std::string>& known, const std::string& rule) {
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  if (std::ranges::find(known, name) != known.end()) return;
   const std::string guess = foundation::nearest_name(name, known);
   reader.error(key, foundation::quoted(name), rule,
                guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");

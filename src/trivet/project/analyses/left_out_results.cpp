@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/model/point_mass.h"
 
@@ -45,8 +44,7 @@ bool names_left_out(const std::string& word, const model::Body& node) {
 /// True if the word names a component of a relative motion in a direction that is left out at one of its nodes.
 bool names_left_out(const std::string& word, const model::RelativeMotion& motion, const model::System& system) {
   for (int j = 0; j < 6; ++j)
-    if (word == motion.name + "." + model::relative_components[to_size(j)] &&
-        model::is_left_out(system.bodies(), motion, j))
+    if (word == motion.name + "." + model::relative_components[j] && model::is_left_out(system.bodies(), motion, j))
       return true;
   return false;
 }
@@ -54,9 +52,7 @@ bool names_left_out(const std::string& word, const model::RelativeMotion& motion
 }  // namespace
 
 void refuse_left_out_results(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
-  if (std::none_of(system.bodies().begin(), system.bodies().end(),
-                   [](const model::Body& b) { return model::turns_without_mass(b); }))
-    return;
+  if (std::ranges::none_of(system.bodies(), [](const model::Body& b) { return model::turns_without_mass(b); })) return;
   for (const auto& [path, words] : requested(asked))
     for (const std::string& word : words) {
       for (const model::RelativeMotion& motion : system.description().relative_motions)

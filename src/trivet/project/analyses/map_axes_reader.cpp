@@ -38,8 +38,7 @@ DesignAxis read_axis(TableReader& root, TableReader& map, const std::string& key
   }
   TableReader reader(*table, "analyses.map." + key, root.problems());
   const std::string parameter = reader.required_text("parameter");
-  const auto named =
-      std::find_if(parameters.begin(), parameters.end(), [&](const DesignAxis& one) { return one.name == parameter; });
+  const auto named = std::ranges::find(parameters, parameter, &DesignAxis::name);
   if (named != parameters.end()) {
     axis = *named;
     axis.name = reader.text("name").value_or(axis.name);
@@ -68,7 +67,7 @@ std::optional<std::pair<DesignAxis, DesignAxis>> read_pair(TableReader& root, Ta
     return std::nullopt;
   };
   const bool two_texts = pair.kind == Node::Kind::array && pair.items.size() == 2 &&
-      std::all_of(pair.items.begin(), pair.items.end(), [](const Node& n) { return n.kind == Node::Kind::text; });
+      std::ranges::all_of(pair.items, [](const Node& n) { return n.kind == Node::Kind::text; });
   if (!two_texts)
     return refuse(value_text(pair), "a pair is a list of two names in [parameters]",
                   "for instance pairs = [[\"mount stiffness\", \"spread\"]]");
@@ -77,8 +76,7 @@ std::optional<std::pair<DesignAxis, DesignAxis>> read_pair(TableReader& root, Ta
     return refuse(foundation::quoted(first) + " twice", "a map has two different parameters", "name another one");
   std::vector<DesignAxis> axes;
   for (const std::string& name : {first, second}) {
-    const auto named =
-        std::find_if(parameters.begin(), parameters.end(), [&](const DesignAxis& one) { return one.name == name; });
+    const auto named = std::ranges::find(parameters, name, &DesignAxis::name);
     if (named != parameters.end()) {
       axes.push_back(*named);
       continue;
@@ -128,7 +126,7 @@ void read_pairs(TableReader& root, TableReader& map, const std::vector<DesignAxi
     auto pair = read_pair(root, map, item, parameters);
     if (!pair) continue;
     for (DesignAxis* axis : {&pair->first, &pair->second}) axis->points = points.value_or(axis->points);
-    const bool known = std::any_of(request.pairs.begin(), request.pairs.end(), [&](const auto& other) {
+    const bool known = std::ranges::any_of(request.pairs, [&](const auto& other) {
       return (other.first.name == pair->first.name && other.second.name == pair->second.name) ||
           (other.first.name == pair->second.name && other.second.name == pair->first.name);
     });

@@ -31,8 +31,9 @@ void use_requirements(Analyses& analyses) {
   if (!map.limits_of_file) {
     rest.limits.clear();
   } else if (same_load && map.band == rest.band) {
-    const auto own = std::stable_partition(rest.limits.begin(), rest.limits.end(),
-                                           [](const AmplitudeLimit& limit) { return limit.has_common_scope(); });
+    const auto own = std::ranges::stable_partition(rest.limits, [](const AmplitudeLimit& limit) {
+                       return limit.has_common_scope();
+                     }).begin();
     map.limits.insert(map.limits.end(), rest.limits.begin(), own);  // limits with their own band are judged separately
     rest.limits.erase(rest.limits.begin(), own);
   }

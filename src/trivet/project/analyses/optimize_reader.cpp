@@ -47,8 +47,7 @@ void check_objectives(TableReader& reader, const std::string& key, const std::ve
 /// The price of mounts, of which at least one has to vary.
 void read_price(TableReader& reader, const std::vector<std::string>& choices, OptimizeRequest& request) {
   request.minimized = Minimized::price;
-  const bool any =
-      std::any_of(choices.begin(), choices.end(), [&](const std::string& choice) { return request.varies(choice); });
+  const bool any = std::ranges::any_of(choices, [&](const std::string& choice) { return request.varies(choice); });
   if (!any)
     reader.error("minimize", "\"price\"", "no choice of mounts varies, so the price is the same in every design",
                  "add [parameters.NAME] with path = 'elements.NAME.type' and catalogue = \"FILE\"");
@@ -169,7 +168,7 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
     for (const DesignAxis& parameter : result.parameters) known.push_back(parameter.name);
     for (const std::string& choice : names_of_choices(root)) known.push_back(choice);
     for (const std::string& name : *wanted) {
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      if (std::ranges::find(known, name) != known.end()) continue;
       const std::string guess = foundation::nearest_name(name, known);
       reader.error(
           "parameters", foundation::quoted(name), "no parameter has this name",

@@ -32,7 +32,7 @@ struct OptimizeRequest {
 
   /// True if a parameter of this name is varied.
   [[nodiscard]] bool varies(const std::string& parameter) const {
-    return parameters.empty() || std::find(parameters.begin(), parameters.end(), parameter) != parameters.end();
+    return parameters.empty() || std::ranges::find(parameters, parameter) != parameters.end();
   }
 };
 

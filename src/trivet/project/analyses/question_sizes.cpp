@@ -31,7 +31,7 @@ bool is_component(const std::string& word) {
   const std::size_t dot = word.rfind('.');
   if (dot == std::string::npos) return false;
   const std::string last = word.substr(dot + 1);
-  const auto is_one_of = [&](const auto& names) { return std::find(names.begin(), names.end(), last) != names.end(); };
+  const auto is_one_of = [&](const auto& names) { return std::ranges::find(names, last) != names.end(); };
   return is_one_of(model::coordinate_names) || is_one_of(model::relative_components) ||
       last == model::approach_component;
 }
@@ -40,10 +40,10 @@ class Sizes {
  public:
   Sizes(const model::Description& description) : free_(0), all_(static_cast<double>(coordinates(description))) {
     for (const model::Body& body : description.bodies)
-      free_ += static_cast<double>(std::count(body.free.begin(), body.free.end(), true));
-    frequency_dependent_ =
-        std::any_of(description.elements.begin(), description.elements.end(),
-                    [](const model::Element& element) { return elements::is_frequency_dependent(element.law); });
+      free_ += static_cast<double>(std::ranges::count(body.free, true));
+    frequency_dependent_ = std::ranges::any_of(description.elements, [](const model::Element& element) {
+      return elements::is_frequency_dependent(element.law);
+    });
   }
 
   [[nodiscard]] double curves(const std::vector<std::string>& of) const {
@@ -122,8 +122,7 @@ void check_inputs(Sizes& sizes, const model::Description& description) {
 
 std::size_t coordinates(const model::Description& description, bool with_laws) {
   std::size_t count = 0;
-  for (const model::Body& body : description.bodies)
-    count += to_size(std::count(body.free.begin(), body.free.end(), true));
+  for (const model::Body& body : description.bodies) count += to_size(std::ranges::count(body.free, true));
   for (const model::Element& element : description.elements)
     if (with_laws || !elements::is_frequency_dependent(element.law))
       count += to_size(elements::matrices(element.law).stiffness.rows() - 12);  // of its inner coordinates

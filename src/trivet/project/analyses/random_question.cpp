@@ -37,7 +37,7 @@ std::unique_ptr<Question> read_random(TableReader& reader, const ResultNames& na
     for (const auto& [name, weighting] : weightings)
       if (*word == name) asked->weighting = weighting;
   const std::vector<std::string>& of = asked->selection.of;
-  if (word && std::all_of(of.begin(), of.end(), [&](const std::string& name) { return names.is_force(name); }))
+  if (word && std::ranges::all_of(of, [&](const std::string& name) { return names.is_force(name); }))
     warn_of_idle_key(reader, "weighting", "\"" + *word + "\" of forces alone",
                      "it applies to motions only, and no motion is requested", "remove it, or request motions");
   return asked;

@@ -56,7 +56,7 @@ double read_least(TableReader& reader, const std::string& key, double from, doub
 /// Windows that together reach from 0 to where no body of a machine moves as a rigid one.
 void refuse_windows_without_gap(TableReader& reader, std::vector<assembly::Band> windows) {
   constexpr double highest = 2 * std::numbers::pi * 1e6;
-  std::sort(windows.begin(), windows.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
+  std::ranges::sort(windows, [](const auto& a, const auto& b) { return a.from < b.from; });
   double covered = 0;
   for (const assembly::Band& window : windows)
     if (window.from <= covered) covered = std::max(covered, window.to);
@@ -103,7 +103,7 @@ void read_decoupling(TableReader& requirements, const NamesInFile& in_file, Requ
   TableReader reader(*table, requirements.path() + ".decoupling", requirements.problems());
   for (const std::string& body : table->keys) {
     const auto least = reader.number(body, Quantity::pure);
-    if (std::find(in_file.bodies.begin(), in_file.bodies.end(), body) == in_file.bodies.end()) {
+    if (std::ranges::find(in_file.bodies, body) == in_file.bodies.end()) {
       const std::string guess = foundation::nearest_name(body, in_file.bodies);
       reader.error(body, foundation::quoted(body), "no body has this name",
                    guess.empty() ? "name a body" : "did you mean \"" + guess + "\"?");
@@ -147,7 +147,7 @@ std::string mounts_that(const model::System& system, const std::function<bool(co
   for (const model::Element& element : system.elements()) {
     if (!element.rating || !is_found(*element.rating)) continue;
     const auto known =
-        std::find_if(mounts.begin(), mounts.end(), [&](const auto& one) { return one.first == element.rating->mount; });
+        std::ranges::find_if(mounts, [&](const auto& one) { return one.first == element.rating->mount; });
     if (known == mounts.end()) mounts.emplace_back(element.rating->mount, element.name);
     else known->second += ", " + element.name;
   }
@@ -166,8 +166,8 @@ void refuse_mounts(const model::System& system, const std::string& key, const st
 }
 
 bool has_mounts(const model::System& system, const std::string& key, foundation::Problems& problems) {
-  const bool any = std::any_of(system.elements().begin(), system.elements().end(),
-                               [](const model::Element& element) { return element.rating.has_value(); });
+  const bool any =
+      std::ranges::any_of(system.elements(), [](const model::Element& element) { return element.rating.has_value(); });
   if (!any)
     problems.error("requirements." + key, "no mount of a catalogue", key + " judges the mounts of catalogues",
                    "use mounts of type \"catalogue:NAME\", or remove " + key);
@@ -221,7 +221,7 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
     need(reader, key, loaded, "gravity and no constant force", "gravity = [0, 0, -9.80665]");
   found.limits = read_amplitude_limits(reader, "limits", names, found.quantity, &in_file);
   const auto by_orders = [](const AmplitudeLimit& limit) { return limit.speed.has_value(); };
-  if (found.limits.empty() || !std::all_of(found.limits.begin(), found.limits.end(), by_orders))
+  if (found.limits.empty() || !std::ranges::all_of(found.limits, by_orders))
     need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
   refuse_doubled(root, reader, result, found);
   found.no_peak = read_no_peak(reader, names, found.quantity);

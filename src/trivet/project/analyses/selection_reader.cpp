@@ -35,13 +35,9 @@ ResultNames::ResultNames(const NamesInFile& in_file)
   for (const auto* names : {&relatives_, &clearances_}) groups_.insert(groups_.end(), names->begin(), names->end());
 }
 
-bool ResultNames::is_group(const std::string& name) const {
-  return std::find(groups_.begin(), groups_.end(), name) != groups_.end();
-}
+bool ResultNames::is_group(const std::string& name) const { return std::ranges::find(groups_, name) != groups_.end(); }
 
-bool ResultNames::is_guided(const std::string& name) const {
-  return std::find(guided_.begin(), guided_.end(), name) != guided_.end();
-}
+bool ResultNames::is_guided(const std::string& name) const { return std::ranges::find(guided_, name) != guided_.end(); }
 
 std::optional<Quantity> ResultNames::component(const std::string& name, assembly::MotionQuantity quantity) const {
   static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
@@ -72,7 +68,7 @@ std::optional<Quantity> ResultNames::component(const std::string& name, assembly
 
 bool ResultNames::is_force(const std::string& name) const {
   const auto measured = component(name, assembly::MotionQuantity::displacement);
-  return std::find(forces_.begin(), forces_.end(), name) != forces_.end() || measured == Quantity::force ||
+  return std::ranges::find(forces_, name) != forces_.end() || measured == Quantity::force ||
       measured == Quantity::moment;
 }
 
@@ -154,7 +150,7 @@ std::vector<std::string> read_selected(TableReader& reader, const std::vector<st
   if (!names) return {};
   refuse_none(reader, *names);
   for (const std::string& name : *names)
-    if (std::find(known.begin(), known.end(), name) == known.end()) refuse_excitation(reader, name, known, kind);
+    if (std::ranges::find(known, name) == known.end()) refuse_excitation(reader, name, known, kind);
   return *names;
 }
 
@@ -179,7 +175,7 @@ std::vector<std::pair<std::string, const std::vector<std::string>*>> by_other_ty
 }
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::ranges::find(names, name) != names.end();
 }
 
 }  // namespace
@@ -219,8 +215,7 @@ void read_results(TableReader& reader, const ResultNames& result_names, AnswerSe
         : *quantity == "acceleration"            ? assembly::MotionQuantity::acceleration
                                                  : assembly::MotionQuantity::displacement;
   if (quantity && reader.has("of") &&
-      std::all_of(selection.of.begin(), selection.of.end(),
-                  [&](const std::string& name) { return result_names.is_force(name); }))
+      std::ranges::all_of(selection.of, [&](const std::string& name) { return result_names.is_force(name); }))
     warn_of_idle_key(reader, "quantity", "\"" + *quantity + "\" of forces alone",
                      "it applies to motions only, and no motion is requested", "remove it, or request motions");
 }

@@ -65,7 +65,7 @@ std::unique_ptr<Question> read_steady(TableReader& reader, const ResultNames& na
   auto asked = std::make_unique<SteadyQuestion>();
   std::vector<std::string> periodic = in_file.harmonic_excitations;
   for (const std::string& name : in_file.order_excitations)
-    if (std::find(periodic.begin(), periodic.end(), name) == periodic.end()) periodic.push_back(name);
+    if (std::ranges::find(periodic, name) == periodic.end()) periodic.push_back(name);
   read_selection(reader, names, periodic, "harmonic or order", asked->selection);
   asked->band = read_band(reader, "band");
   if (asked->band && !(asked->band->from > 0))

@@ -22,14 +22,14 @@ std::vector<std::pair<std::string, double>> read_initial(TableReader& reader, co
   TableReader inside(*table, reader.path() + "." + key, reader.problems());
   for (const std::string& name : table->keys) {
     const auto measured = names.component(name, quantity);
-    const bool coordinate = measured && *measured != Quantity::force && *measured != Quantity::moment &&
-        std::count(name.begin(), name.end(), '.') == 1;
+    const bool coordinate =
+        measured && *measured != Quantity::force && *measured != Quantity::moment && std::ranges::count(name, '.') == 1;
     if (!coordinate) {
       inside.error(name, "no such coordinate",
                    "initial values belong to free coordinates of bodies, in quotes: \"BODY.z\"", "check the name");
       continue;
     }
-    if (std::find(nodes.begin(), nodes.end(), name.substr(0, name.find('.'))) != nodes.end()) {
+    if (std::ranges::find(nodes, name.substr(0, name.find('.'))) != nodes.end()) {
       inside.error(name, "a coordinate of a node", "a node has no mass: it starts where the elements hold it at rest",
                    "remove it");
       continue;

@@ -21,9 +21,7 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
                  reader.has("force") ? "force and base" : "neither force nor base",
                  "a transmissibility is that of a force excitation or of a motion of the ground",
                  reader.has("force") ? "keep one" : "force = \"EXCITATION\", or base = \"z\"");
-  if (force &&
-      std::find(in_file.harmonic_excitations.begin(), in_file.harmonic_excitations.end(), asked->force) ==
-          in_file.harmonic_excitations.end()) {
+  if (force && std::ranges::find(in_file.harmonic_excitations, asked->force) == in_file.harmonic_excitations.end()) {
     const std::string guess = foundation::nearest_name(asked->force, in_file.harmonic_excitations);
     reader.error("force", foundation::quoted(asked->force), "no harmonic excitation has this name",
                  guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
@@ -39,7 +37,7 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
   places.insert(places.end(), in_file.points.begin(), in_file.points.end());
   asked->selection.of = reader.texts("of", R"(["BODY"])").value_or(in_file.bodies);
   for (const std::string& name : asked->selection.of)
-    if (!in_file.bodies_unknown && std::find(places.begin(), places.end(), name) == places.end()) {
+    if (!in_file.bodies_unknown && std::ranges::find(places, name) == places.end()) {
       const std::string guess = foundation::nearest_name(name, places);
       reader.error("of", foundation::quoted(name), "`of` names bodies or BODY.POINT",
                    guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");

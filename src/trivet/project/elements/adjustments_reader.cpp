@@ -38,8 +38,7 @@ template <typename Change>
 void change_element(NamesInFile& in_file, const std::string& name, const Change& change) {
   in_file.adjustments.push_back([name, change](model::Description& description) {
     const auto& elements = description.elements;
-    const auto found =
-        std::find_if(elements.begin(), elements.end(), [&](const model::Element& e) { return e.name == name; });
+    const auto found = std::ranges::find(elements, name, &model::Element::name);
     if (found != elements.end()) change(description, to_size(found - elements.begin()));
   });
 }

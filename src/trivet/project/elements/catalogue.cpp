@@ -146,7 +146,7 @@ void read_mounts(TableReader& root, const std::string& source, Catalogue& catalo
   for (std::size_t i = 0; i < table->keys.size() && i < most_mounts; ++i) {
     const std::string& name = table->keys[i];
     const bool good_name = !name.empty() && name.size() <= longest_mount_name &&
-        std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+        std::ranges::none_of(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
     if (!good_name || table->items[i].kind != Node::Kind::table)
       root.problems()
           .error("mounts." + foundation::shortened(name), good_name ? kind_name(table->items[i].kind) : "not a name",
@@ -183,7 +183,7 @@ class ParsedCatalogues {
 }  // namespace
 
 const Mount* Catalogue::find(const std::string& name) const {
-  const auto found = std::find_if(mounts.begin(), mounts.end(), [&](const Mount& mount) { return mount.name == name; });
+  const auto found = std::ranges::find(mounts, name, &Mount::name);
   return found == mounts.end() ? nullptr : &*found;
 }
 

@@ -44,12 +44,11 @@ void add_facts(const Mount& mount, std::vector<model::Fact>& facts) {
 void add_errors_once(TableReader& reader, const foundation::Problems& of_catalogue) {
   foundation::Problems others;
   for (const foundation::Problem& problem : of_catalogue.list())
-    if (std::none_of(reader.problems().list().begin(), reader.problems().list().end(),
-                     [&](const foundation::Problem& known) {
-                       return !problem.origin.source.empty() && known.origin.source == problem.origin.source &&
-                           known.origin.line == problem.origin.line && known.origin.column == problem.origin.column &&
-                           known.finding == problem.finding && known.subject.ends_with(": " + problem.subject);
-                     }))
+    if (std::ranges::none_of(reader.problems().list(), [&](const foundation::Problem& known) {
+          return !problem.origin.source.empty() && known.origin.source == problem.origin.source &&
+              known.origin.line == problem.origin.line && known.origin.column == problem.origin.column &&
+              known.finding == problem.finding && known.subject.ends_with(": " + problem.subject);
+        }))
       others.add(problem);
   reader.add_of_file("catalogue", others);
 }
@@ -57,7 +56,7 @@ void add_errors_once(TableReader& reader, const foundation::Problems& of_catalog
 /// Adds warnings about a catalogue, which all elements that read it share.
 void add_once(const foundation::Problems& of_catalogue, foundation::Problems& all) {
   for (const foundation::Problem& problem : of_catalogue.list())
-    if (std::none_of(all.list().begin(), all.list().end(), [&](const foundation::Problem& known) {
+    if (std::ranges::none_of(all.list(), [&](const foundation::Problem& known) {
           return known.origin.source == problem.origin.source && known.origin.line == problem.origin.line &&
               known.subject == problem.subject && known.finding == problem.finding;
         }))

@@ -5,7 +5,6 @@
 
 #include <array>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/elements/element_cache.h"
 #include "trivet/project/elements/solid_states.h"
@@ -23,7 +22,7 @@ void add_error_facts(const fem::SolidStiffness& s, model::Element& element) {
   std::string errors;
   static constexpr std::array<const char*, 6> words = {"shear x", "shear y", "axial", "tilt x", "tilt y", "torsion"};
   for (int j = 0; j < 6; ++j)
-    errors += fmt::format("{}{} {:.2g} %", j ? ", " : "", words[to_size(j)], 100 * s.relative_error(6 + j, 6 + j));
+    errors += fmt::format("{}{} {:.2g} %", j ? ", " : "", words[j], 100 * s.relative_error(6 + j, 6 + j));
   element.facts.push_back({"estimated error of the mesh", errors});
   const elements::Vector12 scale = s.stiffness.diagonal().cwiseSqrt();
   element.evidence =

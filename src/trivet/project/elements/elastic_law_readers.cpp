@@ -54,7 +54,7 @@ std::optional<elements::KnotCurve> read_curve_of_stop(TableReader& reader, bool 
                  "it is counted from where the stop closes, and never negative", "begin at [0, 0]");
     return std::nullopt;
   }
-  const auto falls = std::is_sorted_until(points->y.begin(), points->y.end());
+  const auto falls = std::ranges::is_sorted_until(points->y);
   if (falls != points->y.end() || !(points->y.back() > 0)) {
     inside.error(source,
                  falls != points->y.end()
@@ -155,7 +155,7 @@ std::optional<elements::ForceCurve> read_force_curve(TableReader& reader, bool i
       read_curve_points(reader, "deflection", "force", travel_quantity(is_rotation), force_quantity(is_rotation));
   if (!points || reader.errors() > before) return std::nullopt;
   law.force = elements::KnotCurve(points->x, points->y, interpolation);
-  law.rises = std::is_sorted(points->y.begin(), points->y.end());
+  law.rises = std::ranges::is_sorted(points->y);
   return law;
 }
 

@@ -21,7 +21,7 @@ const std::vector<const ElementLaw*>& element_laws() {
 
 const ElementLaw* element_law(const std::string& type) {
   const auto& list = element_laws();
-  const auto found = std::find_if(list.begin(), list.end(), [&](const ElementLaw* law) { return law->is(type); });
+  const auto found = std::ranges::find_if(list, [&](const ElementLaw* law) { return law->is(type); });
   return found == list.end() ? nullptr : *found;
 }
 

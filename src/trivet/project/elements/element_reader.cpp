@@ -164,8 +164,7 @@ const model::Element* known_element(const KnownModel& known, const std::string& 
                                     const model::Description& description) {
   if (now.find("foundation") || !known.unchanged("elements", name, now)) return nullptr;
   const auto& elements = known.description.elements;
-  const auto found =
-      std::find_if(elements.begin(), elements.end(), [&](const model::Element& e) { return e.name == name; });
+  const auto found = std::ranges::find(elements, name, &model::Element::name);
   if (found == elements.end() || (known.of_text && model::has_laws(*found))) return nullptr;
   const auto same_place = [&](const model::End& end) {
     if (!end.body) return true;

@@ -103,7 +103,7 @@ void read_hydromount(TableReader& reader, Placement& ends, model::Element& eleme
   parts.stiffness =
       square * upper * into_upper * into_upper.transpose() + square * lower * into_lower * into_lower.transpose();
   for (Eigen::Index i = 0; i < count; ++i) {
-    const FluidColumn& column = columns[to_size(i)];
+    const FluidColumn& column = columns[i];
     parts.mass(12 + i, 12 + i) = square * column.inertance;
     parts.damping(12 + i, 12 + i) = square * column.resistance;
     model::NonlinearPart part;

@@ -7,7 +7,6 @@
 #include "trivet/exchange/end_stiffness.h"
 #include "trivet/exchange/fixed_components.h"
 #include "trivet/exchange/matrix_file.h"
-#include "trivet/foundation/index.h"
 #include "trivet/model/system.h"
 #include "trivet/project/elements/complex_stiffness.h"
 #include "trivet/project/elements/element_law.h"
@@ -52,7 +51,7 @@ foundation::Expected<exchange::EndMatrix> reduced(TableReader& reader, const exc
   }
   std::array<int, 12> rows = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
   if (given) {
-    std::copy(given->begin(), given->end(), rows.begin());
+    std::ranges::copy(*given, rows.begin());
   } else if (matrix.values.rows() != 12) {
     foundation::Problems problems;
     problems.error("file", fmt::format("{} × {}", matrix.values.rows(), matrix.values.cols()),
@@ -66,8 +65,7 @@ foundation::Expected<exchange::EndMatrix> reduced(TableReader& reader, const exc
 void warn_of_fixed_components(TableReader& reader, const exchange::Matrix12& values, const std::vector<int>& fixed) {
   std::string names;
   for (const int row : fixed)
-    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", row < 6 ? "N" : "K",
-                         model::coordinate_names[to_size(row % 6)]);
+    names += fmt::format("{}{} {}", names.empty() ? "" : ", ", row < 6 ? "N" : "K", model::coordinate_names[row % 6]);
   foundation::Problems found;
   found.warning(
       "", fmt::format("{:.3g} on the diagonal for the components {}", values(fixed.front(), fixed.front()), names),

@@ -14,8 +14,8 @@ std::optional<Eigen::Vector3d> stated_place(TableReader& reader, const char* on,
   const Node* name = reader.node(on);
   const auto& bodies = description.bodies;
   const bool on_ground = !name || name->text == "ground";
-  const auto body = std::find_if(bodies.begin(), bodies.end(),
-                                 [&](const model::Body& one) { return name && one.name == name->text; });
+  const auto body =
+      std::ranges::find_if(bodies, [&](const model::Body& one) { return name && one.name == name->text; });
   if (!on_ground && body == bodies.end()) return std::nullopt;
   const bool node = !on_ground && body->is_node;
   if (!reader.has(at) && !node) return std::nullopt;

@@ -60,9 +60,9 @@ LoadRanges read_load_ranges(TableReader& mount) {
 std::optional<Eigen::Vector2d> read_temperature(TableReader& mount) {
   const Node* node = mount.node("temperature");
   if (!node) return std::nullopt;
-  const bool bare = node->kind == Node::Kind::array &&
-      std::any_of(node->items.begin(), node->items.end(),
-                  [](const Node& n) { return n.kind == Node::Kind::integer || n.kind == Node::Kind::real; });
+  const bool bare = node->kind == Node::Kind::array && std::ranges::any_of(node->items, [](const Node& n) {
+                      return n.kind == Node::Kind::integer || n.kind == Node::Kind::real;
+                    });
   constexpr const char* example = "temperature = [\"-30 °C\", \"80 °C\"]";
   if (!bare)
     return read_ascending(mount, "temperature", Quantity::temperature,

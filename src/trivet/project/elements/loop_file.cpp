@@ -31,7 +31,7 @@ namespace {
 std::vector<LoopRecord> records(const CsvTable& table, const Eigen::MatrixXd& needed, double length_unit,
                                 double force_unit) {
   const auto column = [&](const char* name) -> Eigen::Index {
-    const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+    const auto found = std::ranges::find(table.columns, name);
     return found == table.columns.end() ? -1 : found - table.columns.begin();
   };
   const Eigen::Index time = column("time"), frequency = column("frequency_hz");

@@ -78,9 +78,8 @@ void read_loops(TableReader& damping, model::Element& element) {
     add_loop_problems(damping, ranking.error());
     return;
   }
-  const auto taken = std::find_if(ranking->laws.begin(), ranking->laws.end(), [&](const LawFit& law) {
-    return wanted == "best" || law.law == law_names.at(wanted);
-  });
+  const auto taken = std::ranges::find_if(
+      ranking->laws, [&](const LawFit& law) { return wanted == "best" || law.law == law_names.at(wanted); });
   if (taken == ranking->laws.end()) {
     damping.error("law", "\"" + wanted + "\"", "this law could not be fitted to these loops",
                   "measure at more frequencies, or take law = \"best\"");

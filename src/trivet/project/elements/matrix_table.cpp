@@ -69,8 +69,7 @@ std::optional<MatrixTable> table_of(TableReader& reader, const CsvTable& csv, mo
     const auto entry = matrix_entry_of(column);
     const std::string name = entry ? fmt::format("k_{}_{}", entry->first, entry->second) : column,
                       loss = name + std::string(loss_ending);
-    if (column == loss && std::find(csv.columns.begin(), csv.columns.end(), name) != csv.columns.end())
-      continue;  // read with its storage
+    if (column == loss && std::ranges::find(csv.columns, name) != csv.columns.end()) continue;  // read with its storage
     const bool in_range =
         entry && std::min(entry->first, entry->second) >= 1 && std::max(entry->first, entry->second) <= 12;
     if (!in_range) {
@@ -124,8 +123,8 @@ void check_passive(TableReader& reader, const MatrixTable& table, const model::S
 }  // namespace
 
 bool is_matrix_table(const CsvTable& csv) {
-  return std::any_of(csv.columns.begin(), csv.columns.end(),
-                     [](const std::string& column) { return matrix_entry_of(column).has_value(); });
+  return std::ranges::any_of(csv.columns,
+                             [](const std::string& column) { return matrix_entry_of(column).has_value(); });
 }
 
 void read_matrix_table(TableReader& reader, const CsvTable& csv, const model::Span& span, model::Element& element) {

@@ -56,7 +56,7 @@ void add_problems(TableReader& reader, const foundation::Problems& problems, con
 /// N is fixed and its loads are not measured.
 std::optional<std::vector<LoadCase>> load_cases(TableReader& reader, const CsvTable& table, const RigUnits& units) {
   const auto column = [&](const std::string& name) -> Eigen::Index {
-    const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+    const auto found = std::ranges::find(table.columns, name);
     return found == table.columns.end() ? -1 : found - table.columns.begin();
   };
   const auto needed = columns(table, {motions.begin(), motions.end()});
@@ -69,7 +69,7 @@ std::optional<std::vector<LoadCase>> load_cases(TableReader& reader, const CsvTa
   std::vector<LoadCase> cases;
   for (Eigen::Index row = 0; row < table.values.rows(); ++row) {
     LoadCase one;
-    one.name = table.names.empty() ? fmt::format("row {}", row + 1) : table.names[to_size(row)];
+    one.name = table.names.empty() ? fmt::format("row {}", row + 1) : table.names[row];
     for (int j = 0; j < 12; ++j) {
       const std::string end = j < 6 ? "n_" : "";
       const auto k = to_size(j % 6);
@@ -87,7 +87,7 @@ std::optional<std::vector<LoadCase>> load_cases(TableReader& reader, const CsvTa
     cases.push_back(std::move(one));
   }
   for (const std::string& name : table.columns)
-    if (std::find(known.begin(), known.end(), name) == known.end())
+    if (std::ranges::find(known, name) == known.end())
       reader.error("load_cases", "column " + foundation::quoted(name),
                    "columns are name, x … rz, fx … mz of end K, and the same with n_ of end N", "rename or remove it");
   constexpr double largest_sane_turn = 0.2, largest_sane_shift = 0.1;
@@ -167,12 +167,12 @@ void read_measured(TableReader& reader, Placement& ends, model::Element& element
       ends.span.n_from_k);
   add_facts(*fit, cases->size(), options.confidence, element);
   for (const identification::Reading& reading : fit->readings) {
-    const bool outlier = std::any_of(fit->outliers.begin(), fit->outliers.end(), [&](const identification::Outlier& o) {
+    const bool outlier = std::ranges::any_of(fit->outliers, [&](const identification::Outlier& o) {
       return o.load_case == reading.load_case && o.channel == reading.channel;
     });
     element.evidence->residuals.push_back(
-        {(*cases)[to_size(reading.load_case)].name + ", " + identification::channel_words(reading.channel),
-         reading.measured, reading.fitted, reading.standardised, outlier});
+        {(*cases)[reading.load_case].name + ", " + identification::channel_words(reading.channel), reading.measured,
+         reading.fitted, reading.standardised, outlier});
   }
 }
 

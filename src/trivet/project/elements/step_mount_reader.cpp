@@ -147,7 +147,7 @@ ElementLength read_step_mount(TableReader& reader, model::Element& element) {
                 1,
                 materials,
                 {meshed->centre_n, meshed->centre_k, spatial::axes_along(axis)}};
-    if (materials.size() == 1) std::fill(solid.mesh.material.begin(), solid.mesh.material.end(), 0);
+    if (materials.size() == 1) std::ranges::fill(solid.mesh.material, 0);
     const Eigen::Vector3d across = meshed->centre_k - meshed->centre_n;
     distance = axis.dot(across);
     const double aside = (across - *distance * axis).norm();

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "trivet/elements/piecewise_stiffness.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/elastic_law_readers.h"
 #include "trivet/project/elements/element_law.h"
@@ -65,8 +64,8 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
   double from = 0, to = 0;
   std::vector<double> knots;
   for (int j = 0; j < 6; ++j) {
-    const std::string name = std::string("k_") + directions[to_size(j)];
-    if (std::find(csv->columns.begin(), csv->columns.end(), name) == csv->columns.end()) continue;
+    const std::string name = std::string("k_") + directions[j];
+    if (std::ranges::find(csv->columns, name) == csv->columns.end()) continue;
     wanted.insert({name, name + "_loss"});
     const auto values = columns(*csv, {"frequency_hz", name, name + "_loss"});
     if (!values) {
@@ -77,7 +76,7 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
     if (!checked) continue;
     const elements::StiffnessTable& table = *checked;
     judge_causality(reader, name, table, element);
-    (*law)[to_size(j)].emplace(table);
+    (*law)[j].emplace(table);
     static_constants(j) = table.storage(0, 0);
     knots = table.angular_frequencies;
     from = knots.front();
@@ -99,8 +98,8 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
       elements::in_end_axes(elements::constants_at_point(static_constants, ends.span.arm, centre), ends.span.n_from_k);
   std::array<elements::Matrix12, 6> unit;
   for (int j = 0; j < 6; ++j)
-    unit[to_size(j)] = elements::in_end_axes(
-        elements::constants_at_point(elements::Vector6::Unit(j), ends.span.arm, centre), ends.span.n_from_k);
+    unit[j] = elements::in_end_axes(elements::constants_at_point(elements::Vector6::Unit(j), ends.span.arm, centre),
+                                    ends.span.n_from_k);
   elements::FrequencyDependence dependence;
   dependence.elastic = false;
   dependence.from = from;

@@ -64,9 +64,9 @@ void read_moving_elements(TableReader& reader, const model::Description& descrip
       action.elements.push_back(*found);
       continue;
     }
-    const bool read = std::any_of(description.elements.begin(), description.elements.end(),
-                                  [&](const model::Element& e) { return e.name == name; });
-    const bool known = std::find(in_file.elements.begin(), in_file.elements.end(), name) != in_file.elements.end();
+    const bool read =
+        std::ranges::any_of(description.elements, [&](const model::Element& e) { return e.name == name; });
+    const bool known = std::ranges::find(in_file.elements, name) != in_file.elements.end();
     if (known && !read) continue;  // its own problem is reported elsewhere
     const std::string guess = foundation::nearest_name(name, in_file.elements);
     if (read)
@@ -141,8 +141,9 @@ std::optional<model::Action> read_ground_motion(TableReader& reader, const model
   // Elements on the modes of a foundation are on the ground too; the checks of the model report that modes cannot
   // follow it.
   if (action.elements.empty() &&
-      std::none_of(description.elements.begin(), description.elements.end(),
-                   [](const model::Element& e) { return e.n.on_ground() || e.k.on_ground() || e.n.foundation; }) &&
+      std::ranges::none_of(
+          description.elements,
+          [](const model::Element& e) { return e.n.on_ground() || e.k.on_ground() || e.n.foundation; }) &&
       description.elements.size() == in_file.elements.size())
     reader.error("", "no element is on the ground", "a moving ground acts through the elements that are on it",
                  "add one, or excite a body");

@@ -87,7 +87,7 @@ excitation::EngineLayout read_layout(TableReader& engine) {
 /// or MPa that is read as Pa, and more than a thousand bar one in Pa that is read as bar.
 void warn_of_unlikely_pressures(TableReader& pressure, const std::vector<double>& trace) {
   constexpr double smallest = 2e4, highest = 1e8;
-  const double largest = trace.empty() ? 0 : *std::max_element(trace.begin(), trace.end());
+  const double largest = trace.empty() ? 0 : std::ranges::max(trace);
   if (!(largest > 0) || (largest >= smallest && largest <= highest)) return;
   foundation::Problems doubts;
   doubts.warning(

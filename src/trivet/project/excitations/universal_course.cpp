@@ -78,16 +78,13 @@ struct NamedFunction {
 std::optional<double> sign_of_name(const UniversalFunction& function, const std::string& name) {
   exchange::UniversalPoint opposite = function.response;
   opposite.direction = -opposite.direction;
-  if (point_name(function.response) == name ||
-      std::find(function.ids.begin(), function.ids.end(), name) != function.ids.end())
-    return 1;
+  if (point_name(function.response) == name || std::ranges::find(function.ids, name) != function.ids.end()) return 1;
   return function.response.direction != 0 && point_name(opposite) == name ? std::optional(-1.0) : std::nullopt;
 }
 
 /// "3:+z", or the first id line of a function without a node.
 std::string name_in_list(const UniversalFunction& function) {
-  const auto id =
-      std::find_if(function.ids.begin(), function.ids.end(), [](const auto& text) { return !text.empty(); });
+  const auto id = std::ranges::find_if(function.ids, [](const auto& text) { return !text.empty(); });
   return function.response.node == 0 && id != function.ids.end() ? *id : point_name(function.response);
 }
 
@@ -135,7 +132,7 @@ std::optional<NamedFunction> read_function_of_file(TableReader& reader, const Co
   auto chosen = chosen_function(reader, read->file.functions, kind);
   if (!chosen) return std::nullopt;
   const auto& values = chosen->function.values;
-  if (std::any_of(values.begin(), values.end(), [](const auto& value) { return value.imag() != 0; })) {
+  if (std::ranges::any_of(values, [](const auto& value) { return value.imag() != 0; })) {
     reader.error("file", "complex values", fmt::format("{} is real", kind.words), "export it as real numbers");
     return std::nullopt;
   }
@@ -181,8 +178,8 @@ std::optional<double> unit_of_density(TableReader& reader, const UniversalFuncti
     return std::nullopt;
   };
   if (reader.has("unit")) {
-    const bool met = stated.empty() ||
-        std::any_of(stated.begin(), stated.end(), [&](const auto& one) { return agree(one.first, density.bare); });
+    const bool met =
+        stated.empty() || std::ranges::any_of(stated, [&](const auto& one) { return agree(one.first, density.bare); });
     if (!met)
       return refuse(fmt::format("unit = \"{}\" of the project against {}", density.unit(), stated.front().second),
                     "remove `unit`, or correct the file");
@@ -216,8 +213,7 @@ bool is_per_hertz(TableReader& reader, const UniversalFunction& function) {
 
 Eigen::MatrixXd points_of(const NamedFunction& chosen, double factor, bool with_zero) {
   const std::vector<double> abscissa = exchange::abscissa_values(chosen.function);
-  const auto first =
-      with_zero ? abscissa.begin() : std::find_if(abscissa.begin(), abscissa.end(), [](double x) { return x != 0; });
+  const auto first = with_zero ? abscissa.begin() : std::ranges::find_if(abscissa, [](double x) { return x != 0; });
   const std::size_t skipped = to_size(first - abscissa.begin());
   Eigen::MatrixXd points(to_index(abscissa.size() - skipped), 2);
   for (std::size_t i = skipped; i < abscissa.size(); ++i)

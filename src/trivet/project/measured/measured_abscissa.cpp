@@ -31,7 +31,7 @@ Evidence evidence(const exchange::UniversalAxis& axis) {
 
 void check_order(const UniversalFunction& function, const foundation::Origin& origin, foundation::Problems& found) {
   const std::vector<double> hertz = exchange::abscissa_values(function);
-  const auto falls = std::adjacent_find(hertz.begin(), hertz.end(), [](double a, double b) { return !(b > a); });
+  const auto falls = std::ranges::adjacent_find(hertz, [](double a, double b) { return !(b > a); });
   if (falls == hertz.end()) return;
   found
       .error("",

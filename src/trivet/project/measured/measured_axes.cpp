@@ -192,7 +192,7 @@ FunctionUnit MeasuredAxes::unit_of(const UniversalFunction& function) {
     const double factor = given->factor / load;
     // An axis of general type with powers of length and force is stated by set 164 through these powers.
     const bool agrees = stated.empty() ||
-        std::any_of(stated.begin(), stated.end(), [&](const Statement& one) { return same_unit(one.factor, factor); });
+        std::ranges::any_of(stated, [&](const Statement& one) { return same_unit(one.factor, factor); });
     if (!agrees)
       return error(
           fmt::format("unit = {} of the project against {}", foundation::quoted(given->text), stated.front().words),

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <map>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/model/system.h"
 #include "trivet/project/measured/measured_abscissa.h"
@@ -16,8 +15,7 @@ namespace trivet::project {
 std::string point_name(const exchange::UniversalPoint& point) {
   const int direction = std::abs(point.direction);
   if (direction < 1 || direction > 6) return fmt::format("{}:scalar", point.node);
-  return fmt::format("{}:{}{}", point.node, point.direction < 0 ? "-" : "+",
-                     model::coordinate_names[to_size(direction - 1)]);
+  return fmt::format("{}:{}{}", point.node, point.direction < 0 ? "-" : "+", model::coordinate_names[direction - 1]);
 }
 
 std::string universal_kind(const exchange::UniversalFunction& function) {

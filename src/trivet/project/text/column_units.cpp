@@ -62,7 +62,7 @@ std::set<std::string> convert_columns(CsvTable& table,
         table.values.col(to_index(i)) *= *factor;
       }
       // "force [N]" and "force [kN]" differ for the reader of the file, but not here.
-      if (std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end()) {
+      if (std::ranges::find(table.columns, name) != table.columns.end()) {
         problems
             .error("",
                    "column " + foundation::quoted(table.columns[i]) + ": another column is " + foundation::quoted(name),

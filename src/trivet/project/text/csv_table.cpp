@@ -105,11 +105,11 @@ void drop_empty_end(std::size_t columns, std::vector<std::string>& row) {
 }
 
 bool is_empty(const std::vector<std::string>& row) {
-  return row.size() > 1 && std::all_of(row.begin(), row.end(), [](const std::string& cell) { return cell.empty(); });
+  return row.size() > 1 && std::ranges::all_of(row, [](const std::string& cell) { return cell.empty(); });
 }
 
 bool all_numbers(const std::vector<std::string>& row) {
-  return std::all_of(row.begin(), row.end(), [](const std::string& cell) { return number(cell).has_value(); });
+  return std::ranges::all_of(row, [](const std::string& cell) { return number(cell).has_value(); });
 }
 
 /// Separator of a header: the first of tab, semicolon, comma in it.
@@ -199,7 +199,7 @@ class Reader {
       for (std::size_t i = 0; i < bare_.size(); ++i)
         bare_heading_.counts_columns = bare_heading_.counts_columns && (first == "0" || first == "1") &&
             (*names)[before + i] == std::to_string(i + (first == "1"));
-      std::copy(bare_.begin(), bare_.end(), names->begin() + static_cast<std::ptrdiff_t>(before));
+      std::ranges::copy(bare_, names->begin() + static_cast<std::ptrdiff_t>(before));
     }
     if (names->size() > most_columns)
       return problem(number_of_line, fmt::format("{} columns", names->size()),
@@ -253,9 +253,9 @@ class Reader {
     }
     table_.lines.push_back(number_of_line);
     if (bare_heading_.line > 0 && number_of_line > bare_heading_.line)
-      bare_heading_.whole_below = bare_heading_.whole_below ||
-          std::any_of(row->begin(), row->end(),
-                      [](const std::string& cell) { return cell.find_first_of(".eE") == std::string::npos; });
+      bare_heading_.whole_below = bare_heading_.whole_below || std::ranges::any_of(*row, [](const std::string& cell) {
+                                    return cell.find_first_of(".eE") == std::string::npos;
+                                  });
     for (std::size_t i = 0; i < width_; ++i) {
       if (static_cast<std::ptrdiff_t>(i) == texts_at_) {
         if (const auto found = foundation::unprintable((*row)[i]); found && wrong_cells_++ < most_listed)
@@ -415,7 +415,7 @@ foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::
   foundation::Problems problems;
   Eigen::MatrixXd result(table.values.rows(), to_index(wanted.size()));
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const auto found = std::find(table.columns.begin(), table.columns.end(), wanted[i]);
+    const auto found = std::ranges::find(table.columns, wanted[i]);
     if (found != table.columns.end()) {
       result.col(to_index(i)) = table.values.col(found - table.columns.begin());
       continue;

@@ -10,7 +10,7 @@ namespace trivet::project {
 namespace {
 
 bool is_one_of(const std::string& key, std::initializer_list<const char*> words) {
-  return std::find(words.begin(), words.end(), key) != words.end();
+  return std::ranges::find(words, key) != words.end();
 }
 
 /// Quantity of a number of an element type: that of its copies in the elements of this type.

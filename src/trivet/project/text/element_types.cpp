@@ -17,9 +17,7 @@ constexpr std::array<const char*, 12> of_element = {"type",       "on",    "at",
                                                     "from_at",    "axis",  "orientation", "from_orientation",
                                                     "foundation", "scale", "accept",      "moved"};
 
-bool is_of_element(const std::string& key) {
-  return std::find(of_element.begin(), of_element.end(), key) != of_element.end();
-}
+bool is_of_element(const std::string& key) { return std::ranges::find(of_element, key) != of_element.end(); }
 
 void set(Node& table, const std::string& key, Node value) {
   if (Node* old = table.find(key)) {
@@ -78,7 +76,7 @@ class Types {
           .origin = type.origin;
       return;
     }
-    const bool built_in = std::find(laws.begin(), laws.end(), name) != laws.end() || name.starts_with("catalogue:");
+    const bool built_in = std::ranges::find(laws, name) != laws.end() || name.starts_with("catalogue:");
     if (built_in)
       problems_.error(path, foundation::quoted(name), "a type of this name is built in", "choose another name").origin =
           type.origin;
@@ -140,7 +138,7 @@ class Types {
 bool holds(const Node& node, const foundation::Origin& origin) {
   if (node.origin.line == origin.line && node.origin.column == origin.column && node.origin.source == origin.source)
     return true;
-  return std::any_of(node.items.begin(), node.items.end(), [&](const Node& item) { return holds(item, origin); });
+  return std::ranges::any_of(node.items, [&](const Node& item) { return holds(item, origin); });
 }
 
 /// The keys of "known here: …" that a type may have.
@@ -217,8 +215,7 @@ void name_element_types(const Node& document, foundation::Problems& problems) {
       continue;
     }
     for (std::size_t i = 0; i < types->keys.size(); ++i)
-      if (std::any_of(types->items[i].items.begin(), types->items[i].items.end(),
-                      [&](const Node& item) { return holds(item, problem.origin); })) {
+      if (std::ranges::any_of(types->items[i].items, [&](const Node& item) { return holds(item, problem.origin); })) {
         problem.subject = "element_types." + types->keys[i] + problem.subject.substr(end_of_name);
         problem.rule = without_keys_of_elements(problem.rule);
         break;

@@ -9,7 +9,7 @@ namespace trivet::project {
 
 bool is_file_key(const std::string& key) {
   static constexpr std::array<const char*, 5> keys = {"file", "catalogue", "step", "load_cases", "loops"};
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
+  return std::ranges::find(keys, key) != keys.end();
 }
 
 std::filesystem::path named_file(const Node& name) {

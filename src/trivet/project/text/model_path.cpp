@@ -34,8 +34,9 @@ std::vector<std::string> path_keys(const std::string& path) {
 
 std::optional<std::size_t> component_of(const Node& array, const std::string& word) {
   const bool is_vector = array.kind == Node::Kind::array && array.items.size() == 3 &&
-      std::none_of(array.items.begin(), array.items.end(),
-                   [](const Node& item) { return item.kind == Node::Kind::array || item.kind == Node::Kind::table; });
+      std::ranges::none_of(array.items, [](const Node& item) {
+                           return item.kind == Node::Kind::array || item.kind == Node::Kind::table;
+                         });
   if (!is_vector || word.size() != 1 || word[0] < 'x' || word[0] > 'z') return std::nullopt;
   return to_size(word[0] - 'x');
 }

@@ -15,7 +15,7 @@ std::optional<std::size_t> body_named(TableReader& reader, const std::string& ke
     if (description.bodies[i].name == *name) return i;
   std::vector<std::string> known = in_file.bodies;
   known.insert(known.end(), in_file.nodes.begin(), in_file.nodes.end());
-  if (in_file.bodies_unknown || std::find(known.begin(), known.end(), *name) != known.end()) return std::nullopt;
+  if (in_file.bodies_unknown || std::ranges::find(known, *name) != known.end()) return std::nullopt;
   const std::string guess = foundation::nearest_name(*name, known);
   const bool nodes = !in_file.nodes.empty();
   reader.error(key, foundation::quoted(*name), nodes ? "no body or node has this name" : "no body has this name",

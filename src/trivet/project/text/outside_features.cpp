@@ -76,9 +76,7 @@ const OutsideFeature of_shafts = {
     "gyroscopic terms of turning shafts are outside this version",
     "bodies vibrate about rest; give the shaft as an excitation of type \"unbalance\" or \"orders\""};
 
-bool holds(const Words& words, const std::string& key) {
-  return std::find(words.begin(), words.end(), key) != words.end();
-}
+bool holds(const Words& words, const std::string& key) { return std::ranges::find(words, key) != words.end(); }
 
 bool is_in(const std::string& path, const std::string& part) { return path == part || path.starts_with(part + "."); }
 

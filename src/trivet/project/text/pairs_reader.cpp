@@ -76,8 +76,8 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
   }
   if (reader.errors() == before)
     for (const std::size_t j : {0, 1}) check_mixed_units(reader, key, *value, j, j == 0 ? x : y);
-  const bool own_units = std::any_of(value->items.begin(), value->items.end(),
-                                     [](const Node& row) { return row.items[1].kind == Node::Kind::text; });
+  const bool own_units =
+      std::ranges::any_of(value->items, [](const Node& row) { return row.items[1].kind == Node::Kind::text; });
   if (reader.errors() == before && own_units && reader.has("unit"))
     warn_of_idle_key(reader, "unit", "beside rows with units of their own", "the units of the rows hold",
                      "remove it, or the units of the rows");
@@ -152,7 +152,7 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
       foundation::Problem& problem =
           holes.error("", fmt::format("{} = {:.6g}, {} = {:.6g}", x_name, (*values)(i, 0), y_name, (*values)(i, 1)),
                       "every cell must hold a finite number", "complete or remove the row");
-      problem.origin = {csv->source, csv->lines[to_size(i)]};
+      problem.origin = {csv->source, csv->lines[i]};
     }
   reader.add_of_file("file", holes);
   return holes.has_errors() ? std::nullopt : std::optional(*values);

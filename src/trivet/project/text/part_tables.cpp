@@ -8,7 +8,6 @@
 #include <map>
 #include <utility>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
@@ -68,9 +67,7 @@ class PartTable {
     refuse_doubtful_cells(*cells, columns, file.string());
     for (std::size_t r = 0; r < cells->rows.size(); ++r) {
       const foundation::Origin origin{file.string(), cells->lines[r], 0};
-      if (std::all_of(cells->rows[r].begin(), cells->rows[r].end(),
-                      [](const std::string& cell) { return cell.empty(); }))
-        continue;
+      if (std::ranges::all_of(cells->rows[r], [](const std::string& cell) { return cell.empty(); })) continue;
       Node row = table_node(origin);
       for (std::size_t c = 0; c < columns.size(); ++c)
         if (columns[c] && !cells->rows[r][c].empty())
@@ -87,12 +84,10 @@ class PartTable {
     for (std::size_t c = 0; c < columns.size(); ++c) {
       if (!columns[c]) continue;
       const bool from = kind_ == "elements" && columns[c]->keys == std::vector<std::string>{"from"};
-      const bool some_from =
-          from && std::any_of(cells.rows.begin(), cells.rows.end(), [&](const auto& row) { return !row[c].empty(); });
+      const bool some_from = from && std::ranges::any_of(cells.rows, [&](const auto& row) { return !row[c].empty(); });
       for (std::size_t r = 0; r < cells.rows.size(); ++r) {
         std::string& cell = cells.rows[r][c];
-        const bool blank = std::all_of(cells.rows[r].begin(), cells.rows[r].end(),
-                                       [](const std::string& other) { return other.empty(); });
+        const bool blank = std::ranges::all_of(cells.rows[r], [](const std::string& other) { return other.empty(); });
         const foundation::Origin here{source, cells.lines[r], 0};
         if (!columns[c]->unit.empty() && !cell.empty() && !number_of(cell)) {
           problems_
@@ -136,7 +131,7 @@ class PartTable {
   static bool is_text(const Column& column) {
     static constexpr std::array<const char*, 5> names = {"name", "type", "on", "from", "foundation"};
     return column.keys.size() == 1 && column.unit.empty() &&
-        std::find(names.begin(), names.end(), column.keys.front()) != names.end();
+        std::ranges::find(names, column.keys.front()) != names.end();
   }
 
   void read_rows(TableReader& reader, const Node& rows) {
@@ -252,7 +247,7 @@ class PartTable {
   }
 
   static void remove(Node& table, const std::string& key) {
-    const auto at = std::find(table.keys.begin(), table.keys.end(), key);
+    const auto at = std::ranges::find(table.keys, key);
     table.items.erase(table.items.begin() + (at - table.keys.begin()));
     table.keys.erase(at);
   }
@@ -293,9 +288,9 @@ void gather_columns(foundation::Problems& problems) {
 }
 
 void put_tables_in_place(Node& document, foundation::Problems& problems) {
-  const auto at = std::find(document.keys.begin(), document.keys.end(), "tables");
+  const auto at = std::ranges::find(document.keys, "tables");
   if (at == document.keys.end()) return;
-  const Node tables = std::move(document.items[to_size(at - document.keys.begin())]);
+  const Node tables = std::move(document.items[at - document.keys.begin()]);
   document.items.erase(document.items.begin() + (at - document.keys.begin()));
   document.keys.erase(at);
   if (tables.kind != Node::Kind::table) {

@@ -24,8 +24,7 @@ class VectorsOfRow {
           table.keys[i] == "center_moved")
         continue;
       const bool components = !item.keys.empty() &&
-          std::all_of(item.keys.begin(), item.keys.end(),
-                      [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
+          std::ranges::all_of(item.keys, [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
       if (components) make_array(item, key);
       else make_arrays(item, key);
     }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/accepting_tables.h"
 #include "trivet/project/text/admissible_range.h"
@@ -91,12 +90,12 @@ void TableReader::missing(const std::string& key, const std::string& remedy) {
 }
 
 bool TableReader::has(const std::string& key) const {
-  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
+  if (std::ranges::find(asked_, key) == asked_.end()) asked_.push_back(key);
   return table_.find(key) != nullptr;
 }
 
 const Node* TableReader::node(const std::string& key) {
-  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.push_back(key);
+  if (std::ranges::find(known_, key) == known_.end()) known_.push_back(key);
   return table_.find(key);
 }
 
@@ -203,8 +202,7 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key, 
   if (!value) return std::nullopt;
   if (value->kind != Node::Kind::array) {
     const bool component = value->kind == Node::Kind::table &&
-        std::all_of(value->keys.begin(), value->keys.end(),
-                    [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
+        std::ranges::all_of(value->keys, [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
     error(key, component ? "components of an array that the file does not have" : value_text(*value),
           "an array of numbers is expected here", "put the numbers in square brackets, with commas between them");
     return std::nullopt;
@@ -243,18 +241,16 @@ std::optional<Eigen::MatrixXd> TableReader::matrix(const std::string& key,
   };
   if (value->kind != Node::Kind::array) return refuse(value_text(*value));
   const auto size = static_cast<int>(value->items.size());
-  if (std::find(allowed_sizes.begin(), allowed_sizes.end(), size) == allowed_sizes.end())
-    return refuse(fmt::format("{} rows", size));
+  if (std::ranges::find(allowed_sizes, size) == allowed_sizes.end()) return refuse(fmt::format("{} rows", size));
   Eigen::MatrixXd result(size, size);
   bool good = true;
   for (int i = 0; i < size; ++i) {
-    const Node& row = value->items[to_size(i)];
+    const Node& row = value->items[i];
     if (row.kind != Node::Kind::array) return refuse(fmt::format("row {} is {}", i + 1, kind_name(row.kind)));
     if (static_cast<int>(row.items.size()) != size)
       return refuse(fmt::format("row {} has {} entries", i + 1, row.items.size()));
     for (int j = 0; j < size; ++j) {
-      const auto entry =
-          scalar(row.items[to_size(j)], fmt::format("{}.{}[{}][{}]", path_, key, i, j), quantity_of(size, i, j));
+      const auto entry = scalar(row.items[j], fmt::format("{}.{}[{}][{}]", path_, key, i, j), quantity_of(size, i, j));
       good = good && entry;
       result(i, j) = entry.value_or(0);
     }
@@ -313,7 +309,7 @@ std::optional<Eigen::Matrix3d> TableReader::orientation(const std::string& key) 
 
 std::optional<std::string> TableReader::choice(const std::string& key, const std::vector<std::string>& words) {
   auto word = text(key);
-  if (!word || std::find(words.begin(), words.end(), *word) != words.end()) return word;
+  if (!word || std::ranges::find(words, *word) != words.end()) return word;
   const std::string guess = foundation::nearest_name(*word, words);
   error(key, foundation::quoted(*word), "one of " + joined(words) + " is expected here",
         guess.empty() ? "choose one" : "did you mean \"" + guess + "\"?");
@@ -323,11 +319,10 @@ std::optional<std::string> TableReader::choice(const std::string& key, const std
 void TableReader::finish() {
   std::vector<std::string> named = known_;
   for (const std::string& key : asked_)
-    if (std::find(known_.begin(), known_.end(), key) == known_.end()) named.push_back(key);
+    if (std::ranges::find(known_, key) == known_.end()) named.push_back(key);
   for (std::size_t i = 0; i < table_.keys.size(); ++i) {
     const std::string& key = table_.keys[i];
-    if (std::find(known_.begin(), known_.end(), key) != known_.end() || (key == "accept" && may_accept(path_)))
-      continue;
+    if (std::ranges::find(known_, key) != known_.end() || (key == "accept" && may_accept(path_))) continue;
     const std::string guess = foundation::nearest_name(key, named);
     const std::string short_key = foundation::shortened(key);
     const std::string where = path_.empty() ? short_key : path_ + "." + short_key;

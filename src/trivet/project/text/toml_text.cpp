@@ -57,7 +57,7 @@ Node converted(const toml::node& from, const std::string& source) {
     const auto place = [&](std::size_t i) {
       return std::make_pair(node.items[i].origin.line, node.items[i].origin.column);
     };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
     std::vector<std::string> keys;
     std::vector<Node> items;
     for (const std::size_t i : order) {

@@ -54,7 +54,7 @@ std::string database_spelling(std::string_view unit, std::string_view si) {
   std::string text(unit);
   for (const auto& [from, to] : signs) replace_all(text, from, to);
   static constexpr std::array<std::string_view, 6> of_speeds = {"1/min", "/min", "min-1", "min^-1", "U/min", "r/min"};
-  if (si == "rad/s" && std::find(of_speeds.begin(), of_speeds.end(), text) != of_speeds.end()) return "rpm";
+  if (si == "rad/s" && std::ranges::find(of_speeds, text) != of_speeds.end()) return "rpm";
   return text;
 }
 
@@ -64,7 +64,7 @@ std::string reason_against_ambiguous(std::string_view unit, std::string_view si)
       return foundation::quoted(std::string(word)) +
           " has several meanings; write \"t\" for 1000 kg, \"short ton\" for 907.185 kg or \"long ton\" for 1016.05 kg";
   static constexpr std::array<std::string_view, 5> of_time = {"1/s", "/s", "s-1", "s^-1", "1/sec"};
-  if (si == "rad/s" && std::find(of_time.begin(), of_time.end(), unit) != of_time.end())
+  if (si == "rad/s" && std::ranges::find(of_time, unit) != of_time.end())
     return foundation::quoted(std::string(unit)) + " may be cycles or radians per second; write \"Hz\" or \"rad/s\"";
   return "";
 }

@@ -203,7 +203,7 @@ bool takes_prefix(std::string_view unit) {
       "rpm",    "deg",    "bar",    "t",      "l",      "L",     "eV",   "Nm",    "metre",  "meter",
       "gram",   "gramme", "second", "newton", "pascal", "joule", "watt", "hertz", "radian", "degree",
       "kelvin", "tonne",  "liter",  "litre",  "bars",   "°",     "psi",  "lbf",   "Ns",     "Nmm"};
-  if (std::find(known.begin(), known.end(), unit) != known.end()) return true;
+  if (std::ranges::find(known, unit) != known.end()) return true;
   return unit.ends_with('s') && unit.size() > 3 && takes_prefix(unit.substr(0, unit.size() - 1));
 }
 
@@ -235,9 +235,7 @@ std::string word_with_odd_prefix(std::string_view text) {
     const auto has_prefix = [&](std::string_view prefix) {
       return word.starts_with(prefix) && unit_system().has(word.substr(prefix.size()));
     };
-    if (std::none_of(prefixes.begin(), prefixes.end(), fits) &&
-        std::any_of(prefixes.begin(), prefixes.end(), has_prefix))
-      return word;
+    if (std::ranges::none_of(prefixes, fits) && std::ranges::any_of(prefixes, has_prefix)) return word;
   }
   return "";
 }

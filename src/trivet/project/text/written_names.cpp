@@ -20,8 +20,7 @@ bool holds_names(const std::string& path) {
   constexpr std::array<const char*, 11> tables = {"bodies",      "nodes",       "elements",    "excitations",
                                                   "foundations", "relative",    "sections",    "clearances",
                                                   "cases",       "limit_lines", "measurements"};
-  return std::find(tables.begin(), tables.end(), path) != tables.end() ||
-      (path.starts_with("bodies.") && path.ends_with(".points"));
+  return std::ranges::find(tables, path) != tables.end() || (path.starts_with("bodies.") && path.ends_with(".points"));
 }
 
 void check_key(const std::string& path, const std::string& key, const foundation::Origin& origin,

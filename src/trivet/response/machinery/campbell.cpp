@@ -15,8 +15,7 @@ std::vector<NaturalLine> natural_lines(const modal::Roots& roots) {
   for (const modal::Root& root : roots.list)
     if (root.damped_angular_frequency && root.eigenvalue.imag() > 0)
       lines.push_back({root.eigenvalue.imag(), root.damping_ratio.value_or(0), root.nearest_mode});
-  std::sort(lines.begin(), lines.end(),
-            [](const NaturalLine& a, const NaturalLine& b) { return a.angular_frequency < b.angular_frequency; });
+  std::ranges::sort(lines, {}, &NaturalLine::angular_frequency);
   return lines;
 }
 
@@ -37,8 +36,7 @@ Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::
       if (point.speed < speed.from || point.speed > speed.to) continue;
       const Eigen::VectorXd forces =
           modal::modal_forces(modes, order.loading.force.at(line.angular_frequency)).cwiseAbs();
-      const auto mode = std::find_if(modes.list.begin(), modes.list.end(),
-                                     [&](const modal::Mode& m) { return m.number == point.mode; });
+      const auto mode = std::ranges::find(modes.list, point.mode, &modal::Mode::number);
       if (mode != modes.list.end() && forces.squaredNorm() > 0) {
         point.modal_force_share = std::pow(forces(mode - modes.list.begin()), 2) / forces.squaredNorm();
         point.excited = *point.modal_force_share >= excited_from;
@@ -46,8 +44,7 @@ Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::
       result.points.push_back(point);
     }
   }
-  std::stable_sort(result.points.begin(), result.points.end(),
-                   [](const Interference& a, const Interference& b) { return a.speed < b.speed; });
+  std::ranges::stable_sort(result.points, {}, &Interference::speed);
   return result;
 }
 

@@ -108,7 +108,7 @@ void add_maxima(const Comparison& comparison, const foundation::Progress& progre
     if (maximum.ratio > ratio) maxima.push_back(maximum);
   }
   nodes.insert(nodes.end(), maxima.begin(), maxima.end());
-  std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.omega < b.omega; });
+  std::ranges::sort(nodes, {}, &Node::omega);
 }
 
 void add_exceeded(const Comparison& comparison, const foundation::Progress& progress, const std::vector<Node>& nodes,
@@ -163,15 +163,14 @@ LimitComparison compared_with_limit(const assembly::Assembled& assembled, const 
                               std::min(piece.band.to, result.compared.to)};
     if (!(part.to > part.from)) continue;
     std::vector<double> omega = {part.from};
-    std::copy_if(grid.begin(), grid.end(), std::back_inserter(omega),
-                 [&](double w) { return w > part.from && w < part.to; });
+    std::ranges::copy_if(grid, std::back_inserter(omega), [&](double w) { return w > part.from && w < part.to; });
     omega.push_back(part.to);
     const Comparison comparison(assembled, channel, loading, piece);
     std::vector<Node> nodes = comparison.nodes(omega);
     for (const Peak& peak : peaks.list)
       if (std::isinf(peak.amplitude) && peak.angular_frequency > part.from && peak.angular_frequency < part.to)
         nodes.push_back({peak.angular_frequency, infinity});
-    std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.omega < b.omega; });
+    std::ranges::sort(nodes, {}, &Node::omega);
     add_maxima(comparison, progress, nodes);
     add_exceeded(comparison, progress, nodes, result.exceeded);
     all.insert(all.end(), nodes.begin(), nodes.end());

@@ -27,8 +27,7 @@ void add_force(const assembly::Assembled& assembled, model::Action action, const
 }
 
 OrderLoading& entry_of(std::vector<OrderLoading>& list, double order, const assembly::Assembled& assembled) {
-  const auto found =
-      std::find_if(list.begin(), list.end(), [&](const OrderLoading& entry) { return entry.order == order; });
+  const auto found = std::ranges::find(list, order, &OrderLoading::order);
   if (found != list.end()) return *found;
   return list.emplace_back(
       OrderLoading{order, {numerics::Load(assembled.layout.size()), numerics::Load(assembled.ground.size())}, {}});
@@ -40,8 +39,8 @@ std::vector<OrderLoading> order_loadings(const model::System& system, const asse
                                          const std::vector<std::string>& selected) {
   const auto& excitations = system.description().excitations;
   for (const std::string& name : selected)
-    if (std::none_of(excitations.begin(), excitations.end(),
-                     [&](const model::Excitation& e) { return e.name == name && !orders_of(e).empty(); }))
+    if (std::ranges::none_of(excitations,
+                             [&](const model::Excitation& e) { return e.name == name && !orders_of(e).empty(); }))
       throw foundation::InvalidInput("\"" + name + "\" is not an order excitation or unbalance of this model");
   std::vector<OrderLoading> result;
   for (const model::Excitation& excitation : excitations) {
@@ -57,8 +56,7 @@ std::vector<OrderLoading> order_loadings(const model::System& system, const asse
       entry.excitations.push_back(excitation.name);
     }
   }
-  std::sort(result.begin(), result.end(),
-            [](const OrderLoading& a, const OrderLoading& b) { return a.order < b.order; });
+  std::ranges::sort(result, {}, &OrderLoading::order);
   return result;
 }
 

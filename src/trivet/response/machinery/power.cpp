@@ -84,7 +84,7 @@ PowerFlow power_flow(const model::System& system, const assembly::Assembled& ass
   assert(to_index(motions.size()) == count);
   for (Eigen::Index i = 0; i < count; ++i) {
     foundation::report_progress(progress, "power", static_cast<double>(i) / static_cast<double>(count));
-    const SteadyMotion& motion = motions[to_size(i)];
+    const SteadyMotion& motion = motions[i];
     const double omega = motion.angular_frequency;
     const Eigen::VectorXcd force = loading.force.at(omega).head(motion.free.size());
     flow.by_forces(i) = mean_power(force, motion.free, omega);

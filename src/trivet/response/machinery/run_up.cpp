@@ -18,9 +18,8 @@ using foundation::infinity;
 /// Sorts ascending and removes speeds that are equal within round-off.
 void sort_apart(std::vector<double>& speed) {
   constexpr double same = 1e-13;
-  std::sort(speed.begin(), speed.end());
-  speed.erase(std::unique(speed.begin(), speed.end(), [](double a, double b) { return b - a <= same * b; }),
-              speed.end());
+  std::ranges::sort(speed);
+  speed.erase(std::ranges::unique(speed, [](double a, double b) { return b - a <= same * b; }).begin(), speed.end());
 }
 
 void note_critical(const Peaks& found, double order, std::vector<CriticalSpeed>& critical) {
@@ -71,7 +70,7 @@ Overall overall(const RunUp& run_up, std::size_t curve) {
     sum.highest_rms = rms;
     sum.highest_rms_at = speed;
   };
-  for (Eigen::Index i = 0; i < count; ++i) raise(sum.rms(i), run_up.speed[to_size(i)]);
+  for (Eigen::Index i = 0; i < count; ++i) raise(sum.rms(i), run_up.speed[i]);
   for (const CriticalSpeed& critical : run_up.critical)
     if (critical.curve == curve && std::isinf(critical.amplitude)) raise(infinity, critical.speed);
   return sum;
@@ -107,7 +106,7 @@ RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::C
   }
   std::erase_if(result.speed, [&](double at) { return at < speed.from || at > speed.to; });
   sort_apart(result.speed);
-  std::stable_sort(result.critical.begin(), result.critical.end(), [](const CriticalSpeed& a, const CriticalSpeed& b) {
+  std::ranges::stable_sort(result.critical, [](const CriticalSpeed& a, const CriticalSpeed& b) {
     return a.curve != b.curve ? a.curve < b.curve : a.speed < b.speed;
   });
   for (std::size_t k = 0; k < order_loadings.size(); ++k) {
@@ -126,7 +125,7 @@ std::vector<WaterfallLine> waterfall(const RunUp& run_up, std::size_t curve, int
   std::vector<WaterfallLine> lines;
   std::size_t last = run_up.speed.size();
   for (const double wanted : linear_grid({run_up.speed.front(), run_up.speed.back()}, spectra)) {
-    const auto above = std::lower_bound(run_up.speed.begin(), run_up.speed.end(), wanted);
+    const auto above = std::ranges::lower_bound(run_up.speed, wanted);
     auto nearest = to_size(std::min(above, run_up.speed.end() - 1) - run_up.speed.begin());
     if (nearest > 0 && wanted - run_up.speed[nearest - 1] < run_up.speed[nearest] - wanted) --nearest;
     if (nearest == last) continue;

@@ -63,7 +63,7 @@ Eigen::MatrixXd BasisIntegrals::coefficients(const PoleExpansion& part) const {
     const Eigen::Index k = function.first;
     const Eigen::VectorXcd plain = k < poles_.size()
         ? Eigen::VectorXcd(part.residue.col(k))
-        : Eigen::VectorXcd(part.power.col(powers_[to_size(k - poles_.size())] - lowest_power));
+        : Eigen::VectorXcd(part.power.col(powers_[k - poles_.size()] - lowest_power));
     const bool imaginary = function.factor.imag() != 0;
     for (Eigen::Index c = 0; c < plain.size(); ++c)
       result(c, to_index(f)) = imaginary ? plain(c).imag() : plain(c).real();
@@ -147,13 +147,13 @@ Eigen::MatrixXd BasisIntegrals::real_products(const Eigen::VectorXcd& weight) co
   const auto count = to_index(basis_.size());
   Eigen::MatrixXcd half(plain.rows(), count);
   for (Eigen::Index f = 0; f < count; ++f) {
-    const Function& function = basis_[to_size(f)];
+    const Function& function = basis_[f];
     half.col(f) = std::conj(function.factor) * plain.col(function.first) +
         std::conj(function.second_factor) * plain.col(function.second);
   }
   Eigen::MatrixXd result(count, count);
   for (Eigen::Index f = 0; f < count; ++f) {
-    const Function& function = basis_[to_size(f)];
+    const Function& function = basis_[f];
     result.row(f) =
         (function.factor * half.row(function.first) + function.second_factor * half.row(function.second)).real();
   }

@@ -74,7 +74,7 @@ std::vector<double> graded_panels(const Eigen::VectorXcd& poles, double from, do
     // No narrow last panel: the remainder becomes one panel or two halves.
     ends.push_back(at + 2 * h >= to ? to : at + 4 * h >= to ? 0.5 * (at + to) : at + 2 * h);
   }
-  assert(std::adjacent_find(ends.begin(), ends.end(), std::greater_equal<>()) == ends.end() && "no panel is empty");
+  assert(std::ranges::adjacent_find(ends, std::greater_equal<>()) == ends.end() && "no panel is empty");
   return ends;
 }
 
@@ -82,10 +82,10 @@ IntegrationNodes gauss_nodes(const std::vector<double>& ends) {
   const auto panels = to_index(std::max<std::size_t>(ends.size(), 1) - 1);
   IntegrationNodes nodes{Eigen::VectorXd(16 * panels), Eigen::VectorXd(16 * panels)};
   for (Eigen::Index p = 0; p < panels; ++p) {
-    const double from = ends[to_size(p)], to = ends[to_size(p) + 1], h = 0.5 * (to - from), centre = from + h;
+    const double from = ends[p], to = ends[p + 1], h = 0.5 * (to - from), centre = from + h;
     for (Eigen::Index i = 0; i < 8; ++i) {
-      const double reach = h * static_cast<double>(Gauss16::abscissa()[to_size(i)]),
-                   weight = h * static_cast<double>(Gauss16::weights()[to_size(i)]);
+      const double reach = h * static_cast<double>(Gauss16::abscissa()[i]),
+                   weight = h * static_cast<double>(Gauss16::weights()[i]);
       nodes.omega(16 * p + 7 - i) = centre - reach;
       nodes.omega(16 * p + 8 + i) = centre + reach;
       nodes.weight(16 * p + 7 - i) = nodes.weight(16 * p + 8 + i) = weight;
@@ -98,10 +98,10 @@ KronrodRule kronrod_rule() {
   KronrodRule rule;
   rule.gauss.setZero();
   for (int i = 0; i < 8; ++i) {
-    const double node = Kronrod15::abscissa()[to_size(i)];
+    const double node = Kronrod15::abscissa()[i];
     rule.node(7 - i) = -node, rule.node(7 + i) = node;
-    rule.kronrod(7 - i) = rule.kronrod(7 + i) = Kronrod15::weights()[to_size(i)];
-    if (i % 2 == 0) rule.gauss(7 - i) = rule.gauss(7 + i) = Gauss7::weights()[to_size(i / 2)];
+    rule.kronrod(7 - i) = rule.kronrod(7 + i) = Kronrod15::weights()[i];
+    if (i % 2 == 0) rule.gauss(7 - i) = rule.gauss(7 + i) = Gauss7::weights()[i / 2];
   }
   // Tables of Boost, rounded to double: both rules integrate 1 over −1 … 1 to round-off.
   assert(std::abs(rule.kronrod.sum() - 2) < 1e-14 && std::abs(rule.gauss.sum() - 2) < 1e-14);

@@ -113,8 +113,8 @@ template <typename Add>
 void for_each_term(const Projection& projection, Eigen::Index column, int power, Complex factor, double size,
                    const Add& add) {
   for (int t = 0; t < 3; ++t) {
-    const double possible = projection.possible[to_size(t)](column);
-    if (possible > 0) add(Term{power + t, projection.value[to_size(t)](column) * factor, possible * size});
+    const double possible = projection.possible[t](column);
+    if (possible > 0) add(Term{power + t, projection.value[t](column) * factor, possible * size});
   }
 }
 
@@ -180,19 +180,19 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
   const Coordinates of_shapes(form.shapes), of_drift(form.free_motion), of_statics(form.static_part);
   const Eigen::MatrixXd participation_size = form.participation.cwiseAbs();
   for (Eigen::Index c = 0; c < count; ++c) {
-    const ChannelTerms& channel = terms[to_size(c)];
+    const ChannelTerms& channel = terms[c];
     const Projection shapes = projected(channel.free, of_shapes), drifting = projected(channel.free, of_drift),
                      statics = projected(channel.free, of_statics);
     for (Eigen::Index j = 0; j < right_sides.cols(); ++j) {
-      const LoadColumn& column = columns[to_size(j)];
-      if (column.group != group_of[column.load][to_size(c)]) continue;
+      const LoadColumn& column = columns[j];
+      if (column.group != group_of[column.load][c]) continue;
       PoleExpansion& to = part(result.parts, column.load, column.delay, count, result.poles.size());
       const int power = channel.derivative + column.power;
       for (Eigen::Index k = 0, m = 0; k < form.poles.size(); ++k) {
         const bool at_rest = form.poles(k) == 0.0;
         for_each_term(shapes, k, power, form.participation(k, j), participation_size(k, j), [&](const Term& term) {
           if (at_rest) add_power(term, -1, c, to);
-          else add_fraction(term, of_pole[to_size(m)], c, m, to);
+          else add_fraction(term, of_pole[m], c, m, to);
         });
         if (!at_rest) ++m;
       }
@@ -201,7 +201,7 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
     }
     for (const GroupedLoad& each : grouped)
       for (const numerics::LoadTerm& term : each.loading.motion.terms())
-        if (each.group == group_of[each.load][to_size(c)]) {
+        if (each.group == group_of[each.load][c]) {
           PoleExpansion& to = part(result.parts, each.load, term.delay, count, result.poles.size());
           for_each_term(projected(channel.ground, Coordinates(term.value)), 0, channel.derivative + term.power, 1, 1,
                         [&](const Term& of_ground) { add_power(of_ground, 0, c, to); });

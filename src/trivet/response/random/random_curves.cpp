@@ -34,11 +34,11 @@ std::vector<double> dense_grid(const Eigen::VectorXcd& poles, const RandomLoadin
     for (int degrees = -88; degrees <= 88 && centre > 0; degrees += 4)
       points.push_back(centre + width * std::tan(degrees * std::numbers::pi / 180));
   }
-  const bool undefined_at_rest = std::any_of(loading.inputs.begin(), loading.inputs.end(),
-                                             [](const RandomInput& input) { return input.loading.lowest_power() < 0; });
+  const bool undefined_at_rest =
+      std::ranges::any_of(loading.inputs, [](const RandomInput& input) { return input.loading.lowest_power() < 0; });
   std::erase_if(points, [&](double w) { return !(w >= from && w <= to) || (w == 0 && undefined_at_rest); });
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::ranges::sort(points);
+  points.erase(std::ranges::unique(points).begin(), points.end());
   return points;
 }
 
@@ -71,7 +71,7 @@ RandomCurves random_curves(const assembly::Assembled& assembled, const std::vect
         for (Eigen::Index i = 0; i < omega.size(); ++i) {
           const double part =
               (responses[j].curves[c].value(i) * std::conj(responses[k].curves[c].value(i)) * cross(i)).real();
-          result.density[c][to_size(i)] += j == k ? part : 2 * part;
+          result.density[c][i] += j == k ? part : 2 * part;
         }
     }
   return result;

@@ -10,7 +10,7 @@ RandomLoading random_loading(const model::System& system, const assembly::Assemb
                              const std::vector<std::string>& selected) {
   const auto& excitations = system.description().excitations;
   for (const std::string& name : selected)
-    if (std::none_of(excitations.begin(), excitations.end(), [&](const model::Excitation& excitation) {
+    if (std::ranges::none_of(excitations, [&](const model::Excitation& excitation) {
           return excitation.name == name && std::holds_alternative<model::Random>(excitation.course);
         }))
       throw foundation::InvalidInput("\"" + name + "\" is not a random excitation of this model");
@@ -25,8 +25,8 @@ RandomLoading random_loading(const model::System& system, const assembly::Assemb
   for (std::size_t i = 0; i < courses.size(); ++i)
     for (const model::Random::Partner& partner : courses[i]->partners)
       for (std::size_t k = 0; k < result.inputs.size(); ++k) {
-        const bool known = std::any_of(result.pairs.begin(), result.pairs.end(),
-                                       [&](const auto& pair) { return pair.first == k && pair.second == i; });
+        const bool known =
+            std::ranges::any_of(result.pairs, [&](const auto& pair) { return pair.first == k && pair.second == i; });
         if (result.inputs[k].name == partner.other && !known) result.pairs.push_back({i, k, partner.coherence, 0});
       }
   return result;

@@ -32,7 +32,7 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
   for (PoleExpansion& part : expansions.parts) {
     const std::optional<int> of_spectrum = order_at_rest(loading.inputs[part.load].spectrum);
     for (Eigen::Index c = 0; c < part.residue.rows(); ++c) {
-      std::vector<std::string>& reason = result.reason[to_size(c)];
+      std::vector<std::string>& reason = result.reason[c];
       for (const Eigen::Index k : undamped) {
         if (significant(part.residue(c, k), part.possible_residue(c, k)))
           for (std::string& r : reason)
@@ -53,7 +53,7 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
   // Undamped poles are removed with their conjugates, so that the others stay pairs.
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < expansions.poles.size(); ++k) {
-    const bool out = std::any_of(undamped.begin(), undamped.end(), [&](Eigen::Index u) {
+    const bool out = std::ranges::any_of(undamped, [&](Eigen::Index u) {
       return u == k || (expansions.real && expansions.poles(k) == std::conj(expansions.poles(u)));
     });
     if (!out) kept.push_back(k);
@@ -77,7 +77,7 @@ std::vector<double> frequencies_of_poles(const Eigen::VectorXcd& poles) {
       if (j != k) nearest = std::min(nearest, std::abs(poles(j) - poles(k)) / std::abs(poles(k)));
     by_distance.emplace_back(nearest, poles(k).imag() > 0 ? poles(k).imag() : std::abs(poles(k)));
   }
-  std::sort(by_distance.begin(), by_distance.end());
+  std::ranges::sort(by_distance);
   std::vector<double> frequencies;
   for (const auto& [distance, frequency] : by_distance) frequencies.push_back(frequency);
   return frequencies;
@@ -90,13 +90,13 @@ IntegrationNodes check_nodes(const Eigen::VectorXcd& poles, const Eigen::VectorX
   std::erase_if(in_band, [&](double w) { return !(w >= omega(0) && w <= omega(omega.size() - 1)); });
   std::vector<double> wanted(in_band.begin(),
                              in_band.begin() + std::min<std::ptrdiff_t>(checked_frequencies / 4, std::ssize(in_band)));
-  std::sort(in_band.begin(), in_band.end());
+  std::ranges::sort(in_band);
   for (int i = 0; i < checked_frequencies / 4 && !in_band.empty(); ++i)
     wanted.push_back(in_band[to_size(i) * (in_band.size() - 1) / (checked_frequencies / 4 - 1)]);
   for (Eigen::Index i = 0; i < checked_frequencies / 2; ++i)
     wanted.push_back(omega(i * (omega.size() - 1) / (checked_frequencies / 2 - 1)));
-  std::sort(wanted.begin(), wanted.end());
-  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  std::ranges::sort(wanted);
+  wanted.erase(std::ranges::unique(wanted).begin(), wanted.end());
   const Eigen::VectorXd points = Eigen::Map<const Eigen::VectorXd>(wanted.data(), to_index(wanted.size()));
   return {points, Eigen::VectorXd::Ones(points.size())};
 }
@@ -148,10 +148,10 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
     result.solutions += static_cast<int>(omega.size());
   }
   for (Eigen::Index c = 0; c < count; ++c) {
-    const auto& reason = result.reason[to_size(c)];
-    if (std::none_of(reason.begin(), reason.end(), [](const std::string& r) { return r.empty(); })) continue;
+    const auto& reason = result.reason[c];
+    if (std::ranges::none_of(reason, [](const std::string& r) { return r.empty(); })) continue;
     const bool vanishes = !(largest(c) > vanishing_answer * possible(c));
-    result.vanishes[to_size(c)] = vanishes;
+    result.vanishes[c] = vanishes;
     if (vanishes) continue;
     result.error(c) = 1e-12 + 2 * miss(c) / largest(c);
     result.misfit(c) = 2 * unexplained(c) / largest(c);
@@ -215,8 +215,8 @@ RandomVariances variances_by_poles(const assembly::Assembled& assembled, const s
                                    const RandomLoading& loading, const std::vector<RandomMoment>& moments,
                                    const PoleExpansions& given, const foundation::Progress& progress) {
   RandomVariances result = no_variances(to_index(channels.size()), moments.size(), loading.inputs.size());
-  if (!std::all_of(given.parts.begin(), given.parts.end(),
-                   [](const PoleExpansion& part) { return part.residue.allFinite() && part.power.allFinite(); })) {
+  if (!std::ranges::all_of(
+          given.parts, [](const PoleExpansion& part) { return part.residue.allFinite() && part.power.allFinite(); })) {
     result.misfit.setConstant(std::numeric_limits<double>::infinity());
     return result;
   }
@@ -229,7 +229,7 @@ RandomVariances variances_by_poles(const assembly::Assembled& assembled, const s
   for (const RandomMoment& moment : moments) highest = std::max(highest, moment.derivative);
   for (int derivative = 1; derivative <= highest; ++derivative) {
     parts.emplace_back();
-    for (const PoleExpansion& part : parts[to_size(derivative) - 1])
+    for (const PoleExpansion& part : parts[derivative - 1])
       parts.back().push_back(differentiated(part, expansions.poles));
     expansions.parts.insert(expansions.parts.end(), parts.back().begin(), parts.back().end());
   }
@@ -244,9 +244,9 @@ RandomVariances variances_by_poles(const assembly::Assembled& assembled, const s
   }
   // If large terms cancel, their sum is no more accurate than this.
   for (Eigen::Index c = 0; c < possible.rows(); ++c)
-    for (std::size_t i = 0; i < moments.size() && !result.vanishes[to_size(c)]; ++i) {
+    for (std::size_t i = 0; i < moments.size() && !result.vanishes[c]; ++i) {
       const auto column = to_index(i);
-      if (!result.reason[to_size(c)][i].empty() || possible(c, column) == 0) continue;
+      if (!result.reason[c][i].empty() || possible(c, column) == 0) continue;
       const double lost = fraction_accuracy * possible(c, column) / std::max(result.mean_square(c, column), 0.0);
       result.error(c) = std::max(result.error(c), lost);
       result.misfit(c) = std::max(result.misfit(c), lost);

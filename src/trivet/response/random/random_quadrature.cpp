@@ -109,7 +109,7 @@ void mark_growth(const assembly::Assembled& assembled, const std::vector<assembl
   for (Eigen::Index c = 0; c < samples.value.rows(); ++c) {
     const double a = std::abs(samples.value(c, 0)), b = std::abs(samples.value(c, 1));
     if (!(b > vanishing_answer * samples.possible(c, 1))) continue;
-    auto& reasons = result.reason[to_size(c)];
+    auto& reasons = result.reason[c];
     for (std::size_t m = 0; m < reasons.size(); ++m)
       if (reasons[m].empty() && infinite(a, b, m)) reasons[m] = reason;
   }
@@ -171,13 +171,13 @@ std::vector<Panel> first_panels(const assembly::Assembled& assembled, const Rand
       if (inside(end)) more.push_back(end);
   }
   ends.insert(ends.end(), more.begin(), more.end());
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  std::ranges::sort(ends);
+  ends.erase(std::ranges::unique(ends).begin(), ends.end());
   std::vector<Panel> panels;
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double centre = 0.5 * (ends[i - 1] + ends[i]);
     const bool left_out =
-        std::any_of(gaps.begin(), gaps.end(), [&](const auto& g) { return centre > g.first && centre < g.second; });
+        std::ranges::any_of(gaps, [&](const auto& g) { return centre > g.first && centre < g.second; });
     if (!left_out) panels.push_back({ends[i - 1], ends[i], {}, {}, {}});
   }
   return panels;
@@ -219,7 +219,7 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled,
           const auto i = to_index(m);
           const double noise =
               std::pow(vanishing_answer, 2) * solver.possible()(c) * std::pow(panel.to, 2 * moments[m].derivative);
-          rough = result.reason[to_size(c)][m].empty() &&
+          rough = result.reason[c][m].empty() &&
               panel.difference(c, i) > options.accuracy * result.mean_square(c, i) / all + noise;
         }
       const double middle = 0.5 * (panel.from + panel.to);
@@ -239,11 +239,11 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled,
   for (const Panel& panel : settled) result.mean_square += panel.mean_square;
   for (Eigen::Index c = 0; c < count; ++c) {
     const bool vanishes = !(result.mean_square(c, 0) > std::pow(vanishing_answer, 2) * solver.possible()(c));
-    result.vanishes[to_size(c)] = vanishes;
+    result.vanishes[c] = vanishes;
     if (vanishes) continue;
     for (std::size_t m = 0; m < moments.size(); ++m) {
       const auto i = to_index(m);
-      if (!result.reason[to_size(c)][m].empty() || result.mean_square(c, i) == 0) continue;
+      if (!result.reason[c][m].empty() || result.mean_square(c, i) == 0) continue;
       result.error(c) = std::max(result.error(c), difference(c, i) / result.mean_square(c, i));
     }
   }

@@ -46,7 +46,7 @@ void refuse_errors(const assembly::Assembled& assembled, const std::vector<assem
 /// meaning.
 bool grows(const assembly::Assembled& assembled, const Eigen::VectorXcd& poles) {
   const double fastest = poles.size() ? poles.cwiseAbs().maxCoeff() : 0;
-  return std::any_of(poles.begin(), poles.end(), [&](const std::complex<double>& pole) {
+  return std::ranges::any_of(poles, [&](const std::complex<double>& pole) {
     return pole.real() > 1e-12 * fastest && (!assembled.matrices.lossy() || pole.imag() > 0);
   });
 }
@@ -57,8 +57,8 @@ RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& fou
   result.name = channel.name;
   result.unit = channel.unit;
   result.estimated_error = found.error(c);
-  result.vanishes = found.vanishes[to_size(c)];
-  const std::vector<std::string>& reason = found.reason[to_size(c)];
+  result.vanishes = found.vanishes[c];
+  const std::vector<std::string>& reason = found.reason[c];
   // The first missing moment gives the reason.
   for (const std::string& r : reason)
     if (result.reason.empty()) result.reason = r;

@@ -63,7 +63,7 @@ int order_at_rest(const RandomMoment& moment) {
   int of_weighting = 0;
   if (moment.weighting) {
     const excitation::RationalTransfer transfer = excitation::rational_transfer(*moment.weighting);
-    while (transfer.numerator[to_size(of_weighting)] == 0) {
+    while (transfer.numerator[of_weighting] == 0) {
       ++of_weighting;
       assert(to_size(of_weighting) < transfer.numerator.size() && "a weighting does not vanish");
     }
@@ -135,7 +135,7 @@ std::vector<double> panel_ends(const Eigen::VectorXcd& poles, const RandomLoadin
     }
     last = to;
   }
-  assert(std::is_sorted(ends.begin(), ends.end()) && "panels of neighbouring spectra share one end");
+  assert(std::ranges::is_sorted(ends) && "panels of neighbouring spectra share one end");
   return ends;
 }
 

@@ -73,7 +73,7 @@ class InputShare {
  public:
   InputShare(const VectorXcd& s, VectorXcd weight, const MatrixXcd& adjoint, const MatrixXcd& q)
       : s_(s), weight_(std::move(weight)), adjoint_(adjoint), q_(q) {
-    for (int m = 0; m < 3; ++m) of_stiffness_[to_size(m)] = adjoint_ * weighted(m, 0).asDiagonal() * q_.transpose();
+    for (int m = 0; m < 3; ++m) of_stiffness_[m] = adjoint_ * weighted(m, 0).asDiagonal() * q_.transpose();
   }
 
   [[nodiscard]] double of_matrices(const MatrixRates& rates) const {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/model/adjustments.h"
@@ -73,7 +72,7 @@ class List {
     for (int j = 0; j < 6; ++j) {
       const double largest = k.diagonal().segment<3>(j < 3 ? 0 : 3).cwiseAbs().maxCoeff();
       if (!(std::abs(k(j, j)) > none * largest)) continue;
-      relative(fmt::format("{}.stiffness_factor.{}", path, model::coordinate_names[to_size(j)]),
+      relative(fmt::format("{}.stiffness_factor.{}", path, model::coordinate_names[j]),
                [e, j](Description& d, double amount) {
                  spatial::Vector6 factors = spatial::Vector6::Ones();
                  factors(j) = 1 + amount;

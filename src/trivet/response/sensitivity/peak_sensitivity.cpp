@@ -168,8 +168,8 @@ SensitivityTable peak_sensitivities(const model::System& system, const assembly:
   SensitivityTable table;
   table.parameters = model_parameters(system);
   table.peaks.resize(places.size());
-  const bool any_mode = std::any_of(places.begin(), places.end(),
-                                    [](const PeakPlace& place) { return place.unbounded_mode.has_value(); });
+  const bool any_mode =
+      std::ranges::any_of(places, [](const PeakPlace& place) { return place.unbounded_mode.has_value(); });
   const modal::Modes modes = any_mode ? modal::modes(system, assembled) : modal::Modes{};
   const DrivenModel driven(system, question);
   std::vector<PeakOfModel> peaks;
@@ -183,8 +183,7 @@ SensitivityTable peak_sensitivities(const model::System& system, const assembly:
     } catch (const foundation::NotComputable& reason) {
       for (PeakSensitivities& peak : table.peaks) {
         peak.list.emplace_back();
-        if (std::find(peak.notes.begin(), peak.notes.end(), reason.what()) == peak.notes.end())
-          peak.notes.emplace_back(reason.what());
+        if (std::ranges::find(peak.notes, reason.what()) == peak.notes.end()) peak.notes.emplace_back(reason.what());
       }
     }
     for (PeakSensitivities& peak : table.peaks) peak.list.back().parameter = p;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/model/element_directions.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
@@ -87,7 +86,7 @@ ElementEnergy energy(const model::System& system, std::size_t e, const assembly:
   ElementEnergy result;
   model::ElementDirections directions = model::element_directions(system.bodies(), system.elements()[e]);
   Vector12c ends = Vector12c::Zero();
-  for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>() * q(map.rows[to_size(j)]);
+  for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>() * q(map.rows[j]);
   if (ground.size() > 0) ends += map.moved_by_ground(ground).head<12>();
   const auto at_centre = [&](const spatial::Matrix6& of_k) -> spatial::Matrix6 {
     const spatial::Matrix6 from_centre = numerics::inverse(spatial::Matrix6(directions.deformation.rightCols<6>()));

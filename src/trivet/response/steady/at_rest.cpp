@@ -10,9 +10,8 @@ namespace trivet::response {
 
 const assembly::Assembled& of_statics(const model::System& system, const assembly::Assembled& assembled) {
   const auto& elements = system.elements();
-  const bool has_laws = std::any_of(elements.begin(), elements.end(), [](const model::Element& one) {
-    return model::has_laws(one) || one.law.nonlinear.has_value();
-  });
+  const bool has_laws = std::ranges::any_of(
+      elements, [](const model::Element& one) { return model::has_laws(one) || one.law.nonlinear.has_value(); });
   return has_laws ? assembled.first_order() : assembled;
 }
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 
@@ -23,7 +22,7 @@ Jet<MatrixXcd> condensation_basis(const Jet<MatrixXcd>& z, Eigen::Index kept) {
   const Eigen::Index inner = z[0].rows() - kept;
   assert(inner > 0 && kept >= 0 && z[0].rows() == z[0].cols());
   const Factors lu(z[0].bottomRightCorner(inner, inner));
-  const auto rows = [&](int k) { return z[to_size(k)].bottomRows(inner); };
+  const auto rows = [&](int k) { return z[k].bottomRows(inner); };
   Jet<MatrixXcd> result;
   for (MatrixXcd& r : result) r = MatrixXcd::Zero(z[0].rows(), kept);
   result[0].topRows(kept).setIdentity();

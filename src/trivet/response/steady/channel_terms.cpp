@@ -37,7 +37,7 @@ Eigen::MatrixXd round_off(const assembly::Assembled& assembled, const std::vecto
   const Eigen::MatrixXd alike = unit * (unit.cwiseInverse().asDiagonal() * q.cwiseAbs()).colwise().maxCoeff();
   Eigen::MatrixXd result(std::ssize(channels), q.cols());
   for (Eigen::Index c = 0; c < result.rows(); ++c)
-    result.row(c) = round_off_share * numerics::possible_amplitudes(channels[to_size(c)].curve(), alike, {}, omega);
+    result.row(c) = round_off_share * numerics::possible_amplitudes(channels[c].curve(), alike, {}, omega);
   return result;
 }
 
@@ -47,7 +47,7 @@ AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vec
   AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
   const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
   for (Eigen::Index i = 0; i < points; ++i) {
-    const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), omega[to_size(i)]);
+    const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), omega[i]);
     result.value.col(i) = exact.values;
     result.possible.col(i) = exact.possible;
   }
@@ -68,7 +68,7 @@ AnswerSamples samples_in(const assembly::Assembled& assembled, const std::vector
   const Eigen::RowVectorXd at = Eigen::Map<const Eigen::RowVectorXd>(omega.data(), points);
   const Eigen::MatrixXd size = q.cwiseAbs(), ground_size = ground.cwiseAbs();
   for (Eigen::Index c = 0; c < count; ++c) {
-    const numerics::ObservedCurve& curve = given.curves[to_size(c)];
+    const numerics::ObservedCurve& curve = given.curves[c];
     result.value.row(c) = numerics::curve_values(curve, q, ground, at.cast<Complex>());
     result.possible.row(c) = numerics::possible_amplitudes(curve, size, ground_size, at);
   }
@@ -97,7 +97,7 @@ AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::ve
   for (const assembly::AnsweredTogether& group : groups) {
     const AnswerSamples part = samples_in(assembled, group.channels, group.loading, omega);
     for (Eigen::Index k = 0; k < std::ssize(group.which); ++k) {
-      const auto row = to_index(group.which[to_size(k)]);
+      const auto row = to_index(group.which[k]);
       result.value.row(row) = part.value.row(k);
       result.possible.row(row) = part.possible.row(k);
     }

@@ -65,11 +65,9 @@ class CurveModelBuilder {
         model.check.undefined_at.push_back(peak.angular_frequency);
     for (const assembly::ElementMap& map : assembled.elements)
       knots_.insert(knots_.end(), map.knots.begin(), map.knots.end());
-    std::sort(knots_.begin(), knots_.end());
+    std::ranges::sort(knots_);
     for (const assembly::Channel& channel : channels)
-      same_unit_.push_back(std::find_if(channels.begin(), channels.end(),
-                                        [&](const assembly::Channel& c) { return c.unit == channel.unit; }) -
-                           channels.begin());
+      same_unit_.push_back(std::ranges::find(channels, channel.unit, &assembly::Channel::unit) - channels.begin());
     largest_ = Eigen::VectorXd::Zero(std::ssize(model.delays) * std::ssize(channels));
     idle_ = Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(std::ssize(channels), false);
     for (std::size_t c = 0; c < peaks.curves.size() && c < channels.size(); ++c)
@@ -77,7 +75,7 @@ class CurveModelBuilder {
   }
 
   void solve(std::vector<double> omega) {
-    std::sort(omega.begin(), omega.end());
+    std::ranges::sort(omega);
     std::vector<double> fresh;
     for (const double w : omega)
       if (!is_known(w) && (fresh.empty() || w - fresh.back() > apart * w)) fresh.push_back(w);
@@ -164,8 +162,7 @@ class CurveModelBuilder {
   [[nodiscard]] bool is_known(double w) const {
     const auto above = samples_.lower_bound(w * (1 - apart));
     return (above != samples_.end() && above->first <= w * (1 + apart)) ||
-        std::any_of(model_.check.undefined_at.begin(), model_.check.undefined_at.end(),
-                    [&](double u) { return std::abs(u - w) <= apart * w; });
+        std::ranges::any_of(model_.check.undefined_at, [&](double u) { return std::abs(u - w) <= apart * w; });
   }
 
   /// Frequency at which a piece is cut: the corner of a table nearest to the middle of its samples, or that middle.
@@ -202,12 +199,12 @@ class CurveModelBuilder {
     const Eigen::Index curves = idle_.size();
     Eigen::VectorXd of_unit = Eigen::VectorXd::Zero(curves);
     for (Eigen::Index i = 0; i < values.size(); ++i) {
-      double& most = of_unit(same_unit_[to_size(i % curves)]);
+      double& most = of_unit(same_unit_[i % curves]);
       most = std::max(most, std::abs(values(i)));
     }
     Eigen::VectorXd floor = floor_share * largest_.head(values.size());
     for (Eigen::Index i = 0; i < values.size(); ++i)
-      floor(i) = std::max(floor(i), floor_share * of_unit(same_unit_[to_size(i % curves)]));
+      floor(i) = std::max(floor(i), floor_share * of_unit(same_unit_[i % curves]));
     return floor;
   }
 
@@ -239,11 +236,11 @@ class CurveModelBuilder {
       const double doubt = ((with.col(k) - without.col(k)).cwiseAbs().array() / scale(with.col(k)).array()).maxCoeff();
       doubts.emplace_back(std::isfinite(doubt) ? doubt : std::numeric_limits<double>::max(), x(k));
     }
-    std::sort(doubts.begin(), doubts.end(), std::greater<>());
+    std::ranges::sort(doubts, std::greater<>());
     for (const auto& [doubt, w] : doubts) {
       if (chosen.size() >= std::clamp(known / 4, std::size_t{2}, most_per_round())) break;
       const double gap = samples_.lower_bound(w) == samples_.end() ? band.to : samples_.lower_bound(w)->first;
-      if (std::find(gaps.begin(), gaps.end(), gap) != gaps.end()) continue;
+      if (std::ranges::find(gaps, gap) != gaps.end()) continue;
       gaps.push_back(gap);
       chosen.push_back(w);
     }

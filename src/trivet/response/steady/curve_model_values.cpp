@@ -18,8 +18,7 @@ Eigen::MatrixXcd CurveModel::at(const std::vector<double>& omega) const {
     std::vector<Eigen::Index> columns;
     for (std::size_t i = 0; i < omega.size(); ++i) {
       if (!(omega[i] >= piece.band.from && omega[i] <= piece.band.to)) continue;
-      if (std::find(check.undefined_at.begin(), check.undefined_at.end(), omega[i]) != check.undefined_at.end())
-        continue;
+      if (std::ranges::find(check.undefined_at, omega[i]) != check.undefined_at.end()) continue;
       inside.push_back(omega[i]);
       columns.push_back(to_index(i));
     }
@@ -57,8 +56,7 @@ FrequencyResponse interpolated(const CurveModel& model, const std::vector<assemb
     Curve& curve =
         result.curves.emplace_back(Curve{channels[c].name, channels[c].unit, values.row(to_index(c)).transpose()});
     for (std::size_t k = 0; c < exact.size() && k < exact[c].size(); ++k) {
-      const auto at =
-          std::lower_bound(angular_frequency.begin(), angular_frequency.end(), exact[c][k].angular_frequency);
+      const auto at = std::ranges::lower_bound(angular_frequency, exact[c][k].angular_frequency);
       if (!exact[c][k].maximum || at == angular_frequency.end() || *at != exact[c][k].angular_frequency) continue;
       std::complex<double>& value = curve.value(at - angular_frequency.begin());
       if (std::abs(value) > 0) value *= exact[c][k].amplitude / std::abs(value);

@@ -66,8 +66,7 @@ void add(const std::vector<Eigen::Index>& rows, const Matrix& m, ExtendedComplex
          Entries<ConstantParts>& entries) {
   for (Eigen::Index j = 0; j < m.cols(); ++j)
     for (Eigen::Index i = 0; i < m.rows(); ++i)
-      if (const ExtendedComplex value = m(i, j); value != ExtendedComplex())
-        entries[{rows[to_size(j)], rows[to_size(i)]}].*part += value;
+      if (const ExtendedComplex value = m(i, j); value != ExtendedComplex()) entries[{rows[j], rows[i]}].*part += value;
 }
 
 /// Rows first … first + count − 1.
@@ -84,12 +83,12 @@ Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::
   std::vector<ExtendedMatrix> parts;  // of the rows
   const auto add_row = [&](Eigen::Index row, Eigen::Index first, const auto& values) {
     if (row < 0) return;
-    const auto at = std::find(result.rows.begin(), result.rows.end(), row) - result.rows.begin();
+    const auto at = std::ranges::find(result.rows, row) - result.rows.begin();
     if (to_size(at) == result.rows.size()) {
       result.rows.push_back(row);
       parts.emplace_back(ExtendedMatrix::Zero(1, 12 + internal));
     }
-    parts[to_size(at)].block(0, first, 1, values.size()) += values;
+    parts[at].block(0, first, 1, values.size()) += values;
   };
   const ExtendedMatrix one = ExtendedMatrix::Ones(1, 1);
   for (Eigen::Index i = 0; i < internal; ++i) add_row(layout.internal_row(index) + i, 12 + i, one);
@@ -191,7 +190,7 @@ class SecondSystem {
       const ExtendedMatrix transformed = carried.of(exact);
       for (Eigen::Index j = 0; j < transformed.cols(); ++j)
         for (Eigen::Index i = 0; i < transformed.rows(); ++i) {
-          Sum& sum = e.z[{carried.rows[to_size(j)], carried.rows[to_size(i)]}];
+          Sum& sum = e.z[{carried.rows[j], carried.rows[i]}];
           sum.value += transformed(i, j);
           sum.terms += std::abs(transformed(i, j));
         }
@@ -325,7 +324,7 @@ std::vector<double> check_frequencies(const Eigen::VectorXcd& poles, double from
       result.push_back(at);
   const int spread = count - static_cast<int>(result.size());
   for (int i = 0; i < spread; ++i) result.push_back(from + (to - from) * (i + 0.5) / spread);
-  std::sort(result.begin(), result.end());
+  std::ranges::sort(result);
   return result;
 }
 

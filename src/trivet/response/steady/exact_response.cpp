@@ -25,7 +25,7 @@ std::pair<Complex, double> value(const assembly::Assembled& assembled, const ass
     const assembly::ElementMap& map = assembled.elements[force.element];
     Eigen::Matrix<Complex, 12, 1> ends = Eigen::Matrix<Complex, 12, 1>::Zero();
     for (Eigen::Index j = 0; j < map.end_columns; ++j)
-      ends += map.ends.col(j).head<12>().cast<Complex>() * q(map.rows[to_size(j)]);
+      ends += map.ends.col(j).head<12>().cast<Complex>() * q(map.rows[j]);
     if (g.size() > 0) ends += map.moved_by_ground(g).head<12>();
     const elements::Matrix12c stiffness = map.dynamic_stiffness(omega, near);
     const Eigen::Matrix<Complex, 12, 1> wrenches = stiffness * ends;
@@ -48,8 +48,7 @@ ExactValues exact_values(const assembly::Assembled& assembled, const std::vector
   const Eigen::VectorXcd ground = loading.motion.vanishes() ? Eigen::VectorXcd() : loading.motion.at(omega);
   ExactValues result{Eigen::VectorXcd(count), Eigen::VectorXd(count)};
   for (Eigen::Index c = 0; c < count; ++c)
-    std::tie(result.values(c), result.possible(c)) =
-        value(assembled, channels[to_size(c)], coordinates, ground, omega, near);
+    std::tie(result.values(c), result.possible(c)) = value(assembled, channels[c], coordinates, ground, omega, near);
   return result;
 }
 

@@ -25,8 +25,8 @@ constexpr double least_step = 1e-9;
 
 void keep_inside(std::vector<double>& grid, const assembly::Band& band) {
   std::erase_if(grid, [&](double w) { return !(w >= band.from && w <= band.to); });
-  std::sort(grid.begin(), grid.end());
-  grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
+  std::ranges::sort(grid);
+  grid.erase(std::ranges::unique(grid).begin(), grid.end());
 }
 
 std::vector<double> first_guess(const assembly::Band& band, const Peaks& peaks, const std::vector<double>& more = {}) {
@@ -112,7 +112,7 @@ namespace {
 /// Halves the intervals of a first guess until straight lines follow every curve.
 std::vector<double> halved(std::vector<double> grid, const Values& values_at, const Peaks& peaks) {
   if (grid.size() < 2) return grid;
-  assert(std::is_sorted(grid.begin(), grid.end()) && "intervals are between neighbours");
+  assert(std::ranges::is_sorted(grid) && "intervals are between neighbours");
   const Eigen::MatrixXcd values = values_at(grid);
   const Eigen::VectorXd top = largest(values, peaks);
   std::vector<Interval> open;
@@ -137,7 +137,7 @@ std::vector<double> halved(std::vector<double> grid, const Values& values_at, co
     }
     open = std::move(halves);
   }
-  std::sort(grid.begin(), grid.end());
+  std::ranges::sort(grid);
   return grid;
 }
 

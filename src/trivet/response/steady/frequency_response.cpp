@@ -29,7 +29,7 @@ Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::v
                               const std::vector<double>& omega) {
   Eigen::MatrixXcd values(to_index(channels.size()), q.cols());
   for (Eigen::Index i = 0; i < q.cols(); ++i)
-    values.col(i) = exact_values(assembled, channels, loading, q.col(i), omega[to_size(i)]).values;
+    values.col(i) = exact_values(assembled, channels, loading, q.col(i), omega[i]).values;
   return values;
 }
 
@@ -56,7 +56,7 @@ FrequencyResponse answered(const assembly::Assembled& assembled, const std::vect
   }
   result.check.fallbacks = solved.fallbacks;
   for (Eigen::Index i = 0; i < solved.backward_error.size(); ++i)
-    note_error(solved.backward_error(i), angular_frequency[to_size(i)], result.check);
+    note_error(solved.backward_error(i), angular_frequency[i], result.check);
   return result;
 }
 
@@ -67,8 +67,7 @@ void add(const SolutionCheck& part, SolutionCheck& whole) {
     whole.at_angular_frequency = part.at_angular_frequency;
   }
   for (const double omega : part.undefined_at)
-    if (std::find(whole.undefined_at.begin(), whole.undefined_at.end(), omega) == whole.undefined_at.end())
-      whole.undefined_at.push_back(omega);
+    if (std::ranges::find(whole.undefined_at, omega) == whole.undefined_at.end()) whole.undefined_at.push_back(omega);
 }
 
 }  // namespace

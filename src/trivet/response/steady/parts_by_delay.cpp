@@ -28,8 +28,8 @@ std::vector<double> delays_of(const assembly::Loading& loading) {
   for (const numerics::Load* load : {&loading.force, &loading.motion})
     for (const numerics::LoadTerm& term : load->terms()) delays.push_back(term.delay);
   if (delays.empty()) delays.push_back(0);
-  std::sort(delays.begin(), delays.end());
-  delays.erase(std::unique(delays.begin(), delays.end()), delays.end());
+  std::ranges::sort(delays);
+  delays.erase(std::ranges::unique(delays).begin(), delays.end());
   return delays;
 }
 

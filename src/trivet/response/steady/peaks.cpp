@@ -21,8 +21,7 @@ using Complex = std::complex<double>;
 using foundation::infinity;
 
 bool defined_at_rest(const assembly::Assembled& assembled) {
-  return std::all_of(assembled.elements.begin(), assembled.elements.end(),
-                     [](const assembly::ElementMap& map) { return map.defined_from == 0; });
+  return std::ranges::all_of(assembled.elements, [](const assembly::ElementMap& map) { return map.defined_from == 0; });
 }
 
 /// End of the search. Frequency-dependent elements have no last pole: it is where the caller asks, but well above the
@@ -69,7 +68,7 @@ numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const st
             loading.motion.vanishes() ? Eigen::VectorXd() : Eigen::VectorXd(loading.motion.possible(std::abs(omega)));
         Eigen::VectorXd alike(curves);
         for (Eigen::Index c = 0; c < curves; ++c)
-          alike(c) = numerics::possible_amplitudes(observed[to_size(c)], together, ground,
+          alike(c) = numerics::possible_amplitudes(observed[c], together, ground,
                                                    Eigen::RowVectorXd::Constant(1, std::abs(omega)))
                          .value();
         return numerics::CurveSample{std::move(sample.values), std::move(sample.possible), std::move(alike),
@@ -81,7 +80,7 @@ numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const st
        .seams = std::move(seams),
        .near_poles = near_poles,
        .progress = progress,
-       .name = [&](Eigen::Index c) { return channels[to_size(c)].name; }});
+       .name = [&](Eigen::Index c) { return channels[c].name; }});
 }
 
 /// Peaks of channels in the coordinates of the loading.
@@ -194,8 +193,7 @@ Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Ch
       result.turnings[group.which[k]] = std::move(part.turnings[k]);
     }
   }
-  std::stable_sort(result.list.begin(), result.list.end(),
-                   [](const Peak& a, const Peak& b) { return a.curve < b.curve; });
+  std::ranges::stable_sort(result.list, {}, &Peak::curve);
   return result;
 }
 

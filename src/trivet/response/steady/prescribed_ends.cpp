@@ -37,9 +37,7 @@ PrescribedEnds::Motion PrescribedEnds::ground_at(const Eigen::Vector3d& place, s
   for (const model::Excitation* excitation : moving_) {
     const model::Action& action = excitation->action;
     const bool as_one = action.elements.empty() && !action.wave;
-    if (!action.elements.empty() &&
-        std::find(action.elements.begin(), action.elements.end(), element) == action.elements.end())
-      continue;
+    if (!action.elements.empty() && std::ranges::find(action.elements, element) == action.elements.end()) continue;
     Motion motion = action.amplitude.cast<ExtendedComplex>();
     Extended later = action.delay;
     if (as_one) {  // u + θ × (r − at)

@@ -19,8 +19,8 @@ namespace trivet::response {
 namespace {
 
 void refuse_without_load(const model::System& system) {
-  const bool is_nonlinear = std::any_of(system.elements().begin(), system.elements().end(),
-                                        [](const model::Element& e) { return e.law.nonlinear.has_value(); });
+  const bool is_nonlinear =
+      std::ranges::any_of(system.elements(), [](const model::Element& e) { return e.law.nonlinear.has_value(); });
   if (!system.description().gravity && system.description().constant_forces.empty() && !is_nonlinear)
     throw foundation::NotComputable(
         "static: the model has no static load; give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");

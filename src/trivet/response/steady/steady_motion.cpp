@@ -33,7 +33,7 @@ Eigen::VectorXcd element_motion(const assembly::ElementMap& map, const SteadyMot
   const Eigen::Index columns = map.frequency_dependent() ? map.end_columns : map.ends.cols();
   Eigen::VectorXcd d = map.moved_by_ground(motion.ground).head(size);
   for (Eigen::Index j = 0; j < columns; ++j)
-    d += map.ends.col(j).head(size).cast<std::complex<double>>() * motion.free(map.rows[to_size(j)]);
+    d += map.ends.col(j).head(size).cast<std::complex<double>>() * motion.free(map.rows[j]);
   return d;
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "trivet/foundation/index.h"
 #include "trivet/response/steady/visible_amplitudes.h"
 
 namespace trivet::response {
@@ -33,8 +32,8 @@ std::vector<bool> vanish_at_both_ends(const assembly::Assembled& assembled,
                                       const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
                                       const modal::Roots& roots) {
   std::vector<bool> vanish(channels.size(), false);
-  const bool free = std::any_of(roots.list.begin(), roots.list.end(),
-                                [](const modal::Root& root) { return root.kind == modal::RootKind::rigid; });
+  const bool free =
+      std::ranges::any_of(roots.list, [](const modal::Root& root) { return root.kind == modal::RootKind::rigid; });
   if (assembled.frequency_dependent() || loading.longest_delay() > 0 || loading.vanishes() || free) return vanish;
   const RootRange range = range_of(roots);
   const auto at = [&](double omega) { return visible_amplitudes(assembled, channels, loading, omega); };
@@ -43,7 +42,7 @@ std::vector<bool> vanish_at_both_ends(const assembly::Assembled& assembled,
                         beyond = at(range.highest * far);
   for (Eigen::Index c = 0; c < between.size(); ++c) {
     const bool zero_throughout = low(c) == 0 && between(c) == 0 && high(c) == 0;
-    vanish[to_size(c)] = !zero_throughout && at_rest(c) <= falls * low(c) && beyond(c) <= falls * high(c);
+    vanish[c] = !zero_throughout && at_rest(c) <= falls * low(c) && beyond(c) <= falls * high(c);
   }
   return vanish;
 }

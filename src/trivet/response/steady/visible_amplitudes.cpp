@@ -26,7 +26,7 @@ Eigen::VectorXd visible_in(const assembly::Assembled& assembled, const std::vect
   const Eigen::VectorXd ground = loading.motion.vanishes() ? Eigen::VectorXd() : loading.motion.possible(omega);
   Eigen::VectorXd amplitudes = exact.values.cwiseAbs();
   for (Eigen::Index c = 0; c < amplitudes.size(); ++c) {
-    const auto curve = channels[to_size(c)].curve();
+    const auto curve = channels[c].curve();
     const double possible = std::max(
         exact.possible(c),
         numerics::possible_amplitudes(curve, together, ground, Eigen::RowVectorXd::Constant(1, omega)).value());
@@ -42,7 +42,7 @@ Eigen::VectorXd visible_amplitudes(const assembly::Assembled& assembled, const s
   Eigen::VectorXd result(std::ssize(channels));
   for (const assembly::AnsweredTogether& group : assembly::by_coordinates(assembled.ground, channels, loading)) {
     const Eigen::VectorXd part = visible_in(assembled, group.channels, group.loading, omega);
-    for (Eigen::Index k = 0; k < part.size(); ++k) result(to_index(group.which[to_size(k)])) = part(k);
+    for (Eigen::Index k = 0; k < part.size(); ++k) result(to_index(group.which[k])) = part(k);
   }
   return result;
 }

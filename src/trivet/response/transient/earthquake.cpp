@@ -95,7 +95,7 @@ void add_warnings(const excitation::ResponseSpectrum& spectrum, const std::vecto
         "extend the table, especially to short periods");
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (const Eigen::Index i : reached) {
-    const ModalShare& mode = result.modes[to_size(i)];
+    const ModalShare& mode = result.modes[i];
     if (mode.effective_mass == 0) continue;
     lowest = std::min(lowest, mode.damping_ratio);
     highest = std::max(highest, mode.damping_ratio);
@@ -131,7 +131,7 @@ EarthquakeResponse earthquake_response(const assembly::Assembled& given, const s
   const auto count = to_index(reached.size());
   Eigen::VectorXd omega(count), zeta(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const ModalShare& mode = result.modes[to_size(reached[to_size(k)])];
+    const ModalShare& mode = result.modes[reached[k]];
     omega(k) = mode.angular_frequency;
     zeta(k) = mode.damping_ratio;
   }
@@ -142,8 +142,8 @@ EarthquakeResponse earthquake_response(const assembly::Assembled& given, const s
           "earthquake: \"{}\" is a motion of the ground alone, which a response spectrum does not give", channel.name));
     CombinedAnswer answer{channel.name, channel.unit, Eigen::VectorXd(count), 0, 0};
     for (Eigen::Index k = 0; k < count; ++k) {
-      const ModalShare& mode = result.modes[to_size(reached[to_size(k)])];
-      const Eigen::VectorXd shape = modes.shapes.col(reached[to_size(k)]);
+      const ModalShare& mode = result.modes[reached[k]];
+      const Eigen::VectorXd shape = modes.shapes.col(reached[k]);
       const double squared = omega(k) * omega(k), motion = mode.participation * mode.spectral_acceleration / squared;
       answer.modal_maxima(k) = std::pow(omega(k), channel.derivative) * motion *
           (channel.on_displacement.real().dot(shape) - squared * channel.on_acceleration.dot(shape));

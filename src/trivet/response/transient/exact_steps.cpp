@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "trivet/foundation/index.h"
-
 namespace trivet::response {
 namespace {
 
@@ -30,15 +28,15 @@ ExactSteps::ExactSteps(const StateSpace& space, double step, double largest_kapp
   assert(first == F_.rows() && "every state belongs to a pair or to a dense group");
   if (!pairs_.empty() || !dense_.empty()) levels_ = (pairs_.empty() ? dense_ : pairs_).front().levels();
   [[maybe_unused]] const auto is_as_fine = [&](const ExponentialStep& one) { return one.levels() == levels_; };
-  assert(std::all_of(pairs_.begin(), pairs_.end(), is_as_fine) &&
-         std::all_of(dense_.begin(), dense_.end(), is_as_fine) && "halvings depend on the fastest rate of all states");
+  assert(std::ranges::all_of(pairs_, is_as_fine) && std::ranges::all_of(dense_, is_as_fine) &&
+         "halvings depend on the fastest rate of all states");
   for (std::size_t level = 0; level < levels_ && P > 0; ++level) pair_matrices_.push_back(pair_matrix(level));
 }
 
 Eigen::ArrayXXd ExactSteps::pair_matrix(std::size_t level) const {
   Eigen::ArrayXXd matrix(groups_.pairs, 4);
   for (Eigen::Index j = 0; j < groups_.pairs; ++j) {
-    const Eigen::MatrixXd& phi = pairs_[to_size(j)].state(level);
+    const Eigen::MatrixXd& phi = pairs_[j].state(level);
     matrix.row(j) << phi(0, 0), phi(0, 1), phi(1, 0), phi(1, 1);
   }
   return matrix;
@@ -51,7 +49,7 @@ std::vector<InputMatrix> ExactSteps::input(const InputMatrix& G, double kappa) c
     InputMatrix own(2, 5);
     own << G.row(j), G.row(P + j);
     if (own.isZero(0)) continue;
-    const std::vector<InputMatrix> gamma = pairs_[to_size(j)].input(own, kappa);
+    const std::vector<InputMatrix> gamma = pairs_[j].input(own, kappa);
     for (std::size_t level = 0; level < levels_; ++level) {
       result[level].row(j) = gamma[level].row(0);
       result[level].row(P + j) = gamma[level].row(1);

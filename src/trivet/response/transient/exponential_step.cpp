@@ -49,7 +49,7 @@ ExponentialStep::ExponentialStep(const Eigen::MatrixXd& F, double step, double l
   for (int k = series_terms; k > 0; --k) phi = (one + scaled * phi / static_cast<long double>(k)).eval();
   exact_.push_back(phi);
   for (int level = 0; level < finest; ++level) exact_.push_back(exact_.back() * exact_.back());
-  std::reverse(exact_.begin(), exact_.end());
+  std::ranges::reverse(exact_);
   for (const ExtendedMatrix& each : exact_) state_.push_back(each.cast<double>());
 }
 

@@ -58,7 +58,7 @@ InputVector InputCourse::with_integrals(Place place, double t) const {
   const excitation::SignalState u = excitation::state_on(p, s);
   w.tail<3>() << u.value, u.rate, u.curvature;
   if (before_.empty()) return w;
-  const excitation::SignalIntegrals own = excitation::integrals_on(p, s), &before = before_[to_size(place)];
+  const excitation::SignalIntegrals own = excitation::integrals_on(p, s), &before = before_[place];
   w(0) = before.twice + before.once * s + own.twice;
   w(1) = before.once + own.once;
   return w;
@@ -92,7 +92,7 @@ void InputCourse::examine_pieces() {
 }
 
 void InputCourse::add_kappa(Place place, double kappa) {
-  auto known = std::find(kappas_.begin(), kappas_.end(), kappa);
+  auto known = std::ranges::find(kappas_, kappa);
   if (known == kappas_.end()) {
     known = kappas_.insert(known, kappa);
     if (kappas_.size() == 2) kappa_index_.assign(to_size(place), 0);

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "trivet/excitation/signal.h"
-#include "trivet/foundation/index.h"
 #include "trivet/response/transient/exponential_step.h"
 
 namespace trivet::response {
@@ -29,7 +28,7 @@ class InputCourse {
   [[nodiscard]] double kappa(Place place) const { return place < 0 ? 0 : piece(place).kappa; }
   /// Index of the κ of the piece in `kappas`.
   [[nodiscard]] std::size_t kappa_index(Place place) const {
-    return place < 0 || kappa_index_.empty() ? 0 : kappa_index_[to_size(place)];
+    return place < 0 || kappa_index_.empty() ? 0 : kappa_index_[place];
   }
   [[nodiscard]] const std::vector<double>& kappas() const { return kappas_; }
   /// Start of the next piece [s]; infinite after the last.
@@ -48,7 +47,7 @@ class InputCourse {
   }
   /// True if the mth derivative of u, m = 0, 1, 2, jumps (beyond round-off) at the start of the piece at `place`.
   [[nodiscard]] bool jumps(Place place, int m) const {
-    return std::abs(jump_into(place)(of_value + m)) > least_jump_[to_size(m)];
+    return std::abs(jump_into(place)(of_value + m)) > least_jump_[m];
   }
   /// True if ü is zero throughout.
   [[nodiscard]] bool is_polygon() const { return polygon_; }
@@ -58,7 +57,7 @@ class InputCourse {
   [[nodiscard]] double sampling_step() const { return sampling_step_; }
 
  private:
-  [[nodiscard]] const excitation::Piece& piece(Place place) const { return (*pieces_)[to_size(place)]; }
+  [[nodiscard]] const excitation::Piece& piece(Place place) const { return (*pieces_)[place]; }
   [[nodiscard]] double start_of(Place place) const { return piece(place).start + delay_; }
   [[nodiscard]] InputVector with_integrals(Place place, double t) const;
   void examine_pieces();

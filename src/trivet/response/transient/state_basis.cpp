@@ -23,7 +23,7 @@ using foundation::epsilon;
 std::vector<Eigen::Index> massless_rows(const numerics::DynamicMatrices& m, const std::vector<Eigen::Index>& massive) {
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < m.size(); ++i)
-    if (!std::binary_search(massive.begin(), massive.end(), i)) rows.push_back(i);
+    if (!std::ranges::binary_search(massive, i)) rows.push_back(i);
   return rows;
 }
 

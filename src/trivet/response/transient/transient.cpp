@@ -59,7 +59,7 @@ void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inp
     if (!term.value.imag().isZero(0))
       throw foundation::InvalidInput(
           fmt::format("input \"{}\": a phase has no meaning for a time history; give a delay", input.name));
-    auto known = std::find(delays.begin(), delays.end(), term.delay);
+    auto known = std::ranges::find(delays, term.delay);
     const auto c = to_size(known - delays.begin());
     if (known == delays.end()) {
       delays.push_back(term.delay);
@@ -235,8 +235,7 @@ TransientResponse transient_response(const model::System& system, const assembly
                                      const foundation::Progress& progress) {
   if (inputs.empty() && !options.initial)
     throw foundation::InvalidInput("transient: neither an input nor an initial state drives the model");
-  const bool at_rest =
-      std::all_of(inputs.begin(), inputs.end(), [](const TimeInput& input) { return input.loading.vanishes(); });
+  const bool at_rest = std::ranges::all_of(inputs, [](const TimeInput& input) { return input.loading.vanishes(); });
   if (at_rest && !options.initial && !options.to)
     throw foundation::InvalidInput("transient: all components of its excitations are 0; give a direction");
   require_constant_coefficients(system, assembled, inputs, options.nearest_linear_system);

@@ -101,7 +101,7 @@ void TransientRecord::add_inputs(Eigen::Index begin, Eigen::Index count, TimeSam
   const Eigen::Index n = samples.X.rows() - to_index(used_.size());
   for (std::size_t j = 0; j < used_.size(); ++j) {
     const Eigen::Index course = used_[j] / input_derivatives;
-    const double kappa = kappas_[to_size(course)];
+    const double kappa = kappas_[course];
     Eigen::Index m = used_[j] % input_derivatives;
     assert(course < to_index(kappas_.size()));
     double factor = 1;
@@ -145,7 +145,7 @@ void TransientRecord::note(const StepperState& state) {
 void TransientRecord::keep(const numerics::RowsOverTime& values, Eigen::Index first, Eigen::Index count) {
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     values.copy_row(to_index(k), curves_[k].values.segment(first, count));
-    blocks_.of_curve[k][to_size(first / blocks_.every)] = values.block(to_index(k));
+    blocks_.of_curve[k][first / blocks_.every] = values.block(to_index(k));
   }
 }
 
@@ -162,8 +162,8 @@ void TransientRecord::add_extremes_at_points() {
       return grid_.time(first +
                         (std::find(begin, begin + std::min(blocks_.every, grid_.points - first), value) - begin));
     };
-    const auto largest = std::max_element(blocks.begin(), blocks.end(), less(&numerics::RowBlock::largest)),
-               smallest = std::min_element(blocks.begin(), blocks.end(), less(&numerics::RowBlock::smallest));
+    const auto largest = std::ranges::max_element(blocks, less(&numerics::RowBlock::largest)),
+               smallest = std::ranges::min_element(blocks, less(&numerics::RowBlock::smallest));
     if (largest->largest > curve.largest.value) curve.largest = {largest->largest, position(largest, largest->largest)};
     if (smallest->smallest < curve.smallest.value)
       curve.smallest = {smallest->smallest, position(smallest, smallest->smallest)};

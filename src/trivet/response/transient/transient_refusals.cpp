@@ -10,7 +10,6 @@
 #include <string>
 
 #include "trivet/assembly/following.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -128,8 +127,7 @@ assembly::Assembled nearest_linear(const assembly::Assembled& assembled) {
     const auto couple = [&](const Eigen::MatrixXd& matrix, Eigen::MatrixXd& ground) {
       const Eigen::MatrixXd local = map.ends.transpose() * matrix * map.ground_ends;
       for (Eigen::Index i = 0; i < local.rows(); ++i)
-        for (Eigen::Index j = 0; j < local.cols(); ++j)
-          ground(map.rows[to_size(i)], map.ground_rows[to_size(j)]) += local(i, j);
+        for (Eigen::Index j = 0; j < local.cols(); ++j) ground(map.rows[i], map.ground_rows[j]) += local(i, j);
     };
     couple(map.matrices.stiffness, result.ground.K);
     couple(map.matrices.damping, result.ground.B);
@@ -138,7 +136,7 @@ assembly::Assembled nearest_linear(const assembly::Assembled& assembled) {
     const auto couple_followed = [&](const Eigen::MatrixXd& force, Eigen::MatrixXd& ground) {
       const Eigen::MatrixXd local = map.ends.transpose() * force;
       for (Eigen::Index i = 0; i < local.rows(); ++i)
-        ground.rightCols(assembled.ground.followed()).row(map.rows[to_size(i)]) += local.row(i);
+        ground.rightCols(assembled.ground.followed()).row(map.rows[i]) += local.row(i);
     };
     couple_followed(followed.stiffness, result.ground.K);
     couple_followed(followed.damping, result.ground.B);
@@ -161,7 +159,7 @@ assembly::Channel nearest_linear(const assembly::Assembled& assembled, assembly:
     const Eigen::RowVectorXd k = on_ends(map.matrices.stiffness), b = on_ends(map.matrices.damping),
                              a = on_ends(map.matrices.mass);
     for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
-      const Eigen::Index row = map.rows[to_size(j)];
+      const Eigen::Index row = map.rows[j];
       channel.on_displacement(row) += k.dot(map.ends.col(j));
       channel.on_velocity(row) += b.dot(map.ends.col(j));
       channel.on_acceleration(row) += a.dot(map.ends.col(j));
@@ -169,7 +167,7 @@ assembly::Channel nearest_linear(const assembly::Assembled& assembled, assembly:
     if (channel.ground.empty())
       channel.ground = {Eigen::VectorXcd::Zero(ground), Eigen::VectorXd::Zero(ground), Eigen::VectorXd::Zero(ground)};
     for (Eigen::Index j = 0; j < map.ground_ends.cols(); ++j) {
-      const Eigen::Index row = map.ground_rows[to_size(j)];
+      const Eigen::Index row = map.ground_rows[j];
       channel.ground.on_displacement(row) += k.dot(map.ground_ends.col(j));
       channel.ground.on_velocity(row) += b.dot(map.ground_ends.col(j));
       channel.ground.on_acceleration(row) += a.dot(map.ground_ends.col(j));

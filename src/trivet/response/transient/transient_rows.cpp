@@ -22,7 +22,7 @@ LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Chan
   const auto count = to_index(channels.size());
   LinearRows rows{Eigen::MatrixXd::Zero(count, q.on_state.cols()), Eigen::MatrixXd::Zero(count, q.on_input.cols())};
   for (Eigen::Index i = 0; i < count; ++i) {
-    const assembly::Channel& channel = channels[to_size(i)];
+    const assembly::Channel& channel = channels[i];
     const Eigen::RowVectorXd k = channel.on_displacement.real().transpose();
     const Eigen::RowVectorXd b = channel.on_velocity.transpose(), a = channel.on_acceleration.transpose();
     LinearRows row{k * q.on_state, k * q.on_input};
@@ -62,7 +62,7 @@ void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channe
     int found = 0;
     for (Eigen::Index i = 0; i < rows.on_input.rows() && scale > 0; ++i) {
       if (!(rows.on_input.row(i).segment(from, count).cwiseAbs().maxCoeff() > sum_round_off * scale)) continue;
-      if (++found <= 3) list += (list.empty() ? "" : ", ") + channels[to_size(i)].name;
+      if (++found <= 3) list += (list.empty() ? "" : ", ") + channels[i].name;
     }
     if (found == 0) continue;
     warned.insert(names[c]);
