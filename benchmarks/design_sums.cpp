@@ -7,7 +7,7 @@
 #include "support/many_numbers.h"
 #include "trivet/foundation/index.h"
 #include "trivet/judging/read_project.h"
-#include "trivet/study/design_objective.h"
+#include "trivet/study/optimize/design_objective.h"
 
 using namespace trivet;
 using namespace trivet::benchmarks;

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "trivet/judging/read_project.h"
-#include "trivet/study/answers.h"
-#include "trivet/study/asked_questions.h"
-#include "trivet/study/design_sweep.h"
+#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/asked_questions.h"
+#include "trivet/study/map/design_sweep.h"
 
 namespace {
 

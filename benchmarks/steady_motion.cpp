@@ -4,7 +4,7 @@
 // pyHarm if it is installed. Then machines with two stops and with eight sliders, and the position of rest on stops,
 // for which no program is at hand to compare with. Last the LU of a step along a curve, compared with Eigen's (which
 // PivotedLu has) and LAPACK's.
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 #include <cmath>
 #include <cstdio>
@@ -18,8 +18,8 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/judging/read_project.h"
-#include "trivet/nonlinear/deflections.h"
-#include "trivet/nonlinear/rest_position.h"
+#include "trivet/nonlinear/laws/deflections.h"
+#include "trivet/nonlinear/rest/rest_position.h"
 #include "trivet/numerics/linalg/lane_lu.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/project/project.h"

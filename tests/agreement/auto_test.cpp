@@ -14,8 +14,8 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/nonlinear/stable_motions.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/stable_motions.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 namespace auto_test {
 

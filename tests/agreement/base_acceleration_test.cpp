@@ -8,7 +8,7 @@
 #include "support/projects.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
-#include "trivet/study/design_map.h"
+#include "trivet/study/map/design_map.h"
 
 namespace base_acceleration_test {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// Motions that begin where others lose their stability need more harmonics than these.
 namespace branched_harmonics_test {

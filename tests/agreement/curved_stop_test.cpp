@@ -3,7 +3,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// A stop whose force is a curve of two straight pieces is two stops, the second of which closes at the bend.
 namespace curved_stop_test {

@@ -13,8 +13,8 @@
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/spatial/rigid_motion.h"
-#include "trivet/study/requirement_slopes.h"
-#include "trivet/study/requirement_values.h"
+#include "trivet/study/family/requirement_slopes.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 /// Slopes of the margins of every kind of requirement against differences of the fourth order of models that are solved
 /// again in quadruple precision, on random skew machines with all kinds of damping.

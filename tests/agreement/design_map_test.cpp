@@ -8,7 +8,7 @@
 
 #include "support/projects.h"
 #include "trivet/judging/read_project.h"
-#include "trivet/study/design_map.h"
+#include "trivet/study/map/design_map.h"
 
 namespace design_map_test {
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "support/projects.h"
-#include "trivet/study/design_objective.h"
+#include "trivet/study/optimize/design_objective.h"
 
 /// Slopes of the margins of requirements: from derivatives of the assembled model, and from differences of the margins
 /// of models that are read and solved again.

@@ -13,9 +13,9 @@
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/harmonic_balance.h"
-#include "trivet/nonlinear/stable_motions.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/balance/harmonic_balance.h"
+#include "trivet/nonlinear/branch/stable_motions.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// All curves that are followed, with the detached ones, against motions that Newton's method finds from dense starts
 /// at fixed frequencies. Both solve the same equations; the search is what is compared.

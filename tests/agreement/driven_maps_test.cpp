@@ -9,7 +9,7 @@
 
 #include "support/projects.h"
 #include "trivet/design/design_rules.h"
-#include "trivet/study/design_map.h"
+#include "trivet/study/map/design_map.h"
 
 namespace trivet {
 namespace driven_maps_test {

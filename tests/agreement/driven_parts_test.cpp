@@ -8,7 +8,7 @@
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/judging/read_project.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/response/machinery/order_loading.h"
 #include "trivet/response/steady/frequency_response.h"
 

@@ -10,7 +10,7 @@
 #include "support/projects.h"
 #include "trivet/judging/changed_case.h"
 #include "trivet/project/model_number.h"
-#include "trivet/study/explanation.h"
+#include "trivet/study/explain/explanation.h"
 
 namespace explain_at_rest_test {
 

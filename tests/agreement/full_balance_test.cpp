@@ -9,7 +9,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// Condensed harmonic balance against the whole machine: all coordinates with the exact dynamic stiffness, forces of
 /// the laws by dense sampling; power; and machines that are turned and moved.

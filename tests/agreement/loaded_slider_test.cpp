@@ -5,7 +5,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/backbone.h"
+#include "trivet/nonlinear/modes/backbone.h"
 
 /// A mass on a spring with a slider, with and without its weight. Where the slider slips both ways, it has no mean: the
 /// weight only moves the place about which the mass vibrates.

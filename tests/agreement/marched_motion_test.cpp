@@ -9,7 +9,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// Steady motion and its multipliers against marching in time, which shares nothing with them.
 namespace marched_motion_test {

@@ -14,7 +14,7 @@
 #include "support/random_system.h"
 #include "trivet/foundation/index.h"
 #include "trivet/spatial/rigid_motion.h"
-#include "trivet/study/answers.h"
+#include "trivet/study/analyses/answers.h"
 
 namespace matrix_table_test {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// The branch that is followed against all motions that exist: with one harmonic a Duffing oscillator has those whose
 /// squared amplitude is a root of a cubic.

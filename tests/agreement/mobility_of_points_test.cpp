@@ -11,7 +11,7 @@
 
 #include "support/projects.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/exchange/universal_writing.h"
+#include "trivet/exchange/universal/universal_writing.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"

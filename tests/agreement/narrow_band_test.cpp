@@ -7,7 +7,7 @@
 
 #include "support/projects.h"
 #include "trivet/foundation/constants.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// Narrow bands, in which motions have no connection that a wide band shows.
 namespace narrow_band_test {

@@ -12,9 +12,9 @@
 #include "trivet/assembly/assembled.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/suspension.h"
-#include "trivet/study/explanation.h"
-#include "trivet/study/random_answer.h"
-#include "trivet/study/transient_answer.h"
+#include "trivet/study/analyses/random_answer.h"
+#include "trivet/study/analyses/transient_answer.h"
+#include "trivet/study/explain/explanation.h"
 
 namespace nodes_test {
 

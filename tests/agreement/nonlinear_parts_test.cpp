@@ -5,7 +5,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/static_response.h"
 

@@ -5,9 +5,9 @@
 
 #include "support/projects.h"
 #include "support/quad_model.h"
-#include "trivet/study/design_objective.h"
-#include "trivet/study/frequency_slopes.h"
-#include "trivet/study/optimization.h"
+#include "trivet/study/family/frequency_slopes.h"
+#include "trivet/study/optimize/design_objective.h"
+#include "trivet/study/optimize/optimization.h"
 
 /// A body on four equal corner springs, with equal natural frequencies along x and y: its one-sided slopes in a
 /// direction of the parameters against models solved again in quadruple precision, and searches that start there.

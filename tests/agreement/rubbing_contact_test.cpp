@@ -15,9 +15,9 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/backbone.h"
-#include "trivet/nonlinear/rest_position.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
+#include "trivet/nonlinear/modes/backbone.h"
+#include "trivet/nonlinear/rest/rest_position.h"
 
 namespace rubbing_contact_test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/simplification.h"
+#include "trivet/study/explain/simplification.h"
 
 #include <gmock/gmock.h>
 

@@ -5,7 +5,7 @@
 
 #include "support/projects.h"
 #include "trivet/foundation/constants.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// Friction in directions that do not move: in a symmetric machine forces across the drive cancel, and their round-off
 /// must neither end a curve nor change it.

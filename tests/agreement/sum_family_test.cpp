@@ -7,8 +7,8 @@
 #include "support/many_numbers.h"
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
-#include "trivet/study/design_objective.h"
-#include "trivet/study/packed_margins.h"
+#include "trivet/study/family/packed_margins.h"
+#include "trivet/study/optimize/design_objective.h"
 
 /// Designs of a family over twenty numbers, against models that are read and solved again.
 namespace sum_family_test {

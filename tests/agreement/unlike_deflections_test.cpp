@@ -5,7 +5,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// A travel against a stop beside a rotation, which have nothing to do with each other: the travel is the same whatever
 /// the size of the rotation, which would hide it if metres and radians had one measure.

@@ -23,10 +23,10 @@
 #include "trivet/project/analyses/random_question.h"
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/text/changes.h"
-#include "trivet/results/project_json.h"
+#include "trivet/results/model/project_json.h"
 #include "trivet/solids/closed_surface.h"
 #include "trivet/solids/stl_file.h"
-#include "trivet/study/answers.h"
+#include "trivet/study/analyses/answers.h"
 
 namespace trivet::fuzz {
 namespace {

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "trivet/exchange/universal_reading.h"
-#include "trivet/exchange/universal_writing.h"
+#include "trivet/exchange/universal/universal_reading.h"
+#include "trivet/exchange/universal/universal_writing.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace {

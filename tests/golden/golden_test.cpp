@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "trivet/judging/read_project.h"
-#include "trivet/study/answers.h"
+#include "trivet/study/analyses/answers.h"
 
 namespace golden_test {
 

@@ -11,12 +11,12 @@
 #include "trivet/modal/roots.h"
 #include "trivet/response/machinery/deflection_shape.h"
 #include "trivet/response/machinery/power.h"
-#include "trivet/study/answers.h"
-#include "trivet/study/orders_answer.h"
-#include "trivet/study/random_answer.h"
-#include "trivet/study/shock_spectrum_answer.h"
-#include "trivet/study/transient_answer.h"
-#include "trivet/study/transmissibility_answer.h"
+#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/orders_answer.h"
+#include "trivet/study/analyses/random_answer.h"
+#include "trivet/study/analyses/shock_spectrum_answer.h"
+#include "trivet/study/analyses/transient_answer.h"
+#include "trivet/study/analyses/transmissibility_answer.h"
 
 namespace trivet::test {
 

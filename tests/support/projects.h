@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "trivet/project/project.h"
-#include "trivet/study/answers.h"
+#include "trivet/study/analyses/answers.h"
 
 namespace trivet::test {
 

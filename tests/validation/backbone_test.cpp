@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/backbone.h"
+#include "trivet/nonlinear/modes/backbone.h"
 
 #include <gmock/gmock.h>
 

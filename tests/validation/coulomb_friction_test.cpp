@@ -7,7 +7,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// A mass on a spring with Coulomb friction under a harmonic force: the closed form of Den Hartog, Trans. ASME 53
 /// (1931) for motion that does not rest, and the product of its multipliers.

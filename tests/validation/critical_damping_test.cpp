@@ -9,7 +9,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// Poles that repeat with one shape only have no residues. Steady motion there, exactly and nearly.
 namespace critical_damping_test {

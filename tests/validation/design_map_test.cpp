@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "support/projects.h"
-#include "trivet/study/design_map.h"
+#include "trivet/study/map/design_map.h"
 
 namespace design_map_test {
 

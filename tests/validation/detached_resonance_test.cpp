@@ -6,7 +6,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// A mass on rubber whose loss is largest at one amplitude: with (A/A_c)² in its law, a force F holds its resonance
 /// where A (c ω + 2 L x² / (1 + x⁴)) = F, x = A/A_c. Between the extremes of the left side there are three such

@@ -7,8 +7,8 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/modal/modes.h"
-#include "trivet/nonlinear/backbone.h"
-#include "trivet/nonlinear/rest_position.h"
+#include "trivet/nonlinear/modes/backbone.h"
+#include "trivet/nonlinear/rest/rest_position.h"
 
 /// A mass on an air spring with a polytropic gas: closed forms, and periods by quadrature of the energy integral.
 namespace gas_spring_test {

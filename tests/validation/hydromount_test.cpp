@@ -10,8 +10,8 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
-#include "trivet/nonlinear/stiffness_over_amplitude.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
+#include "trivet/nonlinear/branch/stiffness_over_amplitude.h"
 
 /// A hydromount against the closed forms of its lumped model (the form of Singh, Kim, Ravindra, J. Sound Vib. 158
 /// (1992)), with the decoupler closed and open, and against marching in time between them.

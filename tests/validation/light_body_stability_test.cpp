@@ -13,7 +13,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// Multipliers beside light bodies and stiff struts, and with nodes without mass.
 namespace light_body_stability_test {

@@ -6,8 +6,8 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/backbone.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
+#include "trivet/nonlinear/modes/backbone.h"
 
 /// A mass on rubber whose stiffness and loss follow its amplitude: one harmonic is the exact motion, and its amplitude
 /// A that of |k' + i k'' + k + i c ω − m ω²| A = F.

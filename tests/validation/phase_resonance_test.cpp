@@ -8,7 +8,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// Motions that lag their force by 90°, over the force.
 namespace phase_resonance_test {

@@ -8,8 +8,8 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/modal/modes.h"
-#include "trivet/nonlinear/rest_position.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
+#include "trivet/nonlinear/rest/rest_position.h"
 #include "trivet/response/steady/static_response.h"
 
 /// Machines with nonlinear parts under their weight: closed forms, and full harmonic balance confirmed by shooting.

@@ -11,11 +11,11 @@
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/modes.h"
-#include "trivet/nonlinear/backbone.h"
-#include "trivet/nonlinear/rest_position.h"
-#include "trivet/nonlinear/static_machine.h"
-#include "trivet/nonlinear/steady_branch.h"
-#include "trivet/nonlinear/stiffness_over_amplitude.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
+#include "trivet/nonlinear/branch/stiffness_over_amplitude.h"
+#include "trivet/nonlinear/machine/static_machine.h"
+#include "trivet/nonlinear/modes/backbone.h"
+#include "trivet/nonlinear/rest/rest_position.h"
 #include "trivet/response/steady/static_response.h"
 
 /// Machines whose drawing position has no stiffness against the load, whose load is just borne there, or whose

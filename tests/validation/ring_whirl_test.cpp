@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "support/projects.h"
-#include "trivet/nonlinear/rest_position.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
+#include "trivet/nonlinear/rest/rest_position.h"
 
 namespace ring_whirl_test {
 

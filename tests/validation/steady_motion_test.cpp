@@ -8,7 +8,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace steady_motion_test {

@@ -14,9 +14,9 @@
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/analyses/steady_question.h"
 #include "trivet/project/text/admissible_range.h"
-#include "trivet/results/written_answers.h"
-#include "trivet/study/asked_questions.h"
-#include "trivet/study/cut_short.h"
+#include "trivet/results/format/written_answers.h"
+#include "trivet/study/analyses/asked_questions.h"
+#include "trivet/study/analyses/cut_short.h"
 
 namespace trivet::engine {
 namespace {

@@ -6,7 +6,7 @@
 #include "trivet/engine/command_rows.h"
 #include "trivet/engine/key_reader.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/results/study_arrays.h"
+#include "trivet/results/analyses/study_arrays.h"
 
 namespace trivet::engine {
 namespace {

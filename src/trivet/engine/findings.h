@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "trivet/study/answers.h"
+#include "trivet/study/analyses/answers.h"
 
 namespace trivet::engine {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/engine/command.h"
-#include "trivet/results/whole_file.h"
+#include "trivet/results/files/whole_file.h"
 
 namespace trivet::engine {
 

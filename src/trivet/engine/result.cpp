@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "trivet/foundation/message_list.h"
-#include "trivet/results/project_json.h"
+#include "trivet/results/model/project_json.h"
 
 namespace trivet::engine {
 

@@ -15,8 +15,8 @@
 #include "trivet/project/questions.h"
 #include "trivet/project/rewritten_project.h"
 #include "trivet/project/text/source_file.h"
-#include "trivet/results/picture_file.h"
-#include "trivet/results/project_json.h"
+#include "trivet/results/files/picture_file.h"
+#include "trivet/results/model/project_json.h"
 
 namespace trivet::engine {
 namespace {

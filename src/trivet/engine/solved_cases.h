@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/project/project.h"
-#include "trivet/study/solved_case.h"
+#include "trivet/study/analyses/solved_case.h"
 
 namespace trivet::engine {
 

@@ -7,12 +7,12 @@
 #include "trivet/engine/key_reader.h"
 #include "trivet/exports/format.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/report/study_folder.h"
-#include "trivet/results/project_json.h"
-#include "trivet/results/study_summary.h"
-#include "trivet/results/verdict_results.h"
-#include "trivet/results/verdict_words.h"
-#include "trivet/results/written_answers.h"
+#include "trivet/report/page/study_folder.h"
+#include "trivet/results/design/study_summary.h"
+#include "trivet/results/design/verdict_results.h"
+#include "trivet/results/design/verdict_words.h"
+#include "trivet/results/format/written_answers.h"
+#include "trivet/results/model/project_json.h"
 
 namespace trivet::engine {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/exchange/bulk_cards.h"
 
-#include "trivet/exchange/text_lines.h"
+#include "trivet/exchange/text/text_lines.h"
 
 namespace trivet::exchange {
 namespace {

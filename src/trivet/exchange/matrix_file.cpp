@@ -6,12 +6,12 @@
 
 #include "trivet/exchange/abaqus_matrix.h"
 #include "trivet/exchange/csv_matrix.h"
-#include "trivet/exchange/file_bytes.h"
 #include "trivet/exchange/matrix_market.h"
 #include "trivet/exchange/matrix_storage.h"
 #include "trivet/exchange/nastran_dmig.h"
 #include "trivet/exchange/numpy_array.h"
-#include "trivet/exchange/text_lines.h"
+#include "trivet/exchange/text/file_bytes.h"
+#include "trivet/exchange/text/text_lines.h"
 
 namespace trivet::exchange {
 namespace {

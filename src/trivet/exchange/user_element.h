@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "trivet/exchange/named_matrix.h"
-#include "trivet/exchange/text_lines.h"
+#include "trivet/exchange/text/text_lines.h"
 
 namespace trivet::exchange {
 

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/results/study_arrays.h"
-#include "trivet/results/written_answers.h"
-#include "trivet/study/asked_questions.h"
+#include "trivet/results/analyses/study_arrays.h"
+#include "trivet/results/format/written_answers.h"
+#include "trivet/study/analyses/asked_questions.h"
 
 namespace trivet::exports {
 namespace {

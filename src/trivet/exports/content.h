@@ -8,8 +8,8 @@
 #include "trivet/documents/labelled_arrays.h"
 #include "trivet/foundation/interruption.h"
 #include "trivet/project/project.h"
-#include "trivet/results/in_documents.h"
-#include "trivet/study/answers.h"
+#include "trivet/results/format/in_documents.h"
+#include "trivet/study/analyses/answers.h"
 
 namespace trivet::exports {
 

@@ -4,8 +4,8 @@
 #include "trivet/documents/csv_field.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/part_tables.h"
-#include "trivet/results/in_documents.h"
-#include "trivet/results/written_answers.h"
+#include "trivet/results/format/in_documents.h"
+#include "trivet/results/format/written_answers.h"
 
 /// The tables of the result folder, and the parts of the model as tables that a project file reads.
 namespace trivet::exports {

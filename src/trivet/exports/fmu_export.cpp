@@ -8,10 +8,11 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/question.h"
-#include "trivet/study/linear_system.h"
+#include "trivet/study/explain/linear_system.h"
 
-/// Functional mock-up units: inputs are the places of the excitations (study/linear_system.h), outputs the results that
-/// the response of the file names. Frequency-dependent elements are replaced by their nearest linear system.
+/// Functional mock-up units: inputs are the places of the excitations (study/explain/linear_system.h), outputs the
+/// results that the response of the file names. Frequency-dependent elements are replaced by their nearest linear
+/// system.
 namespace trivet::exports {
 namespace {
 

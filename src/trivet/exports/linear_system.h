@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "trivet/study/linear_system.h"
+#include "trivet/study/explain/linear_system.h"
 
 namespace trivet::exports {
 

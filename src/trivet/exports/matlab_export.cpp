@@ -15,7 +15,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/response/steady/frequency_response.h"
-#include "trivet/study/system_matrices.h"
+#include "trivet/study/explain/system_matrices.h"
 
 /// MATLAB files of version 5: a structure for each group, "about" with names, units and axes, and "check": exact
 /// displacements at some frequencies, which NAME_check.m computes again from A, B, K and the load by backslash.

@@ -4,7 +4,7 @@
 #include "trivet/documents/csv_field.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/results/in_documents.h"
+#include "trivet/results/format/in_documents.h"
 
 /// Matrices as coordinate files of Matrix Market, and the names of their rows.
 namespace trivet::exports {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "trivet/documents/csv_field.h"
-#include "trivet/exchange/universal_writing.h"
+#include "trivet/exchange/universal/universal_writing.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/universal_model.h"
 #include "trivet/foundation/constants.h"
@@ -13,8 +13,8 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/drive.h"
-#include "trivet/results/in_documents.h"
-#include "trivet/study/asked_questions.h"
+#include "trivet/results/format/in_documents.h"
+#include "trivet/study/analyses/asked_questions.h"
 
 /// Universal files: units, nodes, lines, modes (set 55), and the response as functions (set 58). In text, frequencies
 /// have six digits: they are rounded first, and the answers are computed there, so that every value is exact at the

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "trivet/exchange/universal_writing.h"
+#include "trivet/exchange/universal/universal_writing.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"

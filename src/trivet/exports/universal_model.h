@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "trivet/exchange/universal_file.h"
+#include "trivet/exchange/universal/universal_file.h"
 #include "trivet/exports/content.h"
 
 namespace trivet::exports {

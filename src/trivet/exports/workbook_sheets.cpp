@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/exports/workbook_sheets.h"
-#include "trivet/results/in_documents.h"
+#include "trivet/results/format/in_documents.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/toml_value.h"
-#include "trivet/results/verdict_words.h"
-#include "trivet/study/verdict.h"
+#include "trivet/results/design/verdict_words.h"
+#include "trivet/study/requirements/verdict.h"
 
 namespace trivet::exports {
 namespace {

@@ -7,7 +7,7 @@
 #include "trivet/assembly/second_order.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/model/static_stiffness.h"
-#include "trivet/nonlinear/static_machine.h"
+#include "trivet/nonlinear/machine/static_machine.h"
 #include "trivet/plausibility/overturning.h"
 #include "trivet/response/steady/static_response.h"
 

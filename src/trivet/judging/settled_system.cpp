@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/rest_position.h"
+#include "trivet/nonlinear/rest/rest_position.h"
 
 namespace trivet::judging {
 namespace {

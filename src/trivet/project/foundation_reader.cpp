@@ -9,9 +9,9 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/element_table_readers.h"
-#include "trivet/project/ground_points.h"
-#include "trivet/project/measured_file.h"
-#include "trivet/project/mobility_reader.h"
+#include "trivet/project/measured/ground_points.h"
+#include "trivet/project/measured/measured_file.h"
+#include "trivet/project/measured/mobility_reader.h"
 #include "trivet/project/text/idle_key.h"
 
 namespace trivet::project {

@@ -14,7 +14,7 @@
 #include "trivet/project/elements/element_reader.h"
 #include "trivet/project/excitations/excitation_reader.h"
 #include "trivet/project/foundation_reader.h"
-#include "trivet/project/measurements_reader.h"
+#include "trivet/project/measured/measurements_reader.h"
 #include "trivet/project/mount_choices.h"
 #include "trivet/project/node_reader.h"
 #include "trivet/project/observations_reader.h"

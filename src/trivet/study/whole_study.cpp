@@ -17,10 +17,10 @@
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/plausibility/overturning.h"
 #include "trivet/project/analyses/question_sizes.h"
-#include "trivet/study/case_context.h"
-#include "trivet/study/design_front.h"
-#include "trivet/study/element_summary.h"
-#include "trivet/study/optimization.h"
+#include "trivet/study/analyses/case_context.h"
+#include "trivet/study/explain/element_summary.h"
+#include "trivet/study/optimize/design_front.h"
+#include "trivet/study/optimize/optimization.h"
 
 namespace trivet::study {
 namespace {

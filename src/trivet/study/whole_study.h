@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/answers.h"
+#include "trivet/study/analyses/answers.h"
 
 namespace trivet::study {
 

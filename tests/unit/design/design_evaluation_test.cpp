@@ -7,9 +7,9 @@
 #include "support/mapped_machine.h"
 #include "support/projects.h"
 #include "trivet/judging/read_project.h"
-#include "trivet/results/map_json.h"
-#include "trivet/results/map_verdicts.h"
-#include "trivet/study/design_map.h"
+#include "trivet/results/design/map_json.h"
+#include "trivet/results/design/map_verdicts.h"
+#include "trivet/study/map/design_map.h"
 
 namespace design_evaluation_test {
 

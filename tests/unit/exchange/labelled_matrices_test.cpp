@@ -7,10 +7,10 @@
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/exchange/abaqus_matrix.h"
 #include "trivet/exchange/end_stiffness.h"
-#include "trivet/exchange/file_bytes.h"
 #include "trivet/exchange/matrix_file.h"
 #include "trivet/exchange/matrix_storage.h"
 #include "trivet/exchange/nastran_dmig.h"
+#include "trivet/exchange/text/file_bytes.h"
 
 namespace trivet::test {
 namespace labelled_matrices_test {

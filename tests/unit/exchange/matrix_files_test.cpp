@@ -5,10 +5,10 @@
 #include "support/matchers.h"
 #include "support/matrix_files.h"
 #include "trivet/exchange/csv_matrix.h"
-#include "trivet/exchange/file_bytes.h"
 #include "trivet/exchange/matrix_market.h"
 #include "trivet/exchange/numpy_array.h"
-#include "trivet/exchange/text_lines.h"
+#include "trivet/exchange/text/file_bytes.h"
+#include "trivet/exchange/text/text_lines.h"
 
 namespace trivet::test {
 namespace matrix_files_test {

@@ -5,7 +5,7 @@
 #include <complex>
 #include <limits>
 
-#include "trivet/exchange/file_bytes.h"
+#include "trivet/exchange/text/file_bytes.h"
 #include "unit/exchange/universal_texts.h"
 
 namespace trivet::test {

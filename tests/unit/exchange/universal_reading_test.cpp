@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "trivet/exchange/universal_units.h"
+#include "trivet/exchange/universal/universal_units.h"
 #include "unit/exchange/universal_texts.h"
 
 namespace trivet::test {

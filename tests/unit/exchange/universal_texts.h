@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "support/matrix_files.h"
-#include "trivet/exchange/universal_reading.h"
+#include "trivet/exchange/universal/universal_reading.h"
 
 /// Universal files put together by the tests.
 namespace trivet::test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Universal files that we write: their columns, their digits, and that they are read without a change.
-#include "trivet/exchange/universal_writing.h"
+#include "trivet/exchange/universal/universal_writing.h"
 
 #include <gtest/gtest.h>
 

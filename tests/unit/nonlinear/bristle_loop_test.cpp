@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/bristle_loop.h"
+#include "trivet/nonlinear/laws/bristle_loop.h"
 
 #include <gmock/gmock.h>
 
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <vector>
 
-#include "trivet/nonlinear/bristle_harmonics.h"
-#include "trivet/nonlinear/law_harmonics.h"
+#include "trivet/nonlinear/laws/bristle_harmonics.h"
+#include "trivet/nonlinear/laws/law_harmonics.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/level_crossings.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/law_about.h"
+#include "trivet/nonlinear/laws/law_about.h"
 
 #include <gtest/gtest.h>
 

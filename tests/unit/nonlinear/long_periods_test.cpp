@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
 
 /// Periods so long that a deviation grows beyond all numbers within one.
 namespace long_periods_test {

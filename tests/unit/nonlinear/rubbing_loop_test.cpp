@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/rubbing_loop.h"
+#include "trivet/nonlinear/laws/rubbing_loop.h"
 
 #include <gmock/gmock.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 #include <vector>
 
-#include "trivet/nonlinear/law_harmonics.h"
-#include "trivet/nonlinear/rubbing_harmonics.h"
-#include "trivet/nonlinear/sticking_place.h"
+#include "trivet/nonlinear/laws/law_harmonics.h"
+#include "trivet/nonlinear/laws/rubbing_harmonics.h"
+#include "trivet/nonlinear/laws/sticking_place.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/level_crossings.h"
 

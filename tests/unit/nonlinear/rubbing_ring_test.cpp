@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "trivet/nonlinear/distance_harmonics.h"
-#include "trivet/nonlinear/rubbing_harmonics.h"
+#include "trivet/nonlinear/laws/distance_harmonics.h"
+#include "trivet/nonlinear/laws/rubbing_harmonics.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace rubbing_ring_test {

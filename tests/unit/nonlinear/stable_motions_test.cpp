@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/stable_motions.h"
+#include "trivet/nonlinear/branch/stable_motions.h"
 
 #include <gmock/gmock.h>
 

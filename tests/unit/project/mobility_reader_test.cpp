@@ -8,7 +8,7 @@
 #include <fstream>
 #include <functional>
 
-#include "trivet/exchange/universal_writing.h"
+#include "trivet/exchange/universal/universal_writing.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/judging/read_project.h"

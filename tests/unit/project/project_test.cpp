@@ -4,7 +4,7 @@
 #include "support/projects.h"
 #include "trivet/judging/read_project.h"
 #include "trivet/project/text/embedded_text.h"
-#include "trivet/results/written_answers.h"
+#include "trivet/results/format/written_answers.h"
 
 namespace project_test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/report/answer_figures.h"
+#include "trivet/report/drawing/answer_figures.h"
 
 #include <gmock/gmock.h>
 
@@ -12,9 +12,9 @@
 
 #include "support/excited_machine.h"
 #include "support/projects.h"
-#include "trivet/nonlinear/steady_branch.h"
-#include "trivet/report/answer_sections.h"
-#include "trivet/report/curve_panel.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
+#include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/page/answer_sections.h"
 
 namespace answer_figures_test {
 

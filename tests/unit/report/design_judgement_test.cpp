@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/report/design_judgement.h"
+#include "trivet/report/page/design_judgement.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "support/projects.h"
-#include "trivet/results/judgements.h"
+#include "trivet/results/design/judgements.h"
 
 namespace design_judgement_test {
 

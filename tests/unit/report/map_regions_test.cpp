@@ -7,8 +7,8 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
-#include "trivet/report/map_figure.h"
-#include "trivet/report/map_regions.h"
+#include "trivet/report/map/map_figure.h"
+#include "trivet/report/map/map_regions.h"
 
 namespace map_regions_test {
 

@@ -7,12 +7,12 @@
 
 #include "support/projects.h"
 #include "trivet/documents/html_table.h"
-#include "trivet/report/curve_groups.h"
-#include "trivet/report/drawing_json.h"
-#include "trivet/report/plot_panel.h"
-#include "trivet/report/report_page.h"
-#include "trivet/results/in_documents.h"
-#include "trivet/results/project_json.h"
+#include "trivet/report/drawing/curve_groups.h"
+#include "trivet/report/drawing/plot_panel.h"
+#include "trivet/report/page/drawing_json.h"
+#include "trivet/report/page/report_page.h"
+#include "trivet/results/format/in_documents.h"
+#include "trivet/results/model/project_json.h"
 
 namespace page_tables_test {
 

@@ -5,10 +5,10 @@
 #include "support/projects.h"
 #include "trivet/foundation/version.h"
 #include "trivet/project/text/embedded_text.h"
-#include "trivet/report/axis_ticks.h"
-#include "trivet/report/figures.h"
-#include "trivet/report/report_page.h"
-#include "trivet/results/project_json.h"
+#include "trivet/report/drawing/axis_ticks.h"
+#include "trivet/report/drawing/figures.h"
+#include "trivet/report/page/report_page.h"
+#include "trivet/results/model/project_json.h"
 
 namespace report_test {
 

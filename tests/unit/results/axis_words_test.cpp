@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
-#include "trivet/results/axis_words.h"
+#include "trivet/results/format/axis_words.h"
 
 namespace axis_words_test {
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "trivet/results/distinct_texts.h"
+#include "trivet/results/format/distinct_texts.h"
 
 namespace distinct_texts_test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/documents/labelled_arrays.h"
-#include "trivet/results/in_documents.h"
+#include "trivet/results/format/in_documents.h"
 
 #include <gmock/gmock.h>
 
@@ -12,9 +12,9 @@
 
 #include "support/projects.h"
 #include "trivet/judging/read_project.h"
-#include "trivet/results/answer_writer.h"
-#include "trivet/results/written_answers.h"
-#include "trivet/study/transient_answer.h"
+#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/written_answers.h"
+#include "trivet/study/analyses/transient_answer.h"
 #include "trivet/study/whole_study.h"
 
 namespace labelled_arrays_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/results/law_words.h"
+#include "trivet/results/model/law_words.h"
 
 #include <gmock/gmock.h>
 

@@ -5,8 +5,8 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
-#include "trivet/results/map_json.h"
-#include "trivet/study/design_map.h"
+#include "trivet/results/design/map_json.h"
+#include "trivet/study/map/design_map.h"
 
 namespace map_json_test {
 

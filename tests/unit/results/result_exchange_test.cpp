@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/results/result_exchange.h"
+#include "trivet/results/files/result_exchange.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/results/users_files.h"
+#include "trivet/results/files/users_files.h"
 
 namespace result_exchange_test {
 

@@ -4,7 +4,7 @@
 #include "support/mapped_machine.h"
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/design_map.h"
+#include "trivet/study/map/design_map.h"
 
 namespace design_map_test {
 

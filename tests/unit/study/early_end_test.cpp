@@ -10,7 +10,7 @@
 #include <string>
 
 #include "support/projects.h"
-#include "trivet/study/optimization.h"
+#include "trivet/study/optimize/optimization.h"
 
 namespace early_end_test {
 

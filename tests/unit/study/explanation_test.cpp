@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The explanation of a peak of one mass, in closed form: ω0 = √(k/m), |y| = F/(kη).
-#include "trivet/study/explanation.h"
+#include "trivet/study/explain/explanation.h"
 
 #include <gmock/gmock.h>
 

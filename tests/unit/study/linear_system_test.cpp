@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Matrices, state space and sweep of one mass on one spring, compared with the formulas.
-#include "trivet/study/linear_system.h"
+#include "trivet/study/explain/linear_system.h"
 
 #include <gmock/gmock.h>
 
@@ -8,8 +8,8 @@
 
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/design_sweep.h"
-#include "trivet/study/system_matrices.h"
+#include "trivet/study/explain/system_matrices.h"
+#include "trivet/study/map/design_sweep.h"
 
 namespace linear_system_test {
 

@@ -7,7 +7,7 @@
 #include "support/mapped_machine.h"
 #include "support/projects.h"
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/study/design_map.h"
+#include "trivet/study/map/design_map.h"
 
 namespace map_marks_test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/measurement_comparison.h"
+#include "trivet/study/analyses/measurement_comparison.h"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "support/projects.h"
-#include "trivet/study/case_context.h"
+#include "trivet/study/analyses/case_context.h"
 
 namespace measurement_comparison_test {
 

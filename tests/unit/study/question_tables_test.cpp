@@ -2,9 +2,9 @@
 #include <gmock/gmock.h>
 
 #include "trivet/project/analyses/question_reader.h"
-#include "trivet/results/answer_writer.h"
-#include "trivet/study/asked_questions.h"
-#include "trivet/study/question_answer.h"
+#include "trivet/results/format/answer_writer.h"
+#include "trivet/study/analyses/asked_questions.h"
+#include "trivet/study/analyses/question_answer.h"
 
 namespace question_tables_test {
 

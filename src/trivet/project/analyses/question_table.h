@@ -5,7 +5,7 @@
 /// a part of the results. The files and objects of a question have its name:
 ///
 ///   project/analyses/NAME_question.cpp   NAME_question   how its keys are read, and what it needs of the model
-///   study/NAME_answer.cpp                NAME_answer     how it is answered
+///   study/analyses/NAME_answer.cpp                NAME_answer     how it is answered
 ///   results/NAME_results.cpp             NAME_results    its JSON, CSV and text
 ///
 /// A name without one of these does not link. Questions about the same curves of harmonic response (response, peaks,

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "trivet/exchange/universal_reading.h"
+#include "trivet/exchange/universal/universal_reading.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/measured/measured_axes.h"

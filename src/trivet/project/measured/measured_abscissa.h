@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/exchange/universal_file.h"
+#include "trivet/exchange/universal/universal_file.h"
 #include "trivet/foundation/problems.h"
 
 namespace trivet::project {

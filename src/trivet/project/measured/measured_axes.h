@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/exchange/universal_file.h"
+#include "trivet/exchange/universal/universal_file.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/project/measured/measured_unit.h"
 

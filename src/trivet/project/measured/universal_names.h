@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/exchange/universal_file.h"
+#include "trivet/exchange/universal/universal_file.h"
 
 /// Names of the contents of universal files, for messages and keys.
 namespace trivet::project {

@@ -15,8 +15,8 @@
 #include <optional>
 #include <utility>
 
-#include "trivet/exchange/text_lines.h"
-#include "trivet/exchange/universal_reading.h"
+#include "trivet/exchange/text/text_lines.h"
+#include "trivet/exchange/universal/universal_reading.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"

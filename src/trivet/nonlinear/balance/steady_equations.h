@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "trivet/nonlinear/balance/steady_options.h"
+#include "trivet/numerics/periodic/branch.h"
+
+namespace trivet::nonlinear {
+
+/// Harmonic balance over the parameter of a curve, the frequency or the load factor, and how its unknowns are scaled.
+class SteadyEquations {
+ public:
+  /// All but the excitation must outlive it.
+  /// @throws foundation::NotComputable if no excitation moves a nonlinear part
+  SteadyEquations(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
+                  const PeriodicExcitation& excitation, const SteadyOptions& options, Eigen::Index harmonics);
+  SteadyEquations(const SteadyEquations&) = delete;
+  SteadyEquations& operator=(const SteadyEquations&) = delete;
+  ~SteadyEquations() = default;
+
+  [[nodiscard]] const HarmonicBalance& balance() const { return balance_; }
+  [[nodiscard]] const SteadyOptions& options() const { return options_; }
+  [[nodiscard]] Driving driving(double parameter) const;
+  [[nodiscard]] double width() const { return options_.to - options_.from; }
+  /// "12.5 rad/s"
+  [[nodiscard]] std::string place(double parameter) const;
+
+  /// Harmonics are compared with the largest one of their kind (DeflectionSizes), means with the largest mean too: a
+  /// mean that changes little must not hide a resonance. What stays near zero is compared with a thousandth of the
+  /// linear motion. Lengths on the branch count all deflections, also those that are no unknowns.
+  [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& unknowns) const;
+
+  /// Its solutions. The equations must outlive it, and so for the next ones.
+  [[nodiscard]] numerics::Branch branch() const;
+  /// At the frequency of a parameter, over a share of the whole load.
+  [[nodiscard]] numerics::Branch over_load(double parameter) const;
+  /// At a parameter, from the linear motion over a share of the nonlinear forces.
+  [[nodiscard]] numerics::Branch over_nonlinear_forces(double parameter) const;
+
+  struct Place {
+    Eigen::VectorXd unknowns;
+    double parameter = 0;
+  };
+  /// The direction of the unknowns in which the equations change least; empty if they are not finite.
+  [[nodiscard]] std::optional<Eigen::VectorXd> weakest_direction(const Place& place) const;
+  /// Is the determinant of the equations negative, which it is beyond a fold: an odd number of real multipliers above
+  /// 1?
+  [[nodiscard]] bool is_beyond_fold(const Place& place) const;
+  /// It passes zero where the equations do not change at all in a direction near the given one: two curves cross.
+  [[nodiscard]] double change_along(const Place& place, const Eigen::VectorXd& direction) const;
+
+ private:
+  [[nodiscard]] numerics::Branch branch(numerics::EvaluateEquations evaluate, double width) const;
+  [[nodiscard]] Eigen::MatrixXd derivatives(const Place& place) const;
+
+  const SteadyOptions& options_;
+  double first_harmonic_;  ///< its frequency over the one that is varied
+  bool of_shaft_;
+  HarmonicBalance balance_;
+  Eigen::VectorXd smallest_;  ///< scales of harmonics, per deflection
+  Eigen::VectorXd carried_;   ///< root of the number of deflections that move with each independent one
+};
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "trivet/foundation/index.h"
+#include "trivet/nonlinear/laws/machine_laws.h"
+
+namespace trivet::nonlinear {
+
+/// All laws along one periodic motion, by how they answer its variations.
+struct LawsAlong {
+  /// @param deflections  Fourier coefficients of one deflection after another
+  /// @param frequency    of the first harmonic [rad/s]
+  LawsAlong(const MachineLaws& laws, const Eigen::VectorXd& deflections, double frequency);
+  LawsAlong(const LawsAlong&) = delete;  // loops belong to courses
+  LawsAlong& operator=(const LawsAlong&) = delete;
+
+  struct Loop {
+    Eigen::Index deflection;
+    const HystereticLoop* loop;
+    std::vector<HystereticLoop::Jump> jumps;
+  };
+  struct Bristles {
+    Eigen::Index deflection;
+    const BristleLoop* loop;
+  };
+  /// Friction across a contact: with the two forces since it stuck, and the one across its slip.
+  struct Rubbing {
+    std::array<Eigen::Index, 3> on;  ///< deflections
+    RubbingLoop loop;
+    [[nodiscard]] bool remembers() const { return !loop.points().empty() && !loop.always_sticks(); }
+  };
+  /// Memories that change only where something turns, and those that change all the time.
+  [[nodiscard]] Eigen::Index kept() const { return 2 * to_index(loops.size()) + 2 * to_index(rubbings.size()); }
+  [[nodiscard]] Eigen::Index carried() const { return to_index(bristles.size()) + to_index(rubbings.size()); }
+  [[nodiscard]] Eigen::Index memories() const { return kept() + carried(); }
+  /// Places among the memories: of the two forces of a rubbing contact that sticks, and of that across its slip.
+  [[nodiscard]] Eigen::Index first_kept(std::size_t rubbing) const {
+    return 2 * to_index(loops.size()) + 2 * to_index(rubbing);
+  }
+  [[nodiscard]] Eigen::Index first_carried(std::size_t rubbing) const {
+    return kept() + to_index(bristles.size()) + to_index(rubbing);
+  }
+  /// Does any answer depend on a rate?
+  [[nodiscard]] bool is_damped() const;
+  [[nodiscard]] bool is_elastic() const {
+    return !is_damped() && loops.empty() && sticking.empty() && distances.empty();
+  }
+  struct Distance {
+    Eigen::Index first;
+    const DistanceHarmonics* law;
+    Eigen::MatrixXd course;  ///< coefficients × 3
+  };
+
+  double omega;
+  Eigen::Index harmonics = 0;
+  bool is_piecewise_linear = true;
+  std::vector<LawCourse> courses;
+  std::vector<Loop> loops;     ///< with memory
+  std::vector<Loop> sticking;  ///< as springs
+  std::vector<Bristles> bristles, stuck;
+  std::vector<Distance> distances;
+  std::vector<Rubbing> rubbings;
+};
+
+/// Variation of the force of each deflection: by_deflection δ + by_rate δ̇ + Σ (by_travel (δ − δ_turn) + by_start
+/// f_turn) of its loops, and of bristles, distances and rubbing contacts beside.
+struct TangentsAlong {
+  /// Of the friction of a contact on its three deflections, beside its memory.
+  struct Rubbing {
+    RubbingLoop::Moment moment;
+    Eigen::Matrix3d by_deflection, by_rate;
+  };
+  Eigen::VectorXd by_deflection, by_rate;
+  Eigen::VectorXd by_travel, by_start;  ///< one per loop
+  Eigen::RowVectorXd row;               ///< of the Fourier basis
+  std::vector<elements::SpatialForce> distances;
+  std::vector<BristleLoop::Here> bristles;
+  std::vector<Rubbing> rubbings;
+
+  /// All numbers of these laws.
+  [[nodiscard]] std::vector<double> list() const;
+  /// Of all laws but their memories, deflections × deflections: forces by deflections, and by their rates.
+  [[nodiscard]] Eigen::MatrixXd stiffness(const LawsAlong& motion) const;
+  [[nodiscard]] Eigen::MatrixXd damping(const LawsAlong& motion) const;
+  /// Deflections × states: values, rates and memory to forces, of laws without bristles and distances.
+  [[nodiscard]] Eigen::MatrixXd forces(const LawsAlong& motion, const Eigen::MatrixXd& values,
+                                       const Eigen::MatrixXd& rates) const;
+};
+/// At a phase.
+void set_tangents(const LawsAlong& motion, double phase, TangentsAlong& found);
+
+}  // namespace trivet::nonlinear

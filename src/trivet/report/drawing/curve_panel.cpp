@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/drawing/curve_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/report/drawing/mark_texts.h"
+
+namespace trivet::report {
+namespace {
+
+constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52,
+                 key_line = 15, between_keys = 5, title_height = 40, label_above_panel = 12;
+
+constexpr double widest_text = 36;  // characters that fit next to a panel
+constexpr double air = 0.12;        // of an axis, for the text of a mark beyond the curves
+
+/// Has the value a position on the axis or beyond its ends?
+bool drawable(const Axis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
+
+/// The part of a segment inside the unit square, as shares of its length (Liang and Barsky).
+bool clipped(PixelPoint a, PixelPoint b, double& from, double& to) {
+  from = 0;
+  to = 1;
+  for (const auto& [start, step] : {std::pair{a.x, b.x - a.x}, std::pair{a.y, b.y - a.y}})
+    for (const auto& [p, q] : {std::pair{-step, start}, std::pair{step, 1 - start}}) {
+      if (p == 0) {
+        if (q < 0) return false;
+      } else if (p < 0) {
+        from = std::max(from, q / p);
+      } else {
+        to = std::min(to, q / p);
+      }
+    }
+  return from <= to;
+}
+
+/// First, lowest, highest and last point of every column of half a pixel.
+std::vector<PixelPoint> thinned(const std::vector<PixelPoint>& points) {
+  std::vector<PixelPoint> kept;
+  for (std::size_t i = 0; i < points.size();) {
+    std::size_t end = i, low = i, high = i;
+    for (; end < points.size() && std::floor(2 * points[end].x) == std::floor(2 * points[i].x); ++end) {
+      if (points[end].y < points[low].y) low = end;
+      if (points[end].y > points[high].y) high = end;
+    }
+    std::size_t last = points.size();
+    for (const std::size_t each : {i, std::min(low, high), std::max(low, high), end - 1})
+      if (each != last) kept.push_back(points[last = each]);
+    i = end;
+  }
+  return kept;
+}
+
+/// From the stretch between two points: a curve may go beyond its ends and come back.
+double distance_to_stretch(PixelPoint point, PixelPoint a, PixelPoint b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+  const double share = square > 0 ? std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / square, 0.0, 1.0) : 0;
+  return std::hypot(point.x - a.x - share * dx, point.y - a.y - share * dy);
+}
+
+/// Marks the points of a curve that a line within `tolerance` of it needs [pixels] (Douglas and Peucker).
+void keep_corners(const std::vector<PixelPoint>& points, std::size_t from, std::size_t to, std::vector<bool>& kept) {
+  constexpr double tolerance = 0.1;
+  double farthest = tolerance;
+  std::size_t corner = from;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double distance = distance_to_stretch(points[i], points[from], points[to]);
+    if (distance > farthest) farthest = distance, corner = i;
+  }
+  if (corner == from) return;
+  kept[corner] = true;
+  keep_corners(points, from, corner, kept);
+  keep_corners(points, corner, to, kept);
+}
+
+std::vector<PixelPoint> corners(const std::vector<PixelPoint>& points) {
+  if (points.size() < 3) return points;
+  std::vector<bool> kept(points.size(), false);
+  kept.front() = kept.back() = true;
+  keep_corners(points, 0, points.size() - 1, kept);
+  std::vector<PixelPoint> result;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (kept[i]) result.push_back(points[i]);
+  return result;
+}
+
+double key_height(const std::vector<PanelCurve>& curves) {
+  double height = 0;
+  for (const PanelCurve& curve : curves)
+    if (!curve.key.empty()) height += key_line * static_cast<double>(curve.key.size()) + between_keys;
+  return height;
+}
+
+double height_of(const PanelRow& row) { return std::max(row_height + below_panel, key_height(row.curves) + 16); }
+
+}  // namespace
+
+std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& p, const std::vector<double>& x,
+                                                    const std::vector<double>& y) {
+  const auto share = [&](std::size_t i) { return PixelPoint{p.x.position(x[i]), p.y.position(y[i])}; };
+  const auto pixel = [&](PixelPoint s) {
+    return PixelPoint{p.corner.x + s.x * p.width, p.corner.y + (1 - s.y) * p.height};
+  };
+  std::vector<std::vector<PixelPoint>> pieces;
+  bool open = false;
+  for (std::size_t i = 1; i < std::min(x.size(), y.size()); ++i) {
+    const auto known = [&](std::size_t k) { return drawable(p.x, x[k]) && drawable(p.y, y[k]); };
+    double from = 0, to = 0;
+    if (!known(i - 1) || !known(i) || !clipped(share(i - 1), share(i), from, to)) {
+      open = false;
+      continue;
+    }
+    const PixelPoint a = share(i - 1), b = share(i);
+    const auto part = [&](double t) { return pixel({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}); };
+    if (!open) pieces.push_back({part(from)});
+    pieces.back().push_back(part(to));
+    open = to == 1;
+  }
+  for (auto& piece : pieces) piece = corners(thinned(piece));
+  return pieces;
+}
+
+void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve>& curves) {
+  double y = corner.y + 10;
+  for (const PanelCurve& curve : curves) {
+    if (curve.key.empty()) continue;
+    canvas.line({corner.x, y}, {corner.x + 28, y}, curve.stroke);
+    for (const std::string& text : curve.key) {
+      const double size = std::clamp(11 * widest_text / static_cast<double>(text.size()), 6.0, 11.0);
+      canvas.text({corner.x + 34, y + 4}, text,
+                  fmt::format("font-size=\"{:.1f}\" fill=\"{}\"", size, &text == &curve.key.front() ? "#000" : "#444"));
+      y += key_line;
+    }
+    y += between_keys;
+  }
+}
+
+std::vector<PanelCurve> turning_curve(const std::vector<double>& x, const std::vector<double>& y,
+                                      const std::string& stroke, const std::string& key) {
+  std::vector<PanelCurve> curves;
+  for (std::size_t i = 0; i + 1 < x.size();) {
+    const bool rises = x[i + 1] > x[i];
+    PanelCurve piece{{}, {x[i]}, {y[i]}, stroke};
+    for (++i; i < x.size(); ++i) {
+      piece.x.push_back(x[i]);
+      piece.y.push_back(y[i]);
+      if (i + 1 == x.size() || (x[i + 1] > x[i]) != rises) break;
+    }
+    if (!rises) {
+      std::ranges::reverse(piece.x);
+      std::ranges::reverse(piece.y);
+    }
+    if (curves.empty()) piece.key = {key};
+    curves.push_back(std::move(piece));
+  }
+  return curves;
+}
+
+void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row) {
+  for (const auto& [from, to] : row.shaded) {
+    const double left = panel.at(from, panel.y.from).x, right = panel.at(to, panel.y.from).x;
+    canvas.rectangle({left, panel.corner.y}, std::max(right - left, 1.0), panel.height, "fill=\"#f7d9d0\"");
+  }
+  draw_frame(canvas, panel);
+  for (const double level : row.levels)
+    canvas.line(panel.at(panel.x.from, level), panel.at(panel.x.to, level), "stroke=\"#333\" stroke-width=\"0.9\"");
+  for (const PanelCurve& curve : row.curves)
+    for (const auto& piece : visible_pieces(panel, curve.x, curve.y)) canvas.polyline(piece, curve.stroke);
+  draw_panel_marks(canvas, panel, row.marks);
+}
+
+Figure stacked_rows(const std::string& title, const std::string& file_name, const std::vector<PanelRow>& rows) {
+  double height = title_height;
+  for (const PanelRow& row : rows) height += height_of(row);
+  SvgCanvas canvas(canvas_width, height);
+  canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
+  double top = title_height;
+  for (const PanelRow& row : rows) {
+    if (top > title_height) canvas.permit_break(top - label_above_panel);
+    const PlotPanel panel{{panel_left, top}, panel_width, row_height, row.x, row.y};
+    draw_row(canvas, panel, row);
+    draw_key(canvas, {panel_left + panel_width + 18, top}, row.curves);
+    top += height_of(row);
+  }
+  return {title, file_name, canvas.svg(title), canvas.strips(title)};
+}
+
+Axis logarithmic_axis(const std::vector<PanelCurve>& curves, double depth, std::string label) {
+  double largest = 0;
+  for (const PanelCurve& curve : curves)
+    for (const double y : curve.y)
+      if (std::isfinite(y)) largest = std::max(largest, y);
+  if (!(largest > 0)) return {0.1, 1, true, std::move(label)};
+  double smallest = largest;
+  for (const PanelCurve& curve : curves)
+    for (const double y : curve.y)
+      if (std::isfinite(y) && y >= depth * largest) smallest = std::min(smallest, y);
+  smallest = 0.8 * std::min(smallest, 0.2 * largest);
+  return {smallest, largest * std::pow(largest / smallest, air), true, std::move(label)};
+}
+
+Axis airy_axis(double from, double to, std::string label) {
+  const double room = to > from ? air * (to - from) : 1;
+  return {from == 0 && to > 0 ? 0 : from - room, to == 0 && from < 0 ? 0 : to + room, false, std::move(label)};
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/drawing/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "trivet/foundation/index.h"
+#include "trivet/report/drawing/axis_ticks.h"
+#include "trivet/report/drawing/curve_groups.h"
+#include "trivet/report/drawing/plot_panel.h"
+#include "trivet/report/drawing/svg_canvas.h"
+
+namespace trivet::report {
+namespace {
+
+/// Position of a panel on the canvas, and its data ranges.
+struct Panel {
+  double left, top, width, height;
+  double x_from, x_to, y_from, y_to;
+  bool logarithmic = false;  ///< the ordinate
+  PixelPoint at(double x, double y) const {
+    const double share = logarithmic ? std::log(std::clamp(y, y_from, y_to) / y_from) / std::log(y_to / y_from)
+                                     : (y - y_from) / (y_to - y_from);
+    return {left + (x - x_from) / (x_to - x_from) * width, top + height - share * height};
+  }
+};
+
+/// Amplitudes of some curves over their band: the largest, the median and the smallest visible one.
+struct Extent {
+  double largest = 0, median = 0, smallest = 0;
+  void include(const Extent& other) {
+    largest = std::max(largest, other.largest);
+    median = median > 0 ? std::min(median, other.median) : other.median;
+    smallest = smallest > 0 ? std::min(smallest, other.smallest) : other.smallest;
+  }
+};
+
+Extent extent(const study::ResponseAnswer& answer, const std::vector<GroupedCurve>& series) {
+  constexpr double invisible = 1e-5;  // of the largest amplitude
+  std::vector<double> all;
+  for (const GroupedCurve& s : series)
+    for (const auto& value : answer.curves.curves[s.curve].value)
+      if (std::isfinite(std::abs(value))) all.push_back(std::abs(value));
+  if (all.empty()) return {};
+  std::ranges::sort(all);
+  const auto visible = std::ranges::upper_bound(all, invisible * all.back());
+  return {all.back(), all[all.size() / 2], visible == all.end() ? all.back() : *visible};
+}
+
+/// Sets the amplitude axis of a panel: linear from zero, or logarithmic if a linear one would show only a spike.
+void set_amplitude_axis(Panel& panel, const Extent& e, double factor) {
+  constexpr double spiky = 10;
+  panel.logarithmic = e.largest > spiky * e.median && e.smallest > 0;
+  panel.y_from = panel.logarithmic ? 0.8 * factor * e.smallest : 0;
+  panel.y_to = (panel.logarithmic ? 1.6 : 1.06) * factor * e.largest;
+  if (!(panel.y_to > panel.y_from)) panel.y_to = panel.y_from + 1;
+}
+
+std::vector<Tick> amplitude_ticks(const Panel& panel, int wanted) {
+  return panel.logarithmic ? decade_ticks(panel.y_from, panel.y_to) : linear_ticks(0, panel.y_to, wanted);
+}
+
+/// Frame and ticks. The frequency axis has the unit of the display; the panel has rad/s.
+/// @param with_x_label  name the frequency axis
+void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks,
+                      const project::ShownUnits& display, bool with_x_label, const std::string& y_label) {
+  const double unit = results::shown_frequency(display, 1, "rad/s");
+  const std::string x_label = with_x_label ? results::frequency_heading(display, "rad/s") : "";
+  const int wanted = std::max(3, static_cast<int>(p.width / 70));
+  for (const Tick& tick : linear_ticks(p.x_from * unit, p.x_to * unit, wanted)) {
+    const PixelPoint low = p.at(tick.value / unit, p.y_from);
+    canvas.line({low.x, p.top}, low, "stroke=\"#e4e4e4\"");
+    canvas.text({low.x, low.y + 15}, tick.label, "text-anchor=\"middle\" fill=\"#333\"");
+  }
+  for (const Tick& tick : y_ticks) {
+    const PixelPoint left = p.at(p.x_from, tick.value);
+    canvas.line(left, {p.left + p.width, left.y}, "stroke=\"#e4e4e4\"");
+    canvas.text({p.left - 6, left.y + 4}, tick.label, "text-anchor=\"end\" fill=\"#333\"");
+  }
+  canvas.rectangle({p.left, p.top}, p.width, p.height, "fill=\"none\" stroke=\"#333\"");
+  if (!x_label.empty()) canvas.text({p.left + p.width / 2, p.top + p.height + 31}, x_label, "text-anchor=\"middle\"");
+  const double x = p.left - 40, y = p.top + p.height / 2;
+  if (!y_label.empty())
+    canvas.text({x, y}, y_label, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
+}
+
+void draw_legend(SvgCanvas& canvas, const Panel& p, const std::vector<GroupedCurve>& series) {
+  const double width = 52, left = p.left + p.width - width - 6;
+  canvas.rectangle({left - 4, p.top + 5}, width + 4, 15.0 * static_cast<double>(series.size()) + 4,
+                   "fill=\"white\" fill-opacity=\"0.85\" stroke=\"#ccc\"");
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const double y = p.top + 15 + 15.0 * static_cast<double>(i);
+    canvas.line({left, y}, {left + 26, y}, series_stroke(i));
+    canvas.text({left + 31, y + 4}, series[i].label, "");
+  }
+}
+
+/// The parts of a curve between the lower and upper edge of its panel, cut at the edges.
+std::vector<std::vector<PixelPoint>> pieces_of_curve(const Panel& p, const std::vector<double>& x,
+                                                     const Eigen::VectorXd& y) {
+  const auto height = [&](double value) { return p.logarithmic ? std::log(value) : value; };
+  const auto inside = [&](double value) { return value >= p.y_from && value <= p.y_to; };
+  std::vector<std::vector<PixelPoint>> pieces(1);
+  for (Eigen::Index k = 0; k < y.size(); ++k) {
+    const auto i = to_size(k);
+    const bool crosses = k > 0 && inside(y(k)) != inside(y(k - 1)) && std::isfinite(y(k)) && std::isfinite(y(k - 1)) &&
+        !(p.logarithmic && std::min(y(k), y(k - 1)) <= 0);
+    if (crosses) {
+      const double edge = std::max(y(k), y(k - 1)) > p.y_to ? p.y_to : p.y_from;
+      const double share = (height(edge) - height(y(k - 1))) / (height(y(k)) - height(y(k - 1)));
+      pieces.back().push_back(p.at(x[i - 1] + share * (x[i] - x[i - 1]), edge));
+    }
+    if (inside(y(k))) pieces.back().push_back(p.at(x[i], y(k)));
+    else if (!pieces.back().empty()) pieces.emplace_back();
+  }
+  return pieces;
+}
+
+void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& answers,
+                     const std::vector<GroupedCurve>& series, double factor) {
+  const auto& omega = answers.response->curves.angular_frequency;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const auto& values = answers.response->curves.curves[series[i].curve].value;
+    for (const auto& piece : pieces_of_curve(p, omega, factor * values.cwiseAbs()))
+      canvas.polyline(piece, series_stroke(i));
+    if (!answers.peaks) continue;
+    for (const response::Peak& peak : answers.peaks->peaks.list) {
+      const bool mine =
+          answers.peaks->peaks.curves[peak.curve].name == answers.response->curves.curves[series[i].curve].name;
+      if (mine && peak.angular_frequency >= p.x_from && peak.angular_frequency <= p.x_to &&
+          factor * peak.amplitude <= p.y_to && factor * peak.amplitude >= p.y_from)
+        canvas.circle(p.at(peak.angular_frequency, factor * peak.amplitude), 3,
+                      fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", series_colour(i)));
+    }
+  }
+  for (const study::LimitAnswer& limit : answers.limits)
+    for (std::size_t i = 0; i < series.size(); ++i)
+      if (limit.name == answers.response->curves.curves[series[i].curve].name && factor * limit.limit <= p.y_to &&
+          factor * limit.limit >= p.y_from) {
+        canvas.line(p.at(p.x_from, factor * limit.limit), p.at(p.x_to, factor * limit.limit),
+                    "stroke=\"#b00020\" stroke-width=\"1.2\" stroke-dasharray=\"10,4\"");
+        canvas.text({p.left + p.width * 0.45, p.at(0, factor * limit.limit).y - 4}, "limit " + series[i].label,
+                    "fill=\"#b00020\" text-anchor=\"middle\" paint-order=\"stroke\" stroke=\"white\" "
+                    "stroke-width=\"4\" stroke-linejoin=\"round\"");
+      }
+}
+
+void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answers,
+                 const std::vector<GroupedCurve>& series) {
+  const auto& omega = answers.response->curves.angular_frequency;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const Eigen::VectorXd& phase = answers.response->phase[series[i].curve];
+    std::vector<PixelPoint> points;
+    double last = 0;
+    for (std::size_t k = 0; k < omega.size(); ++k) {
+      const double degrees = phase(to_index(k)) * 180 / std::numbers::pi;
+      if (!std::isfinite(degrees)) continue;
+      if (!points.empty() && std::abs(degrees - last) > 270) {  // the phase wraps at ±180°
+        canvas.polyline(points, series_stroke(i));
+        points.clear();
+      }
+      points.push_back(p.at(omega[k], degrees));
+      last = degrees;
+    }
+    canvas.polyline(points, series_stroke(i));
+  }
+}
+
+std::pair<double, double> phase_range(const study::Answers& answers, const std::vector<GroupedCurve>& series) {
+  double low = -180, high = 180;
+  for (const GroupedCurve& s : series)
+    for (const double phase : answers.response->phase[s.curve])
+      if (std::isfinite(phase)) {
+        low = std::min(low, std::floor(phase * 180 / std::numbers::pi / 90 + 1e-9) * 90);
+        high = std::max(high, std::ceil(phase * 180 / std::numbers::pi / 90 - 1e-9) * 90);
+      }
+  return {low, high};
+}
+
+std::string quantity_of(const study::ResponseAnswer& answer, const std::vector<GroupedCurve>& series) {
+  return quantity_name(answer.curves.curves[series.front().curve].unit);
+}
+
+UnitPrefix amplitude_prefix(double largest, const study::Answers& answers, const std::vector<GroupedCurve>& series) {
+  const std::string& unit = answers.response->curves.curves[series.front().curve].unit;
+  return unit_prefix(largest, results::amplitude_unit(answers.display, unit));
+}
+
+bool is_drawable(const study::Answers& answers) {
+  return answers.response && answers.response->curves.angular_frequency.size() >= 2;
+}
+
+/// The case with the same curves as the base model (for example the first of a series), if there is one.
+const study::Answers* repeating_case(const std::vector<study::Answers>& cases) {
+  const auto base = std::ranges::find_if(
+      cases, [](const study::Answers& answers) { return answers.case_name.empty() && is_drawable(answers); });
+  if (base == cases.end()) return nullptr;
+  const auto same = [](const response::Curve& a, const response::Curve& b) {
+    return a.name == b.name && a.value.size() == b.value.size() && a.value == b.value;
+  };
+  const auto& curves = base->response->curves.curves;
+  const auto found = std::ranges::find_if(cases, [&](const study::Answers& other) {
+    if (&other == &*base || !is_drawable(other) ||
+        other.response->curves.angular_frequency != base->response->curves.angular_frequency)
+      return false;
+    const auto& others = other.response->curves.curves;
+    return std::equal(curves.begin(), curves.end(), others.begin(), others.end(), same);
+  });
+  return found == cases.end() ? nullptr : &*found;
+}
+
+Figure group_figure(const study::Answers& answers, const CurveGroup& group) {
+  const study::ResponseAnswer& answer = *answers.response;
+  const double row_height = 200, panel_width = 400;
+  std::vector<const std::vector<GroupedCurve>*> rows;
+  for (const auto* series : {&group.upper, &group.lower})
+    if (!series->empty()) rows.push_back(series);
+  const double height = 46 + static_cast<double>(rows.size()) * (row_height + 52);
+  SvgCanvas canvas(980, height);
+  const std::string title = group.name + (answers.case_name.empty() ? "" : ", " + answers.case_name);
+  canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const std::vector<GroupedCurve>& series = *rows[r];
+    const double top = 40 + static_cast<double>(r) * (row_height + 52);
+    const Extent range = extent(answer, series);
+    const UnitPrefix unit = amplitude_prefix(range.largest, answers, series);
+    Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, 1};
+    set_amplitude_axis(amplitude, range, unit.factor);
+    draw_curve_frame(
+        canvas, amplitude, amplitude_ticks(amplitude, 5), answers.display, true,
+        fmt::format("{} [{}]{}", quantity_of(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
+    draw_amplitudes(canvas, amplitude, answers, series, unit.factor);
+    draw_legend(canvas, amplitude, series);
+    const auto [low, high] = phase_range(answers, series);
+    const Panel phase{556, top, panel_width, row_height, answer.band.from, answer.band.to, low, high};
+    draw_curve_frame(canvas, phase, angle_ticks(low, high), answers.display, true, "phase [°]");
+    draw_phases(canvas, phase, answers, series);
+  }
+  return {title, file_part(group.name) + ".svg", canvas.svg("Amplitude and phase of " + title)};
+}
+
+}  // namespace
+
+std::string Figure::html() const {
+  return strips.empty() ? svg : std::accumulate(strips.begin(), strips.end(), std::string());
+}
+
+std::vector<Figure> characteristics(const study::Answers& answers) {
+  std::vector<Figure> result;
+  if (!is_drawable(answers)) return result;
+  for (const CurveGroup& group : curve_groups(curve_names(answers.response->curves.curves))) {
+    result.push_back(group_figure(answers, group));
+    // Numbered, because different names may give the same safe file name.
+    result.back().file_name = fmt::format("{:02}-{}", result.size(), result.back().file_name);
+  }
+  return result;
+}
+
+Figure overview(const std::string& title, const std::vector<study::Answers>& cases) {
+  constexpr std::size_t columns = 3, most_cases = 12;
+  const double width = 270, height = 120, column_pitch = 335, pitch_of_two_panels = 2 * height + 110;
+  const study::Answers* const as_base = repeating_case(cases);
+  std::vector<const study::Answers*> shown;
+  for (const study::Answers& answers : cases)
+    if (is_drawable(answers) && shown.size() < most_cases && !(answers.case_name.empty() && as_base))
+      shown.push_back(&answers);
+  const std::size_t used_columns = std::max<std::size_t>(1, std::min(columns, shown.size()));
+  const std::size_t rows = (shown.size() + columns - 1) / columns;
+  const double canvas_width =
+      std::max(30 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
+  const bool one_panel_each = std::ranges::all_of(shown, [](const study::Answers* answers) {
+    return curve_groups(curve_names(answers->response->curves.curves)).front().lower.empty();
+  });
+  const double row_pitch = one_panel_each ? pitch_of_two_panels - (height + 28) : pitch_of_two_panels;
+  SvgCanvas canvas(canvas_width, 44 + row_pitch * static_cast<double>(rows));
+  canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
+  // One scale for all, so that the cases can be compared.
+  std::array<Extent, 2> ranges;
+  for (const study::Answers* answers : shown) {
+    const CurveGroup group = curve_groups(curve_names(answers->response->curves.curves)).front();
+    ranges[0].include(extent(*answers->response, group.upper));
+    ranges[1].include(extent(*answers->response, group.lower));
+  }
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const study::Answers& answers = *shown[i];
+    const CurveGroup group = curve_groups(curve_names(answers.response->curves.curves)).front();
+    const std::size_t row = i / columns, column = i % columns;
+    if (row > 0 && column == 0) canvas.permit_break(44 + row_pitch * static_cast<double>(row));
+    const double left = 68 + column_pitch * static_cast<double>(column),
+                 top = 66 + row_pitch * static_cast<double>(row);
+    canvas.text({left + width / 2, top - 8},
+                (answers.case_name.empty() ? "Base model" : answers.case_name) +
+                    (&answers == as_base ? " = base model: " : ": ") + group.name,
+                "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
+    for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
+      if (series->empty()) continue;
+      const Extent& range = ranges[part];
+      const UnitPrefix unit = amplitude_prefix(range.largest, answers, *series);
+      Panel panel{
+          left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0,
+          1};
+      set_amplitude_axis(panel, range, unit.factor);
+      draw_curve_frame(canvas, panel, amplitude_ticks(panel, 4), answers.display, part == 1 || group.lower.empty(),
+                       fmt::format("{} [{}]{}", quantity_of(*answers.response, *series), unit.unit,
+                                   panel.logarithmic ? ", log" : ""));
+      draw_amplitudes(canvas, panel, answers, *series, unit.factor);
+      draw_legend(canvas, panel, *series);
+    }
+  }
+  const std::string description = "Amplitude characteristics of " + title;
+  return {title, "overview.svg", canvas.svg(description), canvas.strips(description)};
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/study/analyses/answers.h"
+
+namespace trivet::report {
+
+/// One picture for print.
+struct Figure {
+  std::string title;
+  std::string file_name;  ///< "01-machine.svg"
+  std::string svg;
+  std::vector<std::string> strips = {};  ///< the same in parts between which a page may break
+
+  /// For the page: the strips, or else the picture.
+  [[nodiscard]] std::string html() const;
+};
+
+/// Characteristics of one case, one figure per body, point or element: translations (or forces) above, rotations (or
+/// moments) below, amplitude left and phase right, peaks marked, limits as lines.
+[[nodiscard]] std::vector<Figure> characteristics(const study::Answers& answers);
+
+/// All cases in small panels side by side: translations above, rotations below, for the first group of curves.
+[[nodiscard]] Figure overview(const std::string& title, const std::vector<study::Answers>& cases);
+
+}  // namespace trivet::report

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/report/drawing/answer_figures.h"
+#include "trivet/report/drawing/curve_groups.h"
+#include "trivet/report/drawing/curve_panel.h"
+
+namespace trivet::report {
+namespace {
+
+constexpr double invisible_limit = 1e-4;  // of the highest of level and limit
+
+/// Level of the answer as its line defines it (rms or amplitude), from the margin.
+std::vector<double> levels(const study::LimitLineResult& answer, double factor) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < answer.comparison.angular_frequency.size(); ++i) {
+    const double margin = answer.comparison.margin(to_index(i));
+    const double limit = response::zero_to_peak_limit(answer.line, answer.comparison.angular_frequency[i]) *
+        (answer.line.rms ? std::sqrt(0.5) : 1);
+    result.push_back(margin > 0 && std::isfinite(margin) ? factor * limit / margin
+                                                         : std::numeric_limits<double>::quiet_NaN());
+  }
+  const std::vector<double>& omega = answer.comparison.angular_frequency;
+  for (std::size_t i = 1; i < result.size();
+       ++i)  // at a step of the line there are two margins, but the lower limit belongs to one of them
+    if (omega[i] == omega[i - 1]) result[i - 1] = result[i] = std::max(result[i - 1], result[i]);
+  return result;
+}
+
+/// Word for the level of the axis.
+std::string level_of(const assembly::LimitLine& line, const project::ShownUnits& display) {
+  if (line.rms) return "rms";
+  return display.level == project::Level::amplitude ? "amplitude" : results::level_words(display.level);
+}
+
+PanelRow limit_row(const study::LimitLineResult& answer, const project::ShownUnits& display) {
+  const response::LimitComparison& comparison = answer.comparison;
+  const auto in_unit = [&](double omega) { return results::shown_frequency(display, omega); };
+  const results::DisplayUnit shown = answer.line.rms ? results::display_unit(display, answer.line.unit)
+                                                     : results::amplitude_unit(display, answer.line.unit);
+  const UnitPrefix unit = unit_prefix(std::ranges::max(answer.line.limit), shown);
+  PanelRow row;
+  PanelCurve limit{{answer.line.name.empty() ? "limit" : answer.line.name},
+                   {},
+                   {},
+                   "stroke=\"#b00020\" stroke-width=\"2\" stroke-dasharray=\"10,4\""};
+  for (std::size_t i = 0; i < answer.line.limit.size(); ++i) {
+    limit.x.push_back(in_unit(answer.line.angular_frequency[i]));
+    limit.y.push_back(answer.line.limit[i] * unit.factor);
+  }
+  PanelCurve level{{answer.of}, {}, levels(answer, unit.factor), series_stroke(0)};
+  for (const double omega : comparison.angular_frequency) level.x.push_back(in_unit(omega));
+  if (std::isfinite(comparison.least_margin))
+    level.key.push_back(fmt::format("least margin {:+.2f} dB", response::margin_level(comparison.least_margin)));
+  if (std::isfinite(comparison.least_margin))
+    level.key.push_back(
+        fmt::format("at {:.4g} {}", in_unit(comparison.least_margin_at), results::frequency_unit(display)));
+  if (comparison.least_margin > 0 && std::isfinite(comparison.least_margin)) {
+    const double lowest =
+        response::zero_to_peak_limit(answer.line, comparison.least_margin_at) * (answer.line.rms ? std::sqrt(0.5) : 1);
+    row.marks.push_back({in_unit(comparison.least_margin_at), unit.factor * lowest / comparison.least_margin,
+                         series_colour(0), fmt::format("{:+.2f} dB", response::margin_level(comparison.least_margin))});
+  }
+  for (const assembly::Band& band : comparison.exceeded) row.shaded.emplace_back(in_unit(band.from), in_unit(band.to));
+  row.curves = {std::move(limit), std::move(level)};
+  row.x = {std::max(in_unit(comparison.compared.from), 1e-4 * in_unit(comparison.compared.to)),
+           in_unit(comparison.compared.to), true, results::frequency_heading(display)};
+  row.y = logarithmic_axis(
+      row.curves, invisible_limit,
+      fmt::format("{}, {} [{}]", quantity_name(answer.line.unit), level_of(answer.line, display), unit.unit));
+  return row;
+}
+
+}  // namespace
+
+std::vector<Figure> limit_figures(const study::Answers& answers) {
+  std::vector<Figure> figures;
+  for (const study::LimitLineResult& answer : answers.limit_lines) {
+    if (answer.comparison.angular_frequency.size() < 2) continue;
+    const std::string title =
+        case_title(answer.of + " and its limit" + (answer.line.name.empty() ? "" : " " + answer.line.name), answers);
+    figures.push_back(
+        stacked_rows(title, "limit-" + file_part(answer.of) + ".svg", {limit_row(answer, answers.display)}));
+  }
+  return figures;
+}
+
+}  // namespace trivet::report

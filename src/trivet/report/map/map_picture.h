@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/report/drawing/plot_panel.h"
+#include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/study/map/design_map.h"
+
+namespace trivet::report {
+
+/// Style of a white outline around letters.
+inline constexpr const char* halo =
+    "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"3.5\" stroke-linejoin=\"round\"";
+
+/// Style of the layer over the colours of feasible designs.
+inline constexpr const char* lighter = "fill=\"white\" fill-opacity=\"0.72\" stroke=\"none\"";
+
+struct Box {
+  double left = 0, top = 0, right = 0, bottom = 0;
+  [[nodiscard]] bool meets(const Box& o) const {
+    return left < o.right && o.left < right && top < o.bottom && o.top < bottom;
+  }
+};
+
+/// Approximate width of a line of 11 pixels height.
+[[nodiscard]] double width_of(const std::string& text);
+
+/// The panel of a map, and the areas that are occupied by text.
+struct MapPicture {
+  const study::DesignMap& map;
+  SvgCanvas canvas;
+  PlotPanel panel;
+  std::vector<Box> taken = {};
+
+  [[nodiscard]] PixelPoint at(const design::MapPlace& p) const {
+    return {panel.corner.x + p.x * panel.width, panel.corner.y + (1 - p.y) * panel.height};
+  }
+  [[nodiscard]] std::vector<PixelPoint> line(const design::MapLine& places) const;
+  [[nodiscard]] std::vector<std::vector<PixelPoint>> rings(const std::vector<design::MapLine>& lines) const;
+  /// Is a box inside the frame and free of text?
+  [[nodiscard]] bool is_free(const Box& box) const;
+};
+
+/// The key right of the panel: samples with their texts.
+class Key {
+ public:
+  Key(SvgCanvas& canvas, PixelPoint at) : canvas_(canvas), at_(at) {}
+  void heading(const std::string& text);
+  void patch(const std::string& style, const std::string& text, const std::string& second = "");
+  /// A sample of a colour as in the picture: full, lighter, or half and half.
+  void region(const std::string& colour, bool infeasible, bool feasible, const std::string& text,
+              const std::string& second);
+  void stroke(const std::string& style, const std::string& text);
+  /// Position of a sample of another kind.
+  [[nodiscard]] PixelPoint sample() const { return {at_.x + 11, at_.y - 3}; }
+  void add_text(const std::string& text, const std::string& second);
+
+ private:
+  SvgCanvas& canvas_;
+  PixelPoint at_;
+};
+
+}  // namespace trivet::report

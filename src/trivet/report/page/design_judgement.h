@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/report/page/shown_case.h"
+
+namespace trivet::report {
+
+/// The box at the top of the page: red if any verdict is violated, amber if one is missing or a check of the data
+/// failed, green if everything is met, and neither if the file requires nothing. It names the worst ones.
+[[nodiscard]] std::string judgement_box(const std::vector<ShownCase>& cases);
+
+}  // namespace trivet::report

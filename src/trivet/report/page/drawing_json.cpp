@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/page/drawing_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "trivet/report/drawing/axis_ticks.h"
+#include "trivet/report/drawing/curve_groups.h"
+#include "trivet/report/drawing/plot_panel.h"
+
+namespace trivet::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json strokes() {
+  Json list = Json::array();
+  for (std::size_t series = 0; series < different_strokes; ++series) {
+    const SeriesStyle style = series_style(series);
+    list.push_back({{"colour", style.colour}, {"dash", style.dash}});
+  }
+  return list;
+}
+
+/// Names of a shown unit and of its multiples, from the smallest: [1e-9, "nm"], … [1e-3, "mm"], [1, "m"]. A unit of
+/// [display] has no others: [1, "in p-p"].
+Json multiples(const results::DisplayUnit& unit) {
+  Json list = Json::array();
+  for (int power = -9; power <= 6; power += 3) {
+    const UnitPrefix prefix = unit_prefix(std::pow(10.0, power) / unit.factor, unit);
+    if (list.empty() || list.back()[1] != prefix.unit) list.push_back({unit.factor / prefix.factor, prefix.unit});
+  }
+  return list;
+}
+
+/// @param si_unit  of the data; `factor` converts them
+Json shown_unit_json(const results::DisplayUnit& unit, const std::string& si_unit) {
+  Json json{{"quantity", quantity_name(si_unit)}, {"multiples", multiples(unit)}};
+  if (unit.factor != 1) json["factor"] = unit.factor;
+  return json;
+}
+
+Json row(const std::vector<GroupedCurve>& curves) {
+  Json list = Json::array();
+  for (const GroupedCurve& c : curves) list.push_back({{"label", c.label}, {"curve", c.curve}});
+  return list;
+}
+
+}  // namespace
+
+std::string drawing_json(const std::vector<study::Answers>& answers) {
+  const project::ShownUnits display = answers.empty() ? project::ShownUnits() : answers.front().display;
+  Json units = Json::object(), groups = Json::array();
+  for (const study::Answers& of_case : answers) {
+    groups.push_back(Json::array());
+    if (!of_case.response) continue;
+    const auto& curves = of_case.response->curves.curves;
+    for (const response::Curve& curve : curves)
+      units[curve.unit] = shown_unit_json(results::amplitude_unit(display, curve.unit), curve.unit);
+    for (const CurveGroup& group : curve_groups(curve_names(curves)))
+      groups.back().push_back({{"name", group.name}, {"rows", {row(group.upper), row(group.lower)}}});
+  }
+  Json drawing{{"strokes", strokes()}, {"units", std::move(units)}, {"groups", std::move(groups)}};
+  if (display.level != project::Level::amplitude) drawing["level"] = results::level_words(display.level);
+  if (!display.frequency.empty())
+    drawing["frequency"] = {{"unit", display.frequency},
+                            {"factor", results::shown_frequency(display, 1)},
+                            {"label", results::frequency_heading(display)}};
+  return drawing.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace trivet::report

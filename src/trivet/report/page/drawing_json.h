@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/study/analyses/answers.h"
+
+namespace trivet::report {
+
+/// What the page's charts share with the figures for print: {"strokes": [{"colour", "dash"}], "units": {unit:
+/// {"quantity", "multiples": [[size, name]]}}, "groups": per case [{"name", "rows": [[{"label", "curve"}]]}]}.
+[[nodiscard]] std::string drawing_json(const std::vector<study::Answers>& answers);
+
+}  // namespace trivet::report

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/page/page_notices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "trivet/documents/html_table.h"
+#include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/page/design_judgement.h"
+
+namespace trivet::report {
+namespace {
+
+/// A text that one or more cases share, and its place in the input file.
+struct Notice {
+  std::string text, place;
+  std::set<std::size_t> cases;
+};
+
+void add(std::vector<Notice>& notices, const std::string& text, const std::string& place, std::size_t which) {
+  auto found = std::ranges::find(notices, text, &Notice::text);
+  if (found == notices.end()) found = notices.insert(found, {text, place, {}});
+  found->cases.insert(which);
+}
+
+/// A warning without its place and without "warning:" and the name of its case, which are shown apart.
+std::string warning_words(foundation::Problem problem, const std::string& case_name) {
+  problem.origin = {};
+  std::string text = foundation::message(problem);
+  for (const std::string& part : {std::string("warning: "), "case \"" + case_name + "\": "})
+    if (const std::size_t at = text.find(part); at != std::string::npos) text.erase(at, part.size());
+  return text;
+}
+
+/// "(genset.toml:12; all cases)"
+std::string where_words(const Notice& notice, const std::vector<ShownCase>& cases) {
+  std::string owners;
+  if (notice.cases.size() == cases.size()) owners = "all cases";
+  else
+    for (const std::size_t i : notice.cases) owners += (owners.empty() ? "" : ", ") + cases[i].name();
+  if (cases.size() == 1) owners.clear();
+  const std::string between = notice.place.empty() || owners.empty() ? "" : "; ";
+  const std::string words = notice.place + between + owners;
+  return words.empty() ? "" : "<span class=\"where\"> (" + escaped(words) + ")</span>";
+}
+
+std::string box(const std::string& style, const std::string& title, const std::vector<Notice>& notices,
+                const std::vector<ShownCase>& cases) {
+  if (notices.empty()) return "";
+  std::string items;
+  for (const Notice& n : notices) items += "<li>" + escaped(n.text) + where_words(n, cases) + "</li>\n";
+  return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2><ul>{}</ul></div>\n", style, title, items);
+}
+
+}  // namespace
+
+std::string page_notices(const std::vector<ShownCase>& cases) {
+  std::vector<Notice> warnings, failed, rigid, notes;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (const foundation::Problem& problem : cases[i].warnings())
+      add(warnings, warning_words(problem, cases[i].answers.case_name), foundation::place(problem.origin), i);
+    for (const std::string& text : cases[i].failed_checks()) add(failed, text, "", i);
+    for (const std::string& text : cases[i].answers.free_motions) add(rigid, text, "", i);
+    for (const std::string& text : cases[i].answers.notes) add(notes, text, "", i);
+  }
+  std::string html = judgement_box(cases) +
+      box("alert", "⚠ " + count_words(warnings.size(), "warning"), warnings, cases) +
+      box("alert", "✗ " + count_words(failed.size(), "failed check"), failed, cases) +
+      box("note", "Rigid-body modes", rigid, cases) + box("note", "Notes", notes, cases);
+  if (!cases.empty() && warnings.empty() && failed.empty())
+    html += paragraph(
+        "No warnings; all checks of the data passed" + std::string(cases.size() > 1 ? " in all cases." : "."), "quiet");
+  return html;
+}
+
+namespace {
+
+/// Verdict on a case from its own map, or else from the first map of the report.
+const study::MapMark* map_mark(const ShownCase& shown, const std::vector<ShownCase>& cases) {
+  const auto with_map = std::find_if(cases.begin(), cases.end(), [](const ShownCase& c) { return c.answers.map; });
+  const study::DesignMap* map = shown.answers.map ? &*shown.answers.map
+      : with_map != cases.end()                   ? &*with_map->answers.map
+                                                  : nullptr;
+  if (!map) return nullptr;
+  const auto mark = std::ranges::find(map->marks, shown.answers.case_name, &study::MapMark::name);
+  return mark == map->marks.end() ? nullptr : &*mark;
+}
+
+Cell map_cell(const ShownCase& shown, const std::vector<ShownCase>& cases) {
+  const study::MapMark* mark = map_mark(shown, cases);
+  if (!mark) return {"–"};
+  if (!mark->judged) return missing_verdict_cell("not computed");
+  const std::string whose = shown.answers.map && !shown.answers.case_name.empty() ? " (own map)" : "";
+  return verdict_cell(mark->judged->governing.feasible(), "met" + whose, "VIOLATED" + whose);
+}
+
+Cell requirements_cell(const study::CaseVerdict& judged) {
+  const auto violated =
+      std::ranges::count_if(judged.results, [](const study::RequirementResult& r) { return r.value && !r.met(); });
+  if (violated == 0 && judged.not_judged() > 0)
+    return missing_verdict_cell(fmt::format("{} not judged", judged.not_judged()));
+  if (violated > 0 && !judged.decides) return {fmt::format("{} violated, no need", violated)};
+  return verdict_cell(violated == 0, "met", fmt::format("{} of {} VIOLATED", violated, judged.results.size()));
+}
+
+Cell motion_cell(const ShownCase& shown) {
+  if (shown.grows()) return {"▲ unstable", false, Tone::bad};
+  return {shown.answers.free_motions.empty() ? "stable" : "rigid-body mode"};
+}
+
+/// Lowest and highest natural frequency above 0, or NaN.
+std::pair<double, double> natural_range(const ShownCase& shown) {
+  double lowest = std::numeric_limits<double>::quiet_NaN(), highest = lowest;
+  if (!shown.variant.analyses.modes) return {lowest, highest};
+  for (const modal::Mode& m : shown.answers.modes.list) {
+    if (m.angular_frequency.value_or(0) <= 0) continue;
+    lowest = std::fmin(lowest, *m.angular_frequency);
+    highest = std::fmax(highest, *m.angular_frequency);
+  }
+  return {lowest, highest};
+}
+
+}  // namespace
+
+std::string glance_table(const std::vector<ShownCase>& cases) {
+  const bool has_map = std::ranges::any_of(cases, [&](const ShownCase& c) { return map_mark(c, cases) != nullptr; });
+  std::vector<Cell> headings = {{"case"}, right("changes"), {"warnings"}, {"checks"}, {"limits"}};
+  const bool has_verdict = std::ranges::any_of(cases, [](const ShownCase& c) { return c.answers.verdict.has_value(); });
+  if (has_verdict) headings.push_back({"requirements"});
+  if (has_map) headings.push_back({"rules of the map"});
+  const project::ShownUnits display = cases.empty() ? project::ShownUnits() : cases.front().variant.display;
+  headings.push_back({"motion"});
+  for (const char* which : {"lowest mode ", "highest mode "})
+    for (const std::string& unit : results::frequency_units(display))
+      headings.push_back(right((unit == "Hz" && display.frequency.empty() ? "" : which) + ("[" + unit + "]")));
+  std::vector<std::vector<Cell>> rows;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const ShownCase& c = cases[i];
+    const std::size_t warnings = c.warnings().size(), failed = c.failed_checks().size(), exceeded = c.exceeded_limits();
+    std::vector<Cell> row = {
+        html_cell(
+            fmt::format("<button type=\"button\" class=\"link\" data-select=\"{}\">{}</button>", i, escaped(c.name()))),
+        right(c.answers.changes.empty() ? "–" : std::to_string(c.answers.changes.size())),
+        warnings ? Cell{fmt::format("⚠ {}", warnings), false, Tone::bad} : Cell{"none"},
+        verdict_cell(!failed, "ok", fmt::format("{} FAILED", failed)),
+        c.limits() ? verdict_cell(!exceeded, "met", fmt::format("{} of {} EXCEEDED", exceeded, c.limits()))
+                   : Cell{"–"}};
+    if (has_verdict) row.push_back(c.answers.verdict ? requirements_cell(*c.answers.verdict) : Cell{"–"});
+    if (has_map) row.push_back(map_cell(c, cases));
+    row.push_back(motion_cell(c));
+    const auto [lowest, highest] = natural_range(c);
+    add_frequency(row, lowest, display);
+    add_frequency(row, highest, display);
+    rows.push_back(std::move(row));
+  }
+  return cases.empty() ? "" : html_table(headings, rows);
+}
+
+std::string case_head(const ShownCase& shown, std::size_t cases) {
+  std::string faults;
+  const auto add_fault = [&](const std::string& words) { faults += (faults.empty() ? "" : ", ") + words; };
+  if (const std::size_t count = shown.warnings().size()) add_fault(count_words(count, "warning"));
+  if (const std::size_t count = shown.failed_checks().size()) add_fault(count_words(count, "failed check"));
+  if (shown.grows()) add_fault("unstable motion");
+  std::string changes;
+  for (const std::string& text : shown.answers.changes) changes += "<li><code>" + escaped(text) + "</code></li>";
+  return fmt::format(
+      "<section class=\"case-head\"><h2>{}{}</h2>\n{}{}</section>\n", cases > 1 ? "Case: " : "", escaped(shown.name()),
+      faults.empty() ? "" : paragraph("⚠ Check the results: " + faults + "; see the top of the page.", "bad"),
+      changes.empty() ? "" : "<p>Changes from the base model:</p><ul class=\"changes\">" + changes + "</ul>\n");
+}
+
+}  // namespace trivet::report

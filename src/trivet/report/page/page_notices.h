@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/report/page/shown_case.h"
+
+namespace trivet::report {
+
+/// The verdict on the design, then warnings, failed checks and rigid-body modes of all cases; equal texts once, with
+/// their cases.
+[[nodiscard]] std::string page_notices(const std::vector<ShownCase>& cases);
+
+/// One row for each case; a button selects the case.
+[[nodiscard]] std::string glance_table(const std::vector<ShownCase>& cases);
+
+/// Name of a case, its faults and its changes from the base model.
+[[nodiscard]] std::string case_head(const ShownCase& shown, std::size_t cases);
+
+}  // namespace trivet::report

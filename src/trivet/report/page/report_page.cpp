@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/page/report_page.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "trivet/documents/html_table.h"
+#include "trivet/foundation/version.h"
+#include "trivet/report/drawing/figures.h"
+#include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/page/answer_sections.h"
+#include "trivet/report/page/check_tables.h"
+#include "trivet/report/page/drawing_json.h"
+#include "trivet/report/page/page_notices.h"
+#include "trivet/report/tables/input_tables.h"
+#include "trivet/report/tables/result_tables.h"
+#include "trivet/results/format/written_answers.h"
+
+namespace trivet::report {
+
+extern const char* const page_html;
+extern const char* const page_css;
+extern const char* const page_js;
+extern const char* const print_js;
+extern const char* const charts_js;
+extern const char* const curves_js;
+extern const char* const chart_script;
+extern const char* const chart_style;
+extern const char* const chart_licence;
+
+namespace {
+
+void replace(std::string& text, const std::string& place, const std::string& content) {
+  const std::size_t at = text.find(place);
+  if (at != std::string::npos) text.replace(at, place.size(), content);
+}
+
+/// Escapes JSON so that it cannot end the script element around it.
+std::string inside_script(const std::string& json) {
+  std::string result;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    if (json[i] == '<') result += "\\u003c";
+    else result += json[i];
+  }
+  return result;
+}
+
+/// A text as a string of a style sheet, which it cannot end, nor the style element around it.
+std::string css_string(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool special = c == '"' || c == '\\' || c == '<' || static_cast<unsigned char>(c) < ' ';
+    result += special ? fmt::format("\\{:x} ", c) : std::string(1, c);
+  }
+  return '"' + result + '"';
+}
+
+/// One block per case; the script shows that of the selected case, without scripts the first one is visible.
+std::string case_blocks(const std::vector<ShownCase>& cases, const std::function<std::string(const ShownCase&)>& html) {
+  std::string blocks;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    blocks += fmt::format("<div data-case=\"{}\"{}>{}</div>\n", i, i == 0 ? "" : " hidden", html(cases[i]));
+  return blocks;
+}
+
+std::string case_options(const std::vector<ShownCase>& cases) {
+  std::string options;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    options += fmt::format("<option value=\"{}\">{}</option>", i, escaped(cases[i].name()));
+  return options;
+}
+
+/// Sentence about the units of the page.
+std::string units_note(const project::ShownUnits& display) {
+  project::ShownUnits only_level;
+  only_level.level = display.level;
+  if (display == only_level) return "Everything is in SI units.";
+  return "Results are in the units that their axis, column or value shows: those of [display] in the project file. "
+         "Inputs, maps and best designs are in SI units.";
+}
+
+std::string level_note(const project::ShownUnits& display) {
+  const std::string words = results::level_words(display.level);
+  if (display.level == project::Level::amplitude) return words;
+  return words + (display.level == project::Level::peak_to_peak ? " (p-p)" : "") +
+      ", except in maps and best designs, where they are zero-to-peak; limits are at the level of what they limit";
+}
+
+std::string above_pictures(const ShownCase& shown, std::size_t cases) {
+  return case_head(shown, cases) + section("requirements", "Requirements", requirements_table(shown.answers)) +
+      section("limits", "Limits", results::limits_html(shown.answers));
+}
+
+std::string below_pictures(const ShownCase& shown) {
+  return section("response", "Response", results::answer_html("response", shown.variant, shown.answers)) +
+      section("peaks", "Resonance peaks", results::answer_html("peaks", shown.variant, shown.answers)) +
+      answer_sections(shown.variant, shown.answers);
+}
+
+std::string below_comparison(const ShownCase& shown) {
+  const project::Case& variant = shown.variant;
+  return section("modes", "Undamped modes", results::answer_html("modes", variant, shown.answers)) +
+      section("roots", "Damped roots", results::answer_html("roots", variant, shown.answers)) +
+      section("static", "Static results", static_tables(variant, shown.answers)) +
+      section("inputs", "Inputs", input_tables(variant)) + section("checks", "Checks", checks_table(shown));
+}
+
+}  // namespace
+
+std::string report_page(const project::Project& project, const std::vector<study::Answers>& answers,
+                        const std::string& results) {
+  const std::string title = project.title.empty() ? project.source : project.title;
+  const std::string input = std::filesystem::path(project.source).filename().string();
+  const std::vector<ShownCase> cases = shown_cases(project, answers);
+  std::string page = page_html;
+  // From the end to the start, so that inserted text that looks like a placeholder is not replaced.
+  replace(page, "{{script}}", page_js);
+  replace(page, "{{print}}", print_js);
+  replace(page, "{{charts}}", charts_js);
+  replace(page, "{{curves}}", curves_js);
+  replace(page, "{{chart_script}}", chart_script);
+  replace(page, "{{chart_licence}}", chart_licence);
+  const project::ShownUnits display = project.base().display;
+  replace(page, "{{drawing}}", inside_script(drawing_json(answers)));
+  replace(page, "{{results}}", inside_script(results));
+  replace(page, "{{level}}", level_note(display));
+  replace(page, "{{units}}", units_note(display));
+  replace(page, "{{tables}}", case_blocks(cases, below_comparison));
+  replace(page, "{{answers}}", case_blocks(cases, below_pictures));
+  replace(page, "{{heads}}", case_blocks(cases, [&](const ShownCase& c) { return above_pictures(c, cases.size()); }));
+  replace(page, "{{cases}}", case_options(cases));
+  replace(page, "{{overview}}", overview(title, answers).html());
+  replace(page, "{{glance}}",
+          section("glance", "At a glance", glance_table(cases)) +
+              section("envelope", "Load cases", envelope_table(study::envelope_of(answers))));
+  replace(page, "{{notices}}", page_notices(cases));
+  replace(page, "{{sha256}}", escaped(project.sha256));
+  replace(page, "{{input}}", escaped(input));
+  replace(page, "{{program}}", fmt::format("trivet {}", foundation::version()));
+  replace(page, "{{heading}}", escaped(title));
+  replace(page, "{{source_on_paper}}", css_string(input));
+  replace(page, "{{title_on_paper}}", css_string(title));
+  replace(page, "{{style}}", page_css);
+  replace(page, "{{chart_style}}", chart_style);
+  replace(page, "{{title}}", escaped(title));
+  return page;
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/tables/input_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "trivet/documents/html_table.h"
+#include "trivet/documents/text_table.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/model/point_mass.h"
+#include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/results/model/law_words.h"
+#include "trivet/results/model/model_words.h"
+
+namespace trivet::report {
+namespace {
+
+using results::number_text;
+
+constexpr std::array<const char*, 6> motions = {"x", "y", "z", "θx", "θy", "θz"};
+constexpr std::array<const char*, 6> forces = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+
+template <typename Vector>
+std::string listed(const Vector& values, int digits) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ", ") + number_text(value, digits);
+  return text;
+}
+
+template <typename Vector>
+std::string vector_words(const Vector& values) {
+  return "(" + listed(values, 7) + ")";
+}
+
+std::string axes_words(const Eigen::Matrix3d& axes) {
+  constexpr double round_off = 1e-12;
+  if ((axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < round_off) return "are parallel to the ground axes";
+  std::string rows;
+  for (Eigen::Index i = 0; i < 3; ++i) rows += " " + vector_words(axes.row(i).transpose().eval());
+  return "are the columns of the matrix with the rows" + rows + " in the ground";
+}
+
+/// A square matrix with the same labels for rows and columns.
+std::string matrix_table(const std::vector<std::string>& labels, const Eigen::MatrixXd& matrix) {
+  std::vector<Cell> headings = {{""}};
+  for (const std::string& label : labels) headings.push_back({label});
+  std::vector<Row> rows;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    rows.push_back({{{labels[static_cast<std::size_t>(i)]}}, ""});
+    for (const double value : matrix.row(i)) rows.back().cells.push_back({number_text(value)});
+  }
+  return html_table(headings, rows, labels.size() == 12 ? "matrix of-ends" : "matrix");
+}
+
+std::vector<std::string> end_labels() {
+  std::vector<std::string> labels;
+  for (const char* end : {"N", "K"})
+    for (const char* motion : motions) labels.push_back(fmt::format("{} {}", end, motion));
+  return labels;
+}
+
+std::string coordinates_words(const std::array<bool, 6>& named) {
+  std::string words;
+  for (std::size_t j = 0; j < 6; ++j)
+    if (named[j]) words += (words.empty() ? "" : " ") + std::string(motions[j]);
+  return words.empty() ? "none" : words;
+}
+
+std::string bodies_tables(const std::vector<model::Body>& bodies) {
+  std::vector<Row> rows;
+  std::string inertia;
+  for (const model::Body& b : bodies) {
+    if (b.is_node) continue;
+    const Eigen::Vector3d moments = spatial::principal_inertia(b.mass).moments;
+    std::string points;
+    for (const model::Point& p : b.points) points += "<div>" + escaped(p.name + " " + vector_words(p.at)) + "</div>";
+    rows.push_back(
+        {{{b.name},
+          right(number_text(b.mass.mass)),
+          {vector_words(b.mass.centre)},
+          {listed(moments, 6), false, moments.minCoeff() <= 0 && !model::is_point_mass(b) ? Tone::bad : Tone::plain},
+          {coordinates_words(b.free)},
+          {vector_words(b.pose.position)},
+          html_cell(points)},
+         ""});
+    inertia += paragraph(b.name + ": the body axes " + axes_words(b.pose.rotation)) +
+        matrix_table({"x", "y", "z"}, spatial::inertia_about_pole(b.mass));
+  }
+  return html_table({{"body"},
+                     right("mass [kg]"),
+                     {"centre of mass [m]"},
+                     {"principal central moments [kg m²]"},
+                     {"free coordinates"},
+                     {"pole in ground [m]"},
+                     {"points [m]"}},
+                    rows) +
+      folded("Inertia about the pole [kg m²] and axes of the bodies", inertia);
+}
+
+std::string nodes_table(const std::vector<model::Body>& bodies) {
+  std::vector<std::vector<Cell>> rows;
+  for (const model::Body& b : bodies)
+    if (b.is_node)
+      rows.push_back({{b.name},
+                      {vector_words(b.pose.position)},
+                      {coordinates_words(b.free)},
+                      {coordinates_words(b.left_out)},
+                      {axes_words(b.pose.rotation)}});
+  return rows.empty() ? ""
+                      : html_table({{"node"},
+                                    {"position in ground [m]"},
+                                    {"free coordinates"},
+                                    {"left out: held by no element"},
+                                    {"its axes"}},
+                                   rows);
+}
+
+std::string facts_table(const std::vector<model::Fact>& facts) {
+  std::vector<std::vector<Cell>> rows;
+  for (const model::Fact& fact : facts) rows.push_back({{fact.what}, {fact.value}});
+  return html_table({{"what"}, {"value"}}, rows);
+}
+
+std::string elements_tables(const model::Description& d) {
+  const auto owner = [&](const model::End& end) -> std::string {
+    return end.body      ? d.bodies[*end.body].name
+        : end.foundation ? d.foundations[end.foundation->foundation].name
+                         : "ground";
+  };
+  std::vector<std::vector<Cell>> rows;
+  std::string facts, stiffness, viscous;
+  for (const model::Element& e : d.elements) {
+    const spatial::Pose n = model::end_in_ground(d.bodies, e.n), k = model::end_in_ground(d.bodies, e.k);
+    rows.push_back({{e.name},
+                    {e.type},
+                    {owner(e.n)},
+                    {vector_words(n.position)},
+                    {owner(e.k)},
+                    {vector_words(k.position)},
+                    right(number_text(e.law.scale)),
+                    {results::damping_words(e.law.damping)}});
+    if (!e.facts.empty()) facts += folded("How " + e.name + " was determined", facts_table(e.facts));
+    if (model::has_laws(e)) facts += folded("Laws of " + e.name, facts_table(results::law_facts(e)));
+    stiffness += folded("Stiffness 12×12 of " + e.name,
+                        hint("Scale included; [N/m], [N/rad], [N m/m], [N m/rad]. The local axes of N " +
+                             axes_words(n.rotation) + "; those of K " + axes_words(k.rotation) + ".") +
+                            matrix_table(end_labels(), elements::stiffness(e.law)));
+    if (std::holds_alternative<elements::DampingMatrix>(e.law.damping))
+      viscous += folded("Viscous damping 12×12 of " + e.name,
+                        hint("[N s/m], [N s/rad], [N m s/m], [N m s/rad], in the same axes.") +
+                            matrix_table(end_labels(), elements::viscous_damping(e.law)));
+  }
+  return html_table({{"element"},
+                     {"type"},
+                     {"end N on"},
+                     {"N in ground [m]"},
+                     {"end K on"},
+                     {"K in ground [m]"},
+                     right("scale"),
+                     {"damping"}},
+                    rows) +
+      facts + stiffness + viscous;
+}
+
+/// "Fz 18 N, Mx 2 N m": the components that are not zero.
+std::string component_words(const std::array<const char*, 6>& names, const Eigen::Vector3d& linear,
+                            const std::string& linear_unit, const Eigen::Vector3d& angular,
+                            const std::string& angular_unit) {
+  std::string words;
+  for (std::size_t j = 0; j < 6; ++j) {
+    const double value = j < 3 ? linear(static_cast<Eigen::Index>(j)) : angular(static_cast<Eigen::Index>(j) - 3);
+    if (value != 0)
+      words += fmt::format("{}{} {} {}", words.empty() ? "" : ", ", names[j], number_text(value),
+                           j < 3 ? linear_unit : angular_unit);
+  }
+  return words.empty() ? "–" : words;
+}
+
+std::string excitations_table(const model::Description& d) {
+  std::vector<std::vector<Cell>> rows;
+  for (const model::Excitation& e : d.excitations) {
+    const results::ExcitationNumbers n = results::excitation_numbers(e);
+    const Eigen::VectorXd degrees = n.phase * (360 / foundation::two_pi);
+    rows.push_back(
+        {{e.name},
+         {n.type},
+         {e.action.body ? d.bodies[*e.action.body].name : "ground"},
+         {vector_words(e.action.at)},
+         {component_words(e.action.body ? forces : motions, n.linear, n.linear_unit, n.angular, n.angular_unit)},
+         {degrees.isZero(0) ? "–" : vector_words(degrees)}});
+  }
+  for (const model::ConstantForce& f : d.constant_forces)
+    rows.push_back({{f.name},
+                    {"constant"},
+                    {d.bodies[f.body].name},
+                    {vector_words(f.at)},
+                    {component_words(forces, f.wrench.force, "N", f.wrench.moment, "N m")},
+                    {"–"}});
+  return rows.empty() ? ""
+                      : html_table({{"excitation"},
+                                    {"type"},
+                                    {"on"},
+                                    {"at, body or ground axes [m]"},
+                                    {"components"},
+                                    {"phases of the six [°]"}},
+                                   rows);
+}
+
+std::string foundations_table(const std::vector<model::Foundation>& foundations) {
+  std::vector<std::vector<Cell>> rows;
+  for (const model::Foundation& f : foundations)
+    for (Eigen::Index i = 0; i < f.mass.rows(); ++i) {
+      const bool of_element = f.stiffness(i, i) == 0;  // an impedance or a mobility is in the table of elements
+      rows.push_back({{f.name},
+                      right(std::to_string(i + 1)),
+                      right(number_text(f.mass(i, i))),
+                      of_element ? right("see elements") : right(number_text(f.stiffness(i, i))),
+                      of_element ? right("see elements") : right(number_text(f.damping(i, i)))});
+    }
+  return html_table({{"foundation"},
+                     right("coordinate"),
+                     right("mass [kg, kg m²]"),
+                     right("stiffness [N/m, N m/rad]"),
+                     right("damping [N s/m, N m s/rad]")},
+                    rows);
+}
+
+std::string part(const std::string& title, const std::string& html) {
+  return "<h3>" + title + "</h3>\n" + (html.empty() ? "<p>None.</p>\n" : html);
+}
+
+}  // namespace
+
+std::string input_tables(const project::Case& variant) {
+  const model::Description& d = variant.system.description();
+  const std::string nodes = nodes_table(d.bodies);
+  return part("Bodies", d.bodies.empty() ? "" : bodies_tables(d.bodies)) + (nodes.empty() ? "" : part("Nodes", nodes)) +
+      part("Elements", d.elements.empty() ? "" : elements_tables(d)) + part("Excitations", excitations_table(d)) +
+      (d.foundations.empty() ? "" : part("Flexible foundations", foundations_table(d.foundations))) +
+      (d.relative_motions.empty() && d.sections.empty() && d.clearances.empty()
+           ? ""
+           : part("Relative motions, sections and clearances", observations_table(d))) +
+      paragraph(d.gravity ? "Gravity " + vector_words(*d.gravity) +
+                        " m/s², ground axes; it affects static results, and the geometric stiffness if elements are "
+                        "preloaded."
+                          : "No gravity.") +
+      paragraph("Damping of the system: " + results::damping_words(d.damping) + ".");
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/documents/html_table.h"
+#include "trivet/report/drawing/in_documents.h"
+#include "trivet/study/analyses/answers.h"
+
+/// Tables of the answers to constant and harmonic excitations as HTML; empty if the case did
+/// not request them.
+namespace trivet::report {
+
+/// "✓ met", "✗ VIOLATED" or "? NOT JUDGED", and the style of its row.
+[[nodiscard]] Cell requirement_cell(const study::RequirementResult& result);
+[[nodiscard]] const char* requirement_style(const study::RequirementResult& result);
+
+/// Every requirement with its margin, the least first.
+[[nodiscard]] std::string requirements_table(const study::Answers& answers);
+
+/// Least and largest static values over all cases.
+[[nodiscard]] std::string envelope_table(const study::Envelope& envelope);
+
+/// Static motions and forces, one row for each place.
+[[nodiscard]] std::string static_tables(const project::Case& variant, const study::Answers& answers);
+
+}  // namespace trivet::report

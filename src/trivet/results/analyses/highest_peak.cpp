@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/analyses/highest_peak.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/nonlinear/branch/stable_motions.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
+#include "trivet/results/analyses/steady_changes_text.h"
+#include "trivet/results/format/varied_parameter.h"
+
+namespace trivet::results {
+namespace {
+
+struct HighestPeak {
+  double amplitude = 0;
+  std::string of, at;  ///< result, and frequency with its unit
+};
+
+void keep_higher(std::optional<HighestPeak>& highest, double amplitude, const std::string& of, const std::string& at) {
+  if (!highest || amplitude > highest->amplitude) highest = {amplitude, of, at};
+}
+
+std::string peak_frequency(const study::Answers& answers, double omega) {
+  return fmt::format("{:.5g} {}", shown_frequency(answers.display, omega), frequency_unit(answers.display));
+}
+
+std::string peak_text(const std::optional<HighestPeak>& highest, const DisplayUnit& unit) {
+  if (!highest) return "no peak";
+  const std::string amplitude = std::isinf(highest->amplitude) ? "∞" : value_text(highest->amplitude, unit);
+  return fmt::format("{} {} at {}", amplitude, highest->of, highest->at);
+}
+
+std::string highest_resonance(const study::Answers& answers, const response::Peaks& peaks) {
+  const std::string& kind = peaks.curves.front().unit;
+  std::optional<HighestPeak> highest;
+  for (const response::Peak& peak : peaks.list)
+    if (const response::CurveSummary& curve = peaks.curves[peak.curve]; curve.unit == kind)
+      keep_higher(highest, peak.amplitude, curve.name, peak_frequency(answers, peak.angular_frequency));
+  return peak_text(highest, amplitude_unit(answers.display, kind));
+}
+
+std::string highest_maximum(const study::Answers& answers, const study::ResponseAnswer& response) {
+  const std::string& kind = response.curves.curves.front().unit;
+  std::optional<HighestPeak> highest;
+  for (std::size_t c = 0; c < response.extrema.size(); ++c)
+    for (const response::Extremum& extremum : response.extrema[c])
+      if (const response::Curve& curve = response.curves.curves[c]; extremum.maximum && curve.unit == kind)
+        keep_higher(highest, extremum.amplitude, curve.name, peak_frequency(answers, extremum.angular_frequency));
+  return peak_text(highest, amplitude_unit(answers.display, kind));
+}
+
+std::string farthest_motion(const study::Answers& answers, const nonlinear::SteadyBranch& branch) {
+  std::optional<HighestPeak> highest;
+  const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
+  for (std::size_t r = 0; r < extremes.size(); ++r)
+    if (branch.units[r] == branch.units.front())
+      keep_higher(highest, std::fmax(std::abs(extremes[r].largest), std::abs(extremes[r].smallest)), branch.results[r],
+                  place_text(branch, *extremes[r].at, answers.display, 5) + " " + varied_unit(branch, answers.display));
+  return peak_text(highest, display_unit(answers.display, branch.units.front()));
+}
+
+}  // namespace
+
+std::string highest_peak(const study::Answers& answers) {
+  const auto* branch = answers.find<nonlinear::SteadyBranch>("steady");
+  if (branch && !branch->results.empty()) return farthest_motion(answers, *branch);
+  if (answers.peaks && !answers.peaks->peaks.curves.empty()) return highest_resonance(answers, answers.peaks->peaks);
+  const bool has_curves = answers.response && answers.response->model && !answers.response->curves.curves.empty();
+  return has_curves ? highest_maximum(answers, *answers.response) : "";
+}
+
+}  // namespace trivet::results

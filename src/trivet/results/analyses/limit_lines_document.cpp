@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/results/format/answer_writer.h"
+
+/// Answers of the response compared with limit lines of the user.
+namespace trivet::results {
+namespace {
+
+using assembly::Band;
+using study::LimitLineResult;
+
+/// Bands "from … to" with a separator.
+std::string band_words(const std::vector<Band>& bands, const char* separator, const auto& words) {
+  std::string text;
+  for (const Band& band : bands) text += (text.empty() ? "" : separator) + words(band);
+  return text;
+}
+
+}  // namespace
+
+Table limit_line_table(const study::Answers& answers) {
+  const Rows row(answers.limit_lines);
+  const auto in_hertz = [](const Band& band) { return fmt::format("{} to {}", hertz(band.from), hertz(band.to)); };
+  const auto shown = [&display = answers.display](const Band& band) {
+    return fmt::format("{:.4g} … {:.4g}", shown_frequency(display, band.from), shown_frequency(display, band.to));
+  };
+  const auto exceeded_json = [](const LimitLineResult& l) {
+    Json list = Json::array();
+    for (const Band& band : l.comparison.exceeded) list.push_back({band.from, band.to});
+    return list;
+  };
+  const auto exceeded_shown = [shown](const LimitLineResult& l) {
+    return l.comparison.met() ? std::string("–") : band_words(l.comparison.exceeded, ", ", shown);
+  };
+  const std::string unit = " [" + frequency_unit(answers.display) + "]";
+  return {
+      .key = whole_json,
+      .axis = "limit_line",
+      .plain_names = true,
+      .file = "limit_lines.csv",
+      .title = "Limit lines",
+      .rows = row.size(),
+      .columns =
+          {row("name", Kind::words, "limit line", [](const LimitLineResult& l) { return l.line.name; }),
+           row("of", Kind::words, "result", &LimitLineResult::of),
+           row("unit", Kind::words, "", [](const LimitLineResult& l) { return l.line.unit; }),
+           row("level", Kind::words, "", [](const LimitLineResult& l) { return l.line.rms ? "rms" : "zero_to_peak"; }),
+           row("compared", Kind::words, "",
+               [](const LimitLineResult& l) -> Json { return {l.comparison.compared.from, l.comparison.compared.to}; },
+               {.forms = in_json}),
+           row("compared", Kind::words, "",
+               [in_hertz](const LimitLineResult& l) { return in_hertz(l.comparison.compared); }, {.forms = in_csv}),
+           row("compared", Kind::words, "compared" + unit,
+               [shown](const LimitLineResult& l) { return shown(l.comparison.compared); }, {.forms = for_people}),
+           row("compared_from", Kind::frequency, "",
+               [](const LimitLineResult& l) { return l.comparison.compared.from; }, {.forms = in_arrays}),
+           row("compared_to", Kind::frequency, "", [](const LimitLineResult& l) { return l.comparison.compared.to; },
+               {.forms = in_arrays}),
+           row("least_margin", Kind::number, "", [](const LimitLineResult& l) { return l.comparison.least_margin; }),
+           row("least_margin_db", Kind::number, "least margin",
+               [](const LimitLineResult& l) { return response::margin_level(l.comparison.least_margin); },
+               {.unit = "dB", .digits = 4}),
+           row("at", Kind::frequency, "at", [](const LimitLineResult& l) { return l.comparison.least_margin_at; }),
+           row("exceeded", Kind::words, "", exceeded_json, {.forms = in_json}),
+           row("exceeded", Kind::words, "",
+               [in_hertz](const LimitLineResult& l) { return band_words(l.comparison.exceeded, "; ", in_hertz); },
+               {.forms = in_csv}),
+           row("exceeded", Kind::words, "exceeded" + unit, exceeded_shown, {.forms = for_people}),
+           row("kept", Kind::yes_no, "", [](const LimitLineResult& l) { return l.comparison.met(); }),
+           row("verdict", Kind::words, "verdict",
+               [](const LimitLineResult& l) { return l.comparison.met() ? "✓ met" : "✗ EXCEEDED"; },
+               {.forms = for_people})},
+      .csv = {{"limit line", "name"},
+              {"name", "of"},
+              "unit",
+              "level",
+              {"compared [Hz]", "compared"},
+              "least_margin",
+              {"least_margin [dB]", "least_margin_db"},
+              "at [rad/s]",
+              {"exceeded [Hz]", "exceeded"},
+              "kept"},
+      .arrays = {{"limit_line", "name"},
+                 {"name", "of"},
+                 "unit",
+                 "level",
+                 "compared_from",
+                 "compared_to",
+                 "least_margin",
+                 "least_margin_db",
+                 "at",
+                 "kept"},
+      .mark = [&answers](std::size_t i) { return answers.limit_lines[i].comparison.met() ? Mark::plain : Mark::bad; }};
+}
+
+namespace {
+
+/// A band in which a limit line is exceeded.
+struct ExceededBand {
+  std::string limit_line;
+  double from = 0, to = 0;  ///< [rad/s]
+};
+
+Table exceeded_bands(const std::vector<LimitLineResult>& lines) {
+  std::vector<ExceededBand> bands;
+  for (const LimitLineResult& l : lines)
+    for (const Band& band : l.comparison.exceeded) bands.push_back({l.line.name, band.from, band.to});
+  const Rows row(std::move(bands));
+  return {.axis = "exceeded",
+          .rows = row.size(),
+          .columns = {row("limit_line", Kind::words, "", &ExceededBand::limit_line),
+                      row("from", Kind::frequency, "", &ExceededBand::from),
+                      row("to", Kind::frequency, "", &ExceededBand::to)},
+          .forms = in_arrays};
+}
+
+Document limit_lines_document(const project::Case&, const study::Answers& answers) {
+  Document document;
+  document.add(limit_line_table(answers));
+  for (const LimitLineResult& l : answers.limit_lines)
+    document.add(Curves{
+        .axis = l.line.name + " angular_frequency",
+        .unit = "rad/s",
+        .points = l.comparison.angular_frequency,
+        .list = {{.name = l.line.name + " margin", .unit = "1", .values = l.comparison.margin, .forms = in_arrays}},
+        .forms = in_arrays});
+  document.add(exceeded_bands(answers.limit_lines));
+  return document;
+}
+
+}  // namespace
+
+const AnswerWriter limit_lines_results = {
+    .has_answer = [](const project::Case&, const study::Answers& answers) { return !answers.limit_lines.empty(); },
+    .document = limit_lines_document,
+    .files = {"limit_lines.csv"}};
+
+}  // namespace trivet::results

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/study/explain/explanation.h"
+
+namespace trivet::results {
+
+/// JSON (docs/json.md), and one CSV row per peak and parameter.
+[[nodiscard]] std::string explain_json(const project::Case& variant, const study::Explanation& explanation);
+[[nodiscard]] std::string explain_csv(const study::Explanation& explanation);
+
+}  // namespace trivet::results

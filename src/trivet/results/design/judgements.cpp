@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/design/judgements.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "trivet/documents/text_table.h"
+#include "trivet/nonlinear/branch/steady_branch.h"
+#include "trivet/nonlinear/modes/backbone.h"
+#include "trivet/results/design/map_verdicts.h"
+#include "trivet/results/design/verdict_words.h"
+#include "trivet/study/optimize/optimization.h"
+
+namespace trivet::results {
+namespace {
+
+using Outcome = Judgement::Outcome;
+
+std::string without_empty(const std::vector<std::string>& parts, const char* between) {
+  std::string text;
+  for (const std::string& part : parts)
+    if (!part.empty()) text += (text.empty() ? "" : between) + part;
+  return text;
+}
+
+std::string finite_margin_words(double margin) {
+  return std::isfinite(margin) ? fmt::format("margin {:.4g}", margin) : "";
+}
+
+std::string at_frequency(double omega, const project::ShownUnits& display) {
+  if (!std::isfinite(omega)) return "towards ω = ∞";
+  return fmt::format("at {:.5g} {}", shown_frequency(display, omega), frequency_unit(display));
+}
+
+void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std::vector<Judgement>& list) {
+  for (const RequirementRow& row : requirement_rows(verdict)) {
+    const study::RequirementResult& result = *row.result;
+    const bool clearance = result.kind == study::RequirementKind::clearance;
+    Judgement one{Outcome::met,   clearance ? "clearance" : "requirement", row.words, "", result.margin, which,
+                  verdict.decides};
+    if (!result.value) {
+      one.outcome = Outcome::not_judged;
+      one.finding = result.reason;
+    } else {
+      if (!result.met()) one.outcome = verdict.decides ? Outcome::violated : Outcome::violated_no_need;
+      const std::string place = row.place.empty() ? "" : "at " + row.place;
+      one.finding = without_empty({without_empty({row.value, place}, " "), finite_margin_words(result.margin)}, ", ");
+    }
+    list.push_back(std::move(one));
+  }
+}
+
+/// Is this curve judged as a requirement that decides, too? @param name  of a limit line
+bool is_required(const study::Answers& answers, study::RequirementKind kind, const std::string& subject,
+                 const std::string& name = "") {
+  if (!answers.verdict || !answers.verdict->decides) return false;
+  const auto& results = answers.verdict->results;
+  return std::ranges::any_of(results, [&](const study::RequirementResult& r) {
+    return r.kind == kind && r.subject == subject && (name.empty() || r.words.ends_with("\"" + name + "\""));
+  });
+}
+
+void add_limits(const study::Answers& answers, std::size_t which, std::vector<Judgement>& list) {
+  for (const study::LimitAnswer& limit : answers.limits) {
+    if (is_required(answers, study::RequirementKind::amplitude, limit.name)) continue;
+    const DisplayUnit unit = amplitude_unit(answers.display, limit.unit);
+    list.push_back({limit.met ? Outcome::met : Outcome::violated, "limit",
+                    fmt::format("{} ≤ {}", limit.name, value_text(limit.limit, unit)),
+                    fmt::format("{} {}, {} of the limit",
+                                std::isfinite(limit.in_band) ? value_text(limit.in_band, unit) : "unbounded",
+                                at_frequency(limit.in_band_at, answers.display),
+                                std::isfinite(limit.in_band) ? percent(limit.in_band / limit.limit) : "∞"),
+                    limit.in_band > 0 ? limit.limit / limit.in_band : std::numeric_limits<double>::infinity(), which});
+  }
+  for (const study::LimitLineResult& line : answers.limit_lines) {
+    if (is_required(answers, study::RequirementKind::limit_line, line.of, line.line.name)) continue;
+    list.push_back({line.comparison.met() ? Outcome::met : Outcome::violated, "limit line",
+                    fmt::format("{} within “{}”", line.of, line.line.name),
+                    fmt::format("least margin {:.4g} dB {}", response::margin_level(line.comparison.least_margin),
+                                at_frequency(line.comparison.least_margin_at, answers.display)),
+                    line.comparison.least_margin, which});
+  }
+}
+
+/// @param cases  in which the marks of the map are found by their names
+void add_map(const study::DesignMap& map, std::size_t which, const std::vector<const study::Answers*>& cases,
+             std::vector<Judgement>& list) {
+  if (map.feasible_designs == 0)
+    list.push_back({Outcome::violated, "map", "map of designs", "no design of the map meets every rule", 0, which});
+  for (const study::MapMark& mark : map.marks) {
+    const auto found =
+        std::ranges::find_if(cases, [&](const study::Answers* one) { return one->case_name == mark.name; });
+    Judgement one{Outcome::not_judged,
+                  "map",
+                  "rules of the map",
+                  without_empty(verdict_words(map, mark), "; "),
+                  0,
+                  found == cases.end() ? which : static_cast<std::size_t>(found - cases.begin())};
+    if (mark.judged) {
+      one.outcome = mark.judged->governing.feasible() ? Outcome::met : Outcome::violated;
+      one.margin = mark.judged->governing.margin;
+    }
+    list.push_back(std::move(one));
+  }
+}
+
+/// Curves of motions that end before the end that was asked for.
+void add_cut_short(const study::Answers& answers, std::size_t which, std::vector<Judgement>& list) {
+  const auto add = [&](const char* analysis, const std::string& ended) {
+    if (!ended.empty())
+      list.push_back({Outcome::not_judged, "answer", fmt::format("{} is not complete", analysis), ended, 0, which});
+  };
+  if (const auto* steady = answers.find<nonlinear::SteadyBranch>("steady")) add("steady", steady->ended);
+  if (const auto* modes = answers.find<std::vector<nonlinear::Backbone>>("backbone"))
+    for (const nonlinear::Backbone& mode : *modes) add("backbone", mode.ended);
+}
+
+}  // namespace
+
+std::vector<std::string> failed_checks(const std::vector<study::CheckLine>& checks, const study::Answers& answers) {
+  std::vector<std::string> failed;
+  for (const study::CheckLine& line : checks)
+    if (!line.passed) failed.push_back(line.subject + ", “" + line.what + "”: " + line.value);
+  if (answers.response && !answers.response->deep.passed)
+    failed.push_back("response: the second solver does not agree");
+  return failed;
+}
+
+std::string count_words(std::size_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
+std::size_t number_with(const std::vector<Judgement>& list, Outcome outcome) {
+  return static_cast<std::size_t>(std::ranges::count(list, outcome, &Judgement::outcome));
+}
+
+/// "2 of 9 requirements, 1 of 1 limit": of those that decide, and of what is not judged elsewhere.
+std::string shares_words(const std::vector<Judgement>& list, Outcome outcome) {
+  static constexpr std::array kinds = {"requirement", "clearance",   "limit", "limit line",
+                                       "map",         "best design", "answer"};
+  std::string words;
+  for (const std::string kind : kinds) {
+    std::size_t all = 0, these = 0;
+    for (const Judgement& one : list) {
+      const bool unknown = outcome == Outcome::not_judged && one.outcome == outcome;
+      if (one.kind != kind || !(one.decides || unknown)) continue;
+      ++all;
+      these += one.outcome == outcome;
+    }
+    if (these == 0) continue;
+    const std::string what = kind == "map" ? "verdict" : kind;
+    words += (words.empty() ? "" : ", ") + fmt::format("{} of {}", these, count_words(all, what)) +
+        (kind == "map" ? " of a map" : "");
+  }
+  return words;
+}
+
+std::vector<Judgement> judgements(const std::vector<const study::Answers*>& cases) {
+  std::vector<Judgement> list;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const study::Answers& answers = *cases[i];
+    if (answers.verdict) add_requirements(*answers.verdict, i, list);
+    add_limits(answers, i, list);
+    if (answers.map) add_map(*answers.map, i, cases, list);
+    for (const study::DesignMap& map : answers.map_pairs) add_map(map, i, cases, list);
+    if (answers.optimization)
+      list.push_back({answers.optimization->feasible ? Outcome::met : Outcome::violated, "best design",
+                      "best design of the search",
+                      answers.optimization->feasible ? "" : "no design that was found meets every requirement",
+                      std::numeric_limits<double>::infinity(), i});
+    add_cut_short(answers, i, list);
+    for (const std::string& failure : answers.failures)
+      if (std::ranges::none_of(list,
+                               [&](const Judgement& one) { return one.shown_case == i && one.finding == failure; }))
+        list.push_back({Outcome::not_judged, "answer", "not computed", failure, 0, i});
+  }
+  return list;
+}
+
+const Judgement* least_of(const std::vector<Judgement>& list) {
+  const Judgement* least = nullptr;
+  for (const Judgement& one : list)
+    if (one.outcome == Outcome::met && one.decides && std::isfinite(one.margin) &&
+        (!least || one.margin < least->margin))
+      least = &one;
+  return least;
+}
+
+}  // namespace trivet::results

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "trivet/study/analyses/answers.h"
+#include "trivet/study/whole_study.h"
+
+namespace trivet::results {
+
+/// A verdict on the design: of a requirement, a clearance, a limit, a limit line, the rules of a map, or the best
+/// design; or an analysis that was not computed, or not to its end.
+struct Judgement {
+  enum class Outcome {
+    met,
+    violated,
+    not_judged,        ///< it could not be computed
+    violated_no_need,  ///< violated in a case in which the design need not hold
+  };
+  Outcome outcome = Outcome::met;
+  const char* kind = "requirement";  ///< of which there are several
+  std::string words;                 ///< what is judged: "machine.z ≤ 0.5 mm"
+  std::string finding;               ///< by how much and where, or why it is not judged
+  double margin = 0;                 ///< 1 on the limit; of judged ones
+  std::size_t shown_case = 0;        ///< index of its case
+  bool decides = true;               ///< the design has to hold in this case
+};
+
+/// All verdicts on the cases of a study. A limit that is also a requirement of its case is listed once.
+[[nodiscard]] std::vector<Judgement> judgements(const std::vector<const study::Answers*>& cases);
+
+[[nodiscard]] std::size_t number_with(const std::vector<Judgement>& list, Judgement::Outcome outcome);
+
+/// "2 of 9 requirements, 1 of 1 limit": of those that decide, and of what is not judged elsewhere.
+[[nodiscard]] std::string shares_words(const std::vector<Judgement>& list, Judgement::Outcome outcome);
+
+/// The judged one with the least margin; nullptr if nothing limits the design.
+[[nodiscard]] const Judgement* least_of(const std::vector<Judgement>& list);
+
+/// The checks of the data and of the response that failed, one sentence each.
+[[nodiscard]] std::vector<std::string> failed_checks(const std::vector<study::CheckLine>& checks,
+                                                     const study::Answers& answers);
+
+/// "1 warning", "2 warnings"
+[[nodiscard]] std::string count_words(std::size_t count, const std::string& one);
+
+}  // namespace trivet::results

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/study/map/design_map.h"
+
+namespace trivet::results {
+
+/// The range of the rules: the band of the amplitudes, and the threshold for a peak.
+[[nodiscard]] std::string asked_words(const study::DesignMap& map);
+
+/// A rule as the verdict names it: "m.z ≤ 0.5 mm", where `words` of the rule has SI units.
+[[nodiscard]] std::string rule_words(const design::MapRule& rule);
+
+/// The feasible share of the map, and what may have been missed between designs.
+[[nodiscard]] std::string feasible_words(const study::DesignMap& map);
+
+/// The best design, or the nearest to feasible, with its margin. Empty if there is none.
+[[nodiscard]] std::string best_words(const study::DesignMap& map);
+
+/// Ends of the axes at which the best design is ("the upper end of δ"): a better one may lie beyond. Without ends at 0;
+/// empty if the margin is 0 or unbounded.
+[[nodiscard]] std::vector<std::string> best_ends(const study::DesignMap& map);
+
+/// Rules that govern at least one design, that with most designs first.
+[[nodiscard]] std::vector<std::size_t> governing_rules(const study::DesignMap& map);
+
+/// Reason why no rule limits a design of this map: "no peak" or "no motion".
+[[nodiscard]] std::string unlimited_words(const study::DesignMap& map);
+
+}  // namespace trivet::results

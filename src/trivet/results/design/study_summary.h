@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/study/analyses/answers.h"
+
+namespace trivet::results {
+
+/// A computed study on one screen: first what is violated, not judged, not computed or failed, or else the least
+/// margin; then one line per case with its warnings, natural frequencies and highest peak, the best design, and
+/// warnings and notes, each once with its cases.
+/// @param answers  of every case of the project, in its order
+[[nodiscard]] std::string study_summary(const project::Project& project, const std::vector<study::Answers>& answers);
+
+}  // namespace trivet::results

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "trivet/documents/json_text.h"
+#include "trivet/results/format/in_documents.h"
+#include "trivet/study/analyses/answers.h"
+
+/// JSON values of Trivet's data; shared by the single answers and the result file.
+namespace trivet::results::json {
+
+[[nodiscard]] Json warnings(const foundation::Problems& problems);
+/// Position of an end of an element: "on", "at", "in_ground", "axes_in_ground".
+[[nodiscard]] Json end(const project::Case& variant, const model::End& end);
+[[nodiscard]] Json response(const study::Answers& answers);
+/// The response for drawing in a page: the curve model if there is one, instead of a long table.
+[[nodiscard]] Json drawn_response(const study::Answers& answers);
+[[nodiscard]] Json design_map(const study::DesignMap& map);
+[[nodiscard]] Json verdict(const study::CaseVerdict& judged);
+/// Least and largest static values over all cases.
+[[nodiscard]] Json envelope(const study::Envelope& envelope);
+
+/// Kinds of requirements whose slopes are differences of values. @param evaluations  designs computed for all of them
+[[nodiscard]] Json differenced(const std::vector<std::string>& kinds, std::size_t evaluations);
+
+/// The best design, and a front; as the command prints them.
+[[nodiscard]] Json optimization(const study::Optimization& found);
+[[nodiscard]] Json front(const study::DesignFront& front);
+
+}  // namespace trivet::results::json

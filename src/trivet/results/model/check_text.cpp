@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/model/check_text.h"
+#include "trivet/results/format/in_documents.h"
+
+#include <fmt/format.h>
+
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
+
+namespace trivet::results {
+namespace {
+
+std::string checks_text(const std::vector<study::CheckLine>& lines) {
+  TextTable table({"subject", "check", "value", "verdict"});
+  for (const study::CheckLine& line : lines)
+    table.add({line.subject, line.what, line.value, line.passed ? "ok" : "FAILED"});
+  return table.text();
+}
+
+std::string mounts_text(const std::vector<study::MountAtRest>& mounts, const project::ShownUnits& display) {
+  if (mounts.empty()) return "";
+  TextTable table({"mount at rest", "compression", "across its axis", "deflection"});
+  for (const study::MountAtRest& mount : mounts)
+    table.add({mount.name, value_text(mount.compression, display_unit(display, "N")),
+               value_text(mount.across, display_unit(display, "N")),
+               value_text(mount.deflection, display_unit(display, "m"))});
+  return table.text();
+}
+
+}  // namespace
+
+std::string case_check_text(const study::CaseCheck& found) {
+  std::string text = found.case_name.empty()
+      ? "Base model\n"
+      : "Case " + found.case_name + (found.lines.empty() ? ": same checks as the base model\n" : "\n");
+  if (!found.lines.empty()) text += checks_text(found.lines);
+  text += mounts_text(found.mounts, found.display);
+  for (const auto* notes : {&found.free_motions, &found.notes})
+    for (const std::string& note : *notes) text += "  note: " + note + "\n";
+  if (found.deep)
+    text += fmt::format(
+        "  two solvers compared at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed {:.2e} "
+        "(round-off × condition): {}\n",
+        found.deep->frequencies, found.deep->worst_difference, found.deep->at_angular_frequency, found.deep->allowed,
+        found.deep->verdict());
+  return text;
+}
+
+}  // namespace trivet::results

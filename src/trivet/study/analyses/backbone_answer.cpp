@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/modes/backbone.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "trivet/nonlinear/balance/steady_options.h"
+#include "trivet/project/analyses/backbone_question.h"
+#include "trivet/study/analyses/question_answer.h"
+
+namespace trivet::study {
+namespace {
+
+nonlinear::Backbone one_mode(const CaseContext& c, const project::BackboneQuestion& asked, int mode) {
+  nonlinear::BackboneOptions options{.mode = mode - 1, .up_to = asked.up_to};
+  options.up_to_angle = asked.up_to_angle;
+  options.up_to_energy = asked.up_to_energy;
+  options.damped = asked.damped;
+  options.of = asked.selection.of;
+  options.quantity = asked.selection.quantity;
+  constexpr Eigen::Index first = 5;
+  for (options.harmonics = asked.harmonics > 0 ? asked.harmonics : first;;
+       options.harmonics = std::min(nonlinear::most_steady_harmonics, 2 * options.harmonics)) {
+    nonlinear::Backbone found = nonlinear::backbone(c.system, options, c.progress);
+    if (asked.harmonics > 0 || found.left_out <= asked.tolerance ||
+        options.harmonics == nonlinear::most_steady_harmonics)
+      return found;
+  }
+}
+
+std::vector<nonlinear::Backbone> answer_backbone(const CaseContext& c, const project::BackboneQuestion& asked,
+                                                 foundation::Problems& warnings) {
+  std::vector<nonlinear::Backbone> all;
+  for (const int mode : asked.modes) {
+    all.push_back(one_mode(c, asked, mode));
+    const nonlinear::Backbone& found = all.back();
+    const std::string subject = "analyses.backbone";
+    if (found.left_out > asked.tolerance)
+      warnings.warning(subject,
+                       fmt::format("mode {}: {} harmonics leave out {:.2g} of the deflections", mode, found.harmonics,
+                                   found.left_out),
+                       fmt::format("the tolerance is {:.2g}", asked.tolerance),
+                       "take more, or end at a smaller amplitude");
+    if (!found.ended.empty())
+      warnings.warning(subject, fmt::format("mode {} ends before the end asked for", mode), found.ended,
+                       "no motion beyond is computed");
+  }
+  return all;
+}
+
+}  // namespace
+
+const QuestionAnswer backbone_answer = answered_by<answer_backbone>(
+    "nonlinear modes: frequency and damping over amplitude",
+    "backbone: no end of the amplitude given; add backbone = {up_to = \"10 mm\"} to [analyses]");
+
+}  // namespace trivet::study

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/solved_case.h"
+
+/// The data that every answer for a case starts from.
+namespace trivet::study {
+
+/// The solved model of a case with the progress of one computation.
+class CaseContext {
+ public:
+  CaseContext(const model::System& system_of_case, const foundation::Progress& shown_progress, int lowest = 0)
+      : CaseContext(std::make_shared<const SolvedCase>(system_of_case, lowest), shown_progress) {}
+  CaseContext(std::shared_ptr<const SolvedCase> solved_case, const foundation::Progress& shown_progress);
+
+ private:
+  std::shared_ptr<const SolvedCase> solved_;
+
+ public:
+  const model::System& system;
+  const foundation::Progress& progress;
+  const assembly::Assembled& assembled;
+  const modal::Modes& modes;
+
+  [[nodiscard]] const modal::Roots& roots() const { return solved_->roots(); }
+  /// Poles near which a response is checked: the damped roots, or the natural frequencies iω of a large model, whose
+  /// roots would take longer than its response.
+  [[nodiscard]] Eigen::VectorXcd resonances() const;
+};
+
+/// Band from 0 to 1.3 times the highest natural frequency, within the tables of the elements.
+[[nodiscard]] assembly::Band default_band(const CaseContext& context);
+
+/// True if the damped roots of so large a model are not computed, because only its lowest modes are asked for.
+[[nodiscard]] bool is_too_large_for_roots(const assembly::Assembled& assembled);
+/// The warning of such a model whose stiffness or damping may feed energy.
+[[nodiscard]] foundation::Problems warning_of_unknown_roots();
+
+/// The error of a question for which the model has no excitation.
+[[nodiscard]] foundation::NotComputable without_excitation(const std::string& question);
+
+[[nodiscard]] std::vector<assembly::Channel> channels_of(const CaseContext& context,
+                                                         const project::AnswerSelection& selection);
+
+/// Frequencies in a band that resolve the curves and their peaks.
+[[nodiscard]] std::vector<double> grid_over(const CaseContext& context, const std::vector<assembly::Channel>& channels,
+                                            const assembly::Loading& loading, const response::Peaks& peaks,
+                                            const assembly::Band& band);
+
+/// @throws foundation::NotComputable if elements are mounted on a modal foundation, for which a rigid motion of the
+/// ground is not defined
+void require_rigid_ground(const CaseContext& context, const std::string& question);
+
+/// The quantity that a limit line bounds, from its unit.
+[[nodiscard]] assembly::MotionQuantity quantity_of(const assembly::LimitLine& line);
+
+/// @throws foundation::NotComputable with the reason if there is no answer
+[[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context,
+                                                             const std::vector<project::LimitLineRequest>& requests,
+                                                             const project::AnswerSelection& selection,
+                                                             const assembly::Band& band);
+
+}  // namespace trivet::study

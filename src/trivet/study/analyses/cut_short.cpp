@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/analyses/cut_short.h"
+
+#include <algorithm>
+
+#include "trivet/nonlinear/branch/steady_branch.h"
+#include "trivet/nonlinear/modes/backbone.h"
+
+namespace trivet::study {
+
+bool is_cut_short(const Answers& answers) {
+  const auto* steady = answers.find<nonlinear::SteadyBranch>("steady");
+  const auto* modes = answers.find<std::vector<nonlinear::Backbone>>("backbone");
+  const auto ends = [](const auto& curve) { return !curve.ended.empty(); };
+  return (steady && ends(*steady)) || (modes && std::ranges::any_of(*modes, ends));
+}
+
+}  // namespace trivet::study

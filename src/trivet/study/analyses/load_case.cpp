@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/analyses/load_case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "trivet/assembly/channels.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/machine/static_machine.h"
+#include "trivet/response/machinery/rated_loads.h"
+#include "trivet/response/steady/mounts.h"
+
+namespace trivet::study {
+namespace {
+
+using assembly::MotionQuantity;
+
+/// Smaller values, as a share of the largest of the same unit, are round-off.
+constexpr double round_off_at_rest = 1e-12;
+/// Cases differ from this share on.
+constexpr double differs = 1e-9;
+
+std::vector<std::size_t> mounts_and_rated(const model::System& system) {
+  std::vector<std::size_t> found = response::mounts(system);
+  for (std::size_t e = 0; e < system.elements().size(); ++e)
+    if (system.elements()[e].rating) found.push_back(e);
+  std::ranges::sort(found);
+  found.erase(std::ranges::unique(found).begin(), found.end());
+  return found;
+}
+
+/// Largest magnitude per unit over all cases.
+std::map<std::string, double> largest_by_unit(const std::vector<EnvelopeRow>& rows) {
+  std::map<std::string, double> largest;
+  for (const EnvelopeRow& row : rows)
+    largest[row.unit] = std::max({largest[row.unit], std::abs(row.least), std::abs(row.largest)});
+  return largest;
+}
+
+void widen(EnvelopeRow& row, double value, const std::string& in) {
+  if (value < row.least) row.least = value, row.least_in = in;
+  if (value > row.largest) row.largest = value, row.largest_in = in;
+}
+
+}  // namespace
+
+std::vector<MountAtRest> mounts_at_rest(const model::System& moving, const assembly::Assembled& assembled_moving) {
+  const auto [system, assembled] = nonlinear::static_machine(moving, assembled_moving);
+  std::vector<MountAtRest> result;
+  std::vector<std::string> words;
+  const std::vector<std::size_t> mounts = mounts_and_rated(system);
+  for (const std::size_t e : mounts) {
+    result.emplace_back().name = system.elements()[e].name;
+    words.insert(words.end(), {system.elements()[e].name, system.elements()[e].name + ".deflection"});
+  }
+  if (result.empty()) return result;
+  const response::StaticResponse rest = response::static_response(system, assembled, words);
+  const std::vector<response::RatedLoad> rated = response::rated_loads(system, assembled);
+  constexpr std::size_t values_per_mount = 12, axial_deflection = 8;  // six forces, then six deflections
+  for (std::size_t m = 0; m < result.size(); ++m) {
+    const std::size_t first = values_per_mount * m;
+    Eigen::Vector3d force;  // on the N side, axes of the mount
+    for (int j = 0; j < 3; ++j) force(j) = rest.values[first + j].value;
+    force = response::mount_axes(system, system.elements()[mounts[m]]).transpose() * force;
+    // What is compared with the ranges of its maker is the same everywhere.
+    for (const response::RatedLoad& one : rated)
+      if (one.element == mounts[m]) force = -one.load;
+    // A stop is pressed from either side; its axis points towards it.
+    result[m].compression = system.elements()[mounts[m]].type == "stop" ? std::abs(force.z()) : -force.z();
+    result[m].across = force.head<2>().norm();
+    result[m].deflection = rest.values[first + axial_deflection].value;
+  }
+  return result;
+}
+
+LoadCase load_case(const std::string& name, const model::System& system, const assembly::Assembled& assembled,
+                   const project::Analyses& analyses) {
+  LoadCase result{name, {}, ""};
+  try {
+    if (analyses.static_of) {
+      const nonlinear::StaticMachine held = nonlinear::static_machine(system, assembled);
+      result.values = response::static_response(held.system, held.assembled, *analyses.static_of).values;
+    }
+    for (const MountAtRest& mount : mounts_at_rest(system, assembled)) {
+      result.values.push_back({mount.name + ", compression", "N", mount.compression});
+      result.values.push_back({mount.name + ", force across", "N", mount.across});
+      result.values.push_back({mount.name + ", deflection", "m", mount.deflection});
+    }
+  } catch (const foundation::NotComputable& refused) {
+    result.values.clear();
+    result.reason = refused.what();
+  }
+  return result;
+}
+
+Envelope envelope(const std::vector<const LoadCase*>& cases) {
+  Envelope result;
+  std::map<std::string, std::size_t> place;
+  for (const LoadCase* one : cases) {
+    if (!one->reason.empty()) result.left_out.emplace_back(one->case_name, one->reason);
+    for (const response::StaticValue& value : one->values) {
+      const auto [at, added] = place.try_emplace(value.name, result.rows.size());
+      if (added)
+        result.rows.push_back({value.name, value.unit, value.value, value.value, one->case_name, one->case_name});
+      else widen(result.rows[at->second], value.value, one->case_name);
+    }
+  }
+  const std::map<std::string, double> largest = largest_by_unit(result.rows);
+  const auto size = [](const EnvelopeRow& row) { return std::max(std::abs(row.least), std::abs(row.largest)); };
+  std::erase_if(result.rows,
+                [&](const EnvelopeRow& row) { return size(row) <= round_off_at_rest * largest.at(row.unit); });
+  const bool differ = std::ranges::any_of(
+      result.rows, [&](const EnvelopeRow& row) { return row.largest - row.least > differs * size(row); });
+  if (cases.size() < 2 || !differ) result.rows.clear();
+  return result;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/family/frequency_slopes.h"
+
+#include <cmath>
+#include <utility>
+
+#include "trivet/foundation/index.h"
+#include "trivet/modal/null_vectors.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/study/family/separated_motions.h"
+
+namespace trivet::study {
+namespace {
+
+/// Relative distance of natural frequencies below which they are one subspace. The slopes of single modes would be
+/// right only for changes smaller than this distance.
+constexpr double one_frequency = 1e-6;
+
+bool are_equal(const modal::Mode& lower, const modal::Mode& upper) {
+  return upper.eigenvalue_squared - lower.eigenvalue_squared <= 2 * one_frequency * upper.eigenvalue_squared;
+}
+
+double real_part(std::complex<double> change) { return change.real(); }
+
+}  // namespace
+
+FrequencySlopes::FrequencySlopes(const modal::Modes& modes, const numerics::DynamicMatrices& matrices,
+                                 std::vector<response::MatrixRates> rates, Eigen::VectorXd towards)
+    : modes_(modes), matrices_(matrices), rates_(std::move(rates)), towards_(std::move(towards)) {}
+
+FrequencySlopes::Subspace FrequencySlopes::subspace_of(std::size_t mode) const {
+  const auto equal_to_next = [&](std::size_t i) { return are_equal(modes_.list[i], modes_.list[i + 1]); };
+  Subspace found{mode, 1};
+  for (; found.first > 0 && equal_to_next(found.first - 1); --found.first) ++found.size;
+  while (found.first + found.size < modes_.list.size() && equal_to_next(found.first + found.size - 1)) ++found.size;
+  return found;
+}
+
+std::vector<Eigen::MatrixXcd> FrequencySlopes::changes(const Subspace& subspace) const {
+  const auto count = to_index(subspace.size);
+  Eigen::MatrixXcd shapes(matrices_.size(), count);
+  double square = 0;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const modal::Mode& mode = modes_.list[subspace.first + i];
+    shapes.col(i) = mode.coordinates.cast<std::complex<double>>();
+    square += mode.eigenvalue_squared / static_cast<double>(count);
+  }
+  Eigen::MatrixXcd left = shapes;
+  if (!matrices_.symmetric) {
+    const Eigen::MatrixXcd singular = (matrices_.K - square * matrices_.A).cast<std::complex<double>>();
+    left = modal::null_vectors(singular, numerics::unit_scale(matrices_), count).left;
+  }
+  const Eigen::MatrixXcd of_mass = left.transpose() * matrices_.A * shapes;
+  const numerics::PivotedLu<std::complex<double>> mass(of_mass);
+  std::vector<Eigen::MatrixXcd> result;
+  for (const response::MatrixRates& rate : rates_) {
+    const Eigen::MatrixXcd change = left.transpose() * ((rate.K - square * rate.A) * shapes);
+    result.push_back(mass.solve(change) / (2 * square));
+  }
+  return result;
+}
+
+Eigen::RowVectorXd FrequencySlopes::slopes(int number) const {
+  const Subspace subspace = subspace_of(to_size(number - 1));
+  return separated_motions(changes(subspace), towards_, real_part).row(number - 1 - to_index(subspace.first));
+}
+
+Eigen::VectorXd FrequencySlopes::slopes_along(int number, const Eigen::VectorXd& direction) const {
+  const std::vector<Eigen::MatrixXcd> per_parameter = changes(subspace_of(to_size(number - 1)));
+  Eigen::MatrixXcd along = direction(0) * per_parameter.front();
+  for (std::size_t j = 1; j < per_parameter.size(); ++j) along += direction(to_index(j)) * per_parameter[j];
+  return separated_motions({along}, Eigen::VectorXd::Ones(1), real_part).col(0);
+}
+
+bool is_repeated_frequency(const modal::Modes& modes, int number) {
+  const std::size_t mode = to_size(number - 1);
+  return (mode > 0 && are_equal(modes.list[mode - 1], modes.list[mode])) ||
+      (mode + 1 < modes.list.size() && are_equal(modes.list[mode], modes.list[mode + 1]));
+}
+
+}  // namespace trivet::study

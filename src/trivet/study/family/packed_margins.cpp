@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/family/packed_margins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trivet/design/design_rules.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/batch/driven_peaks.h"
+#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/roots/design_modes.h"
+#include "trivet/spatial/rigid_motion.h"
+#include "trivet/study/family/packed_curve.h"
+#include "trivet/study/requirements/free_motion.h"
+#include "trivet/study/requirements/margin.h"
+#include "trivet/study/requirements/mount_loads.h"
+
+namespace trivet::study {
+namespace {
+
+using foundation::infinity;
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+Eigen::ArrayXXd unlimited(const PackedCase& of, Eigen::Index designs) {
+  return Eigen::ArrayXXd::Constant(designs, to_index(of.results().size()), infinity);
+}
+
+/// Curves at one frequency.
+void set_curves_at(const PackedCase& of, const numerics::DrivenDesigns& designs, const PackedCase::Search& search,
+                   Eigen::ArrayXXd& margins) {
+  for (std::size_t k = 0; k < search.results.size(); ++k)
+    for (Eigen::Index d = 0; d < margins.rows(); ++d) {
+      const double value = packed_magnitude(designs, d, k, search.band.from);
+      margins(d, to_index(search.results[k])) =
+          std::isnan(value) ? unknown : margin_of(of.results()[search.results[k]].allowed, value);
+    }
+}
+
+void set_curves(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+  for (std::size_t s = 0; s < of.searches().size(); ++s) {
+    const PackedCase::Search& search = of.searches()[s];
+    if (search.band.from == search.band.to) {
+      set_curves_at(of, designs.searched[s], search, margins);
+      continue;
+    }
+    const numerics::DesignPeaks found = numerics::driven_peaks(designs.searched[s],
+                                                               {.from = search.band.from,
+                                                                .to = search.band.to,
+                                                                .count_peaks = search.count_peaks,
+                                                                .min_prominence = search.min_prominence});
+    for (std::size_t k = 0; k < search.results.size(); ++k) {
+      const auto column = to_index(search.results[k]);
+      const design::DesignRule rule{
+          search.count_peaks ? design::DesignRule::Kind::no_peak : design::DesignRule::Kind::amplitude, 0,
+          of.results()[search.results[k]].allowed};
+      for (Eigen::Index d = 0; d < margins.rows(); ++d) {
+        const double value = search.count_peaks ? found.largest_rise(d, to_index(k)) : found.highest(d, to_index(k));
+        margins(d, column) = found.status[d] == numerics::DesignStatus::proven ? design::margin(rule, value) : unknown;
+      }
+    }
+  }
+}
+
+double margin_of_frequencies(const PackedCase& of, std::size_t result, std::size_t window,
+                             const Eigen::ArrayXd& squares) {
+  if (any_may_be_free(squares)) return unknown;
+  double least = infinity, lower = 0;
+  for (const double square : squares) {
+    const double omega = std::sqrt(square);
+    if (of.results()[result].kind == RequirementKind::avoided_frequencies)
+      least = std::min(least, margin_outside(of.avoided()[window], omega));
+    else if (lower > 0) least = std::min(least, margin_of_least(of.results()[result].allowed, omega / lower));
+    lower = omega;
+  }
+  return least;
+}
+
+void set_frequencies(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+  numerics::DesignModes modes;
+  std::size_t window = 0;
+  for (std::size_t r = 0; r < of.results().size(); ++r) {
+    const RequirementKind kind = of.results()[r].kind;
+    const bool avoided = kind == RequirementKind::avoided_frequencies;
+    if (!avoided && kind != RequirementKind::separation) continue;
+    if (modes.lambda.size() == 0) modes = numerics::design_modes(designs.free, {.shapes = false, .threads = 1});
+    for (Eigen::Index d = 0; d < margins.rows(); ++d)
+      margins(d, to_index(r)) = margin_of_frequencies(of, r, window, modes.lambda.row(d).transpose());
+    if (avoided) ++window;
+  }
+}
+
+/// The least share of kinetic energy in one coordinate over the modes of a body.
+double decoupling(const PackedCase::Decoupled& body, const MassNumbers& numbers, const Eigen::ArrayXd& shapes) {
+  const spatial::MassProperties mass = mass_of(numbers);
+  const spatial::Matrix6 to_centre = spatial::rigid_motion(mass.centre);
+  const auto n = to_index(body.rows.size());
+  double least = infinity;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    spatial::Vector6 at_pole = spatial::Vector6::Zero();
+    for (Eigen::Index i = 0; i < n; ++i) at_pole(body.coordinates[i]) = shapes(k * n + i);
+    const spatial::Vector6 at_centre = to_centre * at_pole;
+    spatial::Vector6 momentum;
+    momentum << mass.mass * at_centre.head<3>(), mass.inertia_about_centre * at_centre.tail<3>();
+    least = std::min(least, at_centre.cwiseProduct(momentum).maxCoeff());
+  }
+  return std::isfinite(shapes(0)) ? least : unknown;
+}
+
+void set_decoupling(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+  for (std::size_t i = 0; i < of.decoupled().size(); ++i) {
+    const PackedCase::Decoupled& body = of.decoupled()[i];
+    const numerics::DesignModes modes =
+        numerics::design_modes(part_of_designs(designs.free, body.rows), {.shapes = true, .threads = 1});
+    const RequirementResult& result = of.results()[body.result];
+    for (Eigen::Index d = 0; d < margins.rows(); ++d) {
+      const double share = decoupling(body, designs.bodies[i].row(d).transpose(), modes.shapes.row(d).transpose());
+      margins(d, to_index(body.result)) = std::isnan(share) ? unknown : margin_of_least(result.allowed, share);
+    }
+  }
+}
+
+void set_rest(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+  if (of.at_rest().empty()) return;
+  const Eigen::Index n = of.coordinates();
+  for (Eigen::Index d = 0; d < margins.rows(); ++d) {
+    const auto [by_weight, by_loads] = PackedCase::rest_of(designs, d);
+    const Eigen::VectorXd rest = by_weight + by_loads;
+    for (std::size_t i = 0; i < of.at_rest().size(); ++i) {
+      const PackedCase::RestValue& value = of.at_rest()[i];
+      const double at = designs.rows[i].row(d).head(n).dot(rest) + designs.rows[i](d, n);
+      margins(d, to_index(value.result)) = std::isnan(at) ? unknown
+          : value.range                                   ? margin_in_range(at, *value.range)
+                                                          : margin_of(of.results()[value.result].allowed, at);
+    }
+  }
+}
+
+/// Machines that fall over are left to the model itself, which says so.
+void leave_falling(const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+  for (Eigen::Index d = 0; d < margins.rows(); ++d)
+    if (designs.falls[d]) margins.row(d) = unknown;
+}
+
+}  // namespace
+
+numerics::Designs part_of_designs(const numerics::Designs& all, const std::vector<Eigen::Index>& rows) {
+  const auto n = to_index(rows.size());
+  numerics::Designs part;
+  part.A.resize(all.A.rows(), n * (n + 1) / 2);
+  part.K.resize(all.A.rows(), n * (n + 1) / 2);
+  part.load = Eigen::ArrayXXd::Zero(1, n);
+  Eigen::Index to = 0;
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j <= i; ++j, ++to) {
+      const Eigen::Index high = std::max(rows[i], rows[j]), low = std::min(rows[i], rows[j]);
+      part.A.col(to) = all.A.col(high * (high + 1) / 2 + low);
+      part.K.col(to) = all.K.col(high * (high + 1) / 2 + low);
+    }
+  return part;
+}
+
+Eigen::ArrayXXd packed_quick_margins(const PackedCase& of, const Eigen::MatrixXd& entries) {
+  Eigen::ArrayXXd margins = unlimited(of, entries.rows());
+  const PackedCase::Unpacked designs = of.unpacked(entries);
+  set_frequencies(of, designs, margins);
+  set_decoupling(of, designs, margins);
+  set_rest(of, designs, margins);
+  leave_falling(designs, margins);
+  return margins;
+}
+
+Eigen::ArrayXXd packed_curve_margins(const PackedCase& of, const Eigen::MatrixXd& entries) {
+  Eigen::ArrayXXd margins = unlimited(of, entries.rows());
+  const PackedCase::Unpacked designs = of.unpacked(entries);
+  set_curves(of, designs, margins);
+  leave_falling(designs, margins);
+  return margins;
+}
+
+Eigen::ArrayXXd packed_margins(const PackedCase& of, const Eigen::MatrixXd& entries) {
+  Eigen::ArrayXXd margins = packed_quick_margins(of, entries);
+  const PackedCase::Unpacked designs = of.unpacked(entries);
+  set_curves(of, designs, margins);
+  leave_falling(designs, margins);
+  return margins;
+}
+
+}  // namespace trivet::study

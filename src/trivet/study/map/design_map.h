@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/design/band_crossings.h"
+#include "trivet/design/design_outcome.h"
+#include "trivet/design/drawn_grid.h"
+#include "trivet/design/margin_lines.h"
+#include "trivet/project/project.h"
+#include "trivet/study/map/map_marks.h"
+
+namespace trivet::study {
+
+/// Numbers of designs that one rule governs.
+struct RuleShare {
+  std::size_t feasible = 0;    ///< feasible designs with the least margin from this rule
+  std::size_t infeasible = 0;  ///< the same for infeasible designs
+};
+
+struct DesignMap {
+  std::string case_name;  ///< case of the model
+  bool in_hertz = false;  ///< the file gives the band of the amplitudes in Hz
+  project::MapRequest request;
+  design::MapGrid grid;
+  std::vector<design::MapRule> rules;
+  std::vector<design::DesignOutcome> outcomes;    ///< at the nodes, row by row
+  std::vector<RuleShare> shares;                  ///< per rule
+  std::size_t feasible_designs = 0, unknown = 0;  ///< numbers of designs
+  design::MapContours feasible;                   ///< margin ≥ 1, crossings searched on the exact peaks
+  double boundary_tolerance = 0;                  ///< of the crossings, as a share of each axis
+  design::DrawnGrid drawn;                        ///< the designs that pictures show
+  std::vector<design::MarginLine> margin_lines;   ///< straight between drawn designs
+  std::optional<std::size_t> best;                ///< see best_design
+  std::size_t without_bound = 0;                  ///< number of designs that no rule limits
+  std::size_t equals = 0;                         ///< number of designs as good as the best
+  std::size_t steep = 0;                          ///< see steep_neighbours
+  design::BandCrossings band_crossings;           ///< infeasible designs between feasible ones
+  std::vector<MapMark> marks;
+  design::EvaluationReport report;
+  foundation::Problems warnings;  ///< see map_warnings
+
+  [[nodiscard]] design::DesignPoint point(std::size_t design) const;
+};
+
+struct MapOptions {
+  int nx = 0, ny = 0;  ///< instead of those of the request
+  design::EvaluationOptions evaluation;
+};
+
+/// Judges every design of the grid, refines the boundary of the feasible region between neighbours, and judges the
+/// cases.
+/// @throws foundation::NotComputable if no design at all has a model, with the reason
+[[nodiscard]] DesignMap design_map(const project::Project& project, const project::Case& variant,
+                                   const project::MapRequest& request, const MapOptions& options = {},
+                                   const foundation::Progress& progress = {});
+
+/// One map for each pair of the request.
+[[nodiscard]] std::vector<DesignMap> design_maps(const project::Project& project, const project::Case& variant,
+                                                 const project::MapRequest& request, const MapOptions& options = {},
+                                                 const foundation::Progress& progress = {});
+
+/// Does a run compute a map of this case? For the base model if its file requests one; for a case if its map differs
+/// from that of the base model: other numbers, rules or frequencies. A case with only another model is at most a point
+/// on the map of the base model.
+[[nodiscard]] bool has_own_map(const project::Project& project, const project::Case& variant);
+
+}  // namespace trivet::study

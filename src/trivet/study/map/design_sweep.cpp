@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/map/design_sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <optional>
+
+#include "trivet/design/design_rules.h"
+#include "trivet/design/driven_design.h"
+#include "trivet/design/plain_design.h"
+#include "trivet/design/sum_family.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/parallel_for.h"
+#include "trivet/judging/changed_case.h"
+#include "trivet/numerics/batch/driven_peaks.h"
+#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/project/analyses/drive.h"
+#include "trivet/project/model_number.h"
+#include "trivet/project/text/default_number.h"
+#include "trivet/project/text/model_path.h"
+#include "trivet/response/steady/peaks.h"
+#include "trivet/study/analyses/asked_questions.h"
+
+namespace trivet::study {
+namespace {
+
+using foundation::InvalidInput;
+using numerics::DesignStatus;
+constexpr double without_value = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* no_number =
+    "the model has no such number; name one that the file has, such as elements.mount.scale, bodies.engine.mass, or x, "
+    "y "
+    "or z of an array of three; a key that is not written gets a value first: project.changed({...})";
+constexpr std::size_t lane_piece = 256;  // designs; their matrices fit in the cache
+
+/// The designs of a sweep, and the results of each.
+class Sweep {
+ public:
+  Sweep(const project::Case& variant, const SweepRequest& request) : case_(variant), request_(request) {
+    for (const SweptNumber& number : request.numbers) {
+      numbers_.emplace_back(number.path, "");
+      count_ *= number.values.size();
+    }
+    const project::AnswerSelection own = asked_question("peaks").asked(variant).peaks->selection;
+    of_ = request.of.empty() ? own.of : request.of;
+    excitations_ = request.excitations.empty() ? own.excitations : request.excitations;
+  }
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+  [[nodiscard]] Eigen::VectorXd values(std::size_t design) const {
+    Eigen::VectorXd values(to_index(numbers_.size()));
+    for (std::size_t i = numbers_.size(); i-- > 0;) {
+      const std::vector<double>& along = request_.numbers[i].values;
+      values(to_index(i)) = along[design % along.size()];
+      design /= along.size();
+    }
+    return values;
+  }
+
+  [[nodiscard]] foundation::Expected<model::System> system(const Eigen::VectorXd& values) const {
+    project::Design design;
+    for (std::size_t i = 0; i < numbers_.size(); ++i) design.emplace_back(numbers_[i], values(to_index(i)));
+    return judging::changed_system(case_, design);
+  }
+
+  [[nodiscard]] std::vector<assembly::Channel> channels(const model::System& system,
+                                                        const assembly::Assembled& assembled) const {
+    return assembly::channels(system, assembled, of_, request_.quantity);
+  }
+  [[nodiscard]] assembly::Loading loading(const model::System& system, const assembly::Assembled& assembled) const {
+    return assembly::harmonic_loading(system, assembled, excitations_);
+  }
+
+  /// Largest amplitudes of one design. @throws foundation::NotComputable, InvalidInput
+  [[nodiscard]] Eigen::VectorXd one(const model::System& system) const {
+    const assembly::Assembled assembled = assembly::assemble(system);
+    const modal::Modes modes = modal::modes(system, assembled);
+    const std::vector<assembly::Channel> asked = channels(system, assembled);
+    const double search_to = std::isfinite(request_.band.to) ? request_.band.to : 0;
+    const assembly::Loading load = loading(system, assembled);
+    const response::Peaks found = response::peaks(assembled, asked, load, modes, modal::roots(system, assembled, modes),
+                                                  {.search_to = search_to});
+    Eigen::VectorXd largest(to_index(asked.size()));
+    for (std::size_t c = 0; c < asked.size(); ++c)
+      largest(to_index(c)) = design::largest_in_band(assembled, asked, load, found, c, request_.band).amplitude;
+    return largest;
+  }
+
+ private:
+  const project::Case& case_;
+  const SweepRequest& request_;
+  std::vector<project::ModelNumber> numbers_;
+  std::vector<std::string> of_, excitations_;
+  std::size_t count_ = 1;
+};
+
+numerics::DesignPeaks peaks_of(const design::PlainDesign& first, const Eigen::MatrixXd& entries,
+                               const assembly::Band& band) {
+  numerics::DesignPeakOptions options{.from = band.from, .to = band.to, .count_peaks = false, .threads = 1};
+  options.rows = first.rows.array();
+  if (!first.rows_on_velocity.isZero(0)) options.rows_on_velocity = first.rows_on_velocity.array();
+  options.derivative = first.derivative;
+  return numerics::design_peaks(design::unpacked_like(first, entries), options);
+}
+
+numerics::DesignPeaks peaks_of(const design::DrivenDesign& first, const Eigen::MatrixXd& entries,
+                               const assembly::Band& band) {
+  return numerics::driven_peaks(design::unpacked_like(first, entries),
+                                {.from = band.from, .to = band.to, .count_peaks = false});
+}
+
+/// A design for the kernels. @param form  design::plain_design or design::driven_design
+template <typename Design, typename Form>
+design::DesignOrReason<Design> formed(const Sweep& sweep, const model::System& system, const Form& form) {
+  const assembly::Assembled assembled = assembly::assemble(system);
+  design::DesignOrReason<Design> found =
+      form(assembled, sweep.channels(system, assembled), sweep.loading(system, assembled));
+  if (found.design && !numerics::is_positive_definite(found.design->K))
+    return {{}, "rigid-body modes or unstable motions"};
+  return found;
+}
+
+/// All designs interpolated, or why they cannot be.
+template <typename Design>
+struct Family {
+  std::optional<Design> first;
+  std::optional<design::SumFamily> family;
+  std::string reason;
+};
+
+template <typename Design, typename Form>
+Family<Design> fitted(const Sweep& sweep, const SweepRequest& request, const model::System& given, const Form& form) {
+  Family<Design> result;
+  design::DesignOrReason<Design> first = formed<Design>(sweep, given, form);
+  result.first = std::move(first.design);
+  result.reason = std::move(first.reason);
+  if (!result.first) return result;
+  std::vector<design::SumVariable> variables;
+  for (const SweptNumber& number : request.numbers) {
+    const auto [least, most] = std::ranges::minmax_element(number.values);
+    variables.push_back({*least, *most, number.path});
+  }
+  design::SumFamilyOrReason found = design::SumFamily::fitted(
+      [&](const Eigen::VectorXd& values) -> design::PackedOrReason {
+        const auto system = sweep.system(values);
+        if (!system) return {{}, "some designs are no valid model"};
+        const design::DesignOrReason<Design> one = formed<Design>(sweep, *system, form);
+        if (!one.design) return {{}, one.reason};
+        const std::string other = design::reason_for_separate_families(*result.first, *one.design);
+        if (!other.empty()) return {{}, other};
+        return {design::PackedDesign{design::packed(*one.design), design::scales(*one.design)}, ""};
+      },
+      variables);
+  result.family = std::move(found.family);
+  result.reason = std::move(found.reason);
+  return result;
+}
+
+/// Computes designs and counts how.
+class Results {
+ public:
+  Results(const Sweep& sweep, DesignSweep& found) : sweep_(sweep), found_(found) {}
+
+  void one_by_one(std::size_t design) {
+    const auto system = sweep_.system(sweep_.values(design));
+    std::string failure;
+    if (system) {
+      try {
+        found_.highest.row(to_index(design)) = sweep_.one(*system).transpose();
+        const std::lock_guard lock(counting_);
+        ++found_.one_by_one;
+        return;
+      } catch (const foundation::NotComputable& reason) {
+        failure = reason.what();
+      } catch (const InvalidInput& reason) {
+        failure = reason.what();
+      }
+    } else {
+      failure = foundation::message(system.error().list().front());
+    }
+    found_.highest.row(to_index(design)).setConstant(without_value);
+    const std::lock_guard lock(counting_);
+    ++found_.without_model;
+    if (design < first_without_) {
+      first_without_ = design;
+      found_.first_failure = failure;
+    }
+  }
+
+  template <typename Design>
+  void in_kernels(const Family<Design>& family, const assembly::Band& band, std::size_t first, std::size_t last) {
+    Eigen::MatrixXd points(to_index(last - first), sweep_.values(first).size());
+    for (std::size_t i = first; i < last; ++i) points.row(to_index(i - first)) = sweep_.values(i).transpose();
+    const numerics::DesignPeaks peaks = peaks_of(*family.first, family.family->designs(points), band);
+    std::size_t good = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const DesignStatus status = peaks.status[i - first];
+      if (status != DesignStatus::proven && status != DesignStatus::fallback) {
+        one_by_one(i);
+        continue;
+      }
+      found_.highest.row(to_index(i)) = peaks.highest.row(to_index(i - first));
+      ++good;
+    }
+    const std::lock_guard lock(counting_);
+    found_.in_kernels += good;
+  }
+
+ private:
+  const Sweep& sweep_;
+  DesignSweep& found_;
+  std::mutex counting_;
+  std::size_t first_without_ = std::numeric_limits<std::size_t>::max();
+};
+
+void require_numbers(const project::Case& variant, const SweepRequest& request) {
+  if (request.numbers.empty())
+    throw InvalidInput("sweep: no number to change; give paths and values: {\"elements.mount.scale\": [0.5, 1, 2]}");
+  for (const SweptNumber& number : request.numbers) {
+    const project::ModelNumber in_model(number.path, "");
+    const auto value = in_model.read(variant);
+    const auto same =
+        value ? judging::changed_system(variant, {{in_model, *value}}) : tl::make_unexpected(foundation::Problems());
+    if (!same) throw InvalidInput(fmt::format("sweep: {}: {}", number.path, no_number));
+    if (number.values.empty()) throw InvalidInput(fmt::format("sweep: {}: no values; give at least one", number.path));
+    for (const double each : number.values)
+      if (!std::isfinite(each))
+        throw InvalidInput(fmt::format("sweep: {}: {} is not a number; give finite ones", number.path, each));
+  }
+}
+
+void require_size(const SweepRequest& request, std::size_t results) {
+  double values = static_cast<double>(results);
+  for (const SweptNumber& number : request.numbers) values *= static_cast<double>(number.values.size());
+  if (values > static_cast<double>(most_swept_values))
+    throw InvalidInput(fmt::format("sweep: {:.3g} amplitudes; at most {:.0e} at once; take fewer values or results",
+                                   values, static_cast<double>(most_swept_values)));
+}
+
+}  // namespace
+
+SweptNumber swept_number(const project::Case& variant, const std::string& path,
+                         const std::vector<WrittenValue>& values) {
+  SweptNumber number{path, {}, project::quantity_at(variant.document, project::path_keys(path))};
+  std::string wrong;
+  for (const WrittenValue& value : values) {
+    if (const double* si = std::get_if<double>(&value)) {
+      number.values.push_back(*si);
+      continue;
+    }
+    const std::string& text = std::get<std::string>(value);
+    const tl::expected<double, std::string> si =
+        number.quantity ? project::to_si(text, *number.quantity) : tl::make_unexpected(std::string(no_number));
+    if (!si) wrong += fmt::format("{}\"{}\": {}", wrong.empty() ? "" : "; ", text, si.error());
+    number.values.push_back(si.value_or(without_value));
+  }
+  if (!wrong.empty()) throw InvalidInput(fmt::format("sweep: {}: {}", path, wrong));
+  return number;
+}
+
+DesignSweep design_sweep(const project::Case& variant, const SweepRequest& request,
+                         const foundation::Progress& progress) {
+  require_numbers(variant, request);
+  if (!(request.band.from >= 0) || !(request.band.from < request.band.to))
+    throw InvalidInput("sweep: a band is FROM, TO with 0 ≤ FROM < TO");
+  const Sweep sweep(variant, request);
+  const assembly::Assembled assembled = assembly::assemble(variant.system);
+  DesignSweep found;
+  for (const assembly::Channel& channel : sweep.channels(variant.system, assembled)) {
+    found.results.push_back(channel.name);
+    found.units.push_back(channel.unit);
+  }
+  require_size(request, found.results.size());
+  found.highest.resize(to_index(sweep.count()), to_index(found.results.size()));
+  Results results(sweep, found);
+  const Family<design::PlainDesign> plain =
+      fitted<design::PlainDesign>(sweep, request, variant.system, design::plain_design);
+  const Family<design::DrivenDesign> driven = plain.family
+      ? Family<design::DrivenDesign>()
+      : fitted<design::DrivenDesign>(
+            sweep, request, variant.system,
+            [&](const assembly::Assembled& changed, const std::vector<assembly::Channel>& channels,
+                const assembly::Loading& loading) {
+              return design::driven_design(changed, channels, loading, std::isfinite(request.band.to));
+            });
+  const bool in_kernels = plain.family || driven.family;
+  if (!in_kernels) found.no_kernels = driven.reason;
+  foundation::parallel_for(sweep.count(),
+                           {.size = in_kernels ? lane_piece : 1, .progress = progress, .task = "designs"},
+                           [&](std::size_t first, std::size_t last) {
+                             if (plain.family) return results.in_kernels(plain, request.band, first, last);
+                             if (driven.family) return results.in_kernels(driven, request.band, first, last);
+                             for (std::size_t i = first; i < last; ++i) results.one_by_one(i);
+                           });
+  return found;
+}
+
+}  // namespace trivet::study

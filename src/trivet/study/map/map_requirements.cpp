@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/map/map_requirements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/study/analyses/case_context.h"
+#include "trivet/study/requirements/free_motion.h"
+#include "trivet/study/requirements/frequency_requirements.h"
+#include "trivet/study/requirements/margin.h"
+#include "trivet/study/requirements/requirement_values.h"
+
+namespace trivet::study {
+namespace {
+
+std::vector<RequirementResult> judged(const project::Analyses& asked, const model::System& system,
+                                      foundation::Problems& warnings) {
+  const bool required = asked.requirements && !asked.requirements->is_empty();
+  if (!required && system.description().clearances.empty()) return {};
+  const foundation::Progress silent;
+  const CaseContext context(system, silent);
+  return requirement_values(context, asked, warnings);
+}
+
+/// Windows without natural frequencies and their separation alone.
+std::vector<RequirementResult> judged_frequencies(const project::Requirements& required, const model::System& system) {
+  if (required.is_empty()) return {};
+  const foundation::Progress silent;
+  const CaseContext context(system, silent);
+  RequirementList list;
+  add_frequency_requirements(context, required, list);
+  return list.release();
+}
+
+}  // namespace
+
+MapRequirements::MapRequirements(const project::Case& variant, const project::MapRequest& request, bool by_matrices)
+    : separate_(variant.analyses) {
+  separate_.limits.clear();                                           // rules of the map, or replaced by those
+  if (!variant.analyses.requirements) separate_.limit_lines.clear();  // no rules of a map
+  separate_.requirements = request.requirements;
+  if (by_matrices && separate_.requirements) {
+    frequencies_.avoided = std::exchange(separate_.requirements->avoided, {});
+    frequencies_.separation = std::exchange(separate_.requirements->separation, 0);
+  }
+  add_rules(judged(separate_, variant.system, warnings_));
+  first_by_matrices_ = rules_.size();
+  add_rules(judged_frequencies(frequencies_, variant.system));
+}
+
+void MapRequirements::add_rules(const std::vector<RequirementResult>& results) {
+  for (const RequirementResult& result : results)
+    rules_.push_back({design::DesignRule::Kind::requirement, result.subject, result.unit, result.allowed, result.words,
+                      name(result.kind)});
+}
+
+std::vector<RequirementResult> MapRequirements::separate_results(const model::System& system) const {
+  foundation::Problems of_design;  // the warnings of the model itself are enough
+  return judged(separate_, system, of_design);
+}
+
+std::vector<RequirementResult> MapRequirements::results(const model::System& system) const {
+  foundation::Problems of_design;
+  std::vector<RequirementResult> all = judged(separate_, system, of_design);
+  std::vector<RequirementResult> frequencies = frequency_results(system);
+  std::move(frequencies.begin(), frequencies.end(), std::back_inserter(all));
+  return all;
+}
+
+std::vector<RequirementResult> MapRequirements::frequency_results(const model::System& system) const {
+  return judged_frequencies(frequencies_, system);
+}
+
+std::optional<std::vector<double>> MapRequirements::frequency_margins(const Eigen::ArrayXd& squared_frequencies) const {
+  if (any_may_be_free(squared_frequencies)) return std::nullopt;
+  std::vector<double> frequencies, margins;
+  for (const double squared : squared_frequencies) frequencies.push_back(std::sqrt(squared));
+  for (const assembly::Band& window : frequencies_.avoided) {
+    double least = foundation::infinity;
+    for (const double omega : frequencies) least = std::min(least, margin_outside(window, omega));
+    margins.push_back(least);
+  }
+  if (const double separation = frequencies_.separation; separation > 0) {
+    double least = foundation::infinity;
+    for (std::size_t i = 0; i + 1 < frequencies.size(); ++i)
+      least = std::min(least, margin_of_least(separation, frequencies[i + 1] / frequencies[i]));
+    margins.push_back(least);
+  }
+  return margins;
+}
+
+}  // namespace trivet::study

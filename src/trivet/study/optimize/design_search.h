@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/numerics/search/max_min.h"
+#include "trivet/study/optimize/design_objective.h"
+
+/// Where the best designs are: looks over the ranges, climbs, and what they reached.
+namespace trivet::study {
+
+/// What a caller adds to a search.
+struct SearchOptions {
+  std::optional<int> starts = {};            ///< climbs; none: as many as are usual for the time that a design takes
+  std::optional<Eigen::VectorXd> also = {};  ///< a further start, as shares
+  /// True if the search is to end with the best design so far; called between designs, on any thread.
+  std::function<bool()> enough = {};
+};
+
+struct DesignSearch {
+  numerics::MaxMinProblem problem;  ///< that was climbed last: as asked, or of the requirements alone
+  numerics::MaxMinPoint best;       ///< of equally good ends the nearest one to the given design
+  std::vector<numerics::MaxMinPoint> ends;
+  int starts = 0;
+  std::size_t looked_at = 0;  ///< designs judged by kernels before, see design_looks.h
+  bool cut_short = false;     ///< ended by `enough`
+  bool falls_short = false;   ///< no end met the requirements: `problem` is their largest least margin
+};
+
+/// @param objective  used by the result
+/// @throws foundation::NotComputable if no design can be computed, or none is better than another
+[[nodiscard]] DesignSearch design_search(const DesignObjective& objective, const SearchOptions& options,
+                                         const foundation::Progress& progress);
+
+/// The search as asked.
+[[nodiscard]] numerics::MaxMinProblem search_problem(const DesignObjective& objective);
+
+/// The objective of such a search as it is reported: the least margin, the largest amplitude or share, the weighted
+/// sum.
+[[nodiscard]] double reported_objective(const DesignObjective& objective, double of_search);
+
+/// The largest least margin of the requirements, whatever is minimised.
+/// @param ignored  a requirement that counts as met
+[[nodiscard]] numerics::MaxMinProblem problem_of_requirements(
+    const DesignObjective& objective, const std::optional<DesignObjective::Place>& ignored = std::nullopt);
+
+/// How many designs are judged completely before climbing.
+[[nodiscard]] int looks_for(int starts);
+
+/// The best looks that lie apart, at most `starts`.
+[[nodiscard]] std::vector<numerics::MaxMinPoint> chosen_starts(std::vector<numerics::MaxMinPoint> looks,
+                                                               std::size_t starts);
+
+/// The weighted sum at the given design, in which a search counts it; 1 if it is unbounded there.
+[[nodiscard]] double weighted_unit(const DesignObjective& objective);
+
+/// Violated constraints first count, then the objective.
+[[nodiscard]] double rank(const numerics::MaxMinPoint& point);
+
+/// Ends this near in rank are equally good.
+inline constexpr double same_objective = 1e-5;
+
+}  // namespace trivet::study

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/requirements/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "trivet/design/design_rules.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/study/analyses/case_warnings.h"
+#include "trivet/study/explain/explanation.h"
+#include "trivet/study/requirements/amplification.h"
+#include "trivet/study/requirements/requirement_values.h"
+#include "trivet/study/requirements/single_mount_forces.h"
+
+namespace trivet::study {
+namespace {
+
+/// The judged result that governs, by the rule of maps: violated ones before met ones, ties in their order.
+std::optional<std::size_t> least_margin(const std::vector<RequirementResult>& results) {
+  std::vector<std::size_t> judged;
+  std::vector<double> margins;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!results[i].value) continue;
+    judged.push_back(i);
+    margins.push_back(results[i].margin);
+  }
+  if (judged.empty()) return std::nullopt;
+  return judged[design::governing(margins).rule];
+}
+
+/// What causes a governing amplitude or peak, in words; empty if it is no peak.
+std::string cause_of(const project::Case& variant, const RequirementResult& result) {
+  const bool clearance = result.kind == RequirementKind::clearance,
+             explained =
+                 clearance || result.kind == RequirementKind::amplitude || result.kind == RequirementKind::no_peak;
+  if (!explained || !result.angular_frequency || result.order > 0) return "";
+  constexpr double same_peak = 1e-6;  // of its frequency: both searches refine it to round-off
+  constexpr int all = 1000;
+  try {
+    const Explanation found = explanation(
+        variant, {.of = {clearance ? result.subject + "." + model::approach_component : result.subject}, .most = all});
+    for (const ExplainedPeak& peak : found.peaks)
+      if (std::abs(peak.peak.angular_frequency - *result.angular_frequency) <= same_peak * *result.angular_frequency)
+        return peak.sentence;
+  } catch (const foundation::NotComputable&) {  // the verdict stands without its cause
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> cases_to_hold(const project::Project& project) {
+  if (const auto& requirements = project.base().analyses.requirements) return requirements->hold_in;
+  if (project.base().system.description().clearances.empty()) return project::Requirements().hold_in;
+  std::vector<std::string> all;
+  for (const project::Case& variant : project.cases) all.push_back(variant.name);
+  return all;
+}
+
+CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::string>& hold_in,
+                         const foundation::Progress& progress) {
+  const CaseContext context(variant.system, progress);
+  CaseVerdict result;
+  result.case_name = variant.name;
+  result.display = variant.display;
+  result.decides = std::ranges::find(hold_in, variant.name) != hold_in.end();
+  result.warnings = variant.warnings;
+  result.warnings.add(context.modes.warnings);
+  result.results = requirement_values(context, variant.analyses, result.warnings);
+  result.warnings.add(rest_warnings(context, variant.analyses));
+  result.warnings.add(amplification_warnings(context, variant.analyses));
+  result.warnings.add(single_mount_warnings(context, variant.analyses));
+  result.load_case = load_case(variant.name, context.system, context.assembled, variant.analyses);
+  for (const RequirementResult& one : result.results)
+    if (one.kind == RequirementKind::clearance && one.value && std::isfinite(*one.value))
+      result.load_case.values.push_back({one.subject + ", gap left", "m", one.allowed - *one.value});
+  result.governing = least_margin(result.results);
+  if (result.governing && std::isfinite(result.results[*result.governing].margin))
+    result.cause = cause_of(variant, result.results[*result.governing]);
+  return result;
+}
+
+const char* name(RequirementKind kind) {
+  static constexpr std::array names = {"amplitude",
+                                       "no_peak",
+                                       "limit_line",
+                                       "avoided_frequencies",
+                                       "separation",
+                                       "damping_ratio",
+                                       "decoupling",
+                                       "isolation",
+                                       "rms",
+                                       "largest",
+                                       "no_jump",
+                                       "no_contact",
+                                       "steady",
+                                       "static",
+                                       "mount_load",
+                                       "mount_deflection",
+                                       "mount_dynamic_deflection",
+                                       "mount_shock_deflection",
+                                       "price",
+                                       "mount_mass",
+                                       "clearance"};
+  static_assert(names.size() == static_cast<std::size_t>(RequirementKind::clearance) + 1);
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::size_t CaseVerdict::not_judged() const {
+  return to_size(std::ranges::count_if(results, [](const RequirementResult& r) { return !r.value; }));
+}
+
+bool CaseVerdict::met() const {
+  return std::ranges::all_of(results, [](const RequirementResult& r) { return r.met(); });
+}
+
+bool Verdict::met() const {
+  return std::ranges::all_of(cases, [](const CaseVerdict& c) { return !c.decides || c.met(); });
+}
+
+std::optional<std::size_t> Verdict::governing_case() const {
+  std::optional<std::size_t> least;
+  const auto margin = [&](std::size_t i) { return cases[i].results[*cases[i].governing].margin; };
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (cases[i].decides && cases[i].governing && (!least || margin(i) < margin(*least))) least = i;
+  return least;
+}
+
+Verdict verdict(const project::Project& project, const foundation::Progress& progress) {
+  const project::Analyses& asked = project.base().analyses;
+  if (!asked.requirements && asked.limits.empty() && asked.limit_lines.empty() &&
+      project.base().system.description().clearances.empty())
+    throw foundation::InvalidInput(
+        "verdict: neither requirements nor limits nor clearances; add [requirements] with limits = {\"BODY.x\" = \"1 "
+        "mm\"}, no_peak = "
+        "\"coordinates\", damping_ratio = 0.03 …");
+  const std::vector<std::string> hold_in = cases_to_hold(project);
+  Verdict result;
+  for (std::size_t i = 0; i < project.cases.size(); ++i) {
+    const project::Case& variant = project.cases[i];
+    const foundation::Progress step = [&](std::string_view task, double fraction) {
+      if (progress)
+        progress(fmt::format("{}: {}", variant.name.empty() ? "base model" : variant.name, task),
+                 (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
+    };
+    result.cases.push_back(case_verdict(variant, hold_in, step));
+  }
+  std::vector<const LoadCase*> load_cases;
+  for (const CaseVerdict& judged : result.cases) load_cases.push_back(&judged.load_case);
+  result.envelope = envelope(load_cases);
+  result.envelope.display = project.base().display;
+  return result;
+}
+
+}  // namespace trivet::study

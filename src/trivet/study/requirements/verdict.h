@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/project/project.h"
+#include "trivet/study/analyses/load_case.h"
+
+/// Does a machine meet its requirements, which one governs, and by what margin? Formulas: docs/design.md.
+namespace trivet::study {
+
+enum class RequirementKind {
+  amplitude,
+  no_peak,
+  limit_line,
+  avoided_frequencies,
+  separation,
+  damping_ratio,
+  decoupling,
+  isolation,
+  rms,
+  largest,
+  no_jump,
+  no_contact,
+  steady,
+  static_value,
+  mount_load,
+  mount_deflection,
+  mount_dynamic_deflection,
+  mount_shock_deflection,
+  price,
+  mount_mass,
+  clearance
+};
+[[nodiscard]] const char* name(RequirementKind kind);  ///< "amplitude", "no_peak" …
+
+/// One requirement with its value in one case.
+struct RequirementResult {
+  RequirementKind kind = RequirementKind::amplitude;
+  std::string subject;                      ///< the result, body or element that is judged; empty: the whole system
+  std::string words;                        ///< "machine.seat.z ≤ 0.5 mm"
+  std::string unit;                         ///< SI, of `allowed` and `value`
+  double allowed = 0;                       ///< bound: largest, or smallest where more is better
+  std::optional<double> value;              ///< none: not judged, see `reason`; infinite if unbounded
+  std::optional<double> angular_frequency;  ///< at which the value occurs [rad/s]
+  std::optional<double> time;               ///< at which it occurs [s]
+  double margin = 0;   ///< 1 on the limit, more if the requirement is met, infinite if nothing limits it
+  int direction = 2;   ///< of a mount's load: 0 … 2 for x, y, z of the mount
+  std::string detail;  ///< "mode 3 and 4", "across its axis: not judged"
+  std::string reason;  ///< why it is not judged
+
+  /// A place that may decide the margin: a maximum of the curve or an end of its band, a mode, two neighbouring modes.
+  struct Candidate {
+    double margin = 0;
+    double angular_frequency = 0;  ///< [rad/s]
+    double minimum_at = 0;         ///< of a peak that should not be: the higher minimum beside it, or near 0 [rad/s]
+    int mode = 0;  ///< its number; the lower one of two; of a damping ratio that of the root in modal::Roots::list
+    bool below = false;  ///< of avoided frequencies: the mode is below the window, or nearer to its lower end
+  };
+  std::vector<Candidate> candidates;  ///< for a search; empty where a single value decides
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of curves and rms
+  std::vector<std::string> excitations;                                        ///< of these; empty: all
+  assembly::Band band;                                                         ///< of curves; from = to: one frequency
+  /// The curve of an isolation: of a force, or of a motion of the ground.
+  struct Transmitted {
+    std::string force;          ///< empty: of `of` over a motion of the ground
+    std::string of;             ///< body or point
+    model::Direction base;      ///< of the motion of the ground
+    std::size_t direction = 0;  ///< of a rotating force: along which axis of its ellipse
+    bool operator==(const Transmitted&) const = default;
+  };
+  double order = 0;                        ///< of a shaft, which drives the curve; 0: harmonic excitations do
+  std::optional<Transmitted> transmitted;  ///< none: the curve is that of `subject` under `excitations`
+
+  [[nodiscard]] bool met() const { return value && margin >= 1; }
+};
+
+/// All requirements of one case.
+struct CaseVerdict {
+  std::string case_name;
+  project::ShownUnits display;  ///< of its tables
+  bool decides = true;          ///< the design has to hold in this case
+  std::vector<RequirementResult> results;
+  std::optional<std::size_t> governing;  ///< of the judged ones, that with the least margin
+  std::string cause;                     ///< of a governing amplitude or peak: mode, element and what changes it
+  foundation::Problems warnings;
+  LoadCase load_case;  ///< what it contributes to the envelope
+
+  [[nodiscard]] std::size_t not_judged() const;
+  [[nodiscard]] bool met() const;  ///< every requirement is judged and met
+};
+
+struct Verdict {
+  std::vector<CaseVerdict> cases;  ///< base model first
+  Envelope envelope;               ///< of the static results over all cases
+
+  /// Every requirement is met in every case in which the design has to hold.
+  [[nodiscard]] bool met() const;
+  /// The case with the least margin among those; none if nothing was judged.
+  [[nodiscard]] std::optional<std::size_t> governing_case() const;
+};
+
+/// Names of the cases in which the design has to hold: those of the requirements. Without requirements every case of a
+/// file with clearances, because nothing may touch in any; else the base model.
+[[nodiscard]] std::vector<std::string> cases_to_hold(const project::Project& project);
+
+/// Judges one case. @param hold_in  names of the cases in which the design has to hold
+[[nodiscard]] CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::string>& hold_in,
+                                       const foundation::Progress& progress = {});
+
+/// Judges the base model and all cases. Requirements that cannot be judged have the reason.
+/// @throws foundation::InvalidInput if the file has neither requirements nor limits nor clearances
+[[nodiscard]] Verdict verdict(const project::Project& project, const foundation::Progress& progress = {});
+
+}  // namespace trivet::study
