@@ -20,8 +20,8 @@
 #include "trivet/judging/read_project.h"
 #include "trivet/nonlinear/laws/deflections.h"
 #include "trivet/nonlinear/rest/rest_position.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/lane_lu.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/project/project.h"
 
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "trivet/assembly/loads.h"
-#include "trivet/excitation/sampled_signal.h"
+#include "trivet/excitation/signal.h"
 #include "trivet/foundation/child_process.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/judging/read_project.h"

@@ -13,8 +13,8 @@
 #include "support/matchers.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/numerics/linalg/refined_solution.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/numerics/sweep/block_sweep.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 

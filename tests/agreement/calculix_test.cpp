@@ -13,8 +13,8 @@
 
 #include "support/matchers.h"
 #include "support/matrix_files.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/matrix_checks.h"
 #include "trivet/exchange/end_stiffness.h"
 #include "trivet/exchange/matrix_file.h"
 

@@ -6,11 +6,11 @@
 
 #include "support/coil_springs.h"
 #include "support/matchers.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/coil_dynamics.h"
 #include "trivet/elements/coil_reduction.h"
-#include "trivet/elements/matrix_checks.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace coil_spring_test {

@@ -9,9 +9,9 @@
 
 #include "support/random_designs.h"
 #include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
-#include "trivet/numerics/linalg/system_roots.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
 #include "trivet/numerics/peaks/disc_search.h"
 #include "trivet/numerics/peaks/peak_count.h"
 

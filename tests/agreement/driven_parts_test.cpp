@@ -9,7 +9,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/judging/read_project.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
-#include "trivet/response/machinery/order_loading.h"
+#include "trivet/response/machinery/run_up.h"
 #include "trivet/response/steady/frequency_response.h"
 
 /// Steady motion under orders and waves, and with elements whose stiffness is a function of frequency: against the

@@ -19,7 +19,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/lanes/instruction_set.h"
-#include "trivet/numerics/linalg/system_roots.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
 #include "trivet/numerics/peaks/disc_search.h"
 #include "trivet/numerics/peaks/peak_count.h"
 

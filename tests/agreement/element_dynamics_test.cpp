@@ -13,7 +13,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/roots.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/response/steady/deep_check.h"
 #include "trivet/response/steady/exact_response.h"
 #include "trivet/response/steady/frequency_response.h"

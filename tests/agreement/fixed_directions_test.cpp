@@ -22,9 +22,7 @@
 #include "trivet/response/steady/deep_check.h"
 #include "trivet/response/transient/earthquake.h"
 #include "trivet/spatial/rigid_motion.h"
-#include "trivet/study/analyses/random_answer.h"
-#include "trivet/study/analyses/transient_answer.h"
-#include "trivet/study/analyses/transmissibility_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 namespace fixed_directions_test {
 

@@ -9,10 +9,10 @@
 #include <string>
 
 #include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/lane_lu.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
-#include "trivet/numerics/periodic/harmonic_answers.h"
+#include "trivet/numerics/periodic/fourier_products.h"
 #include "trivet/numerics/periodic/linear_flow.h"
 
 /// Kernels of steps along a curve in lanes against the plain ones, under every instruction set.

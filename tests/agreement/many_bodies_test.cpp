@@ -13,11 +13,10 @@
 
 #include "support/coupled_bodies.h"
 #include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/numerics/linalg/lowest_modes.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
 #include "trivet/numerics/linalg/sparse_system.h"
-#include "trivet/numerics/linalg/system_roots.h"
 #include "trivet/numerics/peaks/disc_search.h"
 #include "trivet/numerics/peaks/peak_refinement.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"

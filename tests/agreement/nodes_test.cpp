@@ -12,8 +12,7 @@
 #include "trivet/assembly/assembled.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/suspension.h"
-#include "trivet/study/analyses/random_answer.h"
-#include "trivet/study/analyses/transient_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/explain/explanation.h"
 
 namespace nodes_test {

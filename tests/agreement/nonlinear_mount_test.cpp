@@ -7,8 +7,8 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/matrix_checks.h"
 #include "trivet/fem/preload.h"
 #include "trivet/fem/shapes.h"
 #include "trivet/modal/modes.h"

@@ -13,7 +13,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "support/random_system.h"
-#include "trivet/elements/matrix_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/modal/modes.h"
 
 namespace real_elements_test {

@@ -8,11 +8,11 @@
 #include <string_view>
 
 #include "support/shaken_machine.h"
-#include "trivet/excitation/pulses.h"
+#include "trivet/excitation/pulses_and_sweeps.h"
 #include "trivet/foundation/index.h"
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/frequency_response.h"
-#include "trivet/response/steady/vanishing_ends.h"
+#include "trivet/response/steady/visible_amplitudes.h"
 #include "trivet/response/transient/transient.h"
 
 namespace relative_coordinates_test {

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "trivet/elements/rubber_bush.h"
 #include "trivet/elements/rubber_layer.h"
+#include "trivet/elements/rubber_mounts.h"
 #include "trivet/fem/shapes.h"
 
 namespace rubber_formulas_test {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "support/matchers.h"
-#include "trivet/excitation/pulses.h"
-#include "trivet/excitation/sampled_signal.h"
+#include "trivet/excitation/pulses_and_sweeps.h"
+#include "trivet/excitation/signal.h"
 
 namespace shock_spectrum_test {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Elements with frequency-dependent stiffness, evaluated by several threads at once.
-#include "trivet/response/steady/steady_solution.h"
 #include "trivet/foundation/index.h"
 #include "trivet/judging/read_project.h"
+#include "trivet/response/steady/steady_motion.h"
 
 #include <gtest/gtest.h>
 

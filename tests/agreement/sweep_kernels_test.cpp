@@ -12,7 +12,7 @@
 #include "trivet/numerics/linalg/refined_solution.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/sweep/sweep_kernels.h"
-#include "trivet/numerics/sweep/sweep_plan.h"
+#include "trivet/numerics/sweep/sweep_workspace.h"
 
 namespace sweep_kernels_test {
 

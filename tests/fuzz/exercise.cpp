@@ -8,19 +8,15 @@
 #include <functional>
 #include <string>
 
-#include "trivet/exchange/abaqus_matrix.h"
-#include "trivet/exchange/csv_matrix.h"
 #include "trivet/exchange/end_stiffness.h"
-#include "trivet/exchange/matrix_market.h"
-#include "trivet/exchange/matrix_storage.h"
-#include "trivet/exchange/nastran_dmig.h"
-#include "trivet/exchange/numpy_array.h"
+#include "trivet/exchange/matrix_formats.h"
+#include "trivet/exchange/named_matrix.h"
 #include "trivet/fem/msh_file.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/judging/read_project.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/analyses/question_sizes.h"
-#include "trivet/project/analyses/random_question.h"
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/results/model/project_json.h"

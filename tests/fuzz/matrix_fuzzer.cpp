@@ -4,13 +4,9 @@
 #include <cstdint>
 #include <string>
 
-#include "trivet/exchange/abaqus_matrix.h"
-#include "trivet/exchange/csv_matrix.h"
 #include "trivet/exchange/end_stiffness.h"
-#include "trivet/exchange/matrix_market.h"
-#include "trivet/exchange/matrix_storage.h"
-#include "trivet/exchange/nastran_dmig.h"
-#include "trivet/exchange/numpy_array.h"
+#include "trivet/exchange/matrix_formats.h"
+#include "trivet/exchange/named_matrix.h"
 
 namespace {
 

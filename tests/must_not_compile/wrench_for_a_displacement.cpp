@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/spatial/screw.h"
+#include "trivet/spatial/rigid_motion.h"
 
 #ifdef WRONG
 using Argument = trivet::spatial::Wrench;

@@ -7,16 +7,12 @@
 #include <numbers>
 
 #include "trivet/elements/law.h"
-#include "trivet/excitation/pulses.h"
+#include "trivet/excitation/pulses_and_sweeps.h"
 #include "trivet/modal/roots.h"
 #include "trivet/response/machinery/deflection_shape.h"
 #include "trivet/response/machinery/power.h"
+#include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/analyses/answers.h"
-#include "trivet/study/analyses/orders_answer.h"
-#include "trivet/study/analyses/random_answer.h"
-#include "trivet/study/analyses/shock_spectrum_answer.h"
-#include "trivet/study/analyses/transient_answer.h"
-#include "trivet/study/analyses/transmissibility_answer.h"
 
 namespace trivet::test {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/numerics/linalg/quadratic_roots.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::test {
 namespace {

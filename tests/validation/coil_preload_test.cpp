@@ -5,7 +5,7 @@
 #include "support/coil_springs.h"
 #include "support/matchers.h"
 #include "trivet/elements/coil_preload.h"
-#include "trivet/elements/coil_stress.h"
+#include "trivet/elements/coil_spring.h"
 
 namespace coil_preload_test {
 

@@ -9,12 +9,11 @@
 #include <numbers>
 
 #include "support/matchers.h"
-#include "trivet/excitation/balance.h"
-#include "trivet/excitation/modal_combination.h"
-#include "trivet/excitation/pulses.h"
-#include "trivet/excitation/road.h"
-#include "trivet/excitation/sampled_signal.h"
+#include "trivet/excitation/engine_orders.h"
+#include "trivet/excitation/pulses_and_sweeps.h"
 #include "trivet/excitation/shock_spectrum.h"
+#include "trivet/excitation/signal.h"
+#include "trivet/excitation/spectrum.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace excitation_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/hysteretic_loop.h"
+#include "trivet/nonlinear/laws/law_course.h"
 
 #include <gmock/gmock.h>
 

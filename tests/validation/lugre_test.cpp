@@ -12,7 +12,6 @@
 #include "support/projects.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/nonlinear/laws/law_harmonics.h"
-#include "trivet/nonlinear/laws/law_loops.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 /// LuGre friction with one limit and without dampers is Dahl's friction, which is a Bouc–Wen loop with β = 1, γ = 0, n

@@ -12,7 +12,6 @@
 #include "support/solved_system.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/machinery/campbell.h"
 #include "trivet/response/machinery/run_up.h"
 
 namespace order_response_test {

@@ -9,7 +9,7 @@
 #include "trivet/judging/read_project.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/project/project.h"
 #include "trivet/response/steady/frequency_response.h"
 

@@ -10,7 +10,7 @@
 #include "support/projects.h"
 #include "trivet/judging/read_project.h"
 #include "trivet/model/nodes.h"
-#include "trivet/study/analyses/transient_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/whole_study.h"
 
 namespace point_mass_test {

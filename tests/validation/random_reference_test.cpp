@@ -7,7 +7,7 @@
 
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
-#include "trivet/excitation/road.h"
+#include "trivet/excitation/spectrum.h"
 #include "trivet/response/random/random_response.h"
 
 namespace random_reference_test {

@@ -6,8 +6,8 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/matrix_checks.h"
 #include "trivet/judging/read_project.h"
 
 namespace reference_elements_test {

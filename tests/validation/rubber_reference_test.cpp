@@ -6,8 +6,8 @@
 
 #include "support/matchers.h"
 #include "trivet/elements/pressure_modulus.h"
-#include "trivet/elements/rubber_bush.h"
 #include "trivet/elements/rubber_layer.h"
+#include "trivet/elements/rubber_mounts.h"
 
 namespace rubber_reference_test {
 

@@ -12,7 +12,6 @@
 
 #include "support/matchers.h"
 #include "trivet/excitation/engine_orders.h"
-#include "trivet/excitation/gas_torque.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace slider_crank_test {

@@ -8,7 +8,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "support/transient.h"
-#include "trivet/excitation/pulses.h"
+#include "trivet/excitation/pulses_and_sweeps.h"
 #include "trivet/excitation/shock_spectrum.h"
 #include "trivet/foundation/invalid_input.h"
 

@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "trivet/assembly/following.h"
-#include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/assembly/second_order.h"
 #include "trivet/elements/law.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
-#include "trivet/numerics/linalg/orthogonal.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::assembly {

@@ -5,9 +5,8 @@
 #include <array>
 #include <set>
 
+#include "trivet/assembly/channel_rows.h"
 #include "trivet/assembly/following.h"
-#include "trivet/assembly/place_motion.h"
-#include "trivet/assembly/wrench_rows.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/spatial/rigid_motion.h"

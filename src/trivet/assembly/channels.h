@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
-#include "trivet/numerics/peaks/observed_curve.h"
+#include "trivet/numerics/peaks/extremum.h"
 
 namespace trivet::assembly {
 

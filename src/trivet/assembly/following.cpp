@@ -6,10 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "trivet/elements/matrix_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/orthogonal.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::assembly {

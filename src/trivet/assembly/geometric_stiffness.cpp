@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/assembly/geometric_stiffness.h"
+#include "trivet/assembly/second_order.h"
 
 #include <cassert>
 
-#include "trivet/elements/force_at_rest.h"
+#include "trivet/elements/distance_force.h"
 
 namespace trivet::assembly {
 

@@ -10,14 +10,13 @@
 #include <set>
 #include <utility>
 
-#include "trivet/assembly/geometric_stiffness.h"
+#include "trivet/assembly/coordinates.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/assembly/rest_coordinates.h"
-#include "trivet/elements/force_at_rest.h"
+#include "trivet/elements/distance_force.h"
 #include "trivet/foundation/index.h"
 #include "trivet/model/static_stiffness.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 namespace trivet::assembly {
 namespace {

@@ -12,9 +12,9 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/judging/changed_case.h"
-#include "trivet/modal/highest_frequency.h"
+#include "trivet/modal/modes.h"
 #include "trivet/numerics/batch/driven_peaks.h"
-#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/roots/design_modes.h"
 

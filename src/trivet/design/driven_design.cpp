@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "trivet/assembly/answer_coordinates.h"
+#include "trivet/assembly/coordinates.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 

@@ -2,12 +2,20 @@
 #pragma once
 
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "trivet/design/design_outcome.h"
 
 namespace trivet::design {
+
+/// A design in the form that a kernel needs, or the reason why it has no such form: "loss factors", "a moving ground" …
+template <typename Design>
+struct DesignOrReason {
+  std::optional<Design> design;
+  std::string reason;
+};
 
 /// Reasons why designs have no outcome, counted by kind, noted from any thread.
 class MissingReasons {

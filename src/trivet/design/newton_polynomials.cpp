@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/design/newton_polynomials.h"
+#include "trivet/design/sum_family.h"
 
 #include <cassert>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/design/design_or_reason.h"
+#include "trivet/design/missing_reasons.h"
 #include "trivet/numerics/roots/designs.h"
 
 namespace trivet::design {

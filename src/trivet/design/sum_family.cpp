@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "trivet/design/newton_polynomials.h"
 #include "trivet/foundation/index.h"
 
 namespace trivet::design {

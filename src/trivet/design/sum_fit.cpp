@@ -8,7 +8,6 @@
 #include <map>
 
 #include "trivet/design/design_family.h"
-#include "trivet/design/newton_polynomials.h"
 #include "trivet/design/sum_family.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"

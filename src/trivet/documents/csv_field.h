@@ -3,13 +3,25 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
-
-#include "trivet/documents/shortest_digits.h"
+#include <string_view>
 
 namespace trivet::documents {
+
+/// A number as the shortest text that reads back as the same number, without memory of its own to allocate: tables of
+/// curves have millions of them.
+class ShortestDigits {
+ public:
+  explicit ShortestDigits(double value);
+  [[nodiscard]] std::string_view view() const { return {characters_.data(), size_}; }
+
+ private:
+  std::array<char, 32> characters_;  ///< "-1.7976931348623157e+308" has 24
+  std::size_t size_;
+};
 
 /// A field of RFC 4180: in quotes if it contains commas, quotes or line breaks.
 [[nodiscard]] inline std::string csv_field(const std::string& text) {

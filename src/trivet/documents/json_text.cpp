@@ -5,7 +5,7 @@
 #include <limits>
 #include <string_view>
 
-#include "trivet/documents/shortest_digits.h"
+#include "trivet/documents/csv_field.h"
 #include "trivet/foundation/index.h"
 
 /// JSON as text. Lists of numbers are text already: binary values, which no other part of the results uses.

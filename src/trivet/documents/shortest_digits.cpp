@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/documents/shortest_digits.h"
+#include "trivet/documents/csv_field.h"
 
 #include <fmt/compile.h>
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/elements/dimension_checks.h"
+#include "trivet/elements/checks.h"
 
 namespace trivet::elements {
 namespace {

@@ -8,8 +8,7 @@
 #include <string>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/cholesky.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/up_to_twelve.h"
 #include "trivet/spatial/rigid_motion.h"
 

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/search/zero_between.h"
+#include "trivet/numerics/search/zeros_and_minima.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::elements {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 namespace trivet::elements {
 

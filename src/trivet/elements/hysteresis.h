@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
-/// Forces that depend on the course of a deflection but not on its rate. From one turning point to the next, the force
-/// is a function of the travel since the turning point and of the force there. Equations: docs/nonlinear.md.
+#include "trivet/elements/saturation.h"
+
 namespace trivet::elements {
+
+// Forces that depend on the course of a deflection but not on its rate. From one turning point to the next, the force
+// is a function of the travel since the turning point and of the force there. Equations: docs/nonlinear.md.
 
 /// Spring and Coulomb friction in series (Jenkins): sticks with stiffness k until |f| = breakaway, slips with |f| =
 /// slip.
@@ -76,5 +80,51 @@ struct ForceOnTravel {
 [[nodiscard]] double initial_stiffness(const HystereticForce& law);
 /// Limit of |f|.
 [[nodiscard]] double force_limit(const HystereticForce& law);
+
+/// A Bouc–Wen force upwards from a turning point. It falls to zero with dz/du = 1 + (β − γ) |z|ⁿ and grows beyond with
+/// 1 − (β + γ + 2φ) zⁿ, u in units of F/k.
+class BoucWenBranch {
+ public:
+  BoucWenBranch(const BoucWen& law, double start);
+
+  /// @param travel  ≥ 0
+  [[nodiscard]] ForceOnTravel at(double travel) const;
+  /// The travel at which the force changes its sign, if it does.
+  [[nodiscard]] std::optional<double> to_zero() const;
+
+ private:
+  /// Of |z| on the way to zero, if γ > β: such a loop feeds energy.
+  [[nodiscard]] double limit_against() const;
+
+  std::shared_ptr<const Saturation> grows_;
+  double stiffness_, force_, exponent_;
+  double against_;  ///< β − γ
+  double limit_;    ///< of z
+  double from_;     ///< z at the start
+  double rate_at_start_;
+  double offset_;  ///< travel from z = 0 to the start
+};
+
+/// Limit of z upwards.
+[[nodiscard]] double z_limit(const BoucWen& law);
+[[nodiscard]] BoucWen mirrored(BoucWen law);
+
+/// The force from one turning point to the next.
+class HystereticBranch {
+ public:
+  /// @param start      the force at the turning point
+  /// @param direction  of the travel, by its sign; upwards if it is 0
+  HystereticBranch(const HystereticForce& law, double start, double direction);
+
+  /// @param travel  in the direction of the branch; against it, where round-off puts a turning point, counts as none
+  [[nodiscard]] ForceOnTravel at(double travel) const;
+  /// The travel at which the force is not smooth: a slider begins to slip, a Bouc–Wen force changes its sign. Empty if
+  /// there is none.
+  [[nodiscard]] std::optional<double> kink() const;
+
+ private:
+  double sign_, start_;  ///< the force upwards is `sign_` times itself
+  std::variant<Slider, BergFriction, BoucWenBranch, CoulombFriction> upwards_;
+};
 
 }  // namespace trivet::elements

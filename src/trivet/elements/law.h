@@ -11,9 +11,10 @@
 #include "trivet/elements/viscoelastic.h"
 #include "trivet/spatial/types.h"
 
-/// An elastic element joins two ends N and K. All matrices here are in its local frame, order (u_N, θ_N, u_K, θ_K),
-/// in N/m, N/rad, N m/m, N m/rad; `arm` is the vector from N to K [m].
 namespace trivet::elements {
+
+// An elastic element joins two ends N and K. All matrices here are in its local frame, order (u_N, θ_N, u_K, θ_K),
+// in N/m, N/rad, N m/m, N m/rad; `arm` is the vector from N to K [m].
 
 using spatial::Matrix12;
 using spatial::Matrix6;

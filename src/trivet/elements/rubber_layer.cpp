@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/elements/dimension_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/pressure_modulus.h"
-#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 namespace trivet::elements {
 namespace {

@@ -1,17 +1,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <variant>
 #include <vector>
 
-#include "trivet/elements/amplitude_force.h"
-#include "trivet/elements/damping_force.h"
 #include "trivet/elements/elastic_force.h"
+#include "trivet/elements/friction.h"
 #include "trivet/elements/hysteresis.h"
-#include "trivet/elements/lugre_friction.h"
+#include "trivet/elements/knot_curve.h"
 
-/// Forces over one deflection δ of an element, in addition to its 12×12: along or about one axis, in N over m or N m
-/// over rad. Positive forces act against positive deflections. Equations and sources: docs/nonlinear.md.
 namespace trivet::elements {
+
+// Forces that depend on the amplitude of a periodic deflection. They are known for steady motion only.
+
+/// Stiffness and loss of filled rubber over the amplitude A [Kraus 1984], in addition to those at large amplitudes:
+/// k' = Δ/(1 + (A/A_c)^2m),  k'' = 2 L (A/A_c)^m/(1 + (A/A_c)^2m).
+/// The loss has its largest value L at A_c, and vanishes for small and for large amplitudes.
+struct PayneForce {
+  double stiffness = 0;   ///< Δ: k' of small amplitudes less that of large ones [N/m or N m/rad], ≥ 0
+  double loss = 0;        ///< L [N/m or N m/rad], ≥ 0
+  double amplitude = 0;   ///< A_c [m or rad], > 0
+  double exponent = 0.6;  ///< m, > 0
+};
+
+/// Complex stiffness k' + i k'' and its derivative by the amplitude.
+struct StiffnessOfAmplitude {
+  double storage = 0, loss = 0, storage_slope = 0, loss_slope = 0;
+};
+/// @param amplitude  ≥ 0; slopes at 0 are those just above it
+[[nodiscard]] StiffnessOfAmplitude stiffness_at(const PayneForce& law, double amplitude);
+
+// Forces that are functions of the rate v of a deflection, against it.
+
+/// f = c v |v|, with a coefficient for either sense.
+struct QuadraticDamping {
+  double above = 0;  ///< for v > 0 [N s²/m² or N m s²/rad²], ≥ 0
+  double below = 0;  ///< for v < 0
+};
+
+/// f through points (v, f) that contain (0, 0).
+struct DampingCurve {
+  KnotCurve force;
+};
+
+using DampingForce = std::variant<QuadraticDamping, DampingCurve>;
+
+struct ForceOfRate {
+  double force = 0;
+  double by_rate = 0;  ///< df/dv; at a kink that of larger |v|
+};
+[[nodiscard]] ForceOfRate force_of_rate(const DampingForce& law, double rate);
+
+/// Mean of df/dv on both sides of v = 0.
+[[nodiscard]] double damping_at_rest(const DampingForce& law);
+/// Is df/dv constant between kinks?
+[[nodiscard]] bool is_piecewise_linear(const DampingForce& law);
+/// Is f of second degree between kinks? Then also d²f/dv².
+[[nodiscard]] bool is_piecewise_quadratic(const DampingForce& law);
+[[nodiscard]] double curvature(const DampingForce& law, double rate);
+/// Rates at which the force is not smooth, ascending.
+[[nodiscard]] std::vector<double> kinks(const DampingForce& law);
+
+// Forces over one deflection δ of an element, in addition to its 12×12: along or about one axis, in N over m or N m
+// over rad. Positive forces act against positive deflections. Equations and sources: docs/nonlinear.md.
 
 using ScalarLaw = std::variant<ElasticForce, DampingForce, HystereticForce, PayneForce, LuGreFriction>;
 /// Forces over the same deflection add up.

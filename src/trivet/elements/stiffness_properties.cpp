@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::elements {

@@ -11,12 +11,12 @@
 #include "trivet/engine/solved_cases.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/judging/suspicions.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/analyses/question_sizes.h"
-#include "trivet/project/analyses/steady_question.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/results/format/written_answers.h"
+#include "trivet/study/analyses/answers.h"
 #include "trivet/study/analyses/asked_questions.h"
-#include "trivet/study/analyses/cut_short.h"
 
 namespace trivet::engine {
 namespace {

@@ -11,7 +11,7 @@
 #include "trivet/engine/solved_cases.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/model_number.h"
-#include "trivet/project/text/toml_value.h"
+#include "trivet/project/text/document.h"
 #include "trivet/report/drawing/figures.h"
 #include "trivet/report/figures/front_figure.h"
 #include "trivet/report/map/map_figure.h"

@@ -11,14 +11,11 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/questions.h"
 #include "trivet/report/figures/element_picture.h"
-#include "trivet/results/design/explanation_json.h"
-#include "trivet/results/design/explanation_text.h"
+#include "trivet/results/design/explanation_results.h"
 #include "trivet/results/model/check_text.h"
-#include "trivet/results/model/element_json.h"
-#include "trivet/results/model/element_text.h"
+#include "trivet/results/model/element_results.h"
 #include "trivet/results/model/project_json.h"
-#include "trivet/results/model/suspension_json.h"
-#include "trivet/results/model/suspension_text.h"
+#include "trivet/results/model/suspension_results.h"
 
 namespace trivet::engine {
 namespace {

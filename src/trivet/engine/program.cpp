@@ -8,9 +8,9 @@
 
 #include "trivet/exports/format.h"
 #include "trivet/foundation/freed_memory.h"
-#include "trivet/foundation/leftovers.h"
 #include "trivet/foundation/message_list.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/temporary_folder.h"
 #include "trivet/foundation/version.h"
 #include "trivet/project/schema.h"
 #include "trivet/project/text/embedded_text.h"

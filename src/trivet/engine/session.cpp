@@ -15,7 +15,7 @@
 #include "trivet/project/questions.h"
 #include "trivet/project/rewritten_project.h"
 #include "trivet/project/text/source_file.h"
-#include "trivet/results/files/picture_file.h"
+#include "trivet/results/files/whole_file.h"
 #include "trivet/results/model/project_json.h"
 
 namespace trivet::engine {

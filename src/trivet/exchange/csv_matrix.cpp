@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/exchange/csv_matrix.h"
+#include "trivet/exchange/matrix_formats.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "trivet/exchange/matrix_entries.h"
+#include "trivet/exchange/named_matrix.h"
 #include "trivet/foundation/index.h"
 
 namespace trivet::exchange {

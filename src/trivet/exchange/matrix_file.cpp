@@ -4,12 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "trivet/exchange/abaqus_matrix.h"
-#include "trivet/exchange/csv_matrix.h"
-#include "trivet/exchange/matrix_market.h"
-#include "trivet/exchange/matrix_storage.h"
-#include "trivet/exchange/nastran_dmig.h"
-#include "trivet/exchange/numpy_array.h"
+#include "trivet/exchange/matrix_formats.h"
+#include "trivet/exchange/named_matrix.h"
 #include "trivet/exchange/text/file_bytes.h"
 #include "trivet/exchange/text/text_lines.h"
 

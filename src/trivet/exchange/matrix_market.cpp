@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/exchange/matrix_market.h"
+#include "trivet/exchange/matrix_formats.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "trivet/exchange/matrix_entries.h"
+#include "trivet/exchange/named_matrix.h"
 
 namespace trivet::exchange {
 namespace {

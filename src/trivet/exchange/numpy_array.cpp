@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/exchange/numpy_array.h"
+#include "trivet/exchange/matrix_formats.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "trivet/exchange/matrix_entries.h"
+#include "trivet/exchange/named_matrix.h"
 #include "trivet/foundation/index.h"
 
 static_assert(std::endian::native == std::endian::little, "the numbers of a file are copied as they are");

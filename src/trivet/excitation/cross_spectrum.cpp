@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/excitation/cross_spectrum.h"
+#include "trivet/excitation/spectrum.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include "trivet/excitation/refusal.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 namespace trivet::excitation {
 namespace {

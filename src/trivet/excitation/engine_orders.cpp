@@ -14,6 +14,14 @@
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
+
+double permissible_unbalance(double grade_mm_per_s, double mass, double angular_speed) {
+  require_positive(grade_mm_per_s, "balance grade", "mm/s");
+  require_positive(mass, "rotor mass", "kg");
+  require_positive(angular_speed, "speed", "rad/s");
+  return 1e-3 * grade_mm_per_s * mass / angular_speed;
+}
+
 namespace {
 
 using Complex = std::complex<double>;

@@ -2,12 +2,20 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <vector>
 
 #include "trivet/excitation/engine.h"
-#include "trivet/excitation/gas_torque.h"
+#include "trivet/excitation/slider_crank.h"
 
 namespace trivet::excitation {
+
+/// Permissible residual unbalance m e [kg m] of a rigid rotor: e ω = G. [ISO 21940-11]
+/// @param grade_mm_per_s   balance quality grade G > 0, "G 6.3" is 6.3 [mm/s]
+/// @param mass             of the rotor [kg] > 0
+/// @param angular_speed    highest service speed [rad/s] > 0; m e is the same at lower speeds
+/// @throws foundation::InvalidInput for numbers out of range
+[[nodiscard]] double permissible_unbalance(double grade_mm_per_s, double mass, double angular_speed);
 
 using ComplexVector6 = Eigen::Matrix<std::complex<double>, 6, 1>;
 

@@ -2,11 +2,15 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
-/// Excitation of machines: time histories, spectra, engines, weightings. This module does not read files or solve
-/// systems.
+#include "trivet/foundation/problems.h"
+
 namespace trivet::excitation {
+
+// Excitation of machines: time histories, spectra, engines, weightings. This module does not read files or solve
+// systems.
 
 /// u on one piece, time from its start: u‴ = −κ²u′, so κ = 0 is a parabola and κ > 0 a sine plus a constant.
 struct Piece {
@@ -60,5 +64,20 @@ struct SignalIntegrals {
 
 /// @throws foundation::InvalidInput unless all numbers are finite, starts increase and κ ≥ 0
 void require_valid(const Signal& signal);
+
+/// A measured time history: values at increasing times [s], linear between them, zero before the first.
+struct Samples {
+  enum class Afterwards { hold, zero };
+  std::vector<double> times;
+  std::vector<double> values;
+  Afterwards afterwards = Afterwards::hold;  ///< what follows the last sample
+};
+
+/// Errors: unequal counts, fewer than two, numbers not finite, times that do not increase. Warnings: a first value that
+/// is not 0 (the signal jumps), a last one that is not 0 (it is held, or falls to zero with a jump).
+[[nodiscard]] foundation::Problems check(const Samples& samples, const std::string& subject);
+
+/// @throws foundation::InvalidInput with the first error of `check`
+[[nodiscard]] Signal from_samples(const Samples& samples);
 
 }  // namespace trivet::excitation

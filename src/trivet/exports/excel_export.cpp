@@ -8,8 +8,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "trivet/exports/completeness.h"
 #include "trivet/exports/format_table.h"
-#include "trivet/exports/workbook_completeness.h"
 #include "trivet/exports/workbook_sheets.h"
 
 /// Excel: the input, the requirements with their margins, a sheet for each list of rows, and native charts of curves.

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "trivet/exports/fmu_binaries.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/functional_mockup_unit.h"
 #include "trivet/foundation/invalid_input.h"

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "trivet/exports/linear_system.h"
 #include "trivet/exports/model_description.h"
-#include "trivet/exports/system_text.h"
 #include "trivet/exports/zip_archive.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/text/source_file.h"

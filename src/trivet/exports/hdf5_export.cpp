@@ -12,7 +12,7 @@
 
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/unique_names.h"
-#include "trivet/project/text/toml_value.h"
+#include "trivet/project/text/document.h"
 
 /// HDF5: a group for each answer, a dataset for each array, dimension scales with the names of the axes, the attribute
 /// `units`, and complex numbers as {r, i}, which h5py reads as complex.

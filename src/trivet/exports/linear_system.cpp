@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/exports/linear_system.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "trivet/foundation/index.h"
@@ -11,6 +13,7 @@
 #include "trivet/foundation/plain_text.h"
 
 namespace trivet::exports {
+
 namespace {
 
 void check_matrix(const char* name, const Eigen::MatrixXd& matrix, std::size_t rows, std::size_t columns) {
@@ -57,6 +60,34 @@ void check(const LinearSystem& system) {
   std::set<std::string> names;
   for (const auto* signals : {&system.states, &system.inputs, &system.outputs})
     for (const Signal& signal : *signals) check_signal(signal, names);
+}
+
+namespace {
+
+void append_matrix(std::string& text, const char* name, const Eigen::MatrixXd& matrix) {
+  text += name;
+  text += '\n';
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+      fmt::format_to(std::back_inserter(text), FMT_COMPILE("{} "), matrix(i, j));
+    text += '\n';
+  }
+}
+
+}  // namespace
+
+std::string system_text(const LinearSystem& system, const std::string& token) {
+  std::string text = fmt::format("trivet-linear-system 1\ntoken {}\nstates {} inputs {} outputs {}\n", token,
+                                 system.states.size(), system.inputs.size(), system.outputs.size());
+  append_matrix(text, "A", system.A);
+  append_matrix(text, "B", system.B);
+  append_matrix(text, "C", system.C);
+  append_matrix(text, "D", system.D);
+  append_matrix(text, "initial", initial_states(system).transpose());
+  Eigen::RowVectorXd nominals(to_index(system.states.size()));
+  for (Eigen::Index i = 0; i < nominals.size(); ++i) nominals(i) = system.states[i].nominal;
+  append_matrix(text, "nominals", nominals);
+  return text + "end\n";
 }
 
 }  // namespace trivet::exports

@@ -8,14 +8,13 @@
 #include <memory>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/exports/completeness.h"
 #include "trivet/exports/format_table.h"
-#include "trivet/exports/matlab_completeness.h"
-#include "trivet/exports/unicode_text.h"
 #include "trivet/exports/unique_names.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/response/steady/frequency_response.h"
-#include "trivet/study/explain/system_matrices.h"
+#include "trivet/study/explain/linear_system.h"
 
 /// MATLAB files of version 5: a structure for each group, "about" with names, units and axes, and "check": exact
 /// displacements at some frequencies, which NAME_check.m computes again from A, B, K and the load by backslash.

@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 
-#include "trivet/exports/fmi_version.h"
 #include "trivet/exports/linear_system.h"
 
 namespace trivet::exports {
+
+/// Version of the Functional Mock-up Interface.
+enum class FmiVersion { two, three };
+
+// Attributes of an XML element, each after a space; without a value, nothing is written.
+
+/// ` name="a &lt; b"`; empty for an empty value.
+[[nodiscard]] std::string attribute(const char* name, const std::string& value);
+[[nodiscard]] std::string attribute(const char* name, std::size_t value);
+/// Shortest digits that read back as the same number.
+[[nodiscard]] std::string attribute(const char* name, const std::optional<double>& value);
 
 /// Identifier of a mock-up unit, also the name of its shared library: the title with letters and digits of ASCII and _.
 [[nodiscard]] std::string model_identifier(const LinearSystem& system);

@@ -8,7 +8,7 @@
 #include "trivet/assembly/second_order.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 /// Nastran: every mount between two GRIDs, one at each end, as symmetric DMIG matrices in large fields: stiffness
 /// (K2GG = MOUNTK), damping (B2GG = MOUNTB) and structural damping (K42GG = MOUNTS), in ground axes, SI.

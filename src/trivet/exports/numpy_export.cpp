@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "trivet/exports/format_table.h"
-#include "trivet/exports/unicode_text.h"
 #include "trivet/exports/unique_names.h"
 #include "trivet/exports/zip_archive.h"
 

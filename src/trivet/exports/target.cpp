@@ -7,10 +7,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "trivet/foundation/file_writing.h"
-#include "trivet/foundation/folder_handle.h"
+#include "trivet/foundation/files.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/leftovers.h"
+#include "trivet/foundation/temporary_folder.h"
 #include "trivet/project/rewritten_project.h"
 
 namespace trivet::exports {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "trivet/results/files/target_place.h"
+#include "trivet/results/files/whole_file.h"
 
 namespace trivet::exports {
 

@@ -32,4 +32,10 @@ class UniqueNames {
   std::set<std::string> used_;
 };
 
+/// Code points of a text in UTF-8; bytes that are none become U+FFFD.
+[[nodiscard]] std::u32string code_points(const std::string& text);
+
+/// The text in UTF-16.
+[[nodiscard]] std::u16string utf16(const std::string& text);
+
 }  // namespace trivet::exports

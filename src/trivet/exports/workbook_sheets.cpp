@@ -12,7 +12,7 @@
 #include "trivet/exports/unique_names.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/toml_value.h"
+#include "trivet/project/text/document.h"
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/study/requirements/verdict.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/fem/bisection.h"
+#include "trivet/fem/substructuring.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "trivet/elements/law.h"
-#include "trivet/fem/mesh_checks.h"
+#include "trivet/fem/mesh.h"
 #include "trivet/fem/solid.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/fem/partial_elimination.h"
+#include "trivet/fem/substructuring.h"
 
 #include <Eigen/Cholesky>
 #include <limits>

@@ -6,11 +6,11 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "trivet/fem/mesh_checks.h"
+#include "trivet/fem/mesh.h"
 #include "trivet/fem/solid.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
-#include "trivet/numerics/linalg/complete_pivoting.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::fem {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/fem/condensation.h"
-#include "trivet/fem/tet_pressure.h"
+#include "trivet/fem/material.h"
 
 namespace trivet::fem {
 

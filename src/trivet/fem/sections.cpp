@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/fem/sections.h"
+#include "trivet/fem/shapes.h"
 
 #include <algorithm>
 #include <cmath>

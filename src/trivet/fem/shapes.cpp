@@ -7,8 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/fem/reference_element.h"
-#include "trivet/fem/sections.h"
+#include "trivet/fem/element_kernel.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/part_size.h"

@@ -13,7 +13,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/solids/gmsh_program.h"
+#include "trivet/solids/step_file.h"
 
 namespace trivet::fem {
 namespace {

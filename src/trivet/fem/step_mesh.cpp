@@ -12,7 +12,7 @@
 #include "trivet/fem/msh_file.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
-#include "trivet/solids/gmsh_program.h"
+#include "trivet/solids/step_file.h"
 
 namespace trivet::fem {
 namespace {

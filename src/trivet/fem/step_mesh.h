@@ -29,7 +29,7 @@ struct StepMesh {
 };
 
 /// Meshes with gmsh as a child process. Equal files and options give equal meshes. Problems have the subjects "file",
-/// "size", "rim_size", "rim_distance", "scale", "plate_n", "plate_k"; mesh_checks.h checks whether the mesh can be
+/// "size", "rim_size", "rim_distance", "scale", "plate_n", "plate_k"; mesh.h checks whether the mesh can be
 /// condensed.
 [[nodiscard]] foundation::Expected<StepMesh> mesh_step(const std::filesystem::path& file,
                                                        const StepMeshOptions& options,

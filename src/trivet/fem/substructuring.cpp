@@ -7,8 +7,6 @@
 #include <numeric>
 #include <span>
 
-#include "trivet/fem/bisection.h"
-#include "trivet/fem/partial_elimination.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/lanes/line_memory.h"
 

@@ -2,12 +2,57 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
 
 namespace trivet::fem {
+
+/// Halves a set of elements so that the halves share few unknowns: the cost of a condensation grows with the cube of
+/// their number.
+class Bisection {
+ public:
+  /// @param element_unknowns  per element the numbers of its unknowns; those ≥ `first_retained` are not counted
+  /// @param centres  per element a point [m]
+  Bisection(const std::vector<std::vector<int>>& element_unknowns, const Eigen::Matrix3Xd& centres, int first_retained);
+
+  /// Sorts at least two elements along one axis of the mesh and returns the number of those in the first half.
+  int halve(std::span<int> elements);
+
+ private:
+  const std::vector<int>& shared_before(std::span<const int> elements);
+
+  const std::vector<std::vector<int>>& element_unknowns_;
+  const Eigen::Matrix3Xd& centres_;
+  int first_retained_;
+  std::vector<int> first_, last_, shared_;  ///< working memory: per unknown, its first and last place in a set
+};
+
+struct Pivots {
+  int negative = 0;
+  bool singular = false;
+};
+
+/// Eliminates the first `count` unknowns of the symmetric matrix given by its lower triangle: the lower triangle of its
+/// lower right corner becomes that of the Schur complement, its first columns become the factors that `recover_leading`
+/// needs. The result does not depend on `threads`.
+Pivots eliminate_leading(Eigen::Ref<Eigen::MatrixXd> matrix, Eigen::Index count, int threads);
+
+/// Computes the eliminated unknowns from the others, in place: `values` holds the others after the first
+/// `factors.cols()`.
+void recover_leading(const Eigen::MatrixXd& factors, Eigen::VectorXd& values);
+
+/// Adds a symmetric matrix to the lower triangle of another, row and column i at place[i].
+void add_symmetric(const Eigen::MatrixXd& part, const std::vector<int>& place, Eigen::Ref<Eigen::MatrixXd> whole);
+
+/// The lower triangle of a matrix, column after column.
+[[nodiscard]] std::vector<double> packed_lower(const Eigen::Ref<const Eigen::MatrixXd>& matrix);
+
+/// Adds a packed lower triangle to that of a larger matrix, row and column i at place[i], in ascending places.
+void add_packed(const std::vector<double>& part, const std::vector<int>& place, Eigen::Ref<Eigen::MatrixXd> whole);
 
 class Bisection;
 

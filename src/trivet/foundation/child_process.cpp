@@ -15,7 +15,6 @@
 #include <memory>
 #include <system_error>
 
-#include "trivet/foundation/guarded_program.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 

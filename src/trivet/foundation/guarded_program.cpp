@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/foundation/guarded_program.h"
+#include "trivet/foundation/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "trivet/foundation/problems.h"
 
@@ -19,5 +20,8 @@ inline constexpr std::size_t most_messages = 100;
 
 /// One line for each listed problem, and one with the number of the others.
 [[nodiscard]] std::string message_list(const Problems& problems);
+
+/// Notes "A: words" and "B: words" of several things as one, "A, B: words", at the place of the first.
+[[nodiscard]] std::vector<std::string> grouped(const std::vector<std::string>& notes);
 
 }  // namespace trivet::foundation

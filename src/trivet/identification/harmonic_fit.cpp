@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/identification/harmonic_fit.h"
 #include "trivet/foundation/constants.h"
-#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/identification/hysteresis_loop.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 #include <algorithm>
 #include <cmath>

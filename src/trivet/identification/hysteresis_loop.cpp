@@ -10,7 +10,6 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/identification/harmonic_fit.h"
 #include "trivet/identification/student_distribution.h"
 
 namespace trivet::identification {

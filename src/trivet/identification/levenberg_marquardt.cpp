@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "trivet/numerics/linalg/cholesky.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 namespace trivet::identification {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -36,5 +38,10 @@ struct LoadCase {
 /// Reasons why the cases cannot be used: no case, displacements that are not finite or all zero, infinite wrenches,
 /// cases without a reading, two cases of one name (warning).
 [[nodiscard]] foundation::Problems load_case_problems(const std::vector<LoadCase>& cases);
+
+/// Descriptions of the motions that no column of `motions` contains: "no load case tilts K about y", or for a
+/// combination "every load case has u_K x + 0.1 θ_K y = 0". 6 rows are the motion of K relative to N, 12 rows both
+/// ends. [m, rad]
+[[nodiscard]] std::vector<std::string> unexcited_motions(const Eigen::MatrixXd& motions);
 
 }  // namespace trivet::identification

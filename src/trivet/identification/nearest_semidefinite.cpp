@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/identification/nearest_semidefinite.h"
+#include "trivet/identification/stiffness_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "trivet/elements/law.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/cholesky.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 namespace trivet::identification {
 

@@ -7,14 +7,13 @@
 #include <array>
 #include <cmath>
 
+#include "trivet/elements/checks.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/identification/outliers.h"
+#include "trivet/identification/load_cases.h"
 #include "trivet/identification/rig_regression.h"
-#include "trivet/identification/unexcited_motions.h"
 
 namespace trivet::identification {
 namespace {

@@ -9,8 +9,7 @@
 
 #include "trivet/judging/acceptances.h"
 #include "trivet/plausibility/inertia_slips.h"
-#include "trivet/project/analyses/orders_question.h"
-#include "trivet/project/analyses/transient_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/questions.h"
 #include "trivet/project/text/table_reader.h"
 

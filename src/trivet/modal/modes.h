@@ -2,14 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/foundation/problems.h"
+#include "trivet/model/system.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/spatial/screw.h"
+#include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::modal {
 
@@ -62,5 +64,30 @@ struct Modes {
 
 /// True if any mode has ω = 0.
 [[nodiscard]] bool has_rigid_motion(const Modes& modes);
+
+/// Highest natural frequency of a system [rad/s], growing motions included; 1 if all are 0.
+[[nodiscard]] double highest_natural_frequency(const model::System& system, const assembly::Assembled& assembled);
+
+// Where the strain energy of a mode is, in words. Energies of elements with a negative stiffness, of struts under
+// compression or of weight above a mount are negative: then shares of the sum, Mode::strain_energy_share, exceed 1.
+
+/// Energy of every element over the sum of the positive ones: at most 1, negative where an element gives back. Empty as
+/// the shares of the mode are, or if no element stores energy.
+[[nodiscard]] Eigen::VectorXd stored_energy(const Mode& mode);
+
+/// Energies of a mode or a vibration that are given back, over those that are stored, from which on words say so.
+constexpr double noticeably_given_back = 0.005;
+
+struct MostStrained {
+  std::size_t element = 0;
+  double share = 0;       ///< of what is stored, 0 … 1
+  int alike = 0;          ///< further elements with the same share but for rounding
+  double given_back = 0;  ///< by elements with negative energy, over what is stored, ≥ 0
+};
+/// The element with the most strain energy; none if `stored_energy` is empty.
+[[nodiscard]] std::optional<MostStrained> most_strained(const Mode& mode);
+
+/// ", 77 % of it given back" for a noticeable share; else empty.
+[[nodiscard]] std::string given_back_words(double given_back);
 
 }  // namespace trivet::modal

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "trivet/model/system.h"
-#include "trivet/spatial/screw.h"
+#include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::modal {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/elements/matrix_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/model/checks.h"
 
 namespace trivet::model {

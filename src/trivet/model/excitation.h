@@ -8,7 +8,6 @@
 #include <variant>
 #include <vector>
 
-#include "trivet/excitation/cross_spectrum.h"
 #include "trivet/excitation/engine_orders.h"
 #include "trivet/excitation/signal.h"
 #include "trivet/excitation/spectrum.h"

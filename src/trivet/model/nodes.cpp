@@ -8,8 +8,8 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
-#include "trivet/model/node_stiffness.h"
 #include "trivet/model/point_mass.h"
+#include "trivet/model/static_stiffness.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::model {

@@ -10,12 +10,12 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
-#include "trivet/model/modal_ground.h"
-#include "trivet/model/node_stiffness.h"
 #include "trivet/model/nodes.h"
 #include "trivet/model/point_mass.h"
+#include "trivet/model/static_stiffness.h"
 
 namespace trivet::model {
+
 namespace {
 
 struct NameOnly {

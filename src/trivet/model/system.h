@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "trivet/elements/distance_force.h"
+#include "trivet/elements/friction.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/rubbing_friction.h"
 #include "trivet/elements/stiffness_over_deflection.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/model/excitation.h"
@@ -18,8 +18,9 @@
 #include "trivet/spatial/mass_properties.h"
 #include "trivet/spatial/types.h"
 
-/// Description of the system, checked, not solved. Frames and signs: docs/conventions.md.
 namespace trivet::model {
+
+// Description of the system, checked, not solved. Frames and signs: docs/conventions.md.
 
 struct Point {
   std::string name;
@@ -260,5 +261,19 @@ struct Span {
   Eigen::Matrix3d n_from_k;
 };
 [[nodiscard]] Span span(const std::vector<Body>& bodies, const End& n, const End& k);
+
+/// Name of the first element that is mounted on the modes of a foundation. A rigid motion of the whole ground cannot be
+/// applied to it: the data do not state the participation of the modes in such a motion.
+[[nodiscard]] inline std::optional<std::string> element_on_modes(const Description& description) {
+  for (const Element& element : description.elements) {
+    if (element.is_foundation || !element.n.foundation) continue;
+    bool has_place_of_its_own = false;
+    for (const Element& other : description.elements)
+      has_place_of_its_own = has_place_of_its_own ||
+          (joins_foundation_to_ground(other) && other.k.foundation->foundation == element.n.foundation->foundation);
+    if (!has_place_of_its_own) return element.name;
+  }
+  return std::nullopt;
+}
 
 }  // namespace trivet::model

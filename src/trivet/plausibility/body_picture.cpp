@@ -8,7 +8,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/model/point_mass.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::plausibility {

@@ -10,7 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/plausibility/rules.h"
 #include "trivet/response/machinery/load_sharing.h"
-#include "trivet/response/steady/mounts.h"
+#include "trivet/response/steady/at_rest.h"
 
 namespace trivet::plausibility {
 namespace {

@@ -8,9 +8,8 @@
 #include <limits>
 
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/cholesky.h"
-#include "trivet/numerics/linalg/orthogonal.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 namespace trivet::plausibility {
 namespace {

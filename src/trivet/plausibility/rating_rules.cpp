@@ -6,7 +6,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/plausibility/rules.h"
-#include "trivet/response/machinery/rated_loads.h"
+#include "trivet/response/machinery/load_sharing.h"
 
 namespace trivet::plausibility {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/foundation_reader.h"
+#include "trivet/project/part_readers.h"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,10 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/element_table_readers.h"
-#include "trivet/project/measured/ground_points.h"
+#include "trivet/project/measured/ground_mobility.h"
 #include "trivet/project/measured/measured_file.h"
 #include "trivet/project/measured/mobility_reader.h"
-#include "trivet/project/text/idle_key.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 namespace {

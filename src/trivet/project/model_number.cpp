@@ -7,8 +7,8 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/project.h"
-#include "trivet/project/text/default_number.h"
 #include "trivet/project/text/model_path.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 namespace {

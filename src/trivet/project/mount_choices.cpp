@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/mount_choices.h"
+#include "trivet/project/part_readers.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/catalogue.h"
-#include "trivet/project/text/file_name.h"
 #include "trivet/project/text/model_path.h"
+#include "trivet/project/text/source_file.h"
 
 namespace trivet::project {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/observations_reader.h"
+#include "trivet/project/part_readers.h"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 #include "trivet/project/analyses/isolation_reader.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/question_sizes.h"
-#include "trivet/project/analyses/requirements_reader.h"
+#include "trivet/project/analyses/request_readers.h"
 #include "trivet/project/text/outside_features.h"
 
 namespace trivet::project {

@@ -8,16 +8,12 @@
 #include <utility>
 
 #include "trivet/foundation/index.h"
-#include "trivet/project/analyses/analyses_reader.h"
-#include "trivet/project/body_reader.h"
-#include "trivet/project/display_reader.h"
+#include "trivet/project/analyses/request_readers.h"
 #include "trivet/project/elements/element_reader.h"
 #include "trivet/project/excitations/excitation_reader.h"
-#include "trivet/project/foundation_reader.h"
 #include "trivet/project/measured/measurements_reader.h"
-#include "trivet/project/mount_choices.h"
-#include "trivet/project/node_reader.h"
-#include "trivet/project/observations_reader.h"
+#include "trivet/project/part_readers.h"
+#include "trivet/project/settings.h"
 #include "trivet/project/text/element_types.h"
 #include "trivet/project/text/names_in_file.h"
 

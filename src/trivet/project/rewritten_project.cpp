@@ -10,10 +10,8 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/settings.h"
 #include "trivet/project/text/changes.h"
-#include "trivet/project/text/file_name.h"
 #include "trivet/project/text/part_tables.h"
 #include "trivet/project/text/source_file.h"
-#include "trivet/project/text/text_changes.h"
 #include "trivet/project/text/toml_text.h"
 
 namespace trivet::project {

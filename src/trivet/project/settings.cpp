@@ -9,6 +9,7 @@
 #include "trivet/project/text/changes.h"
 
 namespace trivet::project {
+
 namespace {
 
 void list_changes(const Node& node, const std::string& path, std::vector<ChangedNumber>& changes) {
@@ -90,6 +91,22 @@ std::vector<std::string> change_lines(const Node* of_case, const Settings& setti
   std::vector<std::string> lines;
   for (const ChangedNumber& number : numbers) lines.push_back(number.path + " = " + number.value);
   return lines;
+}
+
+ShownUnits read_display(TableReader& root) {
+  ShownUnits units;
+  const Node* table = root.table("display");
+  if (!table) return units;
+  TableReader reader(*table, "display", root.problems());
+  for (const char* key : {"length", "force", "angle", "mass", "frequency", "level"}) {
+    const auto value = reader.text(key);
+    if (!value) continue;
+    const foundation::Problems found = set_shown_unit(units, key, *value);
+    for (const foundation::Problem& problem : found.list())
+      reader.error(key, problem.finding, problem.rule, problem.remedy);
+  }
+  reader.finish();
+  return units;
 }
 
 }  // namespace trivet::project

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "trivet/project/text/document.h"
+#include "trivet/project/text/shown_units.h"
+#include "trivet/project/text/table_reader.h"
 
 namespace trivet::project {
 
@@ -30,5 +32,8 @@ void set_folder(Node& node, const std::string& folder);
 /// Changes of a case that the command line does not override, then those of the command line.
 [[nodiscard]] std::vector<std::string> change_lines(const Node* of_case, const Settings& settings,
                                                     const Node& document);
+
+/// Reads [display].
+[[nodiscard]] ShownUnits read_display(TableReader& root);
 
 }  // namespace trivet::project

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/solids_reader.h"
+#include "trivet/project/part_readers.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "trivet/project/elements/element_table_readers.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/source_file.h"
 #include "trivet/solids/rigid_solid.h"
 
 namespace trivet::project {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::spatial {

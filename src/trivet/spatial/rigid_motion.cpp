@@ -2,6 +2,7 @@
 #include "trivet/spatial/rigid_motion.h"
 
 #include <Eigen/Geometry>
+
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
@@ -40,6 +41,24 @@ Eigen::Matrix3d axes_along(const Eigen::Vector3d& axis) {
   Eigen::Matrix3d axes;
   axes << e1, e3.cross(e1), e3;
   return axes;
+}
+
+Screw screw(const Displacement& at_origin, double length, const Eigen::Vector3d& about) {
+  constexpr double negligible = 1e-9;
+  const Eigen::Vector3d& theta = at_origin.rotation;
+  const Eigen::Vector3d translation = at_origin.translation + theta.cross(about);
+  Screw result;
+  const double angle = theta.norm();
+  if (angle * length <= negligible * translation.norm() || angle == 0) {
+    if (translation.norm() > 0) result.direction = translation.normalized();
+    return result;
+  }
+  result.pure_translation = false;
+  result.rotation = angle;
+  result.direction = theta / angle;
+  result.pitch = result.direction.dot(translation) / angle;
+  result.point = about + theta.cross(translation) / (angle * angle);
+  return result;
 }
 
 }  // namespace trivet::spatial

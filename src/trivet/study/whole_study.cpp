@@ -8,13 +8,13 @@
 #include <set>
 #include <string>
 
-#include "trivet/elements/matrix_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/nodes.h"
 #include "trivet/model/point_mass.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/plausibility/overturning.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/study/analyses/case_context.h"

@@ -7,7 +7,7 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
-#include "trivet/design/band_crossings.h"
+#include "trivet/design/crossings.h"
 #include "trivet/study/map/design_map.h"
 
 namespace band_crossings_test {

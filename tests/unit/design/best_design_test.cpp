@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "support/map_outcomes.h"
-#include "trivet/design/best_design.h"
+#include "trivet/design/drawn_grid.h"
 
 namespace best_design_test {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "trivet/design/boundary_crossings.h"
+#include "trivet/design/crossings.h"
 
 namespace boundary_crossings_test {
 

@@ -8,7 +8,7 @@
 #include "support/projects.h"
 #include "trivet/judging/read_project.h"
 #include "trivet/results/design/map_json.h"
-#include "trivet/results/design/map_verdicts.h"
+#include "trivet/results/design/map_summary.h"
 #include "trivet/study/map/design_map.h"
 
 namespace design_evaluation_test {

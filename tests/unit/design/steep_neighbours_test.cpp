@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "trivet/design/steep_neighbours.h"
+#include "trivet/design/drawn_grid.h"
 
 namespace steep_neighbours_test {
 

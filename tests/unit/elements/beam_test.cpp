@@ -7,8 +7,8 @@
 #include <random>
 
 #include "support/matchers.h"
-#include "trivet/elements/matrix_checks.h"
-#include "trivet/elements/sandwich.h"
+#include "trivet/elements/checks.h"
+#include "trivet/elements/rubber_mounts.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace beam_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/elements/damping_force.h"
+#include "trivet/elements/scalar_law.h"
 
 #include <gmock/gmock.h>
 

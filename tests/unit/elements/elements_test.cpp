@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 
 #include "support/random_system.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/matrix_checks.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace elements_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/elements/force_at_rest.h"
+#include "trivet/elements/distance_force.h"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,7 @@
 #include "support/matchers.h"
 #include "support/random_system.h"
 #include "trivet/elements/beam.h"
-#include "trivet/elements/matrix_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace force_at_rest_test {

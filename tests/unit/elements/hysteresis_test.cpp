@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/elements/hysteretic_branch.h"
+#include "trivet/elements/hysteresis.h"
 
 #include <gmock/gmock.h>
 

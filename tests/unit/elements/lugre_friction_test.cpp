@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/elements/lugre_friction.h"
+#include "trivet/elements/friction.h"
 
 #include <gmock/gmock.h>
 

@@ -4,11 +4,10 @@
 #include <random>
 
 #include "support/matchers.h"
-#include "trivet/elements/matrix_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/pressure_modulus.h"
-#include "trivet/elements/rubber_bush.h"
 #include "trivet/elements/rubber_layer.h"
-#include "trivet/elements/sandwich.h"
+#include "trivet/elements/rubber_mounts.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace rubber_test {

@@ -3,8 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "trivet/elements/checks.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace stiffness_over_deflection_test {

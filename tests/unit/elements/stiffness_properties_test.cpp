@@ -9,7 +9,7 @@
 
 #include "support/matchers.h"
 #include "support/random_system.h"
-#include "trivet/elements/matrix_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/spatial/rigid_motion.h"
 

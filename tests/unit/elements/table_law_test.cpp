@@ -6,7 +6,7 @@
 #include <random>
 
 #include "support/matchers.h"
-#include "trivet/elements/matrix_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 

@@ -6,11 +6,9 @@
 
 #include "support/matchers.h"
 #include "support/matrix_files.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/matrix_checks.h"
-#include "trivet/exchange/fixed_components.h"
-#include "trivet/exchange/matrix_market.h"
-#include "trivet/exchange/numpy_array.h"
+#include "trivet/exchange/matrix_formats.h"
 #include "trivet/exchange/text/file_bytes.h"
 #include "trivet/foundation/invalid_input.h"
 

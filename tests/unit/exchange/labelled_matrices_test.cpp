@@ -4,12 +4,11 @@
 
 #include "support/matchers.h"
 #include "support/matrix_files.h"
-#include "trivet/elements/matrix_checks.h"
-#include "trivet/exchange/abaqus_matrix.h"
+#include "trivet/elements/checks.h"
 #include "trivet/exchange/end_stiffness.h"
 #include "trivet/exchange/matrix_file.h"
-#include "trivet/exchange/matrix_storage.h"
-#include "trivet/exchange/nastran_dmig.h"
+#include "trivet/exchange/matrix_formats.h"
+#include "trivet/exchange/named_matrix.h"
 #include "trivet/exchange/text/file_bytes.h"
 
 namespace trivet::test {

@@ -4,9 +4,7 @@
 
 #include "support/matchers.h"
 #include "support/matrix_files.h"
-#include "trivet/exchange/csv_matrix.h"
-#include "trivet/exchange/matrix_market.h"
-#include "trivet/exchange/numpy_array.h"
+#include "trivet/exchange/matrix_formats.h"
 #include "trivet/exchange/text/file_bytes.h"
 #include "trivet/exchange/text/text_lines.h"
 

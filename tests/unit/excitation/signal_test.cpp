@@ -9,9 +9,7 @@
 #include <numbers>
 
 #include "support/matchers.h"
-#include "trivet/excitation/pulses.h"
-#include "trivet/excitation/sampled_signal.h"
-#include "trivet/excitation/sweep.h"
+#include "trivet/excitation/pulses_and_sweeps.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace signal_test {

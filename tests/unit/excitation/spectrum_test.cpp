@@ -10,8 +10,6 @@
 #include <numbers>
 
 #include "support/matchers.h"
-#include "trivet/excitation/cross_spectrum.h"
-#include "trivet/excitation/road.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace spectrum_test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/exports/base_unit.h"
+#include "trivet/exports/unit_variables.h"
 
 #include <gmock/gmock.h>
 

@@ -10,7 +10,7 @@
 
 #include "fmu/fmi2_interface.h"
 #include "fmu/fmi3_interface.h"
-#include "trivet/exports/system_text.h"
+#include "trivet/exports/linear_system.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "two_masses.h"
 

@@ -9,7 +9,7 @@
 
 #include "fmu/resource_folder.h"
 #include "fmu/variable.h"
-#include "trivet/exports/system_text.h"
+#include "trivet/exports/linear_system.h"
 #include "two_masses.h"
 
 namespace fmu_linear_model_test {

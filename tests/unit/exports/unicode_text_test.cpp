@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/exports/unicode_text.h"
+#include "trivet/exports/unique_names.h"
 
 #include <gmock/gmock.h>
 

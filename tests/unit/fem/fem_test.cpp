@@ -9,13 +9,11 @@
 #include <random>
 
 #include "support/tetrahedra.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/matrix_checks.h"
-#include "trivet/fem/bisection.h"
 #include "trivet/fem/element_kernel.h"
-#include "trivet/fem/hyperelastic.h"
-#include "trivet/fem/mesh_checks.h"
-#include "trivet/fem/partial_elimination.h"
+#include "trivet/fem/material.h"
+#include "trivet/fem/mesh.h"
 #include "trivet/fem/preload.h"
 #include "trivet/fem/shapes.h"
 #include "trivet/fem/substructuring.h"

@@ -7,7 +7,7 @@
 #include "support/matchers.h"
 #include "support/step_shapes.h"
 #include "support/stl_shapes.h"
-#include "trivet/fem/mesh_checks.h"
+#include "trivet/fem/mesh.h"
 #include "trivet/fem/msh_file.h"
 #include "trivet/fem/step_mesh.h"
 #include "trivet/foundation/index.h"

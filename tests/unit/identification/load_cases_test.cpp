@@ -5,8 +5,8 @@
 #include <random>
 
 #include "support/matchers.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/identification/stiffness_fit.h"
 

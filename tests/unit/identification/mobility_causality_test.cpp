@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/identification/mobility_causality.h"
+#include "trivet/identification/passive_sections.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/modal/stored_energy.h"
+#include "trivet/modal/modes.h"
 
 #include <gmock/gmock.h>
 

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <vector>
 
-#include "trivet/nonlinear/laws/bristle_harmonics.h"
 #include "trivet/nonlinear/laws/law_harmonics.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/level_crossings.h"

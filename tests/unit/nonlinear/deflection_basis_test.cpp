@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/machine/deflection_basis.h"
+#include "trivet/nonlinear/machine/condensed_machine.h"
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,6 @@
 
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
-#include "trivet/nonlinear/machine/condensed_machine.h"
 #include "trivet/nonlinear/machine/periodic_excitation.h"
 
 namespace deflection_basis_test {

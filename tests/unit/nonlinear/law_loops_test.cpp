@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/law_loops.h"
+#include "trivet/nonlinear/laws/law_harmonics.h"
 
 #include <gmock/gmock.h>
 

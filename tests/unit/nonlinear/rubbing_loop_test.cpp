@@ -9,8 +9,6 @@
 #include <vector>
 
 #include "trivet/nonlinear/laws/law_harmonics.h"
-#include "trivet/nonlinear/laws/rubbing_harmonics.h"
-#include "trivet/nonlinear/laws/sticking_place.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/level_crossings.h"
 

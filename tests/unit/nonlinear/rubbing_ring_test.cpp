@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "trivet/nonlinear/laws/distance_harmonics.h"
-#include "trivet/nonlinear/laws/rubbing_harmonics.h"
+#include "trivet/nonlinear/laws/distance_laws.h"
+#include "trivet/nonlinear/laws/rubbing_loop.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace rubbing_ring_test {

@@ -6,12 +6,8 @@
 #include <complex>
 #include <limits>
 
-#include "trivet/numerics/linalg/cholesky.h"
-#include "trivet/numerics/linalg/complete_pivoting.h"
-#include "trivet/numerics/linalg/general_eigen.h"
-#include "trivet/numerics/linalg/orthogonal.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/numerics/linalg/up_to_twelve.h"
 
 namespace decompositions_test {

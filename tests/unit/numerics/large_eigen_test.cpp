@@ -7,10 +7,9 @@
 #include <limits>
 #include <random>
 
-#include "trivet/numerics/linalg/cholesky.h"
-#include "trivet/numerics/linalg/general_eigen.h"
-#include "trivet/numerics/linalg/quadratic_form.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
 
 namespace large_eigen_test {
 

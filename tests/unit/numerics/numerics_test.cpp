@@ -9,8 +9,8 @@
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/quadratic_roots.h"
+#include "trivet/numerics/peaks/peak_count.h"
 #include "trivet/numerics/peaks/response_series.h"
-#include "trivet/numerics/peaks/sign_changes.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 
 namespace numerics_test {

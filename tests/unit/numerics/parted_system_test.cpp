@@ -8,7 +8,7 @@
 
 #include "trivet/numerics/linalg/massless.h"
 #include "trivet/numerics/linalg/pole_residue.h"
-#include "trivet/numerics/linalg/system_roots.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
 #include "trivet/numerics/peaks/response_series.h"
 
 namespace parted_system_test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 namespace reduced_lu_test {
 

@@ -6,8 +6,8 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/peaks/axis_panels.h"
-#include "trivet/numerics/peaks/sign_changes.h"
-#include "trivet/response/random/integration_panels.h"
+#include "trivet/numerics/peaks/peak_count.h"
+#include "trivet/response/random/basis_integrals.h"
 
 namespace search_bounds_test {
 

@@ -7,8 +7,7 @@
 
 #include "support/matchers.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/search/minimum_between.h"
-#include "trivet/numerics/search/zero_between.h"
+#include "trivet/numerics/search/zeros_and_minima.h"
 
 namespace search_test {
 

@@ -6,8 +6,8 @@
 
 #include "trivet/judging/read_project.h"
 #include "trivet/project/project.h"
-#include "trivet/project/text/default_number.h"
 #include "trivet/project/text/model_path.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace default_number_test {
 

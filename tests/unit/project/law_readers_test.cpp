@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "support/projects.h"
-#include "trivet/elements/lugre_friction.h"
+#include "trivet/elements/friction.h"
 #include "trivet/judging/read_project.h"
 
 namespace law_readers_test {

@@ -3,8 +3,8 @@
 
 #include <stdexcept>
 
+#include "trivet/project/text/document.h"
 #include "trivet/project/text/toml_text.h"
-#include "trivet/project/text/toml_value.h"
 
 namespace toml_value_test {
 

@@ -12,7 +12,7 @@
 
 #include "support/matchers.h"
 #include "trivet/judging/read_project.h"
-#include "trivet/project/analyses/earthquake_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/project.h"
 
 namespace units_in_rows_test {

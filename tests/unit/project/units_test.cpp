@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "support/matchers.h"
-#include "trivet/project/text/derived_units.h"
 #include "trivet/project/text/units.h"
 
 namespace units_test {

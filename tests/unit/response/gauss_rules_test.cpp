@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/response/random/integration_panels.h"
+#include "trivet/response/random/basis_integrals.h"
 
 namespace gauss_rules_test {
 

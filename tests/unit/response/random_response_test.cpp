@@ -13,7 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pole_residue.h"
 #include "trivet/numerics/linalg/polynomial_roots.h"
-#include "trivet/response/random/integration_panels.h"
+#include "trivet/response/random/basis_integrals.h"
 #include "trivet/response/random/random_response.h"
 
 namespace random_response_test {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Static loads of catalogue mounts against equilibrium by hand.
-#include "trivet/response/machinery/rated_loads.h"
+#include "trivet/response/machinery/load_sharing.h"
 
 #include <gmock/gmock.h>
 

@@ -3,7 +3,7 @@
 
 #include "support/projects.h"
 #include "support/transient.h"
-#include "trivet/excitation/pulses.h"
+#include "trivet/excitation/pulses_and_sweeps.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace transient_room_test {

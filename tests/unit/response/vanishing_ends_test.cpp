@@ -3,7 +3,7 @@
 
 #include "support/projects.h"
 #include "trivet/modal/modes.h"
-#include "trivet/response/steady/vanishing_ends.h"
+#include "trivet/response/steady/visible_amplitudes.h"
 
 namespace vanishing_ends_test {
 

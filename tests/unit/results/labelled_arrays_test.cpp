@@ -14,7 +14,7 @@
 #include "trivet/judging/read_project.h"
 #include "trivet/results/format/answer_writer.h"
 #include "trivet/results/format/written_answers.h"
-#include "trivet/study/analyses/transient_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/whole_study.h"
 
 namespace labelled_arrays_test {

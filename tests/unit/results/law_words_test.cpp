@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/results/model/law_words.h"
+#include "trivet/results/model/model_words.h"
 
 #include <gmock/gmock.h>
 

@@ -3,7 +3,7 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
-#include "trivet/results/design/map_verdicts.h"
+#include "trivet/results/design/map_summary.h"
 
 namespace map_verdicts_test {
 

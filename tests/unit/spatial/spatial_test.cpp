@@ -9,7 +9,6 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/spatial/mass_properties.h"
 #include "trivet/spatial/rigid_motion.h"
-#include "trivet/spatial/screw.h"
 
 namespace spatial_test {
 

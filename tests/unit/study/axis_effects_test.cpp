@@ -3,7 +3,7 @@
 
 #include "support/mapped_machine.h"
 #include "support/projects.h"
-#include "trivet/study/map/axis_effects.h"
+#include "trivet/study/map/map_warnings.h"
 
 namespace axis_effects_test {
 

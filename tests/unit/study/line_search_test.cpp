@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/optimize/line_search.h"
+#include "trivet/study/optimize/design_search.h"
 
 #include <gtest/gtest.h>
 

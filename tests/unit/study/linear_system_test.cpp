@@ -8,7 +8,6 @@
 
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/explain/system_matrices.h"
 #include "trivet/study/map/design_sweep.h"
 
 namespace linear_system_test {

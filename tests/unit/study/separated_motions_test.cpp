@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/family/separated_motions.h"
+#include "trivet/study/family/frequency_slopes.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "trivet/exchange/universal/universal_numbers.h"
+#include "trivet/exchange/universal/universal_lines.h"
 
 namespace trivet::exchange {
 namespace {

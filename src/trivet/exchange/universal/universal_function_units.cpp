@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/exchange/universal/universal_function_head.h"
 #include "trivet/exchange/universal/universal_functions.h"
 #include "trivet/exchange/universal/universal_units.h"
 

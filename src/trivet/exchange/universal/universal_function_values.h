@@ -4,11 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "trivet/exchange/universal/universal_function_head.h"
+#include "trivet/exchange/universal/universal_functions.h"
 
-/// The values of set 58 in the units of the file: abscissa, if it is uneven, real part and imaginary part of each
-/// point.
 namespace trivet::exchange {
+
+// The values of set 58 in the units of the file: abscissa, if it is uneven, real part and imaginary part of each
+// point.
 
 /// Values of a set in text form. nullopt with an error if there are fewer or more than announced, or not numbers.
 /// Memory is allocated only after the number of points agrees with the size of the set.

@@ -25,4 +25,25 @@ struct UniversalFunctionSet {
 void convert_to_si(UniversalFunction& function, const std::optional<UniversalUnits>& units, int line,
                    SetProblems& problems);
 
+/// Records 1 to 11 of set 58, before its values.
+struct FunctionHead {
+  UniversalFunction function;  ///< without its values
+  std::size_t points = 0;      ///< announced, ≥ 1; not yet compared with the size of the file
+  std::size_t values_at = 0;   ///< bytes of the body before the values
+  int last_line = 0;           ///< number of the last line of the head
+  int points_line = 0;         ///< number of the line with the number of points
+};
+
+[[nodiscard]] inline bool is_even(const UniversalFunction& function) {
+  return std::holds_alternative<EvenAbscissa>(function.abscissa);
+}
+
+/// Numbers of the file per point: real or complex value, and the abscissa if it is uneven.
+[[nodiscard]] inline std::size_t numbers_per_point(const UniversalFunction& function) {
+  return (function.is_complex ? 2 : 1) + (is_even(function) ? 0 : 1);
+}
+
+/// Reads the head of set 58 in the units of the file. nullopt with an error if a record is missing or has no sense.
+[[nodiscard]] std::optional<FunctionHead> read_function_head(const UniversalSet& set, SetProblems& problems);
+
 }  // namespace trivet::exchange

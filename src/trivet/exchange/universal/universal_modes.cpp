@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/exchange/universal/universal_modes.h"
+#include "trivet/exchange/universal/universal_contents.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "trivet/exchange/universal/universal_descriptions.h"
-#include "trivet/exchange/universal/universal_records.h"
+#include "trivet/exchange/universal/universal_sets.h"
 #include "trivet/exchange/universal/universal_units.h"
 
 namespace trivet::exchange {

@@ -10,12 +10,9 @@
 
 #include "trivet/exchange/text/file_bytes.h"
 #include "trivet/exchange/text/text_lines.h"
+#include "trivet/exchange/universal/universal_contents.h"
 #include "trivet/exchange/universal/universal_descriptions.h"
 #include "trivet/exchange/universal/universal_functions.h"
-#include "trivet/exchange/universal/universal_geometry.h"
-#include "trivet/exchange/universal/universal_modes.h"
-#include "trivet/exchange/universal/universal_responses.h"
-#include "trivet/exchange/universal/universal_systems.h"
 #include "trivet/foundation/plain_text.h"
 
 namespace trivet::exchange {

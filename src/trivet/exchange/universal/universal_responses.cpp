@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/exchange/universal/universal_responses.h"
+#include "trivet/exchange/universal/universal_contents.h"
 
 #include <algorithm>
 #include <utility>

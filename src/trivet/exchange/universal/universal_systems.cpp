@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/exchange/universal/universal_systems.h"
+#include "trivet/exchange/universal/universal_contents.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "trivet/exchange/universal/universal_descriptions.h"
-#include "trivet/exchange/universal/universal_numbers.h"
+#include "trivet/exchange/universal/universal_lines.h"
 #include "trivet/exchange/universal/universal_units.h"
 
 namespace trivet::exchange {

@@ -9,7 +9,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
-#include "trivet/numerics/periodic/harmonic_answers.h"
+#include "trivet/numerics/periodic/fourier_products.h"
 
 namespace trivet::nonlinear {
 

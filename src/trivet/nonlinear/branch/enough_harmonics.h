@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "trivet/model/system.h"
-#include "trivet/nonlinear/balance/steady_options.h"
+#include "trivet/nonlinear/balance/steady_equations.h"
 #include "trivet/nonlinear/branch/steady_path.h"
 #include "trivet/nonlinear/machine/periodic_excitation.h"
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "trivet/nonlinear/balance/steady_equations.h"
 #include "trivet/numerics/periodic/branch.h"
 
 namespace trivet::nonlinear {
@@ -81,5 +82,16 @@ class FollowedMotions {
   std::vector<Turn> turns_;
   std::vector<Piece> pieces_;
 };
+
+/// The motion at which a branch begins: by Newton's method from the linear motion; where that does not converge, from a
+/// raised load or raised nonlinear forces, or from larger motions.
+/// @param branch  of the equations
+[[nodiscard]] std::optional<numerics::BranchPoint> first_motion(const SteadyEquations& equations,
+                                                                const numerics::Branch& branch, double parameter);
+
+/// Motions at a parameter on the path over the load, from a small one through its folds.
+[[nodiscard]] std::vector<numerics::BranchPoint> motions_over_load(const SteadyEquations& equations,
+                                                                   const numerics::Branch& branch, double parameter,
+                                                                   double most_load);
 
 }  // namespace trivet::nonlinear

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/branch/observed_point.h"
+#include "trivet/nonlinear/branch/observed_path.h"
 
 #include <cmath>
 #include <optional>

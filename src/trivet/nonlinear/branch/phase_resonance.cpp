@@ -15,8 +15,8 @@
 #include "trivet/nonlinear/balance/known_forces.h"
 #include "trivet/nonlinear/balance/phase_equations.h"
 #include "trivet/nonlinear/branch/enough_harmonics.h"
-#include "trivet/nonlinear/branch/observed_point.h"
-#include "trivet/numerics/periodic/branch_walk.h"
+#include "trivet/nonlinear/branch/observed_path.h"
+#include "trivet/numerics/periodic/branch.h"
 
 namespace trivet::nonlinear {
 namespace {

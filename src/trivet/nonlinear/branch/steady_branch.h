@@ -9,7 +9,7 @@
 #include "trivet/foundation/interruption.h"
 #include "trivet/model/system.h"
 #include "trivet/nonlinear/balance/observed_motion.h"
-#include "trivet/nonlinear/balance/steady_options.h"
+#include "trivet/nonlinear/balance/steady_equations.h"
 #include "trivet/nonlinear/branch/detached_motions.h"
 
 namespace trivet::nonlinear {

@@ -12,7 +12,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/laws/ending_cause.h"
-#include "trivet/numerics/periodic/branch_walk.h"
+#include "trivet/numerics/periodic/branch.h"
 
 namespace trivet::nonlinear {
 

@@ -10,7 +10,6 @@
 #include "trivet/nonlinear/balance/known_forces.h"
 #include "trivet/nonlinear/balance/steady_equations.h"
 #include "trivet/nonlinear/branch/followed_motions.h"
-#include "trivet/nonlinear/branch/raised_motions.h"
 #include "trivet/numerics/periodic/branch.h"
 
 namespace trivet::nonlinear {

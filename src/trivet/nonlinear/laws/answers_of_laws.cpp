@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/answers_of_laws.h"
+#include "trivet/nonlinear/laws/laws_along.h"
 
 #include <cassert>
 #include <cmath>
 #include <vector>
 
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 namespace trivet::nonlinear {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "trivet/nonlinear/laws/distance_harmonics.h"
+#include "trivet/nonlinear/laws/distance_laws.h"
 #include "trivet/nonlinear/laws/law_harmonics.h"
 
 namespace trivet::nonlinear {

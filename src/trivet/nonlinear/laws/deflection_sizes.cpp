@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/deflection_sizes.h"
+#include "trivet/nonlinear/laws/deflections.h"
 
 #include <algorithm>
 #include <array>

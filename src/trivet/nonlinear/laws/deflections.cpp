@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 namespace trivet::nonlinear {
 namespace {

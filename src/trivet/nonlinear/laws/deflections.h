@@ -2,13 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
-#include "trivet/nonlinear/laws/distance_about.h"
+#include "trivet/nonlinear/laws/distance_laws.h"
 #include "trivet/nonlinear/laws/law_about.h"
 #include "trivet/nonlinear/laws/rubbing_about.h"
 
@@ -70,5 +71,22 @@ void add_rubbings(const model::System& system, const assembly::Assembled& assemb
 
 /// Has any part dampers without damping at small rates?
 [[nodiscard]] bool has_slack_dampers(const model::System& system);
+
+/// What changes and errors of deflections are compared with: translations with the largest translation, rotations with
+/// the largest rotation. Metres and radians have no common measure, so that a large angle must not hide a travel that
+/// it has nothing to do with; only round-off is small in both: the largest of a kind counts as at least a hundredth of
+/// the one that needs the same energy as the largest of the other kind.
+class DeflectionSizes {
+ public:
+  /// @param receptance  at ω = 0, deflections × deflections
+  DeflectionSizes(const std::vector<Deflection>& deflections, const Eigen::MatrixXd& receptance);
+
+  /// @param of  of each deflection, ≥ 0
+  [[nodiscard]] Eigen::VectorXd largest_of_kind(const Eigen::VectorXd& of) const;
+
+ private:
+  std::vector<bool> is_rotation_;
+  Eigen::VectorXd per_root_energy_;
+};
 
 }  // namespace trivet::nonlinear

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/force_remainder.h"
+#include "trivet/nonlinear/laws/machine_laws.h"
 
 #include <algorithm>
 #include <cassert>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/nonlinear/laws/bristle_harmonics.h"
+#include "trivet/nonlinear/laws/bristle_loop.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/fourier_products.h"
 #include "trivet/numerics/periodic/gauss_nodes.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/law_loops.h"
+#include "trivet/nonlinear/laws/law_harmonics.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/nonlinear/laws/law_harmonics.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace trivet::nonlinear {

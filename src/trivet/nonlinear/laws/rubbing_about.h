@@ -1,15 +1,57 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+
 #include <optional>
 #include <vector>
 
 #include "trivet/elements/distance_force.h"
-#include "trivet/elements/rubbing_friction.h"
-#include "trivet/nonlinear/laws/contact_frame.h"
+#include "trivet/elements/friction.h"
 #include "trivet/nonlinear/laws/law_about.h"
 
 namespace trivet::nonlinear {
+
+/// How three deflections press a contact and rub it, at one instant: in a plane the deflection that presses it and the
+/// two across; within a ring its own three, of which the third is along its axis.
+struct ContactFrame {
+  using Rows = Eigen::Matrix<double, 2, 3>;
+
+  double along = 0;                                         ///< deviation from rest that presses it
+  Eigen::RowVector3d normal = Eigen::RowVector3d::UnitX();  ///< it by the deflections
+  Eigen::Vector2d across = Eigen::Vector2d::Zero();         ///< place on the wall; around a ring on the radius at rest
+  Rows on_wall = across_plane();                            ///< it by the deflections
+  Rows tangents = across_plane();                           ///< unit directions of the friction
+  double hoop = 1;       ///< the friction around a ring over the force that belongs to the travel on its wall
+  double curvature = 0;  ///< of the way around a ring [1/m]
+
+  /// The friction of a force over the travel on the wall.
+  [[nodiscard]] Eigen::Vector2d friction(const Eigen::Vector2d& on_the_wall) const {
+    return {hoop * on_the_wall.x(), on_the_wall.y()};
+  }
+  [[nodiscard]] double hoop_by_along() const { return -hoop * curvature; }
+  /// Forces on the deflections by the deflections, as their direction turns with the contact.
+  [[nodiscard]] Eigen::Matrix3d turned(const Eigen::Vector2d& friction) const {
+    return -friction.x() * curvature * normal.transpose() * tangents.row(0);
+  }
+
+ private:
+  static Rows across_plane() {
+    Rows rows = Rows::Zero();
+    rows.rightCols<2>().setIdentity();
+    return rows;
+  }
+};
+
+/// Of a frame by the phase.
+struct FrameRates {
+  double along = 0;
+  Eigen::RowVector3d normal = Eigen::RowVector3d::Zero();
+  Eigen::Vector2d across = Eigen::Vector2d::Zero();
+  ContactFrame::Rows on_wall = ContactFrame::Rows::Zero();
+};
+/// @param slope  of the deflections
+[[nodiscard]] FrameRates rates_of(const ContactFrame& frame, const Eigen::Vector3d& slope);
 
 /// Friction across a contact over deviations from rest, where it bears no force: beyond the stiffness with which the
 /// linear machine sticks there if the contact is pressed at rest.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/rubbing_harmonics.h"
+#include "trivet/nonlinear/laws/rubbing_loop.h"
 
 #include <cassert>
 

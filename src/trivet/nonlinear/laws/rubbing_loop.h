@@ -2,16 +2,37 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <array>
 #include <complex>
 #include <optional>
 #include <vector>
 
 #include "trivet/nonlinear/laws/rubbing_about.h"
-#include "trivet/nonlinear/laws/sticking_place.h"
 #include "trivet/numerics/periodic/spatial_motion.h"
 
 namespace trivet::nonlinear {
+
+struct Disc {
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  double radius = 0;
+  double hoop = 1;  ///< of an ellipse: its first axis is the radius over this
+};
+
+/// The place that lies deepest within all discs, and its derivatives by the one to three discs that hold it. Within
+/// ellipses the discs through it: as deep as within each of them, but another place may be a little deeper.
+struct DeepestPlace {
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  double beyond = 0;  ///< the edge of the discs that hold it; > 0: they have no common point, or none was found
+  struct Held {
+    std::size_t disc = 0;
+    Eigen::Matrix2d by_center = Eigen::Matrix2d::Identity();
+    Eigen::Vector2d by_radius = Eigen::Vector2d::Zero(), by_hoop = Eigen::Vector2d::Zero();
+  };
+  std::vector<Held> held;
+};
+/// @param discs  at least one
+[[nodiscard]] DeepestPlace deepest_place(const std::vector<Disc>& discs);
 
 /// The friction across a contact over a periodic motion: after one period it is that before it. Instants at which the
 /// contact opens, sticks and slips are found; between them the force is stepped from node to node.
@@ -136,5 +157,24 @@ extern template RubbingLoop::Forces<double> RubbingLoop::variation(const Variati
                                                                    std::optional<double>) const;
 extern template RubbingLoop::Forces<std::complex<double>> RubbingLoop::variation(
     const Variation<std::complex<double>>&, std::optional<std::complex<double>>) const;
+
+/// Forces × the three deflections of a contact (RubbingAbout); without any entry: none.
+template <typename Entry>
+using OfContact = std::array<std::array<Entry, 3>, 3>;
+
+/// Fourier coefficients of the friction on the three deflections of a contact, beyond the stiffness of the linear
+/// machine, and their derivatives.
+struct RubbingHarmonics {
+  Eigen::MatrixXd force, by_omega;  ///< coefficients × 3
+  OfContact<Eigen::MatrixXd> tangent = {};
+};
+/// @param course  that of the loop
+[[nodiscard]] RubbingHarmonics rubbing_harmonics(const RubbingLoop& loop, const Eigen::MatrixXd& course, double omega,
+                                                 bool with_tangent);
+
+/// The forces at the frequencies μ + k, k = −K … K, by variations e^{i(μ + l)φ} of the deflections.
+using RubbingVariation = OfContact<Eigen::MatrixXcd>;
+[[nodiscard]] RubbingVariation rubbing_variation(const RubbingLoop& loop, double omega, double mu,
+                                                 Eigen::Index harmonics);
 
 }  // namespace trivet::nonlinear

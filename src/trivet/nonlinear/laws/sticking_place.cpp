@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/sticking_place.h"
+#include "trivet/nonlinear/laws/rubbing_loop.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 namespace trivet::nonlinear {
 

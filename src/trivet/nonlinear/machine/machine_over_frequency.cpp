@@ -7,8 +7,8 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/machine/linear_machine.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
-#include "trivet/numerics/linalg/system_roots.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
 
 namespace trivet::nonlinear {
 namespace {

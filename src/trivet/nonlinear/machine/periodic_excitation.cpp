@@ -10,7 +10,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/machinery/order_loading.h"
+#include "trivet/response/machinery/run_up.h"
 
 namespace trivet::nonlinear {
 namespace {

@@ -14,8 +14,7 @@
 #include "trivet/nonlinear/laws/held_by_friction.h"
 #include "trivet/nonlinear/machine/reference_machine.h"
 #include "trivet/nonlinear/modes/free_motion.h"
-#include "trivet/nonlinear/modes/modes_at_rest.h"
-#include "trivet/numerics/periodic/branch_walk.h"
+#include "trivet/numerics/periodic/branch.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace trivet::nonlinear {

@@ -7,8 +7,8 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/rest/load_path.h"
-#include "trivet/numerics/linalg/orthogonal.h"
-#include "trivet/numerics/search/zero_between.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/search/zeros_and_minima.h"
 
 namespace trivet::nonlinear {
 

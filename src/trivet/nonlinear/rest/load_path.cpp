@@ -11,11 +11,10 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/orthogonal.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
-#include "trivet/numerics/periodic/branch_walk.h"
-#include "trivet/numerics/search/zero_between.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
+#include "trivet/numerics/periodic/branch.h"
+#include "trivet/numerics/search/zeros_and_minima.h"
 
 namespace trivet::nonlinear {
 

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "trivet/nonlinear/laws/deflection_sizes.h"
 #include "trivet/nonlinear/laws/deflections.h"
 #include "trivet/numerics/periodic/branch.h"
 

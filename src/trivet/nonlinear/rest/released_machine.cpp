@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "trivet/nonlinear/rest/load_path.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
-#include "trivet/numerics/search/zero_between.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
+#include "trivet/numerics/search/zeros_and_minima.h"
 
 namespace trivet::nonlinear {
 

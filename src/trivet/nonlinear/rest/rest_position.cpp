@@ -11,12 +11,12 @@
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/assembly/second_order.h"
-#include "trivet/foundation/grouped_notes.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/message_list.h"
 #include "trivet/nonlinear/laws/deflections.h"
 #include "trivet/nonlinear/rest/load_path.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 namespace trivet::nonlinear {
 

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
-#include "trivet/nonlinear/laws/answers_of_laws.h"
+#include "trivet/nonlinear/laws/laws_along.h"
 #include "trivet/nonlinear/laws/machine_laws.h"
 #include "trivet/nonlinear/machine/condensed_machine.h"
 #include "trivet/numerics/periodic/linear_flow.h"
@@ -101,6 +103,28 @@ class PeriodicStability {
   mutable std::map<std::vector<double>, numerics::LinearFlow> flows_;
   /// Rows of the Fourier basis in the middle of each step of a whole period, by the numbers of steps and harmonics.
   mutable std::map<std::pair<int, Eigen::Index>, Eigen::MatrixXd> rows_;
+};
+
+/// Stability of periodic motions from the receptance alone, so also of machines that are not a set of states in time.
+/// Floquet exponents s are zeros of D(s) = det(I + G(s + ikω) T), k = −K … K, in one strip |Im s| ≤ ω/2, where T is the
+/// Toeplitz matrix of the tangents along the motion. By the argument principle the number of zeros with Re s > 0 is
+/// that of the poles of G there less the turns of D(iν) about 0 for ν from −ω/2 to ω/2.
+/// [Hill 1886; Lazarus, Thomas, C. R. Mécanique 338 (2010)]
+class WindingStability {
+ public:
+  /// Both must outlive it. The machine has no loss factors, which are not analytic in s.
+  WindingStability(const CondensedMachine& machine, const std::vector<Deflection>& deflections)
+      : machine_(machine), deflections_(deflections) {}
+
+  /// Number of Floquet exponents with Re s > 0; empty if an exponent lies on the axis, to
+  /// round-off: D is then almost zero somewhere, and its turns cannot be told.
+  /// @param motion  Fourier coefficients × all deflections
+  /// @param omega   of the first harmonic [rad/s]
+  [[nodiscard]] std::optional<int> unstable_exponents(const Eigen::MatrixXd& motion, double omega) const;
+
+ private:
+  const CondensedMachine& machine_;
+  const std::vector<Deflection>& deflections_;
 };
 
 }  // namespace trivet::nonlinear

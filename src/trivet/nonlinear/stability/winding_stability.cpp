@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/stability/winding_stability.h"
+#include "trivet/nonlinear/stability/periodic_stability.h"
 
 #include <algorithm>
 #include <cassert>
@@ -7,10 +7,10 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/nonlinear/laws/bristle_harmonics.h"
+#include "trivet/nonlinear/laws/bristle_loop.h"
 #include "trivet/nonlinear/laws/machine_laws.h"
-#include "trivet/nonlinear/laws/rubbing_harmonics.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/nonlinear/laws/rubbing_loop.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/fourier_products.h"
 #include "trivet/numerics/periodic/gauss_nodes.h"

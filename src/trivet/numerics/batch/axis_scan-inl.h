@@ -14,7 +14,7 @@
 #include <cassert>
 #include <cstdint>
 
-#include "trivet/numerics/batch/found_extremum.h"
+#include "trivet/numerics/batch/peak_question.h"
 #include "trivet/numerics/batch/zones-inl.h"
 
 HWY_BEFORE_NAMESPACE();

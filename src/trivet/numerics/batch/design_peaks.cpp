@@ -12,9 +12,9 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/batch/peak_question.h"
-#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/numerics/linalg/system_roots.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
 #include "trivet/numerics/peaks/disc_search.h"
 #include "trivet/numerics/peaks/peak_count.h"
 

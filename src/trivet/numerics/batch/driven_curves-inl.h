@@ -19,7 +19,7 @@
 #include "trivet/numerics/batch/curve_search-inl.h"
 #include "trivet/numerics/batch/round_off-inl.h"
 #include "trivet/numerics/roots/design_columns-inl.h"
-#include "trivet/numerics/roots/driven_designs.h"
+#include "trivet/numerics/roots/designs.h"
 #include "trivet/numerics/roots/driven_poles-inl.h"
 
 HWY_BEFORE_NAMESPACE();

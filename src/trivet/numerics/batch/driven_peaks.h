@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "trivet/numerics/batch/design_peaks.h"
-#include "trivet/numerics/roots/driven_designs.h"
+#include "trivet/numerics/roots/designs.h"
 
 namespace trivet::numerics {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "trivet/numerics/peaks/observed_curve.h"
+#include "trivet/numerics/peaks/extremum.h"
 #include "trivet/numerics/roots/root_table.h"
 
 namespace trivet::numerics {
@@ -49,5 +49,19 @@ struct TablePeaks {
 
 /// Highest values and peaks from the partial fractions of |y|² in ω², eight designs at once.
 void peaks_from_roots(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks);
+
+/// A zero of the slope of one curve in one lane, or an x near it.
+struct FoundExtremum {
+  int lane = 0;
+  int channel = 0;
+  double at = 0;     ///< x, ω² or ω
+  double lower = 0;  ///< ends of its panel
+  double upper = 0;
+  bool maximum = false;
+  double value = 0;   ///< half of |y|², after refinement
+  double missed = 0;  ///< error of `value`: change by a further step, and round-off
+};
+
+using FoundExtrema = std::vector<FoundExtremum>;
 
 }  // namespace trivet::numerics

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/linalg/general_eigen.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 #include <cassert>
 #include <limits>

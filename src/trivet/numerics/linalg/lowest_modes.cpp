@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/linalg/lowest_modes.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -11,8 +11,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
-#include "trivet/numerics/linalg/normed_modes.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 namespace trivet::numerics {
 namespace {

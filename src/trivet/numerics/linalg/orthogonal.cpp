@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/linalg/orthogonal.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 #include <Eigen/QR>
 #include <algorithm>

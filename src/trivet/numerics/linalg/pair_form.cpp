@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/general_eigen.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/numerics/linalg/up_to_twelve.h"
 
 namespace trivet::numerics {

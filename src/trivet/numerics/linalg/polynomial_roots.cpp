@@ -6,7 +6,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/general_eigen.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 namespace trivet::numerics {
 

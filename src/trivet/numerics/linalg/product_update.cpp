@@ -6,7 +6,7 @@
 #include <hwy/foreach_target.h>
 
 #include "trivet/numerics/lanes/lanes-inl.h"
-#include "trivet/numerics/linalg/product_tile.h"
+#include "trivet/numerics/linalg/product_update.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -55,7 +55,6 @@ HWY_AFTER_NAMESPACE();
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/lanes/dispatch.h"
-#include "trivet/numerics/linalg/product_update.h"
 
 namespace trivet::numerics {
 namespace {

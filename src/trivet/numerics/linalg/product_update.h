@@ -3,9 +3,16 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+
 #include "trivet/numerics/lanes/line_memory.h"
 
 namespace trivet::numerics {
+
+/// Rows and columns of the part of a product that the registers hold.
+struct TileSize {
+  std::ptrdiff_t rows, columns;
+};
 
 /// Which entries of a matrix are needed.
 enum class Needed { all, lower_triangle };

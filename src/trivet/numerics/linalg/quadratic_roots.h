@@ -4,8 +4,22 @@
 #include <Eigen/Core>
 
 #include "trivet/numerics/linalg/dynamic_matrices.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 namespace trivet::numerics {
+
+/// First-order form of A q̈ + B q̇ + (K + iK_loss) q = h: ẋ = state · x + input, q = output · x.
+struct StateForm {
+  Eigen::MatrixXcd state, input, output;
+  bool real = true;  ///< the state matrix has no imaginary part
+};
+
+/// States (q, q̇, z), scaled; z are the coordinates without mass, which need a regular block of B.
+/// Not finite if that block or the mass matrix of the others is singular.
+[[nodiscard]] StateForm state_form(const DynamicMatrices& matrices, const Eigen::MatrixXcd& right_sides);
+
+/// @throws foundation::NotComputable if the eigensolver does not converge
+[[nodiscard]] GeneralEigen eigen_of_states(const StateForm& form);
 
 /// Roots λ and vectors v of a quadratic eigenproblem (λ²A + λB + K + iK_loss) v = 0.
 struct QuadraticRoots {
@@ -26,5 +40,20 @@ struct QuadraticRoots {
 /// eigensolver leaves few digits of Re λ. Roots without small, convergent steps (clusters, defective pairs) are
 /// unchanged. Cost O(count n³): meant for n ≤ 60.
 void refine_roots(const DynamicMatrices& matrices, QuadraticRoots& roots);
+
+/// All roots of λ²A + λB + K + iK_loss. Roots with |λ| ≤ at_rest belong to rigid-body modes; at_rest is 0 if the solver
+/// separates these modes exactly.
+struct SystemRoots {
+  QuadraticRoots roots;
+  double at_rest = 0;
+};
+
+/// The method depends on the matrices: undamped modes alone, states in undamped modes, or states of the matrices
+/// themselves; refined in extended precision up to 60 coordinates. Some coordinates may have no mass.
+/// @throws foundation::NotComputable if an eigensolver does not converge, or a coordinate without mass has no stiffness
+[[nodiscard]] SystemRoots system_roots(const DynamicMatrices& matrices);
+
+/// Poles of any response at iω = λ; those of rigid-body modes are exactly 0.
+[[nodiscard]] Eigen::VectorXcd poles(const SystemRoots& of);
 
 }  // namespace trivet::numerics

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 namespace trivet::numerics {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
 

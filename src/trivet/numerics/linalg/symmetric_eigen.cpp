@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/linalg/system_roots.h"
+#include "trivet/numerics/linalg/quadratic_roots.h"
 
 #include <algorithm>
 #include <cassert>
@@ -9,9 +9,9 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::numerics {
 namespace {

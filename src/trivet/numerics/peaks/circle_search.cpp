@@ -11,7 +11,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/peaks/axis_panels.h"
-#include "trivet/numerics/peaks/curve_series.h"
+#include "trivet/numerics/peaks/response_series.h"
 
 namespace trivet::numerics {
 namespace {

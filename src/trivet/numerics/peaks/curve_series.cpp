@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/peaks/curve_series.h"
+#include "trivet/numerics/peaks/response_series.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/peaks/extremum.h"
-#include "trivet/numerics/peaks/sign_changes.h"
+#include "trivet/numerics/peaks/peak_count.h"
 
 namespace trivet::numerics {
 namespace {

@@ -9,7 +9,6 @@
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/numerics/linalg/load.h"
 #include "trivet/numerics/peaks/extremum.h"
-#include "trivet/numerics/peaks/observed_curve.h"
 
 namespace trivet::numerics {
 

@@ -7,7 +7,7 @@
 
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/numerics/linalg/load.h"
-#include "trivet/numerics/peaks/observed_curve.h"
+#include "trivet/numerics/peaks/extremum.h"
 
 // Real: double, or extended precision for the refinement of peaks.
 namespace trivet::numerics {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/sparse_system.h"
 #include "trivet/numerics/peaks/jet.h"
 

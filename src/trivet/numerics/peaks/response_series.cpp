@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/massless.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/numerics/periodic/branch_walk.h"
+#include "trivet/numerics/periodic/branch.h"
 
 #include <algorithm>
 #include <utility>

@@ -38,7 +38,7 @@ HWY_AFTER_NAMESPACE();
 #include <cassert>
 
 #include "trivet/numerics/lanes/dispatch.h"
-#include "trivet/numerics/periodic/harmonic_answers.h"
+#include "trivet/numerics/periodic/fourier_products.h"
 
 namespace trivet::numerics {
 namespace {

@@ -5,7 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "trivet/numerics/lanes/lanes-inl.h"
-#include "trivet/numerics/periodic/kicked_flow.h"
+#include "trivet/numerics/periodic/linear_flow.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {

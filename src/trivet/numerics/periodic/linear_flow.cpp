@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/general_eigen.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
-#include "trivet/numerics/periodic/kicked_flow.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 
 namespace trivet::numerics {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 namespace trivet::numerics {
 namespace {

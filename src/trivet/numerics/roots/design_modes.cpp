@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/roots/design_modes.h"
 #include "trivet/numerics/roots/modes-inl.h"
 

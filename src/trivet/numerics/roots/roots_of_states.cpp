@@ -5,7 +5,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/pole_residue.h"
 #include "trivet/numerics/roots/root_table.h"
 

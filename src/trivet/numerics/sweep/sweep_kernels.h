@@ -8,7 +8,7 @@
 
 #include "trivet/numerics/lanes/planes.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
-#include "trivet/numerics/linalg/pivoted_solution.h"
+#include "trivet/numerics/linalg/refined_solution.h"
 
 namespace trivet::numerics::sweep_kernels {
 

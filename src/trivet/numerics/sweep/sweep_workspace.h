@@ -1,11 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Solves the frequencies of one system, chunk by chunk.
 #pragma once
 
+// Solution plan for the frequencies of one system, prepared once; sweep_workspace.h executes it.
+#include <optional>
+
+#include "trivet/foundation/index.h"
+// Solves the frequencies of one system, chunk by chunk.
 #include "trivet/numerics/lanes/line_memory.h"
-#include "trivet/numerics/sweep/sweep_plan.h"
+#include "trivet/numerics/sweep/block_sweep.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
+#include "trivet/numerics/sweep/sweep_kernels.h"
 
 namespace trivet::numerics {
+
+enum class SweepSolver {
+  aimed,         ///< n ≤ 6, the load a real direction times a factor: unrolled loops, no forward substitution
+  fixed,         ///< n ≤ 6, any load: unrolled loops
+  blocks,        ///< n > 6, or a frequency-dependent part: by bodies, blocks without coupling are skipped
+  pivoted,       ///< unsymmetric
+  one_frequency  ///< unsymmetric, many coordinates with a frequency-dependent part: one frequency at a time, to save
+                 ///< memory
+};
+
+/// One system in coordinates of unit mass diagonal. Selects the solver of a sweep.
+class SweepPlan {
+ public:
+  SweepPlan(const DynamicMatrices& matrices, const Load& load, FrequencyPart part = {});
+
+  [[nodiscard]] SweepSolver solver() const { return solver_; }
+  [[nodiscard]] int size() const { return static_cast<int>(scale_.size()); }
+  /// Time of one solution relative to one of six coordinates, to an order of magnitude: a body among many takes five
+  /// times as long as a single one, element laws take longer.
+  [[nodiscard]] std::size_t weight() const { return (size() > 6 ? to_size(size()) : 1) * (part_ ? 20U : 1U); }
+
+ private:
+  friend class SweepWorkspace;
+  void choose_solver();
+  void aim(const LoadTerm& term, Eigen::Index last);
+  void use_blocks(const DynamicMatrices& given, const Load& given_load);
+  [[nodiscard]] bool evaluates_part_per_frequency() const {
+    return part_ && (solver_ == SweepSolver::blocks || solver_ == SweepSolver::one_frequency);
+  }
+
+  Eigen::VectorXd scale_;
+  DynamicMatrices matrices_;  ///< empty if `blocks_` contains them
+  Load load_;
+  FrequencyPart part_;
+  SweepSolver solver_ = SweepSolver::pivoted;
+  std::optional<sweep_kernels::Coefficients>
+      solved_;  ///< input of the solver, in the coordinates of `aim_` if it is aimed
+  sweep_kernels::Aim aim_;
+  std::optional<BlockSweep> blocks_;
+  std::vector<FreeEntry> free_;  ///< for blocks: entries that the part may change
+};
 
 /// Memory for one chunk of frequencies on one thread, and its solutions.
 class SweepWorkspace {

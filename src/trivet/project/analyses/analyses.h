@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <complex>
 #include <map>
 #include <memory>
 #include <optional>
@@ -8,15 +12,123 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/assembly/band.h"
+#include "trivet/assembly/channels.h"
 #include "trivet/assembly/limit_line.h"
-#include "trivet/project/analyses/design_axis.h"
-#include "trivet/project/analyses/measurement.h"
-#include "trivet/project/analyses/mount_choice.h"
-#include "trivet/project/analyses/optimize_request.h"
 #include "trivet/project/analyses/question.h"
 #include "trivet/project/analyses/requirements.h"
+#include "trivet/project/text/document.h"
+#include "trivet/project/text/units.h"
 
 namespace trivet::project {
+
+// Measured curves and mode shapes, expressed in results and places of the model.
+
+/// A measured function that belongs to one result. Values are in the quantity of the response, multiplied by the force
+/// of the excitation if the function is measured per force.
+struct MeasuredCurve {
+  std::string result;                     ///< "machine.seat.z"
+  std::string source;                     ///< in its file: "3:+z", or the name of its columns
+  std::vector<double> angular_frequency;  ///< [rad/s], ascending, > 0
+  Eigen::VectorXcd value;                 ///< SI
+  Eigen::VectorXd coherence;              ///< 0 … 1; empty if it is not measured
+};
+
+/// One measured component of a shape: a translation of a place along an axis of the ground.
+struct ShapeComponent {
+  std::size_t body = 0;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< of the place, body frame [m]
+  int axis = 0;                                  ///< 0, 1, 2: x, y, z of the ground
+};
+
+struct MeasuredMode {
+  int number = 0;  ///< as in the file
+  double angular_frequency = 0;
+  double damping_ratio = 0;
+  Eigen::VectorXcd shape;  ///< one value per component
+};
+
+/// True for a frequency inside a band, ends included.
+[[nodiscard]] inline bool covers(const assembly::Band& band, double omega) {
+  constexpr double rounding = 1e-9;
+  return omega >= band.from * (1 - rounding) && omega <= band.to * (1 + rounding);
+}
+
+/// A table of [measurements].
+struct Measurement {
+  std::string name;
+  std::string file;        ///< as the project file names it
+  std::string excitation;  ///< the only one that acts; empty: those of the response
+  std::vector<MeasuredCurve> curves;
+  std::vector<ShapeComponent> components;  ///< of all shapes
+  std::vector<MeasuredMode> modes;
+};
+
+/// What of the results of `minimize` is made small: the largest amplitude over the band, the root mean square under the
+/// random excitations, or the magnitude under gravity and constant forces. Or, instead of results, the price of the
+/// chosen mounts, or the largest transmissibility of the required isolations as a share of the allowed one.
+enum class Minimized { amplitude, rms, at_rest, price, isolation };
+
+inline constexpr int usual_starts = 32;
+
+/// The search for the best design: [analyses.optimize].
+struct OptimizeRequest {
+  std::vector<std::string> parameters;  ///< names in [parameters], of numbers and choices; empty: all
+  std::vector<std::string> minimize;    ///< results with the amplitude to minimise over the band of the requirements;
+                                        ///< empty: the largest least margin of the requirements
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of these
+  Minimized minimized = Minimized::amplitude;
+  std::vector<double> weights;     ///< of these, for a sum of amplitudes; empty: the largest counts
+  std::vector<std::string> front;  ///< two or three results between whose amplitudes the front is searched
+  int points = 11;                 ///< of a front of two
+  std::optional<int> starts;       ///< climbs; none: `usual_starts`, or fewer of designs that take long
+  int combinations = 1000;         ///< most combinations of mounts whose numbers are optimised
+
+  /// True if a parameter of this name is varied.
+  [[nodiscard]] bool varies(const std::string& parameter) const {
+    return parameters.empty() || std::ranges::find(parameters, parameter) != parameters.end();
+  }
+};
+
+/// Which mounts may be used at some places, the same at all of them: [parameters.NAME] with `choices` or `catalogue`.
+struct MountChoice {
+  std::string name;
+  std::vector<std::string> paths;     ///< elements.NAME.type or element_types.NAME.type
+  std::vector<std::string> elements;  ///< names of the elements there
+  std::vector<std::string> mounts;    ///< names in the catalogue
+  std::optional<Node> catalogue;      ///< file of these, as written; none: that of the places, or the generic one
+};
+
+/// True if a table of [parameters] is a choice of mounts, not a range of numbers.
+[[nodiscard]] inline bool is_mount_choice(const Node& parameter) {
+  return parameter.find("choices") || parameter.find("catalogue");
+}
+
+/// The change that puts one of the mounts at all places.
+[[nodiscard]] Node change_of(const MountChoice& choice, std::size_t mount);
+
+/// Where a parameter acts: the number at this path is `factor` times its value.
+struct ParameterPlace {
+  std::string path;  ///< as in --set
+  double factor = 1;
+  bool operator==(const ParameterPlace&) const = default;
+};
+
+/// A number that varies from design to design: an axis of a map, or [parameters.NAME].
+struct DesignAxis {
+  std::string parameter;    ///< dotted path of the first place
+  std::string name;         ///< name in tables and pictures; the path by default
+  double from = 0, to = 1;  ///< in `unit`
+  std::string unit;         ///< as written with from and to; empty: that of a bare number (SI)
+  bool logarithmic = false;
+  int points = 101;                    ///< of a map
+  std::vector<ParameterPlace> places;  ///< all of them
+  std::optional<Quantity> quantity;    ///< of the number at the first place; none if it cannot be read
+
+  [[nodiscard]] double at(double share) const;     ///< the value at 0 … 1 of the axis, ends exact
+  [[nodiscard]] double share(double value) const;  ///< inverse of `at`, also beyond the ends
+  bool operator==(const DesignAxis&) const = default;
+};
 
 /// Of the frequencies of a response.
 enum class Spacing { automatic, linear, logarithmic };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/analyses_reader.h"
+#include "trivet/project/analyses/request_readers.h"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,7 @@
 #include "trivet/project/analyses/design_axis_reader.h"
 #include "trivet/project/analyses/map_reader.h"
 #include "trivet/project/analyses/map_requirements.h"
-#include "trivet/project/analyses/optimize_reader.h"
 #include "trivet/project/analyses/question_reader.h"
-#include "trivet/project/analyses/requirements_reader.h"
 
 namespace trivet::project {
 namespace {

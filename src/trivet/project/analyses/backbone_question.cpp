@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/backbone_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "trivet/project/analyses/harmonics_reader.h"
 #include "trivet/project/analyses/question_reader.h"
+#include "trivet/project/analyses/request_readers.h"
 
 namespace trivet::project {
 namespace {

@@ -9,11 +9,11 @@
 #include <cmath>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/analyses/mount_choice.h"
+#include "trivet/project/analyses/analyses.h"
 #include "trivet/project/text/admissible_range.h"
-#include "trivet/project/text/default_number.h"
-#include "trivet/project/text/derived_units.h"
 #include "trivet/project/text/model_path.h"
+#include "trivet/project/text/shared_keys.h"
+#include "trivet/project/text/units.h"
 
 namespace trivet::project {
 namespace {

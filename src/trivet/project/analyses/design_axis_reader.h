@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/project/analyses/design_axis.h"
+#include "trivet/project/analyses/analyses.h"
 #include "trivet/project/text/table_reader.h"
 
 namespace trivet::project {

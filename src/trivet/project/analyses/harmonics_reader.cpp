@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/harmonics_reader.h"
+#include "trivet/project/analyses/request_readers.h"
 
 #include <fmt/format.h>
 

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/band_reader.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/left_out_results.h"
+#include "trivet/project/analyses/request_readers.h"
 
 #include <algorithm>
 #include <utility>

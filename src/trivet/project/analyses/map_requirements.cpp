@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <iterator>
 
-#include "trivet/project/analyses/map_of_case.h"
 #include "trivet/project/analyses/map_reader.h"
 
 namespace trivet::project {
+
 void use_requirements(Analyses& analyses) {
   if (!analyses.map) return;
   MapRequest& map = *analyses.map;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/optimize_reader.h"
+#include "trivet/project/analyses/request_readers.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/analyses/amplitude_limits.h"
-#include "trivet/project/analyses/mount_choice.h"
+#include "trivet/project/analyses/analyses.h"
+#include "trivet/project/analyses/limits_reader.h"
 
 namespace trivet::project {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/analyses/question_reader.h"
-#include "trivet/project/text/band_reader.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "trivet/project/analyses/left_out_results.h"
+#include "trivet/project/analyses/request_readers.h"
 
 namespace trivet::project {
 namespace {

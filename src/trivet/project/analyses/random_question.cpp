@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/random_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 
 #include <algorithm>
 #include <array>
 
 #include "trivet/project/analyses/question_reader.h"
-#include "trivet/project/text/idle_key.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/requirements_reader.h"
+#include "trivet/project/analyses/request_readers.h"
 
 #include <fmt/format.h>
 
@@ -9,10 +9,9 @@
 #include <utility>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/analyses/amplitude_limits.h"
-#include "trivet/project/analyses/harmonics_reader.h"
 #include "trivet/project/analyses/isolation_reader.h"
-#include "trivet/project/text/price.h"
+#include "trivet/project/analyses/limits_reader.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 namespace {

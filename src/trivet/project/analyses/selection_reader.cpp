@@ -10,7 +10,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/text/admissible_range.h"
-#include "trivet/project/text/idle_key.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 

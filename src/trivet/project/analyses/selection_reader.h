@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "trivet/project/analyses/analyses.h"
-#include "trivet/project/text/band_reader.h"
 #include "trivet/project/text/names_in_file.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 

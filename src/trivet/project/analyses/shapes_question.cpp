@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/shapes_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/shock_spectrum_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 
 #include <fmt/format.h>
 
 #include "trivet/project/analyses/question_reader.h"
-#include "trivet/project/text/band_reader.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/steady_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,9 +9,9 @@
 #include <numbers>
 #include <utility>
 
-#include "trivet/project/analyses/harmonics_reader.h"
 #include "trivet/project/analyses/question_reader.h"
-#include "trivet/project/text/band_reader.h"
+#include "trivet/project/analyses/request_readers.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/transmissibility_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 
 #include <algorithm>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/question_reader.h"
-#include "trivet/project/text/band_reader.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 namespace {

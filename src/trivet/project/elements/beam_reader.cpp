@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "trivet/elements/beam.h"
-#include "trivet/elements/dimension_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/foundation/part_size.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"

@@ -13,7 +13,7 @@
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/load_ranges.h"
 #include "trivet/project/text/embedded_text.h"
-#include "trivet/project/text/price.h"
+#include "trivet/project/text/shared_keys.h"
 #include "trivet/project/text/source_file.h"
 #include "trivet/project/text/table_reader.h"
 #include "trivet/project/text/toml_text.h"

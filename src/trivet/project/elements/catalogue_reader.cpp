@@ -6,8 +6,8 @@
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
-#include "trivet/project/text/file_name.h"
-#include "trivet/project/text/price.h"
+#include "trivet/project/text/shared_keys.h"
+#include "trivet/project/text/source_file.h"
 
 namespace trivet::project {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
-#include "trivet/project/text/idle_key.h"
+#include "trivet/project/text/shared_keys.h"
 
 /// Laws with constants in the file: a matrix, springs at a point, a damper along a line.
 namespace trivet::project {

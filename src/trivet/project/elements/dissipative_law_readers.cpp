@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/elements/dissipative_law_readers.h"
+#include "trivet/project/elements/law_readers.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <utility>
 
-#include "trivet/project/elements/curve_points.h"
 #include "trivet/project/elements/law_numbers.h"
 #include "trivet/project/text/pairs_reader.h"
 

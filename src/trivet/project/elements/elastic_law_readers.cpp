@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/elements/elastic_law_readers.h"
+#include "trivet/project/elements/law_readers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "trivet/project/elements/curve_points.h"
 #include "trivet/project/elements/law_numbers.h"
 
 namespace trivet::project {

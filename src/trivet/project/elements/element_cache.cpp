@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "trivet/foundation/file_writing.h"
-#include "trivet/foundation/folder_handle.h"
+#include "trivet/foundation/files.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/foundation/version.h"
 #include "trivet/project/text/source_file.h"

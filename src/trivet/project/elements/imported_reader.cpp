@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "trivet/exchange/end_stiffness.h"
-#include "trivet/exchange/fixed_components.h"
 #include "trivet/exchange/matrix_file.h"
 #include "trivet/model/system.h"
-#include "trivet/project/elements/complex_stiffness.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/elements/matrix_table.h"
+#include "trivet/project/text/source_file.h"
 
 namespace trivet::project {
 namespace {

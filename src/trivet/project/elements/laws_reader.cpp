@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
-#include "trivet/project/elements/dissipative_law_readers.h"
-#include "trivet/project/elements/elastic_law_readers.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
+#include "trivet/project/elements/law_readers.h"
 
 /// Nonlinear laws of an element (docs/nonlinear.md).
 namespace trivet::project {

@@ -9,7 +9,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/column_units.h"
 #include "trivet/project/text/csv_table.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/source_file.h"
 
 namespace trivet::project {
 

@@ -12,7 +12,7 @@
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/text/column_units.h"
 #include "trivet/project/text/csv_table.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/source_file.h"
 
 namespace trivet::project {
 namespace {

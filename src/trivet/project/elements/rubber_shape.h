@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/elements/rubber_bush.h"
-#include "trivet/elements/sandwich.h"
+#include "trivet/elements/rubber_mounts.h"
 #include "trivet/fem/shapes.h"
 #include "trivet/project/text/table_reader.h"
 

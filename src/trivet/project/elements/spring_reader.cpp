@@ -9,7 +9,6 @@
 #include "trivet/elements/coil_preload.h"
 #include "trivet/elements/coil_reduction.h"
 #include "trivet/elements/coil_spring.h"
-#include "trivet/elements/coil_stress.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/elements/condensed_solid.h"
 #include "trivet/project/elements/element_law.h"

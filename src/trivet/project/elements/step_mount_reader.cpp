@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/fem/mesh_checks.h"
+#include "trivet/fem/mesh.h"
 #include "trivet/fem/step_mesh.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/elements/condensed_solid.h"
 #include "trivet/project/elements/element_cache.h"
 #include "trivet/project/elements/material_reader.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/source_file.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::project {

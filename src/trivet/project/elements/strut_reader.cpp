@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include "trivet/project/elements/dissipative_law_readers.h"
-#include "trivet/project/elements/elastic_law_readers.h"
 #include "trivet/project/elements/element_law.h"
+#include "trivet/project/elements/law_readers.h"
 
 /// A spring, a damper and gas along the line between two points, which follows their finite motion (docs/nonlinear.md).
 namespace trivet::project {

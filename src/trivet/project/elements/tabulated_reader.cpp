@@ -7,15 +7,15 @@
 #include <numbers>
 #include <set>
 
-#include "trivet/elements/piecewise_stiffness.h"
+#include "trivet/elements/stiffness_over_deflection.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/elements/elastic_law_readers.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
+#include "trivet/project/elements/law_readers.h"
 #include "trivet/project/elements/matrix_table.h"
 #include "trivet/project/elements/stiffness_column.h"
 #include "trivet/project/text/csv_table.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/source_file.h"
 
 namespace trivet::project {
 namespace {

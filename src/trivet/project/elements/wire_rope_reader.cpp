@@ -5,10 +5,9 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/identification/rope_fit.h"
-#include "trivet/project/elements/dissipative_law_readers.h"
-#include "trivet/project/elements/elastic_law_readers.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
+#include "trivet/project/elements/law_readers.h"
 #include "trivet/project/elements/loop_file.h"
 
 /// Wire ropes: along each axis a spring together with dry friction, from numbers or from measured loops.

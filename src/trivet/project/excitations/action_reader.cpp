@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/excitations/excitation_table_readers.h"
+#include "trivet/project/excitations/excitation_reader.h"
 #include "trivet/project/text/names_in_file.h"
 
 namespace trivet::project {

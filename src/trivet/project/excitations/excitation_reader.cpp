@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "trivet/project/excitations/excitation_table_readers.h"
-#include "trivet/project/text/idle_key.h"
+#include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
+
 namespace {
 
 const std::vector<std::string> types = {"harmonic", "base", "unbalance", "orders", "random", "time", "constant"};

@@ -1,9 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "trivet/project/text/names_in_file.h"
 
 namespace trivet::project {
+
+// One function per part of an excitation's table.
+
+/// Meaning of the six numbers of an action: amplitudes with units, or factors on a course with units.
+enum class ActionNumbers { amplitudes, factors };
+
+/// `on`, `at`, `force`, `moment` and `phase` of a force on a body.
+[[nodiscard]] std::optional<model::Action> read_force(TableReader& reader, const model::Description& description,
+                                                      const NamesInFile& in_file, ActionNumbers numbers);
+
+/// Only `on` and `at`, of excitations with their own directions.
+[[nodiscard]] std::optional<model::Action> read_place(TableReader& reader, const model::Description& description,
+                                                      const NamesInFile& in_file);
+
+/// `at`, `translation`, `rotation`, `phase`, `delay`, `elements`, `wave` and `quantity` of a moving ground.
+[[nodiscard]] std::optional<model::Action> read_ground_motion(TableReader& reader,
+                                                              const model::Description& description,
+                                                              const NamesInFile& in_file, ActionNumbers numbers);
+
+/// Quantity of the course of an action with factors: a force, a moment, or a motion.
+[[nodiscard]] Quantity course_quantity(const model::Action& action);
+
+/// `psd`: rows over frequency, a file, a road class, or one level over a band.
+[[nodiscard]] std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std::string& key,
+                                                                const model::Action& action);
+
+/// `history`: a file, rows over time, or a pulse with its name.
+[[nodiscard]] std::optional<excitation::Signal> read_history(TableReader& reader, const std::string& key,
+                                                             const model::Action& action);
+
+/// `table` or `engine` of an excitation by orders, in the axes of the body.
+[[nodiscard]] std::optional<model::Orders> read_orders(TableReader& reader);
+
+/// The unbalance of a rotor: mass_eccentricity, or grade with rotor_mass and service_speed; axis, direction, phase.
+/// @returns the service speed [rad/s]; 0: not given
+double read_unbalance(TableReader& reader, model::Action& action);
 
 /// Reads the table `excitations` into the description and reports its problems.
 void read_excitations(TableReader& root, model::Description& description, NamesInFile& in_file);

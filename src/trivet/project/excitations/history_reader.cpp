@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <functional>
 
-#include "trivet/excitation/pulses.h"
-#include "trivet/excitation/sampled_signal.h"
-#include "trivet/excitation/sweep.h"
+#include "trivet/excitation/pulses_and_sweeps.h"
+#include "trivet/excitation/signal.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/project/excitations/excitation_table_readers.h"
+#include "trivet/project/excitations/excitation_reader.h"
 #include "trivet/project/excitations/universal_course.h"
 #include "trivet/project/text/pairs_reader.h"
 

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <utility>
 
-#include "trivet/excitation/balance.h"
+#include "trivet/excitation/engine_orders.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/excitations/excitation_table_readers.h"
+#include "trivet/project/excitations/excitation_reader.h"
 #include "trivet/project/text/pairs_reader.h"
 #include "trivet/spatial/rigid_motion.h"
 

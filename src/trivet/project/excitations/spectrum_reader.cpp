@@ -4,15 +4,14 @@
 #include <numbers>
 #include <optional>
 
-#include "trivet/excitation/road.h"
+#include "trivet/excitation/spectrum.h"
 #include "trivet/foundation/constants.h"
-#include "trivet/project/excitations/excitation_table_readers.h"
+#include "trivet/project/excitations/excitation_reader.h"
 #include "trivet/project/excitations/universal_course.h"
 #include "trivet/project/text/admissible_range.h"
-#include "trivet/project/text/band_reader.h"
-#include "trivet/project/text/derived_units.h"
-#include "trivet/project/text/idle_key.h"
 #include "trivet/project/text/pairs_reader.h"
+#include "trivet/project/text/shared_keys.h"
+#include "trivet/project/text/units.h"
 
 namespace trivet::project {
 namespace {

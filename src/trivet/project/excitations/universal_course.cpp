@@ -14,8 +14,8 @@
 #include "trivet/project/measured/measured_axes.h"
 #include "trivet/project/measured/universal_names.h"
 #include "trivet/project/text/csv_table.h"
-#include "trivet/project/text/derived_units.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/source_file.h"
+#include "trivet/project/text/units.h"
 
 namespace trivet::project {
 namespace {

@@ -30,7 +30,7 @@ struct MeasuredFile {
   std::vector<exchange::UniversalMode> modes;
   std::map<int, Eigen::Vector3d> nodes;  ///< positions in the ground frame
   std::map<int, Eigen::Matrix3d> axes;   ///< of displacements of nodes, as columns, if they are not those of the ground
-  std::vector<exchange::UniversalNode> nodes_in_systems;  ///< measured, but not in `nodes`: see measured_systems.h
+  std::vector<exchange::UniversalNode> nodes_in_systems;  ///< measured, but not in `nodes`: see measured_places.h
   foundation::Problems warnings;
   foundation::Problems idle_units;  ///< errors of units of the project that are for none of the functions
 };

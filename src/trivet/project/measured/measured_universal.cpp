@@ -11,10 +11,9 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/model/system.h"
-#include "trivet/project/measured/measured_abscissa.h"
 #include "trivet/project/measured/measured_axes.h"
 #include "trivet/project/measured/measured_file.h"
-#include "trivet/project/measured/measured_systems.h"
+#include "trivet/project/measured/measured_places.h"
 #include "trivet/project/measured/universal_names.h"
 
 namespace trivet::project {

@@ -15,10 +15,8 @@
 #include "trivet/project/analyses/selection_reader.h"
 #include "trivet/project/measured/measured_axes.h"
 #include "trivet/project/measured/measured_file.h"
-#include "trivet/project/measured/measured_force.h"
 #include "trivet/project/measured/measured_places.h"
-#include "trivet/project/measured/measured_systems.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/source_file.h"
 
 namespace trivet::project {
 namespace {

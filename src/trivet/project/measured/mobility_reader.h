@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "trivet/foundation/problems.h"
 #include "trivet/project/measured/ground_mobility.h"
 #include "trivet/project/text/table_reader.h"
 
@@ -19,5 +20,10 @@ namespace trivet::project {
 /// A coupling that was measured both ways is averaged; one that was not measured is zero, with a warning.
 /// @param nodes  of the points, in this order
 [[nodiscard]] std::optional<GroundMobility> read_universal_mobility(TableReader& reader, const std::vector<int>& nodes);
+
+/// Problems of a mobility, and how far each driving point is from causality: rows that feed energy (Re Y must be
+/// positive semidefinite), points that move as one rigid part (Y⁻¹ does not exist), driving points that no passive,
+/// causal ground has, rows too far apart.
+[[nodiscard]] foundation::Problems judge_mobility(GroundMobility& mobility);
 
 }  // namespace trivet::project

@@ -6,12 +6,11 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/measured/mobility_checks.h"
 #include "trivet/project/measured/mobility_reader.h"
 #include "trivet/project/text/column_units.h"
 #include "trivet/project/text/csv_table.h"
-#include "trivet/project/text/derived_units.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/source_file.h"
+#include "trivet/project/text/units.h"
 
 namespace trivet::project {
 namespace {

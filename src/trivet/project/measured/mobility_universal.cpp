@@ -10,14 +10,12 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/measured/measured_abscissa.h"
 #include "trivet/project/measured/measured_axes.h"
 #include "trivet/project/measured/measured_file.h"
-#include "trivet/project/measured/measured_systems.h"
-#include "trivet/project/measured/mobility_checks.h"
+#include "trivet/project/measured/measured_places.h"
 #include "trivet/project/measured/mobility_reader.h"
 #include "trivet/project/measured/universal_names.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/source_file.h"
 
 namespace trivet::project {
 namespace {

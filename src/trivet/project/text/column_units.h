@@ -9,8 +9,9 @@
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/units.h"
 
-/// Columns of numbers whose cells or headings may have units.
 namespace trivet::project {
+
+// Columns of numbers whose cells or headings may have units.
 
 /// What the numbers of a column measure, and in which unit those without one are.
 struct ColumnQuantity {
@@ -49,5 +50,21 @@ struct UnitHeading {
 std::set<std::string> convert_columns(CsvTable& table,
                                       const std::function<std::optional<ColumnQuantity>(const std::string&)>& known,
                                       foundation::Problems& problems);
+
+// Tables that programs write with row numbers, or without names of their columns.
+
+/// First row of a table whose cells are all numbers.
+struct BareHeading {
+  int line = 0;                 ///< in the file; 0: the table has a header
+  bool counts_columns = false;  ///< it is 0, 1 … or 1, 2 …
+  bool whole_below = false;     ///< rows below it have whole numbers, too
+};
+
+/// Removes the first column, which has no name, if it counts the rows, with a warning of the table; otherwise an error.
+[[nodiscard]] foundation::Problems drop_row_numbers(CsvTable& table, int header_line);
+
+/// Keeps a bare first row as numbers, or removes it if it counts the columns, with a warning of the table. Errors: it
+/// may be either, or the first column does not increase.
+[[nodiscard]] foundation::Problems judge_bare_heading(CsvTable& table, const BareHeading& heading);
 
 }  // namespace trivet::project

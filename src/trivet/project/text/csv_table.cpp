@@ -20,7 +20,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
-#include "trivet/project/text/bare_headings.h"
+#include "trivet/project/text/column_units.h"
 
 namespace trivet::project {
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "trivet/model/system.h"
+#include "trivet/project/text/document.h"
 #include "trivet/project/text/table_reader.h"
 
 namespace trivet::project {
@@ -30,5 +31,9 @@ struct NamesInFile {
 /// Index of the body or node named at `key`, if it was read; an unknown name is a problem.
 [[nodiscard]] std::optional<std::size_t> body_named(TableReader& reader, const std::string& key,
                                                     const model::Description& description, const NamesInFile& in_file);
+
+/// Problems of names and texts that tables, pictures or file names cannot contain: control characters, and names too
+/// long for file names.
+[[nodiscard]] foundation::Problems check_names_and_texts(const Node& document);
 
 }  // namespace trivet::project

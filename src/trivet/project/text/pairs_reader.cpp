@@ -9,9 +9,9 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
-#include "trivet/project/text/derived_units.h"
-#include "trivet/project/text/file_name.h"
-#include "trivet/project/text/idle_key.h"
+#include "trivet/project/text/shared_keys.h"
+#include "trivet/project/text/source_file.h"
+#include "trivet/project/text/units.h"
 
 namespace trivet::project {
 

@@ -10,11 +10,10 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/csv_table.h"
-#include "trivet/project/text/file_name.h"
 #include "trivet/project/text/model_path.h"
-#include "trivet/project/text/table_cells.h"
+#include "trivet/project/text/names_in_file.h"
+#include "trivet/project/text/source_file.h"
 #include "trivet/project/text/table_reader.h"
-#include "trivet/project/text/written_names.h"
 
 namespace trivet::project {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/table_cells.h"
+#include "trivet/project/text/part_tables.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/text_changes.h"
+#include "trivet/project/text/changes.h"
 
 #include <fmt/format.h>
 
@@ -10,11 +10,9 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/changes.h"
+#include "trivet/project/text/document.h"
 #include "trivet/project/text/model_path.h"
-#include "trivet/project/text/toml_layout.h"
 #include "trivet/project/text/toml_text.h"
-#include "trivet/project/text/toml_value.h"
 
 namespace trivet::project {
 namespace {

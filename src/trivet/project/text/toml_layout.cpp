@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/toml_layout.h"
+#include "trivet/project/text/toml_text.h"
 
 #include <algorithm>
 

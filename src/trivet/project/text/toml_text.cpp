@@ -8,8 +8,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "trivet/project/text/toml_layout.h"
-#include "trivet/project/text/written_names.h"
+#include "trivet/project/text/names_in_file.h"
 
 namespace trivet::project {
 namespace {

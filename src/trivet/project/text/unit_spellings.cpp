@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/unit_spellings.h"
+#include "trivet/project/text/units.h"
 
 #include <algorithm>
 #include <array>

@@ -3,8 +3,6 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/derived_units.h"
-#include "trivet/project/text/unit_spellings.h"
 
 #include <udunits2.h>
 

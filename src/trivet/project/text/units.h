@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "trivet/foundation/problems.h"
 
@@ -61,5 +63,34 @@ enum class Quantity {
 /// Reads the units from this copy of the database of UDUNITS-2 instead of that of the system. Call it before the first
 /// unit is read, from one thread.
 void use_unit_database(const std::string& file);
+
+// Units that belong to no single quantity: those of spectral densities, and the ratio of two units (units.cpp).
+
+/// SI unit of a spectral density of this quantity over hertz, "(m/s2)2/Hz", and the value in it of a text:
+/// "0.04 g^2/Hz" → 3.8468 for an acceleration.
+[[nodiscard]] std::string density_unit(Quantity quantity);
+[[nodiscard]] tl::expected<double, std::string> to_density(std::string_view text, Quantity quantity);
+
+/// How many `other` a `unit` has: 1000 for "kN/mm" and "N/mm"; none if they measure different quantities or one is not
+/// a unit.
+[[nodiscard]] std::optional<double> unit_ratio(const std::string& unit, const std::string& other);
+
+// Units as people write them, for `units` only.
+
+/// The unit in the spelling of the database: superscripts as digits, "short ton" as one word, and 1/min, min⁻¹ and
+/// U/min as rpm if a rotational speed is expected. @param si  the expected SI unit
+[[nodiscard]] std::string database_spelling(std::string_view unit, std::string_view si);
+
+/// Why a unit with a word of several meanings is rejected, with the words to choose from; empty for any other.
+[[nodiscard]] std::string reason_against_ambiguous(std::string_view unit, std::string_view si);
+
+/// The unit with each word replaced: "lb/in" with lb → lbf is "lbf/in". Equal to `unit` if the word is not there.
+[[nodiscard]] std::string with_word_replaced(std::string_view unit, std::string_view word, std::string_view by);
+
+/// Words of mass that catalogues write for a force, with the unit of force that is meant.
+struct MassForForce {
+  const char *mass, *force;
+};
+[[nodiscard]] const std::vector<MassForForce>& masses_for_forces();
 
 }  // namespace trivet::project

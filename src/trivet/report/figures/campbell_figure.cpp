@@ -8,7 +8,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/plot_panel.h"
-#include "trivet/study/analyses/orders_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 namespace trivet::report {
 namespace {

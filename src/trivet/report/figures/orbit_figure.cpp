@@ -12,7 +12,7 @@
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/in_documents.h"
-#include "trivet/results/format/varied_parameter.h"
+#include "trivet/results/format/axis_words.h"
 
 /// Paths of bodies and points over one period.
 namespace trivet::report {
@@ -23,7 +23,7 @@ using nonlinear::SteadyBranch;
 using nonlinear::SteadyPoint;
 
 constexpr double figure_width = 980, first_left = 78, panel_size = 225, between_panels = 310, panel_top = 46,
-                 below_panel = 60, key_line = 20;
+                 below_orbits = 60, orbit_key_line = 20;
 
 /// One coordinate over a period, or its rate.
 std::vector<double> course(const ObservedMotion& motion, double rate_of_phase = 0) {
@@ -148,7 +148,7 @@ Figure orbit_figure(const CurveGroup& group, const std::vector<ShownMotion>& sho
   const auto axis = [&](const Coordinate& of) { return around(of, alone ? of.half : half); };
   const bool has_one_panel = coordinates.size() == 2;  // with the key to its right, else below
   const double height =
-      panel_top + panel_size + below_panel + (has_one_panel ? 0 : key_line * static_cast<double>(shown.size()));
+      panel_top + panel_size + below_orbits + (has_one_panel ? 0 : orbit_key_line * static_cast<double>(shown.size()));
   SvgCanvas canvas(figure_width, height);
   const std::string title = case_title((alone ? "Motion of " : "Path of ") + group.name + " over one period", answers);
   canvas.text({figure_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
@@ -158,12 +158,12 @@ Figure orbit_figure(const CurveGroup& group, const std::vector<ShownMotion>& sho
     draw_plane(canvas, left, axis(coordinates[x]), axis(coordinates[y]), coordinates[x], coordinates[y], shown);
     left += between_panels;
   }
-  PixelPoint key = has_one_panel ? PixelPoint{left, panel_top + key_line}
-                                 : PixelPoint{first_left, panel_top + panel_size + below_panel};
+  PixelPoint key = has_one_panel ? PixelPoint{left, panel_top + orbit_key_line}
+                                 : PixelPoint{first_left, panel_top + panel_size + below_orbits};
   for (const ShownMotion& motion : shown) {
     canvas.line(key, {key.x + 28, key.y}, motion.stroke);
     canvas.text({key.x + 34, key.y + 4}, motion.words, "font-size=\"11\"");
-    key.y += key_line;
+    key.y += orbit_key_line;
   }
   return {title, "orbit-" + file_part(group.name) + ".svg", canvas.svg(title)};
 }

@@ -20,7 +20,7 @@
 #include "trivet/report/tables/answer_tables.h"
 #include "trivet/results/analyses/steady_changes_text.h"
 #include "trivet/results/analyses/steady_kinds.h"
-#include "trivet/results/format/varied_parameter.h"
+#include "trivet/results/format/axis_words.h"
 
 /// Periodic motions of nonlinear machines.
 namespace trivet::report {

@@ -7,7 +7,7 @@
 #include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
-#include "trivet/study/analyses/transient_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 namespace trivet::report {
 namespace {

@@ -9,7 +9,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_panel.h"
-#include "trivet/study/analyses/transmissibility_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 namespace trivet::report {
 namespace {

@@ -9,11 +9,8 @@
 #include <utility>
 
 #include "trivet/report/drawing/answer_figures.h"
-#include "trivet/report/map/map_painting.h"
 #include "trivet/report/map/map_picture.h"
-#include "trivet/report/map/map_points.h"
 #include "trivet/report/map/map_regions.h"
-#include "trivet/report/map/map_words.h"
 #include "trivet/results/design/map_summary.h"
 #include "trivet/results/format/axis_words.h"
 

@@ -9,10 +9,8 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/report/map/map_figure.h"
-#include "trivet/report/map/map_painting.h"
-#include "trivet/report/map/map_points.h"
+#include "trivet/report/map/map_picture.h"
 #include "trivet/report/map/map_regions.h"
-#include "trivet/report/map/map_words.h"
 #include "trivet/results/design/map_summary.h"
 #include "trivet/results/format/axis_words.h"
 

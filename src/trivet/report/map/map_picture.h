@@ -62,4 +62,44 @@ class Key {
   PixelPoint at_;
 };
 
+/// Name of an axis, with its unit in brackets.
+[[nodiscard]] std::string axis_label(const project::DesignAxis& axis);
+
+/// The axis as drawn in pictures: one that is short compared with its numbers starts at 0, and its label shows the
+/// offset.
+[[nodiscard]] Axis drawn_axis(const project::DesignAxis& axis);
+
+/// Cases that are not in the picture, with their verdicts, one sentence for each reason; empty if all are drawn.
+[[nodiscard]] std::vector<std::string> undrawn_cases(const study::DesignMap& map);
+
+/// Warnings of the map, one sentence each.
+[[nodiscard]] std::vector<std::string> doubts(const study::DesignMap& map);
+
+/// Is a mark drawn, as a design of this map inside its frame?
+[[nodiscard]] bool is_drawn(const study::DesignMap& map, const study::MapMark& mark);
+
+struct PlacedMark {
+  PixelPoint point;
+  std::string names;
+  bool feasible = false;
+};
+
+/// Cases of this model inside the frame; cases at one place share a label.
+[[nodiscard]] std::vector<PlacedMark> placed_marks(const MapPicture& picture);
+
+/// Reserves the area of the points, so that no text covers them.
+void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed);
+
+/// Draws the best design, if there is one.
+void draw_best_design(MapPicture& picture);
+
+/// Draws the sign of a case: a black point, or a cross in a circle if it violates a rule.
+void draw_case_mark(SvgCanvas& canvas, PixelPoint at, bool feasible);
+
+/// Draws the sign of the best design, filled if it is feasible.
+void draw_best(SvgCanvas& canvas, PixelPoint at, bool feasible);
+
+/// Draws the best design and the cases with their names.
+void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key);
+
 }  // namespace trivet::report

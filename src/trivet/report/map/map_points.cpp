@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/report/map/map_points.h"
+#include "trivet/report/map/map_picture.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
-#include "trivet/report/map/map_words.h"
 #include "trivet/results/design/map_summary.h"
 #include "trivet/results/format/axis_words.h"
 

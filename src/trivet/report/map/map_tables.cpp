@@ -3,10 +3,9 @@
 
 #include "trivet/documents/html_table.h"
 #include "trivet/report/drawing/svg_canvas.h"
-#include "trivet/report/map/map_words.h"
+#include "trivet/report/map/map_picture.h"
 #include "trivet/report/tables/answer_tables.h"
 #include "trivet/results/design/map_summary.h"
-#include "trivet/results/design/map_verdicts.h"
 #include "trivet/results/format/axis_words.h"
 
 namespace trivet::report {

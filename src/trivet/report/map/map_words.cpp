@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/report/map/map_words.h"
+#include "trivet/report/map/map_picture.h"
 
 #include <fmt/format.h>
 

@@ -8,6 +8,9 @@
 
 namespace trivet::report {
 
+/// Checks of the data of a case and of the solution of its response, with a verdict on each.
+[[nodiscard]] std::string checks_table(const ShownCase& shown);
+
 /// The verdict on the design, then warnings, failed checks and rigid-body modes of all cases; equal texts once, with
 /// their cases.
 [[nodiscard]] std::string page_notices(const std::vector<ShownCase>& cases);

@@ -11,7 +11,6 @@
 #include "trivet/report/drawing/figures.h"
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/report/page/answer_sections.h"
-#include "trivet/report/page/check_tables.h"
 #include "trivet/report/page/drawing_json.h"
 #include "trivet/report/page/page_notices.h"
 #include "trivet/report/tables/input_tables.h"

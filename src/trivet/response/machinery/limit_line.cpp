@@ -11,8 +11,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/search/minimum_between.h"
-#include "trivet/numerics/search/zero_between.h"
+#include "trivet/numerics/search/zeros_and_minima.h"
 #include "trivet/response/steady/frequency_response.h"
 
 namespace trivet::response {

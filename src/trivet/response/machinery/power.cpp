@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "trivet/foundation/index.h"
-#include "trivet/response/steady/mounts.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/steady_motion.h"
 
 namespace trivet::response {

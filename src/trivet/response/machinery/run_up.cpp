@@ -2,8 +2,10 @@
 #include "trivet/response/machinery/run_up.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -11,6 +13,60 @@
 #include "trivet/response/steady/resonant_mode.h"
 
 namespace trivet::response {
+
+namespace {
+
+/// Orders of one excitation; empty if it does not depend on a shaft speed.
+std::vector<excitation::Order> orders_of(const model::Excitation& excitation) {
+  if (const auto* orders = std::get_if<model::Orders>(&excitation.course)) return orders->list;
+  const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
+  if (!harmonic || harmonic->power_of_frequency != 2 || !excitation.action.body) return {};
+  return {{1, excitation.action.amplitude, excitation::ComplexVector6::Zero()}};
+}
+
+/// Adds `factor` (iω)^power times the force of the action.
+void add_force(const assembly::Assembled& assembled, model::Action action, const excitation::ComplexVector6& amplitude,
+               int power, double factor, assembly::Loading& total) {
+  action.amplitude = factor * amplitude;
+  const assembly::Loading one = assembly::loading(assembled, action);
+  for (const numerics::LoadTerm& term : one.force.terms())
+    total.force.add({term.power + power, term.delay, term.value});
+}
+
+OrderLoading& entry_of(std::vector<OrderLoading>& list, double order, const assembly::Assembled& assembled) {
+  const auto found = std::ranges::find(list, order, &OrderLoading::order);
+  if (found != list.end()) return *found;
+  return list.emplace_back(
+      OrderLoading{order, {numerics::Load(assembled.layout.size()), numerics::Load(assembled.ground.size())}, {}});
+}
+
+}  // namespace
+
+std::vector<OrderLoading> order_loadings(const model::System& system, const assembly::Assembled& assembled,
+                                         const std::vector<std::string>& selected) {
+  const auto& excitations = system.description().excitations;
+  for (const std::string& name : selected)
+    if (std::ranges::none_of(excitations,
+                             [&](const model::Excitation& e) { return e.name == name && !orders_of(e).empty(); }))
+      throw foundation::InvalidInput("\"" + name + "\" is not an order excitation or unbalance of this model");
+  std::vector<OrderLoading> result;
+  for (const model::Excitation& excitation : excitations) {
+    if (!model::is_selected(excitation, selected)) continue;
+    for (const excitation::Order& order : orders_of(excitation)) {
+      if (!(order.order > 0))
+        throw foundation::InvalidInput("\"" + excitation.name + "\" has an order that is not > 0");
+      OrderLoading& entry = entry_of(result, order.order, assembled);
+      // Ω² = −s²/order²
+      add_force(assembled, excitation.action, order.per_speed_squared, 2, -1 / (order.order * order.order),
+                entry.loading);
+      add_force(assembled, excitation.action, order.fixed, 0, 1, entry.loading);
+      entry.excitations.push_back(excitation.name);
+    }
+  }
+  std::ranges::sort(result, {}, &OrderLoading::order);
+  return result;
+}
+
 namespace {
 
 using foundation::infinity;
@@ -135,6 +191,46 @@ std::vector<WaterfallLine> waterfall(const RunUp& run_up, std::size_t curve, int
                        std::abs(order.curves[curve].value(to_index(nearest)))});
   }
   return lines;
+}
+
+namespace {
+
+std::vector<NaturalLine> natural_lines(const modal::Roots& roots) {
+  std::vector<NaturalLine> lines;
+  for (const modal::Root& root : roots.list)
+    if (root.damped_angular_frequency && root.eigenvalue.imag() > 0)
+      lines.push_back({root.eigenvalue.imag(), root.damping_ratio.value_or(0), root.nearest_mode});
+  std::ranges::sort(lines, {}, &NaturalLine::angular_frequency);
+  return lines;
+}
+
+}  // namespace
+
+Campbell campbell(const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes, const modal::Roots& roots,
+                  const assembly::Band& speed) {
+  if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
+    throw foundation::InvalidInput("campbell: the speed range must satisfy 0 ≤ from < to");
+  Campbell result{speed, {}, natural_lines(roots), {}};
+  for (const OrderLoading& order : order_loadings) {
+    result.orders.push_back(order.order);
+    assert(order.order > 0 && "the speed is the frequency over the order");
+    for (std::size_t i = 0; i < result.natural.size(); ++i) {
+      const NaturalLine& line = result.natural[i];
+      Interference point{
+          i, order.order, line.angular_frequency / order.order, line.angular_frequency, line.nearest_mode, {}, false};
+      if (point.speed < speed.from || point.speed > speed.to) continue;
+      const Eigen::VectorXd forces =
+          modal::modal_forces(modes, order.loading.force.at(line.angular_frequency)).cwiseAbs();
+      const auto mode = std::ranges::find(modes.list, point.mode, &modal::Mode::number);
+      if (mode != modes.list.end() && forces.squaredNorm() > 0) {
+        point.modal_force_share = std::pow(forces(mode - modes.list.begin()), 2) / forces.squaredNorm();
+        point.excited = *point.modal_force_share >= excited_from;
+      }
+      result.points.push_back(point);
+    }
+  }
+  std::ranges::stable_sort(result.points, {}, &Interference::speed);
+  return result;
 }
 
 }  // namespace trivet::response

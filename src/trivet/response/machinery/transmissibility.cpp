@@ -14,7 +14,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/steady/mounts.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::response {

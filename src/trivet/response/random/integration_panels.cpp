@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/response/random/integration_panels.h"
+#include "trivet/response/random/basis_integrals.h"
 
 #include <fmt/format.h>
 

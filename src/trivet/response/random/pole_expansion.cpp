@@ -8,7 +8,7 @@
 #include <complex>
 #include <limits>
 
-#include "trivet/assembly/answer_coordinates.h"
+#include "trivet/assembly/coordinates.h"
 #include "trivet/foundation/index.h"
 #include "trivet/response/steady/channel_terms.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/response/random/random_poles.h"
+#include "trivet/response/random/random_methods.h"
 
 #include <algorithm>
 #include <cassert>

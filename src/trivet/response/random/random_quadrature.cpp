@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/response/random/random_quadrature.h"
+#include "trivet/response/random/random_methods.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/random/integration_panels.h"
+#include "trivet/response/random/basis_integrals.h"
 #include "trivet/response/steady/channel_terms.h"
 
 namespace trivet::response {

@@ -8,14 +8,14 @@
 
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/excitation/cross_spectrum.h"
 #include "trivet/excitation/human_weighting.h"
 #include "trivet/excitation/spectrum.h"
 #include "trivet/foundation/interruption.h"
 #include "trivet/foundation/problems.h"
 
-/// Stationary random vibration: formulas, accuracy and limits in docs/random.md.
 namespace trivet::response {
+
+// Stationary random vibration: formulas, accuracy and limits in docs/random.md.
 
 /// One stationary random input of zero mean: an action of amplitude 1, and the one-sided spectrum of its time history.
 struct RandomInput {

@@ -11,7 +11,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/polynomial_roots.h"
-#include "trivet/response/random/integration_panels.h"
+#include "trivet/response/random/basis_integrals.h"
 
 namespace trivet::response {
 namespace {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <complex>
 
-#include "trivet/assembly/answer_coordinates.h"
+#include "trivet/assembly/coordinates.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/load.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
-#include "trivet/response/random/integration_panels.h"
+#include "trivet/response/random/basis_integrals.h"
 #include "trivet/response/random/random_variance.h"
 
 namespace trivet::response {

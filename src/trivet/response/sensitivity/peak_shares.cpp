@@ -7,10 +7,9 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/model/element_directions.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
-#include "trivet/numerics/linalg/orthogonal.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/response/steady/body_dynamics.h"
 
 namespace trivet::response {

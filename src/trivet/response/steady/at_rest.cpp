@@ -23,4 +23,11 @@ AtRest::AtRest(const model::System& system, const assembly::Assembled& assembled
   own_ = std::make_unique<const Own>(Own{std::move(softer), std::move(of_it)});
 }
 
+std::vector<std::size_t> mounts(const model::System& system) {
+  std::vector<std::size_t> result;
+  for (std::size_t e = 0; e < system.elements().size(); ++e)
+    if (!system.elements()[e].n.body && !system.elements()[e].is_foundation) result.push_back(e);
+  return result;
+}
+
 }  // namespace trivet::response

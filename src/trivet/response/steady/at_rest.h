@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "trivet/assembly/assembled.h"
+#include "trivet/model/system.h"
 
 namespace trivet::response {
 
@@ -30,5 +32,8 @@ class AtRest {
   const assembly::Assembled& assembled_;  ///< or what it has of the first order
   std::unique_ptr<const Own> own_;
 };
+
+/// Elements with end N on the ground or on a flexible foundation; the impedance of a ground point is not a mount.
+[[nodiscard]] std::vector<std::size_t> mounts(const model::System& system);
 
 }  // namespace trivet::response

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/decompositions.h"
 
 namespace trivet::response {
 namespace {

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "trivet/foundation/index.h"
-#include "trivet/response/steady/parts_by_delay.h"
+#include "trivet/response/steady/channel_terms.h"
 
 namespace trivet::response {
 namespace {

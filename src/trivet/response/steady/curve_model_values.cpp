@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "trivet/foundation/index.h"
+#include "trivet/response/steady/channel_terms.h"
 #include "trivet/response/steady/curve_model.h"
-#include "trivet/response/steady/parts_by_delay.h"
 
 namespace trivet::response {
 

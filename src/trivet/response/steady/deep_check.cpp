@@ -11,8 +11,7 @@
 #include "trivet/elements/law.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/refined_solution.h"
-#include "trivet/response/steady/prescribed_ends.h"
-#include "trivet/response/steady/steady_solution.h"
+#include "trivet/response/steady/steady_motion.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::response {

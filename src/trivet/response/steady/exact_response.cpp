@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/pivoted_solution.h"
+#include "trivet/numerics/linalg/refined_solution.h"
 
 namespace trivet::response {
 namespace {

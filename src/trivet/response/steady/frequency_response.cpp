@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/assembly/answer_coordinates.h"
+#include "trivet/assembly/coordinates.h"
 #include "trivet/foundation/index.h"
 #include "trivet/response/steady/exact_response.h"
-#include "trivet/response/steady/steady_solution.h"
+#include "trivet/response/steady/steady_motion.h"
 
 namespace trivet::response {
 namespace {

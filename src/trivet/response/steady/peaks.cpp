@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/assembly/answer_coordinates.h"
+#include "trivet/assembly/coordinates.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/peaks/circle_search.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/response/steady/prescribed_ends.h"
+#include "trivet/response/steady/deep_check.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

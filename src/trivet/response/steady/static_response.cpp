@@ -5,14 +5,13 @@
 #include <cassert>
 #include <utility>
 
+#include "trivet/assembly/coordinates.h"
 #include "trivet/assembly/loads.h"
-#include "trivet/assembly/rest_coordinates.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/response/steady/at_rest.h"
-#include "trivet/response/steady/static_solution.h"
 
 namespace trivet::response {
 

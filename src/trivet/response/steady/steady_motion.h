@@ -2,11 +2,20 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <vector>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/numerics/sweep/frequency_sweep.h"
 
 namespace trivet::response {
+
+/// Coordinates at the given real ω ≥ 0 [rad/s], one column each, with the exact laws of frequency-dependent elements
+/// (then only the first rows of the layout); NaN if Z(ω) is singular.
+[[nodiscard]] numerics::SweepResult steady_solution(const assembly::Assembled& assembled,
+                                                    const assembly::Loading& loading,
+                                                    const std::vector<double>& angular_frequency,
+                                                    const numerics::SweepOptions& options = {});
 
 /// Steady motion of all coordinates at one ω, zero-to-peak amplitudes.
 struct SteadyMotion {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
-#include "trivet/excitation/modal_combination.h"
+#include "trivet/excitation/shock_spectrum.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/spatial/types.h"
 

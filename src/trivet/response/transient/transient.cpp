@@ -7,18 +7,16 @@
 #include <cassert>
 #include <cmath>
 
-#include "trivet/assembly/answer_coordinates.h"
+#include "trivet/assembly/coordinates.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
-#include "trivet/numerics/linalg/general_eigen.h"
-#include "trivet/numerics/linalg/orthogonal.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/response/transient/time_grid.h"
 #include "trivet/response/transient/time_stepper.h"
-#include "trivet/response/transient/transient_extremes.h"
 #include "trivet/response/transient/transient_record.h"
 #include "trivet/response/transient/transient_refusals.h"
-#include "trivet/response/transient/transient_rows.h"
 
 namespace trivet::response {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/response/transient/transient_extremes.h"
+#include "trivet/response/transient/transient_record.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,16 +2,50 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <utility>
 #include <vector>
 
+#include "trivet/assembly/channels.h"
 #include "trivet/foundation/interruption.h"
+#include "trivet/foundation/problems.h"
+#include "trivet/numerics/recurrence/rows_over_time.h"
+#include "trivet/response/transient/input_course.h"
+#include "trivet/response/transient/state_space.h"
 #include "trivet/response/transient/time_grid.h"
 #include "trivet/response/transient/time_stepper.h"
 #include "trivet/response/transient/transient.h"
-#include "trivet/response/transient/transient_extremes.h"
 
 namespace trivet::response {
+
+/// Motion in blocks of `every` points: where each block starts, and bounds of each curve in it.
+struct TimeBlocks {
+  Eigen::Index every = 1;
+  Eigen::MatrixXd states;                                 ///< one column per block: the state at its first point
+  std::vector<std::vector<numerics::RowBlock>> of_curve;  ///< per curve and block
+};
+
+/// Raises the extremes at the points and corners to those of the motion between the points: steps around the highest
+/// points are repeated, and zeros of the derivative are searched in them. Exact to about 1e-9 if the fastest excited
+/// motion has at least four points per period; a coarser grid may miss an extreme (with a warning).
+/// @param row    output row of the result
+/// @param index  of the result
+void search_between_points(TimeStepper& stepper, const StateSpace& space, const LinearRows& row, std::size_t index,
+                           const TimeGrid& grid, const TimeBlocks& blocks, const foundation::Progress& progress,
+                           TimeCurve& curve);
+
+/// Results, one row each, as linear functions of the state and of the inputs.
+[[nodiscard]] LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Channel>& channels,
+                                     const std::vector<Drive>& courses);
+
+/// Columns of `on_input` that are not zero.
+[[nodiscard]] std::vector<Eigen::Index> used_inputs(const LinearRows& rows);
+
+/// Warns of results that contain the derivative of a jump of an input: an impulse of zero duration, which no curve
+/// shows.
+void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channel>& channels,
+                      const std::vector<InputCourse>& courses, const std::vector<std::string>& names,
+                      foundation::Problems& warnings);
 
 /// Steps over the grid and stores the answers: values at its points, extremes at the points and on both sides of every
 /// jump.

@@ -10,7 +10,7 @@
 #include "trivet/nonlinear/branch/stable_motions.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/results/analyses/steady_changes_text.h"
-#include "trivet/results/format/varied_parameter.h"
+#include "trivet/results/format/axis_words.h"
 
 namespace trivet::results {
 namespace {

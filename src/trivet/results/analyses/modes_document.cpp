@@ -6,7 +6,7 @@
 
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/index.h"
-#include "trivet/modal/stored_energy.h"
+#include "trivet/modal/modes.h"
 #include "trivet/results/format/answer_writer.h"
 
 /// Undamped modes.

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "trivet/results/format/answer_writer.h"
-#include "trivet/study/analyses/orders_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 /// Run-up and Campbell diagram.
 namespace trivet::results {

@@ -9,7 +9,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/results/format/answer_writer.h"
-#include "trivet/study/analyses/random_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 /// Root mean squares and spectral densities.
 namespace trivet::results {

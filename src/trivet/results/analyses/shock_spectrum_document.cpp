@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "trivet/results/format/answer_writer.h"
-#include "trivet/study/analyses/shock_spectrum_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 /// Shock response spectra.
 namespace trivet::results {

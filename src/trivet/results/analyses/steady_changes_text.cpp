@@ -13,7 +13,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/nonlinear/branch/stable_motions.h"
-#include "trivet/results/format/varied_parameter.h"
+#include "trivet/results/format/axis_words.h"
 
 namespace trivet::results {
 

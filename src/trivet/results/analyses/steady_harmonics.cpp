@@ -16,7 +16,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/results/analyses/steady_changes_text.h"
 #include "trivet/results/analyses/steady_kinds.h"
-#include "trivet/results/format/varied_parameter.h"
+#include "trivet/results/format/axis_words.h"
 
 namespace trivet::results {
 

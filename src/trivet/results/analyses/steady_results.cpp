@@ -16,8 +16,8 @@
 #include "trivet/results/analyses/steady_harmonics.h"
 #include "trivet/results/analyses/steady_kinds.h"
 #include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/motion_numbers.h"
-#include "trivet/results/format/varied_parameter.h"
 #include "trivet/results/format/written_answers.h"
 
 /// Periodic motions of nonlinear machines.

@@ -4,7 +4,6 @@
 #include "trivet/documents/labelled_arrays.h"
 #include "trivet/results/format/in_documents.h"
 #include "trivet/study/explain/linear_system.h"
-#include "trivet/study/explain/system_matrices.h"
 #include "trivet/study/map/design_sweep.h"
 
 namespace trivet::results {

@@ -3,7 +3,7 @@
 
 #include "trivet/documents/text_table.h"
 #include "trivet/results/format/answer_writer.h"
-#include "trivet/study/analyses/transient_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 /// Motion in time.
 namespace trivet::results {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "trivet/results/format/answer_writer.h"
-#include "trivet/study/analyses/transmissibility_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 /// Force or motion that the mounts transmit.
 namespace trivet::results {

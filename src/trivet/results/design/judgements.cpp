@@ -11,7 +11,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/nonlinear/modes/backbone.h"
-#include "trivet/results/design/map_verdicts.h"
+#include "trivet/results/design/map_summary.h"
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/study/optimize/optimization.h"
 

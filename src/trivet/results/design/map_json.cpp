@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "trivet/documents/csv_field.h"
-#include "trivet/results/design/map_verdicts.h"
+#include "trivet/results/design/map_summary.h"
 #include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/json_parts.h"
 

@@ -8,6 +8,9 @@
 
 namespace trivet::results {
 
+/// Findings at a mark, one sentence each: violated rules, then peaks, then the least margin.
+[[nodiscard]] std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark);
+
 /// The range of the rules: the band of the amplitudes, and the threshold for a peak.
 [[nodiscard]] std::string asked_words(const study::DesignMap& map);
 

@@ -9,7 +9,6 @@
 
 #include "trivet/documents/text_table.h"
 #include "trivet/results/design/map_summary.h"
-#include "trivet/results/design/map_verdicts.h"
 #include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/distinct_texts.h"
 

@@ -13,7 +13,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/price.h"
+#include "trivet/project/text/shared_keys.h"
 #include "trivet/results/design/selection_results.h"
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/results/format/axis_words.h"

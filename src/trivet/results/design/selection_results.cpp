@@ -9,7 +9,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/text/price.h"
+#include "trivet/project/text/shared_keys.h"
 #include "trivet/response/machinery/transmissibility.h"
 #include "trivet/results/format/json_parts.h"
 

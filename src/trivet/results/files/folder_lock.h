@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "trivet/foundation/folder_handle.h"
+#include "trivet/foundation/files.h"
 
 namespace trivet::results {
 

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "trivet/foundation/file_writing.h"
+#include "trivet/foundation/files.h"
 #include "trivet/results/files/users_files.h"
 
 namespace trivet::results {

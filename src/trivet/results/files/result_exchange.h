@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/foundation/folder_handle.h"
+#include "trivet/foundation/files.h"
 #include "trivet/results/files/result_manifest.h"
 
 namespace trivet::results {

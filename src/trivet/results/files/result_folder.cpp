@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "trivet/foundation/file_writing.h"
+#include "trivet/foundation/files.h"
 #include "trivet/results/files/folder_lock.h"
 #include "trivet/results/files/result_exchange.h"
 

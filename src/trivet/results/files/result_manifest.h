@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "trivet/foundation/folder_handle.h"
+#include "trivet/foundation/files.h"
 
 namespace trivet::results {
 

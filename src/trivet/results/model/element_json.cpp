@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/results/model/element_json.h"
+#include "trivet/results/model/element_results.h"
 
 #include "trivet/foundation/index.h"
 #include "trivet/results/format/json_parts.h"

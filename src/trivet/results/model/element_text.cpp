@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/results/model/element_text.h"
 #include "trivet/results/format/in_documents.h"
+#include "trivet/results/model/element_results.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/results/model/law_words.h"
+#include "trivet/results/model/model_words.h"
 
 namespace trivet::results {
 namespace {

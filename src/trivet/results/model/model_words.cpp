@@ -4,9 +4,143 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <utility>
+#include <variant>
+
+#include "trivet/documents/text_table.h"
+#include "trivet/results/format/in_documents.h"
 
 namespace trivet::results {
+
+namespace {
+
+std::string n(double value) { return number_text(value, 6); }
+
+/// Over a deflection [m] or an angle [rad].
+struct LawWords {
+  std::string force, length;
+
+  std::string operator()(const elements::PolynomialForce& law) const {
+    std::string sum;
+    for (std::size_t i = 0; i < law.coefficients.size(); ++i)
+      if (const double c = law.coefficients[i]; c != 0)
+        sum += fmt::format("{}{} {}",
+                           sum.empty() ? ""
+                               : c < 0 ? " − "
+                                       : " + ",
+                           n(sum.empty() ? c : std::abs(c)), i == 0 ? "δ" : fmt::format("δ^{}", i + 1));
+    return fmt::format("polynomial: {} [{}], δ in {}", sum.empty() ? "0" : sum, force, length);
+  }
+  std::string operator()(const elements::GapStop& law) const {
+    std::string words = "gap stop:";
+    if (std::isfinite(law.gap_above)) words += fmt::format(" gap {} {},", n(law.gap_above), length);
+    if (std::isfinite(law.gap_below)) words += fmt::format(" gap below {} {},", n(law.gap_below), length);
+    if (law.gaps_at_rest) words += " from rest,";
+    if (law.curve)
+      words += fmt::format(" curve of {} points over {} {}", law.curve->knots().size(), n(law.curve->knots().back()),
+                           length);
+    else words += fmt::format(" {} {}/{}", n(law.stiffness), force, length);
+    if (law.power != 1) words += fmt::format("^{0}, power {0}", n(law.power));
+    if (law.dissipation > 0) words += fmt::format(", dissipation {} s/{}", n(law.dissipation), length);
+    return words;
+  }
+  std::string operator()(const elements::ForceCurve& law) const {
+    const std::vector<double>& x = law.force.knots();
+    return fmt::format("curve: {} points from {} to {} {}{}", x.size(), n(x.front()), n(x.back()), length,
+                       law.is_limited ? ", known there only" : "");
+  }
+  std::string operator()(const elements::GasForce& law) const {
+    return fmt::format("gas: {} Pa, {} m³, {} m², exponent {}, atmosphere {} Pa", n(law.pressure), n(law.volume),
+                       n(law.area), n(law.exponent), n(law.atmosphere));
+  }
+  std::string operator()(const elements::ElasticForce& law) const { return std::visit(*this, law); }
+  std::string operator()(const elements::QuadraticDamping& law) const {
+    if (law.above == law.below) return fmt::format("damper: {} v |v| [{}], v in {}/s", n(law.above), force, length);
+    return fmt::format("damper: {} v² above, {} v² below [{}], v in {}/s", n(law.above), n(law.below), force, length);
+  }
+  std::string operator()(const elements::DampingCurve& law) const {
+    const std::vector<double>& v = law.force.knots();
+    if (v.size() == 2 && law.force.at(0).value == 0)
+      return fmt::format("damper: {} {} s/{}", n(law.force.at(0).slope), force, length);
+    return fmt::format("damping curve: {} points from {} to {} {}/s", v.size(), n(v.front()), n(v.back()), length);
+  }
+  std::string operator()(const elements::DampingForce& law) const { return std::visit(*this, law); }
+  std::string operator()(const elements::Slider& law) const {
+    return fmt::format("friction: slips at {} {}{}, sticks with {} {}/{}", n(law.slip), force, static_limit(law),
+                       n(law.stiffness), force, length);
+  }
+  std::string operator()(const elements::CoulombFriction& law) const {
+    return fmt::format("friction: slips at {} {}{}, without a spring", n(law.slip), force, static_limit(law));
+  }
+  std::string operator()(const elements::BergFriction& law) const {
+    return fmt::format("Berg's friction: {} {}, half of it at {} {}", n(law.force), force, n(law.deflection), length);
+  }
+  std::string operator()(const elements::BoucWen& law) const {
+    std::string words = fmt::format("Bouc–Wen: {} {}/{}, force {} {}, n = {}, β = {}, γ = {}", n(law.stiffness), force,
+                                    length, n(law.force), force, n(law.exponent), n(law.beta), n(law.gamma));
+    return law.asymmetry == 0 ? words : words + fmt::format(", asymmetry {}", n(law.asymmetry));
+  }
+  std::string operator()(const elements::HystereticForce& law) const { return std::visit(*this, law); }
+  std::string operator()(const elements::PayneForce& law) const {
+    return fmt::format(
+        "rubber over amplitude: stiffness falls by {0} {1}/{2}, loss up to {3} {1}/{2}, amplitude {4} {2}, exponent "
+        "{5}",
+        n(law.stiffness), force, length, n(law.loss), n(law.amplitude), n(law.exponent));
+  }
+  std::string operator()(const elements::LuGreFriction& law) const {
+    std::string words =
+        fmt::format("LuGre: slips at {} {}{}, bristles {} {}/{}, damping {} {} s/{}, viscous {} {} s/{}", n(law.slip),
+                    force, static_limit(law), n(law.stiffness), force, length, n(law.damping), force, length,
+                    n(law.viscous), force, length);
+    return law.breakaway > law.slip
+        ? words + fmt::format(", Stribeck velocity {} {}/s", n(law.stribeck_velocity), length)
+        : words;
+  }
+
+ private:
+  template <typename Law>
+  [[nodiscard]] std::string static_limit(const Law& law) const {
+    return law.breakaway > law.slip ? fmt::format(" (static {} {})", n(law.breakaway), force) : "";
+  }
+};
+
+std::string friction_words(const elements::RubbingFriction& law) {
+  return fmt::format("friction: up to {} of the force that presses it, sticks with {} N/m", n(law.coefficient),
+                     n(law.stiffness));
+}
+
+std::string place_of(const model::Element& element, const model::NonlinearPart& part) {
+  if (part.is_inner())
+    return fmt::format("law of its {}, over the volume per area of the piston, as a force on it",
+                       element.law.inner->names[static_cast<std::size_t>(part.inner)]);
+  return fmt::format("law {} {}", part.is_rotation() ? "about" : "along", "xyz"[part.axis % 3]);
+}
+
+}  // namespace
+
+std::vector<model::Fact> law_facts(const model::Element& element) {
+  std::vector<model::Fact> facts;
+  for (const model::NonlinearPart& part : element.nonlinear_parts) {
+    // Of a mount over large deformations the second law takes its linear one off.
+    const bool follows = element.over_deflection && &part == &element.nonlinear_parts.front();
+    for (std::size_t i = 0; i < part.laws.size(); ++i) {
+      if (follows && i == 1) continue;
+      const LawWords words = part.is_rotation() ? LawWords{"N m", "rad"} : LawWords{"N", "m"};
+      facts.push_back({place_of(element, part), std::visit(words, part.laws[i])});
+    }
+  }
+  for (const model::DistancePart& part : element.distance_parts) {
+    for (const elements::ScalarLaw& law : part.law.laws)
+      facts.push_back(
+          {part.law.across ? "law across its axis" : "law over its length", std::visit(LawWords{"N", "m"}, law)});
+    if (!part.law.across) facts.push_back({"length without force", n(part.law.length) + " m"});
+    if (part.friction) facts.push_back({"around and along its wall", friction_words(*part.friction)});
+  }
+  for (const model::RubbingPart& part : element.rubbing_parts)
+    facts.push_back({"across its axis", friction_words(part.law)});
+  return facts;
+}
 
 std::string damping_words(const elements::Damping& damping) {
   if (const auto* p = std::get_if<elements::ProportionalDamping>(&damping))

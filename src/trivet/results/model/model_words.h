@@ -2,10 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "trivet/model/system.h"
 
 namespace trivet::results {
+
+/// The nonlinear laws of an element with their numbers in SI, one per law: "law along z", "gap stop: …".
+[[nodiscard]] std::vector<model::Fact> law_facts(const model::Element& element);
 
 /// "loss factor 0.1", "viscous matrix", "none" …
 [[nodiscard]] std::string damping_words(const elements::Damping& damping);

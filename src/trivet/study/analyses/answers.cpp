@@ -22,7 +22,7 @@
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/response/steady/resonant_mode.h"
-#include "trivet/study/analyses/case_warnings.h"
+#include "trivet/study/analyses/case_context.h"
 #include "trivet/study/analyses/question_answer.h"
 
 namespace trivet::study {

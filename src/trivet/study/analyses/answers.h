@@ -119,4 +119,8 @@ struct Answers {
 /// forces, or under a force on every coordinate if it has none.
 [[nodiscard]] response::DeepCheck deep_check(const project::Case& variant);
 
+/// Does a connected curve of motions, or a nonlinear mode, end before the end that was asked for? Its warning states
+/// where and why.
+[[nodiscard]] bool is_cut_short(const Answers& answers);
+
 }  // namespace trivet::study

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "trivet/nonlinear/balance/steady_options.h"
-#include "trivet/project/analyses/backbone_question.h"
+#include "trivet/nonlinear/balance/steady_equations.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/study/analyses/question_answer.h"
 
 namespace trivet::study {

@@ -8,8 +8,9 @@
 #include "trivet/study/analyses/answers.h"
 #include "trivet/study/analyses/solved_case.h"
 
-/// The data that every answer for a case starts from.
 namespace trivet::study {
+
+// The data that every answer for a case starts from.
 
 /// The solved model of a case with the progress of one computation.
 class CaseContext {
@@ -64,5 +65,15 @@ void require_rigid_ground(const CaseContext& context, const std::string& questio
                                                              const std::vector<project::LimitLineRequest>& requests,
                                                              const project::AnswerSelection& selection,
                                                              const assembly::Band& band);
+
+/// Warnings about answers of a case that a user may misread: frequency-dependent elements in undamped modes, forces
+/// of constraints, loads without effect, massless springs above their own first natural frequency.
+/// @param search_to  upper end of the searched band [rad/s]; 0: the highest natural frequency
+[[nodiscard]] foundation::Problems case_warnings(const CaseContext& context, const project::Analyses& analyses,
+                                                 double search_to);
+
+/// Warnings about static results that are asked for or judged, of machines with laws: they use one stiffness for rest
+/// and vibration, and leave out what the weight takes of the tilting stiffness of a body.
+[[nodiscard]] foundation::Problems rest_warnings(const CaseContext& context, const project::Analyses& analyses);
 
 }  // namespace trivet::study

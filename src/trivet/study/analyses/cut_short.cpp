@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/analyses/cut_short.h"
+#include "trivet/study/analyses/answers.h"
 
 #include <algorithm>
 

@@ -8,8 +8,8 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/machine/static_machine.h"
-#include "trivet/response/machinery/rated_loads.h"
-#include "trivet/response/steady/mounts.h"
+#include "trivet/response/machinery/load_sharing.h"
+#include "trivet/response/steady/at_rest.h"
 
 namespace trivet::study {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/analyses/random_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/project/analyses/random_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/study/analyses/question_answer.h"
 
 namespace trivet::study {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/analyses/steady_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/analyses/transient_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/project/analyses/transient_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/response/transient/transient_refusals.h"
 #include "trivet/study/analyses/question_answer.h"
 

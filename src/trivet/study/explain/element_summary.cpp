@@ -9,7 +9,6 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/modes.h"
-#include "trivet/modal/stored_energy.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::study {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "trivet/elements/matrix_checks.h"
+#include "trivet/elements/checks.h"
 #include "trivet/elements/stiffness_properties.h"
 #include "trivet/nonlinear/branch/stiffness_over_amplitude.h"
-#include "trivet/nonlinear/laws/law_loops.h"
+#include "trivet/nonlinear/laws/law_harmonics.h"
 #include "trivet/project/project.h"
 
 namespace trivet::study {
@@ -19,7 +19,7 @@ struct ElementInMode {
   std::string name;
   std::optional<double> angular_frequency;  ///< [rad/s]; none if the motion is unstable
   double share = 0;                         ///< of the strain energy of the whole mode
-  double of_stored = 0;                     ///< the same of what is stored (modal/stored_energy.h), ≤ 1
+  double of_stored = 0;                     ///< the same of what is stored (modal/modes.h), ≤ 1
   elements::EnergyShares inside;            ///< shares of the element's own energy; only meaningful if it deforms
 };
 

@@ -14,7 +14,6 @@
 #include "trivet/model/element_directions.h"
 #include "trivet/nonlinear/laws/deflections.h"
 #include "trivet/nonlinear/rest/rest_position.h"
-#include "trivet/study/explain/explanation_words.h"
 
 namespace trivet::study {
 namespace {

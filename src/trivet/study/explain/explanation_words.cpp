@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/explain/explanation_words.h"
+#include "trivet/study/explain/explanation.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "trivet/modal/stored_energy.h"
+#include "trivet/modal/modes.h"
 #include "trivet/model/element_directions.h"
 
 namespace trivet::study {

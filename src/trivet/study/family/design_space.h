@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "trivet/foundation/problems.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/project.h"
 
@@ -39,5 +41,9 @@ class DesignSpace {
   std::vector<project::ModelNumber> numbers_;
   std::vector<std::optional<double>> given_;
 };
+
+/// Warnings of parameters whose value in the file lies outside their range, or whose places have different values
+/// there: a search then cannot start at the design of the file.
+[[nodiscard]] foundation::Problems parameter_warnings(const project::Project& project, const DesignSpace& space);
 
 }  // namespace trivet::study

@@ -12,12 +12,12 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/model/static_stiffness.h"
-#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/static_response.h"
-#include "trivet/study/requirements/motion_requirements.h"
 #include "trivet/study/requirements/mount_loads.h"
-#include "trivet/study/requirements/requirement_curve.h"
+#include "trivet/study/requirements/requirement_list.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 namespace trivet::study {
 namespace {

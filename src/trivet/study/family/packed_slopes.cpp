@@ -8,13 +8,11 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/modal/null_vectors.h"
-#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/modal/free_motions.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/roots/design_modes.h"
 #include "trivet/spatial/rigid_motion.h"
-#include "trivet/study/family/packed_curve.h"
 #include "trivet/study/family/packed_margins.h"
 #include "trivet/study/requirements/mount_loads.h"
 
@@ -103,7 +101,7 @@ Eigen::RowVectorXd PackedSlopes::rest_slopes(std::size_t result) const {
   const auto [by_weight, by_loads] = PackedCase::rest_of(here_, 0);
   const Eigen::VectorXd rest = by_weight + by_loads,
                         mu = numerics::cholesky_solution(numerics::unpacked(here_.rest_stiffness, 0), row);
-  Eigen::VectorXd lambda;  // λ of the loads beside the weight, see rest_slopes.h
+  Eigen::VectorXd lambda;  // λ of the loads beside the weight, see slopes.h
   if (here_.beside.size() > 0) lambda = numerics::cholesky_solution(numerics::unpacked(here_.standing, 0), row);
   const double value = row.dot(rest) + rows(0, n);
   const bool grows = found->range && is_near_lower_end(value, *found->range);

@@ -8,13 +8,9 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/random/variance_slopes.h"
-#include "trivet/study/family/curve_slopes.h"
-#include "trivet/study/family/decoupling_slopes.h"
-#include "trivet/study/family/rest_slopes.h"
-#include "trivet/study/family/root_slopes.h"
-#include "trivet/study/requirements/motion_requirements.h"
+#include "trivet/study/family/slopes.h"
 #include "trivet/study/requirements/mount_loads.h"
-#include "trivet/study/requirements/mount_requirements.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 namespace trivet::study {
 namespace {

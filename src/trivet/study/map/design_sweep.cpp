@@ -17,11 +17,11 @@
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/judging/changed_case.h"
 #include "trivet/numerics/batch/driven_peaks.h"
-#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/model_number.h"
-#include "trivet/project/text/default_number.h"
 #include "trivet/project/text/model_path.h"
+#include "trivet/project/text/shared_keys.h"
 #include "trivet/response/steady/peaks.h"
 #include "trivet/study/analyses/asked_questions.h"
 

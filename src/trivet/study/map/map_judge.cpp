@@ -14,7 +14,7 @@
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/judging/changed_case.h"
-#include "trivet/project/analyses/map_of_case.h"
+#include "trivet/project/analyses/map_requirements.h"
 
 namespace trivet::study {
 namespace {

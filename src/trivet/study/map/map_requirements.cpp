@@ -9,7 +9,6 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/study/analyses/case_context.h"
 #include "trivet/study/requirements/free_motion.h"
-#include "trivet/study/requirements/frequency_requirements.h"
 #include "trivet/study/requirements/margin.h"
 #include "trivet/study/requirements/requirement_values.h"
 

@@ -9,10 +9,9 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/study/family/parameter_warnings.h"
+#include "trivet/study/family/design_space.h"
 #include "trivet/study/optimize/design_looks.h"
 #include "trivet/study/optimize/design_search.h"
-#include "trivet/study/optimize/front_geometry.h"
 #include "trivet/study/optimize/front_problems.h"
 #include "trivet/study/requirements/margin.h"
 

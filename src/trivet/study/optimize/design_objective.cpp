@@ -9,7 +9,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/analyses/steady_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/study/analyses/case_context.h"
 #include "trivet/study/family/design_neighbours.h"
 #include "trivet/study/family/frequency_slopes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/optimize/design_population.h"
+#include "trivet/study/optimize/design_search.h"
 
 #include <algorithm>
 #include <numeric>

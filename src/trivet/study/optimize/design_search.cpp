@@ -13,8 +13,6 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/study/optimize/design_looks.h"
-#include "trivet/study/optimize/design_population.h"
-#include "trivet/study/optimize/line_search.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <optional>
 #include <vector>
@@ -9,8 +11,9 @@
 #include "trivet/numerics/search/max_min.h"
 #include "trivet/study/optimize/design_objective.h"
 
-/// Where the best designs are: looks over the ranges, climbs, and what they reached.
 namespace trivet::study {
+
+// Where the best designs are: looks over the ranges, climbs, and what they reached.
 
 /// What a caller adds to a search.
 struct SearchOptions {
@@ -62,5 +65,28 @@ struct DesignSearch {
 
 /// Ends this near in rank are equally good.
 inline constexpr double same_objective = 1e-5;
+
+/// True if a population can be judged: families cover every case, and the objective is a least margin.
+[[nodiscard]] bool can_evolve(const DesignObjective& objective);
+
+/// The best designs of a population that evolved through the families of designs, some ten thousand designs without
+/// their models: differential evolution towards the best ones (Zhang, J.; Sanderson, A. C.: JADE: adaptive differential
+/// evolution with optional external archive. IEEE Trans. Evol. Comput. 13 (2009) 945–958; without the archive). It
+/// finds designs between local optima that climbs from single points miss. The same for any number of threads.
+/// @param first  the population before, as shares; more than 4 designs
+/// @returns at most `wanted`, the best first, that lie apart
+[[nodiscard]] std::vector<Eigen::VectorXd> evolved_designs(const DesignObjective& objective,
+                                                           const std::vector<Eigen::VectorXd>& first,
+                                                           std::size_t wanted, const foundation::Progress& progress);
+
+/// Local maxima of a problem of one variable whose values take long, each by Brent's method between the neighbours of a
+/// point that is the best near it. No slopes are needed.
+/// @param known  points that were judged, some of them near every maximum worth finding; at least one
+/// @param most   so many of the best of them are refined
+/// @returns the best point of each, in the order of `known` by rank; without a rise between neighbours the known one
+[[nodiscard]] std::vector<numerics::MaxMinPoint> maxima_on_a_line(const numerics::MaxMinProblem& problem,
+                                                                  std::vector<numerics::MaxMinPoint> known,
+                                                                  std::size_t most,
+                                                                  const foundation::Progress& progress);
 
 }  // namespace trivet::study

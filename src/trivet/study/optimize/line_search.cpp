@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/optimize/line_search.h"
+#include "trivet/study/optimize/design_search.h"
 
 #include <algorithm>
 
 #include "trivet/foundation/parallel_for.h"
-#include "trivet/numerics/search/minimum_between.h"
-#include "trivet/study/optimize/design_search.h"
+#include "trivet/numerics/search/zeros_and_minima.h"
 
 namespace trivet::study {
 namespace {

@@ -7,13 +7,13 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/study/family/parameter_warnings.h"
+#include "trivet/study/family/design_space.h"
 #include "trivet/study/optimize/design_objective.h"
 #include "trivet/study/optimize/design_search.h"
 #include "trivet/study/optimize/mount_search.h"
 #include "trivet/study/optimize/optimum_warnings.h"
 #include "trivet/study/requirements/margin.h"
-#include "trivet/study/requirements/mount_sums.h"
+#include "trivet/study/requirements/mount_loads.h"
 #include "trivet/study/requirements/unbounded_peaks.h"
 
 namespace trivet::study {

@@ -10,10 +10,10 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/modal/motion_words.h"
-#include "trivet/project/analyses/transmissibility_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/response/machinery/transmissibility.h"
-#include "trivet/study/analyses/transmissibility_answer.h"
-#include "trivet/study/requirements/isolation_requirements.h"
+#include "trivet/study/analyses/analysis_results.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 namespace trivet::study {
 namespace {

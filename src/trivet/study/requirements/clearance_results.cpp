@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/requirements/clearance_results.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 #include <fmt/format.h>
 
@@ -14,10 +14,10 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/machine/static_machine.h"
-#include "trivet/project/analyses/transient_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/response/steady/static_response.h"
+#include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/analyses/question_answer.h"
-#include "trivet/study/analyses/transient_answer.h"
 #include "trivet/study/explain/explanation.h"
 #include "trivet/study/requirements/margin.h"
 

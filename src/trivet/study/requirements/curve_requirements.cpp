@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/requirements/curve_requirements.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +12,9 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/response/machinery/order_loading.h"
+#include "trivet/response/machinery/run_up.h"
 #include "trivet/study/requirements/nearest_to_line.h"
-#include "trivet/study/requirements/requirement_curve.h"
+#include "trivet/study/requirements/requirement_list.h"
 
 namespace trivet::study {
 namespace {

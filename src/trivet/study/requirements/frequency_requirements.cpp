@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/requirements/frequency_requirements.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/requirements/isolation_requirements.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "trivet/response/machinery/transmissibility.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/study/requirements/margin.h"
-#include "trivet/study/requirements/requirement_curve.h"
+#include "trivet/study/requirements/requirement_list.h"
 
 namespace trivet::study {
 namespace {

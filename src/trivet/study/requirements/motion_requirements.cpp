@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/requirements/motion_requirements.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 #include <fmt/format.h>
 
@@ -10,12 +10,11 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/nonlinear/machine/static_machine.h"
-#include "trivet/project/analyses/random_question.h"
-#include "trivet/project/analyses/transient_question.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/static_response.h"
+#include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/analyses/question_answer.h"
-#include "trivet/study/analyses/transient_answer.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {

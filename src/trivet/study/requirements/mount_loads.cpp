@@ -10,11 +10,13 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/machine/static_machine.h"
+#include "trivet/project/text/shared_keys.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/explain/explanation.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {
+
 namespace {
 
 constexpr Eigen::Index along_axis = 2;  // e3
@@ -145,6 +147,61 @@ std::vector<RequirementResult> mount_loads(const CaseContext& context) {
   std::size_t rated = 0;
   for (const model::Element& element : context.system.elements())
     if (element.rating) judge_mount(element, loads.empty() ? nullptr : &loads[rated++], reason, results);
+  return results;
+}
+
+namespace {
+
+RequirementResult limit_of_sum(RequirementKind kind, std::string words, std::string unit, double allowed,
+                               const std::optional<double>& sum) {
+  RequirementResult result;
+  result.kind = kind;
+  result.words = std::move(words);
+  result.unit = std::move(unit);
+  result.allowed = allowed;
+  result.value = sum;
+  if (sum) result.margin = margin_of(allowed, *sum);
+  return result;
+}
+
+}  // namespace
+
+MountSums sums_of_mounts(const model::System& system) {
+  MountSums sums;
+  bool first = true;
+  for (const model::Element& element : system.elements()) {
+    if (!element.rating) continue;
+    const auto& mass = element.rating->mass;
+    const auto& price = element.rating->price;
+    if (first) {
+      sums = {price, mass};
+      first = false;
+      continue;
+    }
+    if (sums.mass) sums.mass = mass ? std::optional(*sums.mass + *mass) : std::nullopt;
+    if (!sums.price) continue;
+    if (price && price->currency == sums.price->currency) sums.price->amount += price->amount;
+    else sums.price.reset();
+  }
+  return sums;
+}
+
+std::vector<RequirementResult> mount_sums(const model::System& system, const project::Requirements& required) {
+  std::vector<RequirementResult> results;
+  const MountSums sums = sums_of_mounts(system);
+  if (required.price) {
+    const bool same = sums.price && sums.price->currency == required.price->currency;
+    RequirementResult& result = results.emplace_back(limit_of_sum(
+        RequirementKind::price, "mounts cost ≤ " + project::price_words(*required.price), required.price->currency,
+        required.price->amount, same ? std::optional(sums.price->amount) : std::nullopt));
+    if (!same) result.reason = "price: not every mount has one in " + required.price->currency;
+  }
+  if (required.mass > 0) {
+    RequirementResult& result = results.emplace_back(
+        limit_of_sum(RequirementKind::mount_mass, fmt::format("mounts weigh ≤ {:.5g} kg", required.mass), "kg",
+                     required.mass, sums.mass));
+    if (!sums.mass) result.reason = "mass: not every mount has one";
+  }
   return results;
 }
 

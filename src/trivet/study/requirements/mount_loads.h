@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "trivet/response/machinery/rated_loads.h"
+#include <vector>
+
+#include "trivet/model/system.h"
+#include "trivet/project/analyses/requirements.h"
+#include "trivet/response/machinery/load_sharing.h"
 #include "trivet/study/analyses/case_context.h"
 #include "trivet/study/requirements/verdict.h"
 
@@ -37,5 +41,16 @@ struct MountsAtRest {
 /// Static loads of each catalogue mount along its axes, and its deflection after creep, against the ranges of its
 /// maker. A noticeable load in a direction without a range is not judged.
 [[nodiscard]] std::vector<RequirementResult> mount_loads(const CaseContext& context);
+
+/// Price and mass of all catalogue mounts together.
+struct MountSums {
+  std::optional<model::Price> price;  ///< none if a mount has none, or another currency
+  std::optional<double> mass;         ///< none if a mount has none [kg]
+};
+[[nodiscard]] MountSums sums_of_mounts(const model::System& system);
+
+/// The required price and mass against those of the mounts.
+[[nodiscard]] std::vector<RequirementResult> mount_sums(const model::System& system,
+                                                        const project::Requirements& required);
 
 }  // namespace trivet::study

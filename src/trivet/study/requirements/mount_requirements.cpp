@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/requirements/mount_requirements.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 #include <fmt/format.h>
 
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/analyses/drive.h"
-#include "trivet/project/analyses/transient_question.h"
 #include "trivet/study/explain/explanation.h"
-#include "trivet/study/requirements/curve_requirements.h"
-#include "trivet/study/requirements/motion_requirements.h"
 #include "trivet/study/requirements/mount_loads.h"
 
 namespace trivet::study {

@@ -8,7 +8,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/search/minimum_between.h"
+#include "trivet/numerics/search/zeros_and_minima.h"
 #include "trivet/response/steady/body_dynamics.h"
 
 namespace trivet::study {

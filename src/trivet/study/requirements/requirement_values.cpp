@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/requirements/requirement_values.h"
 
-#include "trivet/study/requirements/clearance_results.h"
-#include "trivet/study/requirements/curve_requirements.h"
-#include "trivet/study/requirements/frequency_requirements.h"
-#include "trivet/study/requirements/isolation_requirements.h"
-#include "trivet/study/requirements/motion_requirements.h"
-#include "trivet/study/requirements/mount_requirements.h"
-#include "trivet/study/requirements/mount_sums.h"
+#include "trivet/study/requirements/mount_loads.h"
 #include "trivet/study/requirements/requirement_list.h"
-#include "trivet/study/requirements/steady_requirements.h"
 
 namespace trivet::study {
 

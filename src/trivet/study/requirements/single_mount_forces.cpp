@@ -13,7 +13,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/isolation_reader.h"
 #include "trivet/response/machinery/transmissibility.h"
-#include "trivet/response/steady/mounts.h"
+#include "trivet/response/steady/at_rest.h"
 
 namespace trivet::study {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/requirements/steady_requirements.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +14,7 @@
 #include "trivet/nonlinear/branch/stable_motions.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/level_crossings.h"
-#include "trivet/study/analyses/steady_answer.h"
+#include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {

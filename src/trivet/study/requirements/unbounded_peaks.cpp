@@ -12,7 +12,7 @@
 #include "trivet/judging/changed_case.h"
 #include "trivet/modal/modes.h"
 #include "trivet/project/model_number.h"
-#include "trivet/response/steady/vanishing_ends.h"
+#include "trivet/response/steady/visible_amplitudes.h"
 
 namespace trivet::study {
 namespace {

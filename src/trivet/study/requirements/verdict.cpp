@@ -11,7 +11,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/analyses/case_warnings.h"
+#include "trivet/study/analyses/case_context.h"
 #include "trivet/study/explain/explanation.h"
 #include "trivet/study/requirements/amplification.h"
 #include "trivet/study/requirements/requirement_values.h"

@@ -15,14 +15,13 @@
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/judging/changed_case.h"
-#include "trivet/numerics/linalg/cholesky.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/project/model_number.h"
 #include "trivet/response/steady/at_rest.h"
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/requirements/margin.h"
 #include "trivet/study/select/summed_model.h"
-#include "trivet/study/select/unit_modes.h"
 
 namespace trivet::study {
 namespace {

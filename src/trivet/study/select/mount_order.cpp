@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/select/mount_order.h"
+#include "trivet/study/select/mount_selection.h"
 
 #include <algorithm>
 #include <array>

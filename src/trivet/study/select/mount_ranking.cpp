@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/select/mount_ranking.h"
+#include "trivet/study/select/mount_selection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
-#include "trivet/study/select/mount_order.h"
 
 namespace trivet::study {
 namespace {

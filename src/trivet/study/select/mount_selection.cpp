@@ -12,12 +12,9 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/study/requirements/amplification.h"
-#include "trivet/study/requirements/mount_sums.h"
+#include "trivet/study/requirements/mount_loads.h"
 #include "trivet/study/requirements/requirement_values.h"
 #include "trivet/study/requirements/single_mount_forces.h"
-#include "trivet/study/select/mount_exchange.h"
-#include "trivet/study/select/mount_order.h"
-#include "trivet/study/select/mount_ranking.h"
 
 namespace trivet::study {
 namespace {

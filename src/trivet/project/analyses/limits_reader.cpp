@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/limits_reader.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numbers>
+
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/selection_reader.h"
+#include "trivet/project/text/model_path.h"
+#include "trivet/project/text/pairs_reader.h"
+#include "trivet/project/text/shared_keys.h"
+
+namespace trivet::project {
+
+namespace {
+
+constexpr std::array motion_quantities = {assembly::MotionQuantity::displacement, assembly::MotionQuantity::velocity,
+                                          assembly::MotionQuantity::acceleration};
+
+/// Reads a number, or a text with a unit that distinguishes displacement, velocity and acceleration.
+/// @param key  of the value, for messages
+void read_limit(TableReader& reader, const std::string& key, const Node& value, const ResultNames& names,
+                assembly::MotionQuantity usual, std::vector<AmplitudeLimit>& limits, const std::string& name) {
+  if (value.kind == Node::Kind::text)
+    for (const assembly::MotionQuantity quantity : motion_quantities) {
+      const auto si = to_si(value.text, *names.component(name, quantity));
+      if (!si) continue;
+      if (!(*si > 0)) reader.error(key, value_text(value), "a limit is > 0", "change it");
+      limits.push_back({name, quantity, *si, {}, {}, {}});
+      return;
+    }
+  if (value.kind == Node::Kind::text && written_number(value)) {
+    std::string units;
+    for (const assembly::MotionQuantity quantity : motion_quantities) {
+      const std::string unit = si_unit(*names.component(name, quantity));
+      if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : " or ") + unit;
+    }
+    reader.error(key, value_text(value), "the limit of this result needs a unit of its kind",
+                 "give " + units + ", or a multiple");
+    return;
+  }
+  const auto amplitude = reader.scalar(value, reader.path() + "." + key, *names.component(name, usual));
+  if (amplitude && !(*amplitude > 0))
+    reader.error(key, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0",
+                 "change it");
+  if (amplitude) limits.push_back({name, usual, *amplitude, {}, {}, {}});
+}
+
+/// {limit = "4.5 mm/s", band = ["20 Hz", "26 Hz"], excitations = ["run"]}: a limit in a band, and under excitations, of
+/// its own.
+void read_scoped_limit(TableReader& reader, const std::string& name, const Node& table, const ResultNames& names,
+                       assembly::MotionQuantity usual, const NamesInFile& in_file,
+                       std::vector<AmplitudeLimit>& limits) {
+  TableReader inside(table, reader.path() + "." + name, reader.problems());
+  const std::size_t before = limits.size();
+  if (const Node* limit = inside.node("limit")) read_limit(inside, "limit", *limit, names, usual, limits, name);
+  else inside.missing("limit", "give the largest amplitude: {limit = \"4.5 mm/s\", band = [\"20 Hz\", \"26 Hz\"]}");
+  const auto band = read_band(inside, "band");
+  std::optional<std::vector<std::string>> excitations;
+  const auto speed = read_band(inside, "speed");
+  if (band && inside.has("speed"))
+    inside.error("speed", "band and speed",
+                 "a limit is that of harmonic excitations in a band, or of orders over speeds",
+                 "keep one; a list of limits has both");
+  if (inside.has("speed") && in_file.order_excitations.empty())
+    inside.error("speed", "no orders in the model", "this limit judges the motion under each order of a shaft",
+                 "add [excitations.NAME] with type = \"orders\" or \"unbalance\", or give a band");
+  if (inside.has("excitations"))
+    excitations = inside.has("speed") ? read_selected(inside, in_file.order_excitations, "orders")
+                                      : read_selected_harmonic(inside, in_file);
+  inside.finish();
+  for (std::size_t i = before; i < limits.size(); ++i) {
+    limits[i].band = band;
+    limits[i].excitations = excitations;
+    limits[i].speed = speed;
+  }
+}
+
+/// Reports two limits of one quantity: the larger one has no effect.
+void check_limits_differ(TableReader& reader, const std::string& name, const Node& list,
+                         const std::vector<AmplitudeLimit>& limits) {
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    for (std::size_t j = i + 1; j < limits.size(); ++j)
+      if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity &&
+          limits[i].band == limits[j].band && limits[i].excitations == limits[j].excitations &&
+          limits[i].speed == limits[j].speed)
+        return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()),
+                                              "the larger of two limits of one quantity has no effect",
+                                              "keep the smaller"));
+}
+
+}  // namespace
+
+std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std::string& key, const ResultNames& names,
+                                                  assembly::MotionQuantity usual, const NamesInFile* scoped) {
+  std::vector<AmplitudeLimit> limits;
+  const Node* table = owner.table(key);
+  if (!table) return limits;
+  TableReader reader(*table, owner.path() + "." + key, owner.problems());
+  const auto read_one = [&](const std::string& name, const Node& value) {
+    if (scoped && value.kind == Node::Kind::table)
+      read_scoped_limit(reader, name, value, names, usual, *scoped, limits);
+    else read_limit(reader, name, value, names, usual, limits, name);
+  };
+  for (std::size_t i = 0; i < table->keys.size(); ++i) {
+    const std::string& name = table->keys[i];
+    const Node& value = *reader.node(name);
+    if (!names.component(name, usual)) {
+      refuse_limit(reader, names, name);
+    } else if (value.kind == Node::Kind::array && value.items.empty()) {
+      reader.error(name, "an empty list", "a list of limits has at least one", "write one, or remove the line");
+    } else if (value.kind == Node::Kind::array) {
+      for (const Node& item : value.items) read_one(name, item);
+      check_limits_differ(reader, name, value, limits);
+    } else {
+      read_one(name, value);
+    }
+  }
+  reader.finish();
+  return limits;
+}
+
+std::vector<std::string> read_no_peak(TableReader& owner, const ResultNames& names, assembly::MotionQuantity quantity) {
+  const auto words = owner.texts("no_peak", R"("coordinates", or ["BODY.x", "ELEMENT.force.z"])");
+  if (!words) return {};
+  for (const std::string& word : *words) {
+    if (names.is_group(word) || names.component(word, quantity)) continue;
+    if (names.is_guided(word)) {
+      owner.error("no_peak", foundation::quoted(word),
+                  "this coordinate is not in `free` of its body, so it does not move",
+                  "name a free coordinate, or remove it");
+      continue;
+    }
+    names.refuse(owner, "no_peak", word, "coordinates, a body, BODY.POINT, an element or one component of these");
+  }
+  return *words;
+}
+
+std::optional<assembly::MotionQuantity> read_quantity(TableReader& reader) {
+  const auto word = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
+  if (!word) return std::nullopt;
+  return motion_quantities[*word == "velocity" ? 1 : *word == "acceleration" ? 2 : 0];
+}
+
+void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result) {
+  const Node* table = root.table("limit_lines");
+  if (!table) return;
+  const Node* requirements = root.has("requirements") ? root.node("requirements") : nullptr;
+  if (!result.response && !(requirements && requirements->find("limit_lines") && requirements->find("band")))
+    root.error("limit_lines", "no response to compare with",
+               "limit lines apply to the band of analyses.response, or to that of the requirements that name them",
+               "add response = {…} to [analyses]");
+  TableReader all(*table, "limit_lines", root.problems());
+  for (const std::string& name : table->keys) {
+    const Node* node = all.table(name);
+    if (!node) continue;
+    TableReader reader(*node, "limit_lines." + name, root.problems());
+    LimitLineRequest request;
+    request.of = reader.required_text("of");
+    const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"}).value_or("velocity");
+    const auto motion_quantity = quantity == "velocity" ? assembly::MotionQuantity::velocity
+        : quantity == "acceleration"                    ? assembly::MotionQuantity::acceleration
+                                                        : assembly::MotionQuantity::displacement;
+    const auto measured = names.component(request.of, motion_quantity);
+    if (reader.has("of") && !measured)
+      reader.error("of", foundation::quoted(request.of),
+                   "a limit line belongs to one component: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"",
+                   "check the name");
+    request.line.name = name;
+    request.line.rms = reader.choice("level", {"rms", "zero_to_peak"}).value_or("rms") == "rms";
+    static constexpr std::array<const char*, 3> units = {"m", "m/s", "m/s²"}, turning = {"rad", "rad/s", "rad/s²"};
+    if (measured && reader.has("quantity") && names.is_force(request.of))
+      warn_of_idle_key(reader, "quantity", "\"" + quantity + "\" of a force", "it applies to motions only",
+                       "remove it");
+    if (measured) {
+      const bool force = *measured == Quantity::force || *measured == Quantity::moment;
+      const bool turns = request.of.size() > 3 && request.of[request.of.size() - 2] == 'r';
+      request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")
+                                : (turns ? turning : units)[static_cast<std::size_t>(motion_quantity)];
+    }
+    const ColumnQuantity level = read_bare_unit(reader, measured.value_or(Quantity::pure));
+    const auto rows = reader.has("rows") ? read_pairs(reader, "rows", in_hertz(), level)
+                                         : read_pairs_of_file(reader, "frequency_hz", "limit", in_hertz(), level);
+    reader.finish();
+    if (!rows || !measured) continue;
+    for (const double hertz : rows->col(0)) request.line.angular_frequency.push_back(2 * std::numbers::pi * hertz);
+    for (const double limit : rows->col(1)) request.line.limit.push_back(level.bare * limit);
+    const foundation::Problems findings = assembly::check(request.line, reader.has("rows") ? "rows" : "file");
+    reader.add(findings);
+    if (!findings.has_errors()) result.limit_lines.push_back(std::move(request));
+  }
+}
+
+}  // namespace trivet::project

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/project/analyses/analysis_types.h"
+#include "trivet/response/machinery/deflection_shape.h"
+#include "trivet/response/machinery/power.h"
+#include "trivet/study/analyses/analysis_results.h"
+#include "trivet/study/analyses/question_answer.h"
+
+namespace trivet::study {
+
+namespace {
+
+OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& asked, foundation::Problems&) {
+  const std::vector<response::OrderLoading> orders =
+      response::order_loadings(c.system, c.assembled, asked.selection.excitations);
+  if (orders.empty())
+    throw foundation::NotComputable(
+        "orders: the model has no excitation by a rotating shaft; add [excitations.NAME] with type = \"orders\" or "
+        "\"unbalance\"");
+  response::RunUpOptions options;
+  options.speed = asked.speed;
+  return {
+      response::run_up(c.assembled, channels_of(c, asked.selection), orders, c.modes, c.roots(), options, c.progress),
+      response::campbell(orders, c.modes, c.roots(), asked.speed), asked.selection.quantity};
+}
+
+}  // namespace
+
+const QuestionAnswer orders_answer = answered_by<answer_orders>(
+    "run-up: response over shaft speed, critical speeds",
+    "orders: no range of speeds given; add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
+
+namespace {
+
+response::PowerFlow answer_power(const CaseContext& c, const project::BandQuestion& asked, foundation::Problems&) {
+  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.selection.excitations);
+  if (loading.vanishes()) throw without_excitation("power");
+  const std::vector<assembly::Channel> channels =
+      assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::MotionQuantity::velocity);
+  const assembly::Band band = asked.band ? *asked.band : default_band(c);
+  // They only choose the frequencies.
+  const response::Peaks peaks = response::peaks(c.assembled, channels, loading, c.modes, c.roots(),
+                                                {.search_to = band.to, .refine = false}, c.progress);
+  std::vector<double> grid = grid_over(c, channels, loading, peaks, band);
+  // At ω = 0 nothing moves; at an undamped resonance there is no steady power.
+  const response::FrequencyResponse defined = response::frequency_response(c.assembled, channels, loading, grid);
+  std::erase_if(grid, [&](double w) {
+    return w == 0 || std::ranges::find(defined.check.undefined_at, w) != defined.check.undefined_at.end();
+  });
+  return response::power_flow(c.system, c.assembled, loading, grid, c.progress);
+}
+
+}  // namespace
+
+const QuestionAnswer power_answer = answered_by<answer_power>("mean power into the ground at each mount");
+
+namespace {
+
+std::vector<response::DeflectionShape> answer_shapes(const CaseContext& c, const project::ShapesQuestion& asked,
+                                                     foundation::Problems&) {
+  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.selection.excitations);
+  if (loading.vanishes()) throw without_excitation("shapes");
+  std::vector<response::DeflectionShape> shapes;
+  for (const double omega : asked.at)
+    shapes.push_back(response::deflection_shape(c.system, c.assembled, loading, omega));
+  return shapes;
+}
+
+}  // namespace
+
+const QuestionAnswer shapes_answer = answered_by<answer_shapes>(
+    "operating deflection shapes", "shapes: no frequencies given; add shapes = {at = [\"25 Hz\"]} to [analyses]");
+
+}  // namespace trivet::study
