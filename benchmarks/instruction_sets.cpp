@@ -14,8 +14,8 @@ using namespace trivet;
 using namespace trivet::benchmarks;
 
 /// Times `answers` under each instruction set, the best first; they may differ by `limit`.
-template <typename Answers>
-void under_each(const Question& question, double items, double limit, double flops, const Answers& answers) {
+template <typename CaseResults>
+void under_each(const Question& question, double items, double limit, double flops, const CaseResults& answers) {
   std::vector<Method> methods;
   const std::vector<std::string> sets = numerics::instruction_sets();
   const auto best = answers().eval();

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "trivet/judging/read_project.h"
-#include "trivet/study/analyses/answers.h"
-#include "trivet/study/analyses/asked_questions.h"
+#include "trivet/study/analyses/analysis_commands.h"
+#include "trivet/study/analyses/case_results.h"
 #include "trivet/study/map/design_sweep.h"
 
 namespace {
@@ -44,10 +44,10 @@ int main(int count, char** words) {
   const auto project = judging::read_project(words[1]);
   if (!project) return std::fputs("the project has errors\n", stderr), 2;
   const project::Case& base = project->base();
-  const study::AskedQuestion& response = study::asked_question("response");
+  const study::AnalysisCommand& response = study::analysis_command("response");
   double last = 0;
   const double of_response = median_time(101, [&] {
-    last = std::abs(study::answers(base, response.asked(base)).response->curves.curves.front().value(0));
+    last = std::abs(study::case_results(base, response.request(base)).response->curves.curves.front().value(0));
   });
   study::SweepRequest request;
   request.numbers = {

@@ -97,8 +97,8 @@ const Machine& machine_once() {
 }
 
 Eigen::VectorXd rms_of(const response::RandomResponse& random) {
-  Eigen::VectorXd result(to_index(random.answers.size()));
-  for (std::size_t i = 0; i < random.answers.size(); ++i) result(to_index(i)) = random.answers[i].rms.value();
+  Eigen::VectorXd result(to_index(random.channels.size()));
+  for (std::size_t i = 0; i < random.channels.size(); ++i) result(to_index(i)) = random.channels[i].rms.value();
   return result;
 }
 
@@ -145,7 +145,7 @@ void compare_answers() {
        {std::pair{"force, against trapezoids", m.force()}, {"floor, against trapezoids", m.floor()}}) {
     const response::RandomResponse random =
         response::random_response(m.assembled, m.channels, {{{"input", load, m.spectrum}}, {}});
-    std::printf("%zu answers by %s %s\n", random.answers.size(), name(random.method), random.remark.c_str());
+    std::printf("%zu answers by %s %s\n", random.channels.size(), name(random.method), random.remark.c_str());
     compare(what, rms_of(random), by_trapezoids(load, 20000), grid_accuracy);
   }
   const auto coordinates =
@@ -160,7 +160,7 @@ void RandomForce(benchmark::State& state) {
   const Machine& m = machine_once();
   const response::RandomLoading loading{{{"force", m.force(), m.spectrum}}, {}};
   for (auto _ : state)
-    benchmark::DoNotOptimize(response::random_response(m.assembled, m.channels, loading).answers.data());
+    benchmark::DoNotOptimize(response::random_response(m.assembled, m.channels, loading).channels.data());
 }
 BENCHMARK(RandomForce)->Unit(benchmark::kMillisecond);
 
@@ -168,7 +168,7 @@ void RandomFloorAcceleration(benchmark::State& state) {
   const Machine& m = machine_once();
   const response::RandomLoading loading{{{"floor", m.floor(), m.spectrum}}, {}};
   for (auto _ : state)
-    benchmark::DoNotOptimize(response::random_response(m.assembled, m.channels, loading).answers.data());
+    benchmark::DoNotOptimize(response::random_response(m.assembled, m.channels, loading).channels.data());
 }
 BENCHMARK(RandomFloorAcceleration)->Unit(benchmark::kMillisecond);
 

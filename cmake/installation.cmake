@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # find_package(trivet) gives trivet::LAYER for every layer.
 include(CMakePackageConfigHelpers)
-get_property(floors GLOBAL PROPERTY TRIVET_FLOORS)
-list(TRANSFORM floors PREPEND trivet_ OUTPUT_VARIABLE floor_targets)
-install(TARGETS ${floor_targets} EXPORT trivet FILE_SET HEADERS)
+get_property(layers GLOBAL PROPERTY TRIVET_LAYERS)
+list(TRANSFORM layers PREPEND trivet_ OUTPUT_VARIABLE layer_targets)
+install(TARGETS ${layer_targets} EXPORT trivet FILE_SET HEADERS)
 install(TARGETS trivet_cli)
 install(FILES ${PROJECT_SOURCE_DIR}/catalogues/generic.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/trivet/catalogues)
 install(FILES ${PROJECT_SOURCE_DIR}/third_party/uplot/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/trivet/licences RENAME uplot)  # in every report

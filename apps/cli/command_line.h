@@ -10,7 +10,7 @@ namespace trivet::cli {
 
 enum class Form { text, json, csv };
 
-/// What a command line asks for.
+/// What a command line requests.
 struct CommandLine {
   const engine::Command* command = nullptr;  ///< nullptr for `new` and `schema`
   std::string project;                       ///< file
@@ -20,7 +20,7 @@ struct CommandLine {
   engine::Request request;
 };
 
-/// Answers the command line on standard output and standard error. @returns the exit code
-[[nodiscard]] int answer(CommandLine line);
+/// Results the command line on standard output and standard error. @returns the exit code
+[[nodiscard]] int result(CommandLine line);
 
 }  // namespace trivet::cli

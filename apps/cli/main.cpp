@@ -137,7 +137,7 @@ int answered(const CLI::App& app, CommandLine& line) {
   line.command = trivet::engine::find_command(name);
   line.request.command = name;
   line.request.before_keys = "--";
-  return trivet::cli::answer(std::move(line));
+  return trivet::cli::result(std::move(line));
 }
 
 int run(int argc, char** argv) {

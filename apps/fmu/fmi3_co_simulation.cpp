@@ -24,8 +24,8 @@ fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueRefere
 fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 from, fmi3Float64 step, fmi3Boolean, fmi3Boolean* event_needed,
                       fmi3Boolean* terminate_simulation, fmi3Boolean* early_return, fmi3Float64* last_time) {
   return fmi3_status(guarded_call(instance, "fmi3DoStep", phase::step, [&](Instance& self) {
-    for (fmi3Boolean* answer : {event_needed, terminate_simulation, early_return})
-      place(answer, "a pointer to an answer") = false;
+    for (fmi3Boolean* result : {event_needed, terminate_simulation, early_return})
+      place(result, "a pointer to an answer") = false;
     double& reached = place(last_time, "the pointer to the last time");
     reached = self.simulation().state().time;
     self.advance(from, step);

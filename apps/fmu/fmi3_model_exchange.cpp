@@ -15,9 +15,9 @@ fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean* needs_up
                                     fmi3Boolean* nominals_changed, fmi3Boolean* states_changed,
                                     fmi3Boolean* next_event_defined, fmi3Float64* next_event) {
   return fmi3_status(guarded_call(instance, "fmi3UpdateDiscreteStates", phase::event, [&](Instance&) {
-    for (fmi3Boolean* answer :
+    for (fmi3Boolean* result :
          {needs_update, terminate_simulation, nominals_changed, states_changed, next_event_defined})
-      place(answer, "a pointer to an answer") = false;
+      place(result, "a pointer to an answer") = false;
     place(next_event, "the pointer to the next event") = 0;
   }));
 }

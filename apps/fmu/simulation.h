@@ -24,7 +24,7 @@ struct SimulationState {
 };
 
 /// One simulation of a model. All functions throw std::runtime_error and change nothing if a reference is unknown, a
-/// number is not finite or a variable cannot be used as asked.
+/// number is not finite or a variable cannot be used as requested.
 class Simulation {
  public:
   /// The largest order of derivatives of inputs and outputs that is not ignored.

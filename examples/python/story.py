@@ -39,10 +39,10 @@ within = np.all(sweep.amplitude <= limits, axis=-1)
 print(f"{within.mean():.0%} of {within.size} designs keep every amplitude below its limit")
 
 # %% 5. The answer: the map of limits and peaks, and the best design with its margin.
-answer = project.map(points=60)
-found = answer.to_dict()
-print(answer)
-for warning in answer.warnings:
+result = project.map(points=60)
+found = result.to_dict()
+print(result)
+for warning in result.warnings:
     print(warning)
 assert 0 < within.mean() < 1
 assert len(found) > 0

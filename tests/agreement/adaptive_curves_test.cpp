@@ -222,7 +222,7 @@ TEST(AdaptiveCurves, FollowGroundThatMovesWithDelays) {
   expect_like_uniform_points(p);
 }
 
-study::Answers answers_to_a_push(const std::string& elements, const std::string& band) {
+study::CaseResults results_of_a_push(const std::string& elements, const std::string& band) {
   const auto project = test::project(
       "trivet = 1\n[bodies.b]\nmass = 10\nfree = [\"z\"]\n[elements.m]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, "
       "0]\n"
@@ -231,26 +231,26 @@ study::Answers answers_to_a_push(const std::string& elements, const std::string&
       "[excitations.push]\ntype = \"harmonic\"\non = \"b\"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n[analyses]\nresponse = "
       "{band = " +
       band + "}\n");
-  return study::answers(project.base(), project.base().analyses);
+  return study::case_results(project.base(), project.base().analyses);
 }
 
 TEST(AdaptiveCurves, EveryRowOfATableIsSolvedIfMatricesAreConstant) {
-  const study::ResponseAnswer answer = *answers_to_a_push("damping = {proportional = 1e-3}\n", "[0, 100]").response;
-  EXPECT_EQ(answer.curves.solves, static_cast<int>(answer.curves.angular_frequency.size()));
-  EXPECT_EQ(answer.curves.interpolation_error, 0);
-  ASSERT_TRUE(answer.model.has_value());
-  EXPECT_LE(answer.model->solves, most_solves);
+  const study::ResponseResult result = *results_of_a_push("damping = {proportional = 1e-3}\n", "[0, 100]").response;
+  EXPECT_EQ(result.curves.solves, static_cast<int>(result.curves.angular_frequency.size()));
+  EXPECT_EQ(result.curves.interpolation_error, 0);
+  ASSERT_TRUE(result.model.has_value());
+  EXPECT_LE(result.model->solves, most_solves);
 }
 
 TEST(AdaptiveCurves, RowsBetweenSolvesOfAFrequencyDependentLawStateTheirError) {
-  const study::ResponseAnswer answer =
-      *answers_to_a_push("damping = {fractional_zener = {ratio = 2, time = \"5 ms\", order = 0.5}}\n", "[1, 100]")
+  const study::ResponseResult result =
+      *results_of_a_push("damping = {fractional_zener = {ratio = 2, time = \"5 ms\", order = 0.5}}\n", "[1, 100]")
            .response;
-  EXPECT_LE(answer.curves.solves, most_solves);
-  EXPECT_GT(answer.curves.angular_frequency.size(), to_size(answer.curves.solves));
-  EXPECT_GT(answer.curves.interpolation_error, 0);
+  EXPECT_LE(result.curves.solves, most_solves);
+  EXPECT_GT(result.curves.angular_frequency.size(), to_size(result.curves.solves));
+  EXPECT_GT(result.curves.interpolation_error, 0);
   constexpr double between_solves = 1e-4;  // a tenth of what a picture may be off
-  EXPECT_LE(answer.curves.interpolation_error, between_solves);
+  EXPECT_LE(result.curves.interpolation_error, between_solves);
 }
 
 }  // namespace adaptive_curves_test

@@ -33,12 +33,12 @@ const std::string pushed =
     "[excitations.low]\ntype = \"harmonic\"\non = \"low\"\nat = [0, 0, 0]\nforce = [-2.8, 0, -8]\n"
     "[excitations.high]\ntype = \"harmonic\"\non = \"high\"\nat = [0, 0, 0]\nforce = [-1.4, 0, -4]\n";
 
-struct Answered {
+struct Computed {
   model::System system;
   assembly::Assembled assembled;
   std::vector<assembly::Channel> channels;
   assembly::Loading loading;
-  Answered(const project::Project& project, const std::vector<std::string>& of)
+  Computed(const project::Project& project, const std::vector<std::string>& of)
       : system(project.base().system),
         assembled(assembly::assemble(system)),
         channels(assembly::channels(system, assembled, of, assembly::MotionQuantity::displacement)),
@@ -50,9 +50,9 @@ constexpr double of_a_float = 2e-7;  // margins are kept in single precision
 
 TEST(BaseAcceleration, MovesMassesAgainstTheGroundAsForcesWouldDownToRest) {
   for (const char* damping : {"{proportional = 0.05}", "{loss_factor = 0.1}"}) {
-    const Answered base(test::project(tower(damping, shaken, "response = {band = [0.001, 40]}\n")),
+    const Computed base(test::project(tower(damping, shaken, "response = {band = [0.001, 40]}\n")),
                         {"low.relative", "high.relative", "neck", "foot"});
-    const Answered force(test::project(tower(damping, pushed, "response = {band = [0.001, 40]}\n")),
+    const Computed force(test::project(tower(damping, pushed, "response = {band = [0.001, 40]}\n")),
                          {"low", "high", "neck", "foot"});
     const std::vector<double> omega = {1e-8, 1e-6, 1e-5, 1e-3, 1, 11, 17, 300};
     const auto of_base = response::frequency_response(base.assembled, base.channels, base.loading, omega);
@@ -75,7 +75,7 @@ TEST(BaseAcceleration, MovesMassesAgainstTheGroundAsForcesWouldDownToRest) {
 }
 
 TEST(BaseAcceleration, LeavesTheMotionInSpaceUnbounded) {
-  const Answered base(test::project(tower("{proportional = 0.05}", shaken, "response = {band = [0.001, 40]}\n")),
+  const Computed base(test::project(tower("{proportional = 0.05}", shaken, "response = {band = [0.001, 40]}\n")),
                       {"low.z"});
   const double omega = 1e-4;  // far below the lowest natural frequency: everything moves with the ground
   const auto found = response::frequency_response(base.assembled, base.channels, base.loading, {omega});
@@ -87,7 +87,7 @@ TEST(BaseAcceleration, HasTheSamePeaksAsForces) {
   const std::string band = "response = {band = [0.001, 40]}\n";
   const project::Project by_base = test::project(tower("{proportional = 0.02}", shaken, band)),
                          by_force = test::project(tower("{proportional = 0.02}", pushed, band));
-  const auto peaks = [](const Answered& a) {
+  const auto peaks = [](const Computed& a) {
     const modal::Modes modes = modal::modes(a.system, a.assembled);
     return response::peaks(a.assembled, a.channels, a.loading, modes, modal::roots(a.system, a.assembled, modes));
   };
@@ -121,7 +121,7 @@ TEST(BaseAcceleration, HasALimitAtRestInEveryAttitude) {
               "\n[analyses]\nresponse = {at = [0, 1e-3], of = [\"e0.deflection\", \"e1\", \"m.relative\", "
               "\"ground\"]}\n";
           const project::Project project = test::project(text);
-          const study::Answers found = study::answers(project.base(), project.base().analyses);
+          const study::CaseResults found = study::case_results(project.base(), project.base().analyses);
           for (const auto& curve : found.response->curves.curves) {
             double largest = 0;
             for (const auto& other : found.response->curves.curves)

@@ -79,7 +79,7 @@ TEST(BaseMotion, IsThatOfRelativeCoordinatesUnderInertialForces) {
   }
 }
 
-TEST(BaseMotion, RelativeAnswersAreAbsoluteOnesLessTheGround) {
+TEST(BaseMotion, RelativeChannelsAreAbsoluteOnesLessTheGround) {
   test::RandomSystem draw(3);
   model::Description d = draw.description(2, RandomDamping::viscous);
   d.excitations = {base(draw)};
@@ -141,8 +141,8 @@ damping = {loss_factor = 0.1}
 std::complex<double> at_40(const std::string& excitations, const std::string& name) {
   const project::Project project =
       test::project(two_legs(excitations) + "[analyses]\nresponse = {at = [40], of = [\"frame\"]}\n");
-  const study::Answers answers = study::answers(project.base(), project.base().analyses);
-  return test::value(*answers.response, name, 0);
+  const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
+  return test::value(*results.response, name, 0);
 }
 
 constexpr double digits_of_the_speed = 1e-6;  // std::to_string writes six decimals

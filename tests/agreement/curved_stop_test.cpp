@@ -11,7 +11,7 @@ namespace curved_stop_test {
 using namespace trivet;
 using test::RelativelyNear;
 
-study::Answers answers_of(const std::string& stops) {
+study::CaseResults results_of(const std::string& stops) {
   const project::Project project = test::project(R"(trivet = 1
 gravity = [0, 0, -9.80665]
 [bodies.m]
@@ -34,7 +34,7 @@ force = [10, 0, 150]
 static = {of = ["m"]}
 steady = {of = ["m.z", "m.ry"], band = ["3 Hz", "12 Hz"], harmonics = 21}
 )" + stops);
-  return study::answers(project.base(), project.base().analyses);
+  return study::case_results(project.base(), project.base().analyses);
 }
 
 std::string stop(const std::string& name, const std::string& axis, const std::string& keys) {
@@ -44,13 +44,13 @@ std::string stop(const std::string& name, const std::string& axis, const std::st
 
 TEST(CurvedStop, IsTwoStops) {
   const std::string rows = "curve = {rows = [[0, 0], [\"2 mm\", \"100 N\"], [\"5 mm\", \"1 kN\"]]}\n";
-  const study::Answers curved = answers_of(stop("up", "z", "gap = \"3 mm\"\n" + rows) +
-                                           stop("down", "-z", "gap = \"9 mm\"\ndissipation = 0.8\n" + rows)),
-                       two =
-                           answers_of(stop("up", "z", "gap = \"3 mm\"\nstiffness = 5e4") +
-                                      stop("up_more", "z", "gap = \"5 mm\"\nstiffness = 2.5e5") +
-                                      stop("down", "-z", "gap = \"9 mm\"\ndissipation = 0.8\nstiffness = 5e4") +
-                                      stop("down_more", "-z", "gap = \"11 mm\"\ndissipation = 0.8\nstiffness = 2.5e5"));
+  const study::CaseResults curved = results_of(stop("up", "z", "gap = \"3 mm\"\n" + rows) +
+                                               stop("down", "-z", "gap = \"9 mm\"\ndissipation = 0.8\n" + rows)),
+                           two = results_of(
+                               stop("up", "z", "gap = \"3 mm\"\nstiffness = 5e4") +
+                               stop("up_more", "z", "gap = \"5 mm\"\nstiffness = 2.5e5") +
+                               stop("down", "-z", "gap = \"9 mm\"\ndissipation = 0.8\nstiffness = 5e4") +
+                               stop("down_more", "-z", "gap = \"11 mm\"\ndissipation = 0.8\nstiffness = 2.5e5"));
   ASSERT_TRUE(curved.failures.empty() && two.failures.empty());
   for (std::size_t i = 0; i < curved.statics->values.size(); ++i)
     EXPECT_NEAR(curved.statics->values[i].value, two.statics->values[i].value, 1e-12);

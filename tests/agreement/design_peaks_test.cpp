@@ -140,7 +140,7 @@ TEST(DesignPeaks, AreAtTheReportedFrequencies) {
   }
 }
 
-TEST(DesignPeaks, DoNotDependOnOtherAnswers) {
+TEST(DesignPeaks, DoNotDependOnOtherChannels) {
   const numerics::Designs designs = test::random_designs(200, 6, 1e-3, 11);
   const Eigen::ArrayXXd rows = Eigen::MatrixXd::Identity(3, 6).array();
   Eigen::ArrayXXd on_velocity = Eigen::ArrayXXd::Zero(3, 6);
@@ -158,8 +158,8 @@ TEST(DesignPeaks, DoNotDependOnOtherAnswers) {
     const numerics::DesignPeaks one = numerics::design_peaks(designs, alone);
     for (Eigen::Index d = 0; d < designs.count(); ++d) {
       EXPECT_NEAR(all.highest(d, c), one.highest(d, 0), nine_digits * one.highest(d, 0))
-          << "design " << d << ", answer " << c;
-      EXPECT_EQ(all.peaks(d, c), one.peaks(d, 0)) << "design " << d << ", answer " << c;
+          << "design " << d << ", channel " << c;
+      EXPECT_EQ(all.peaks(d, c), one.peaks(d, 0)) << "design " << d << ", channel " << c;
     }
   }
 }

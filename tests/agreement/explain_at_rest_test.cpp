@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/harmonic_question.h"
 #include "support/peak_slopes.h"
 #include "support/projects.h"
+#include "support/sensitivity_request.h"
 #include "trivet/judging/changed_case.h"
 #include "trivet/project/model_number.h"
 #include "trivet/study/explain/explanation.h"
@@ -76,7 +76,7 @@ TEST(PeakSensitivities, FollowThePositionOfRestOfANonlinearMachine) {
       const auto& share = peak.shares.elements[e];
       EXPECT_NEAR(share.by_direction.sum(), share.stored, 1e-9) << base.system.elements()[e].name;
     }
-    const response::Question asked = test::question({peak.name});
+    const response::SensitivityRequest request = test::sensitivity_request({peak.name});
     double largest_height = 0, largest_frequency = 0;
     for (const response::Sensitivity& s : peak.sensitivities) {
       const double size = found.parameters[s.parameter].size / 0.01;
@@ -94,7 +94,7 @@ TEST(PeakSensitivities, FollowThePositionOfRestOfANonlinearMachine) {
         return judging::changed_system(base, {{number, is_added ? before + amount : before * (1 + amount)}}).value();
       };
       const test::PeakSlopes difference =
-          test::peak_slopes(changed, step, asked, {{0, peak.peak.angular_frequency, {}}}).front();
+          test::peak_slopes(changed, step, request, {{0, peak.peak.angular_frequency, {}}}).front();
       EXPECT_NEAR(*s.height * size, difference.height * size, test::truncation_by_circles * largest_height)
           << parameter.name << " on the height of " << peak.name;
       EXPECT_NEAR(*s.frequency * size, difference.frequency * size, test::truncation_by_circles * largest_frequency)

@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "support/harmonic_question.h"
 #include "support/matchers.h"
 #include "support/peak_slopes.h"
 #include "support/projects.h"
 #include "support/random_system.h"
+#include "support/sensitivity_request.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -24,7 +24,7 @@ using namespace trivet;
 using test::drive;
 using test::peaks_of;
 using test::PeakSlopes;
-using test::question;
+using test::sensitivity_request;
 using test::step_by_circles;
 using test::truncation_by_circles;
 
@@ -37,17 +37,17 @@ struct Comparison {
 
 /// Compares every sensitivity of the most prominent peak of each curve with differences of the peaks of changed models.
 /// Returns the number of comparisons.
-int compare(const model::System& system, const response::Question& asked, const Comparison& how) {
+int compare(const model::System& system, const response::SensitivityRequest& request, const Comparison& how) {
   const assembly::Assembled assembled = assembly::assemble(system);
-  const response::Peaks found = peaks_of(system, asked);
+  const response::Peaks found = peaks_of(system, request);
   std::vector<response::PeakPlace> places;
-  for (std::size_t c = 0; c < asked.channels.size(); ++c) {
+  for (std::size_t c = 0; c < request.channels.size(); ++c) {
     const response::Peak* best = nullptr;
     for (const response::Peak& peak : found.list)
       if (peak.curve == c && (!best || peak.prominence > best->prominence)) best = &peak;
     if (best) places.push_back({c, best->angular_frequency, {}});
   }
-  const response::SensitivityTable table = response::peak_sensitivities(system, assembled, asked, places);
+  const response::SensitivityTable table = response::peak_sensitivities(system, assembled, request, places);
   std::vector<std::array<double, 2>> largest(places.size(), {0, 0});
   for (std::size_t i = 0; i < places.size(); ++i) {
     EXPECT_THAT(table.peaks[i].notes, testing::IsEmpty());
@@ -62,14 +62,14 @@ int compare(const model::System& system, const response::Question& asked, const 
     const response::Parameter& parameter = table.parameters[p];
     const double step = how.step * (parameter.size == 0.01 ? 1 : 0.2);
     const std::vector<PeakSlopes> difference = test::peak_slopes(
-        [&](double amount) { return response::changed(system, parameter, amount); }, step, asked, places);
+        [&](double amount) { return response::changed(system, parameter, amount); }, step, request, places);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const response::Sensitivity& exact = table.peaks[i].list[p];
       const double size = parameter.size / 0.01;
       EXPECT_NEAR(*exact.height * size, difference[i].height * size, how.tolerance * largest[i][0])
-          << parameter.name << " on the height of " << asked.channels[places[i].channel];
+          << parameter.name << " on the height of " << request.channels[places[i].channel];
       EXPECT_NEAR(*exact.frequency * size, difference[i].frequency * size, how.tolerance * largest[i][1])
-          << parameter.name << " on the frequency of " << asked.channels[places[i].channel];
+          << parameter.name << " on the frequency of " << request.channels[places[i].channel];
       compared += 2;
     }
   }
@@ -84,8 +84,8 @@ TEST(PeakSensitivities, AreThoseOfPeaksSolvedAgain) {
     const model::System system = test::checked(
         test::RandomSystem(seed).description(several ? 3 : 1, std::array{proportional, viscous, loss}[seed % 3]));
     compared += compare(system,
-                        question({"body 0.x", "body 0.tip.ry", "ground.force.z", "element 1.moment.x"},
-                                 static_cast<assembly::MotionQuantity>(seed % 3)),
+                        sensitivity_request({"body 0.x", "body 0.tip.ry", "ground.force.z", "element 1.moment.x"},
+                                            static_cast<assembly::MotionQuantity>(seed % 3)),
                         {.every = several ? 11 : 2});
   }
   EXPECT_GT(compared, 250);
@@ -97,7 +97,7 @@ TEST(PeakSensitivities, FollowDampingOfTheWholeSystem) {
         model::SystemDamping(model::ModalDamping{{0.01, 0.02, 0.03, 0.04, 0.05, 0.06}})}) {
     model::Description description = test::RandomSystem(11).description(1, test::RandomDamping::none);
     description.damping = damping;
-    EXPECT_GT(compare(test::checked(description), question({"body 0.x", "element 0.force.y"}), {}), 20);
+    EXPECT_GT(compare(test::checked(description), sensitivity_request({"body 0.x", "element 0.force.y"}), {}), 20);
   }
 }
 
@@ -107,14 +107,15 @@ TEST(PeakSensitivities, FollowRelaxingElementsWithInnerCoordinates) {
         elements::Viscoelastic(elements::GeneralizedMaxwell{{0.4, 0.3}, {0.02, 0.002}})}) {
     model::Description description = test::RandomSystem(12).description(1, test::RandomDamping::none);
     for (model::Element& element : description.elements) element.law.damping = law;
-    EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}), {.every = 3}), 20);
+    EXPECT_GT(compare(test::checked(description), sensitivity_request({"body 0.y", "element 0.force.y"}), {.every = 3}),
+              20);
   }
 }
 
 TEST(PeakSensitivities, FollowElementsThatDependOnFrequency) {
   model::Description description = test::RandomSystem(13).description(1, test::RandomDamping::viscous);
   description.elements[0].law.damping = elements::FractionalZener{0.6, 0.01, 0.5};
-  EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}),
+  EXPECT_GT(compare(test::checked(description), sensitivity_request({"body 0.y", "element 0.force.y"}),
                     {.step = step_by_circles, .tolerance = truncation_by_circles, .every = 4}),
             10);
 }
@@ -144,10 +145,12 @@ force = [10, 20, 50]
 
 TEST(PeakSensitivities, FollowCoilSpringsWithMassAndWithPreload) {
   const auto with_mass = test::project(coil_machine("level = \"with_mass\"\n", "damping = {loss_factor = 0.05}\n"));
-  EXPECT_GT(compare(with_mass.base().system, question({"machine.z", "machine.rx", "s1.force.z"}), {.every = 3}), 20);
+  EXPECT_GT(
+      compare(with_mass.base().system, sensitivity_request({"machine.z", "machine.rx", "s1.force.z"}), {.every = 3}),
+      20);
   const auto preloaded =
       test::project(coil_machine("", "preload = {force = \"490.3325 N\"}\ndamping = {loss_factor = 0.05}\n"));
-  EXPECT_GT(compare(preloaded.base().system, question({"machine.x", "machine.rx"}), {.every = 3}), 20);
+  EXPECT_GT(compare(preloaded.base().system, sensitivity_request({"machine.x", "machine.rx"}), {.every = 3}), 20);
 }
 
 /// Excitation of kind `kind`: the ground moves as one body, or by a wave along it, or a rotor has an unbalance.
@@ -158,11 +161,11 @@ TEST(PeakSensitivities, FollowAMovingGroundAndAnUnbalance) {
     description.excitations = drive(kind, random);
     if (kind == 1) description.damping = model::RayleighDamping{0.4, 2e-4};
     if (kind == 0) description.elements[0].law.damping = elements::Zener{0.8, 0.01};
-    EXPECT_GT(
-        compare(test::checked(description),
-                question({"body 0.x", "element 0.force.z", "ground.moment.x"}, assembly::MotionQuantity::velocity),
-                {.every = 7}),
-        20);
+    EXPECT_GT(compare(test::checked(description),
+                      sensitivity_request({"body 0.x", "element 0.force.z", "ground.moment.x"},
+                                          assembly::MotionQuantity::velocity),
+                      {.every = 7}),
+              20);
   }
 }
 
@@ -171,7 +174,7 @@ TEST(PeakSensitivities, FollowAMovingGroundThroughElementsThatDependOnFrequency)
   model::Description description = random.description(1, test::RandomDamping::viscous);
   description.excitations = drive(0, random);
   description.elements[0].law.damping = elements::FractionalZener{0.6, 0.01, 0.5};
-  EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}),
+  EXPECT_GT(compare(test::checked(description), sensitivity_request({"body 0.y", "element 0.force.y"}),
                     {.step = step_by_circles, .tolerance = truncation_by_circles, .every = 6}),
             10);
 }
@@ -181,9 +184,9 @@ TEST(PeakSensitivities, ToAllDirectionsOfAnElementAreTogetherThatToItsStiffness)
   constexpr double round_off = 1e-8;  // share of the largest: slopes of a resonance cancel
   for (const test::RandomDamping damping : {proportional, viscous, loss}) {
     const model::System system = test::checked(test::RandomSystem(16).description(2, damping));
-    const auto asked = question({"body 0.x"});
-    const response::Peaks found = peaks_of(system, asked);
-    const auto table = response::peak_sensitivities(system, assembly::assemble(system), asked,
+    const auto request = sensitivity_request({"body 0.x"});
+    const response::Peaks found = peaks_of(system, request);
+    const auto table = response::peak_sensitivities(system, assembly::assemble(system), request,
                                                     {{0, found.list.at(0).angular_frequency, {}}});
     for (const model::Element& element : system.elements()) {
       double whole = 0, sum = 0, size = 0;
@@ -226,7 +229,7 @@ TEST(PeakSensitivities, UndampedPeakHasThoseOfItsMode) {
   const model::System system = test::checked(test::RandomSystem(14).description(2, test::RandomDamping::none));
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
-  const auto table = response::peak_sensitivities(system, assembled, question({"body 0.x"}),
+  const auto table = response::peak_sensitivities(system, assembled, sensitivity_request({"body 0.x"}),
                                                   {{0, *modes.list[2].angular_frequency, 3}});
   ASSERT_EQ(table.peaks[0].notes.size(), 1u) << "why there is no height";
   constexpr double step = 1e-4, truncation = 1e-6;  // of second order, and round-off of a mode over the step
@@ -243,13 +246,13 @@ TEST(PeakSensitivities, UndampedPeakHasThoseOfItsMode) {
 
 TEST(PeakSensitivities, ReportWhereThereIsNoMaximum) {
   const model::System system = test::checked(test::RandomSystem(15).description(1, test::RandomDamping::viscous));
-  const auto table =
-      response::peak_sensitivities(system, assembly::assemble(system), question({"body 0.x"}), {{0, 3.0, {}}});
+  const auto table = response::peak_sensitivities(system, assembly::assemble(system), sensitivity_request({"body 0.x"}),
+                                                  {{0, 3.0, {}}});
   ASSERT_EQ(table.peaks[0].notes.size(), 1u);
   EXPECT_TRUE(table.peaks[0].list[0].height.has_value());
   EXPECT_FALSE(table.peaks[0].list[0].frequency.has_value());
   EXPECT_THROW(static_cast<void>(response::peak_sensitivities(system, assembly::assemble(system),
-                                                              question({"body 0.x"}), {{0, 0.0, {}}})),
+                                                              sensitivity_request({"body 0.x"}), {{0, 0.0, {}}})),
                foundation::InvalidInput);
 }
 

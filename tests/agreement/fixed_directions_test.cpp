@@ -52,20 +52,20 @@ const std::string stiff_rotation = fmt::format(
     "{{proportional = 0.001}}\n",
     stiff);
 
-study::Answers answers(const std::string& text) {
+study::CaseResults results_of(const std::string& text) {
   const project::Project project = test::project(text);
-  study::Answers result = study::answers(project.base(), project.base().analyses);
+  study::CaseResults result = study::case_results(project.base(), project.base().analyses);
   EXPECT_THAT(result.failures, testing::IsEmpty()) << text;
   return result;
 }
 
-/// Numbers of one answer, with their unit.
+/// Numbers of one result, with their unit.
 struct Numbers {
   std::string name, unit;
   Eigen::VectorXcd values;
 };
 
-std::vector<Numbers> all_numbers(const study::Answers& a) {
+std::vector<Numbers> all_numbers(const study::CaseResults& a) {
   std::vector<Numbers> all;
   const auto one = [](double value) -> Eigen::VectorXcd { return Eigen::VectorXcd::Constant(1, value); };
   if (a.response)
@@ -76,20 +76,20 @@ std::vector<Numbers> all_numbers(const study::Answers& a) {
       if (peak.angular_frequency < 400)  // the poles of a stiff deck are beyond
         all.push_back({"transmissibility of " + passed->peaks.curves[peak.curve].name, "1", one(peak.amplitude)});
   if (const auto* random = a.find<study::RandomResult>("random"))
-    for (const auto& answer : random->response.answers)
-      all.push_back({"random " + answer.name, answer.unit, one(answer.rms.value_or(-1))});
+    for (const auto& result : random->response.channels)
+      all.push_back({"random " + result.name, result.unit, one(result.rms.value_or(-1))});
   if (const auto* in_time = a.find<study::TransientResult>("transient"))
     for (const auto& curve : in_time->response.curves)
       all.push_back({"transient " + curve.name, curve.unit, curve.values.cast<Complex>()});
   if (const auto* shaken = a.find<response::EarthquakeResponse>("earthquake"))
-    for (const auto& answer : shaken->answers)
-      all.push_back({"earthquake " + answer.name, answer.unit, one(answer.complete_quadratic)});
+    for (const auto& result : shaken->channels)
+      all.push_back({"earthquake " + result.name, result.unit, one(result.complete_quadratic)});
   return all;
 }
 
-/// Compares all numbers of two models, relative to the largest of the same question and unit.
+/// Compares all numbers of two models, relative to the largest of the same analysis and unit.
 void expect_same(const std::string& a, const std::string& b, double tolerance) {
-  const std::vector<Numbers> first = all_numbers(answers(a)), second = all_numbers(answers(b));
+  const std::vector<Numbers> first = all_numbers(results_of(a)), second = all_numbers(results_of(b));
   ASSERT_EQ(first.size(), second.size());
   ASSERT_FALSE(first.empty());
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -222,7 +222,7 @@ TEST(FixedDirections, LetASlowGroundCarryEveryMachineWithIt) {
             fmt::format("[analyses]\nresponse = {{at = [{}], of = [\"coordinates\"]}}\n", slow));
     const project::Project project = test::project(text);
     const model::System& system = project.base().system;
-    const study::Answers found = study::answers(project.base(), project.base().analyses);
+    const study::CaseResults found = study::case_results(project.base(), project.base().analyses);
     const model::Action& action = system.description().excitations.at(0).action;
     for (std::size_t b = 0; b < system.bodies().size(); ++b) {
       const spatial::Pose& pose = system.bodies()[b].pose;
@@ -244,7 +244,7 @@ TEST(FixedDirections, AreIncludedInTheBalanceOfPower) {
         deck,
         "[damping]\nmodal = 0.02\n" + base("floor", "translation = [1e-3, 5e-4, 2e-4]\nrotation = [1e-4, 2e-4, 3e-4]") +
             "[analyses]\npower = {band = [5, 300]}\n");
-    const auto all = answers(text);
+    const auto all = results_of(text);
     const response::PowerFlow& flow = *all.find<response::PowerFlow>("power");
     for (Eigen::Index i = 0; i < flow.by_ground.size(); ++i) {
       const double lost =

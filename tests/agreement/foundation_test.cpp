@@ -43,12 +43,12 @@ std::string mount(const std::string& name, const std::string& at, const std::str
       "\ntranslation = [2e6, 2e6, 4e6]\nrotation = [1e3, 1e3, 1e3]\ndamping = {proportional = 0.002}\n" + more;
 }
 
-study::Answers answers(const std::string& text) {
+study::CaseResults results_of(const std::string& text) {
   const project::Project project = test::project(text);
-  return study::answers(project.base(), project.base().analyses);
+  return study::case_results(project.base(), project.base().analyses);
 }
 
-void expect_same(const study::Answers& a, const study::Answers& b, double tolerance) {
+void expect_same(const study::CaseResults& a, const study::CaseResults& b, double tolerance) {
   ASSERT_TRUE(a.response && b.response);
   for (const auto& curve : a.response->curves.curves)
     for (const auto& other : b.response->curves.curves)
@@ -72,11 +72,11 @@ std::string raft(const std::string& name, const std::string& at) {
 
 TEST(Foundation, ImpedanceIsABodyOnASpring) {
   const std::string stands = "foundation = \"deck\"\n";
-  const study::Answers given =
-      answers(machine(mount("a", "[0.5, 0.4, -0.2]", stands) + mount("b", "[-0.5, -0.4, -0.2]", stands) +
-                          mount("c", "[0.5, -0.4, -0.2]", ""),
-                      deck));
-  const study::Answers built = answers(machine(
+  const study::CaseResults given =
+      results_of(machine(mount("a", "[0.5, 0.4, -0.2]", stands) + mount("b", "[-0.5, -0.4, -0.2]", stands) +
+                             mount("c", "[0.5, -0.4, -0.2]", ""),
+                         deck));
+  const study::CaseResults built = results_of(machine(
       raft("p", "[0.5, 0.4, -0.2]") + raft("q", "[-0.5, -0.4, -0.2]") +
           mount("a", "[0.5, 0.4, -0.2]", "from = \"p\"\nfrom_at = [0, 0, 0]\n") +
           mount("b", "[-0.5, -0.4, -0.2]", "from = \"q\"\nfrom_at = [0, 0, 0]\n") + mount("c", "[0.5, -0.4, -0.2]", ""),
@@ -110,9 +110,9 @@ TEST(Foundation, OneModeIsABodyThatSharesIt) {
                 omega, ratio);
   const std::string stands = "foundation = \"deck\"\n", on_strip = "from = \"strip\"\n";
   expect_same(
-      answers(machine(mount("a", "[0.5, 0.4, -0.2]", stands) + mount("b", "[-0.5, -0.4, -0.2]", stands), mode)),
+      results_of(machine(mount("a", "[0.5, 0.4, -0.2]", stands) + mount("b", "[-0.5, -0.4, -0.2]", stands), mode)),
       [&] {
-        study::Answers built = answers(
+        study::CaseResults built = results_of(
             machine(strip + mount("a", "[0.5, 0.4, -0.2]", on_strip) + mount("b", "[-0.5, -0.4, -0.2]", on_strip), ""));
         std::erase_if(built.response->curves.curves,
                       [](const auto& curve) { return !curve.name.starts_with("machine"); });
@@ -147,7 +147,7 @@ response = {at = [10, 50], of = ["machine", "mount"]}
 roots = {}
 modes = {}
 )";
-  const study::Answers found = answers(text);
+  const study::CaseResults found = results_of(text);
   const double k = 1 / (1 / 2e5 + 1 / 3e5);
   for (Eigen::Index i = 0; i < 2; ++i) {
     const double w = found.response->curves.angular_frequency[i];
@@ -199,9 +199,9 @@ TEST(Foundation, MeasuredMobilityHasThePeaksOfItsImpedance) {
       csv << 0.02 * i << "," << y.real() << "," << y.imag() << "\n";
     }
   }
-  const study::Answers measured =
-      answers(on_heavy_ground("[foundations.floor]\ntype = \"mobility\"\nfile = \"" + file.string() + "\"\n"));
-  const study::Answers given = answers(on_heavy_ground(
+  const study::CaseResults measured =
+      results_of(on_heavy_ground("[foundations.floor]\ntype = \"mobility\"\nfile = \"" + file.string() + "\"\n"));
+  const study::CaseResults given = results_of(on_heavy_ground(
       "[foundations.floor]\ntype = \"impedance\"\nfree = [\"z\"]\nmass = 800\ntranslation = [1, 1, 5e5]\n"
       "damping = {matrix = "
       "[[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,2000,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]}\n"));
@@ -238,8 +238,8 @@ TEST(Foundation, MobilityTablesHaveUnitsInTheirHeadings) {
         csv << per_hertz * 0.02 * i << "," << y.real() << "," << y.imag() << "\n";
       }
     }
-    const study::Answers found = answers(on_heavy_ground("[foundations.floor]\ntype = \"mobility\"\nfile = \"" +
-                                                         (folder.path() / "y.csv").string() + "\"\n"));
+    const study::CaseResults found = results_of(on_heavy_ground("[foundations.floor]\ntype = \"mobility\"\nfile = \"" +
+                                                                (folder.path() / "y.csv").string() + "\"\n"));
     return found.peaks->peaks.list.front().amplitude;
   };
   const double si = highest("frequency_hz,y_z_z,y_z_z_im", 1, 1);

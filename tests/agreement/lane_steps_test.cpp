@@ -67,28 +67,28 @@ TEST(LaneLu, ExchangesRowsAndHasNoUsableSolutionOfSingularMatrices) {
   });
 }
 
-TEST(HarmonicAnswers, AreThoseOfComplexAmplitudes) {
+TEST(HarmonicReceptance, AreThoseOfComplexAmplitudes) {
   under_each_instruction_set([] {
     std::mt19937 random(13);
     for (const Eigen::Index harmonics : {1, 2, 3, 4, 7, 9, 16}) {
       constexpr Eigen::Index first = 1, count = 2, courses = 3;
       const Eigen::Index C = numerics::coefficient_count(harmonics);
-      // g_r and g_i of each harmonic; the mean has a real answer alone.
+      // g_r and g_i of each harmonic; the mean has a real receptance alone.
       const MatrixXd real = random_matrix(harmonics + 1, first + count, random),
                      imaginary = random_matrix(harmonics + 1, first + count, random);
-      numerics::HarmonicAnswers answers{MatrixXd(C, first + count), MatrixXd(C, first + count)};
+      numerics::HarmonicReceptance receptances{MatrixXd(C, first + count), MatrixXd(C, first + count)};
       for (Eigen::Index i = 0; i < first + count; ++i) {
-        answers.on_own(0, i) = real(0, i);
-        answers.on_other(0, i) = 0;
+        receptances.on_own(0, i) = real(0, i);
+        receptances.on_other(0, i) = 0;
         for (Eigen::Index k = 1; k <= harmonics; ++k) {
-          answers.on_own(2 * k - 1, i) = answers.on_own(2 * k, i) = real(k, i);
-          answers.on_other(2 * k - 1, i) = imaginary(k, i);
-          answers.on_other(2 * k, i) = -imaginary(k, i);
+          receptances.on_own(2 * k - 1, i) = receptances.on_own(2 * k, i) = real(k, i);
+          receptances.on_other(2 * k - 1, i) = imaginary(k, i);
+          receptances.on_other(2 * k, i) = -imaginary(k, i);
         }
       }
       const MatrixXd of = random_matrix(C, courses, random), before = random_matrix(count * C, courses, random);
       MatrixXd sums = before;
-      numerics::add_answers(answers, first, count, of, sums);
+      numerics::add_responses(receptances, first, count, of, sums);
       constexpr double round_off = 1e-14;
       for (Eigen::Index j = 0; j < courses; ++j)
         for (Eigen::Index i = 0; i < count; ++i) {
@@ -96,9 +96,9 @@ TEST(HarmonicAnswers, AreThoseOfComplexAmplitudes) {
           EXPECT_NEAR(added(0), real(0, first + i) * of(0, j), round_off);
           for (Eigen::Index k = 1; k <= harmonics; ++k) {
             const std::complex<double> amplitude(of(2 * k - 1, j), -of(2 * k, j)),
-                answer = std::complex<double>(real(k, first + i), imaginary(k, first + i)) * amplitude;
-            EXPECT_NEAR(added(2 * k - 1), answer.real(), round_off);
-            EXPECT_NEAR(added(2 * k), -answer.imag(), round_off);
+                result = std::complex<double>(real(k, first + i), imaginary(k, first + i)) * amplitude;
+            EXPECT_NEAR(added(2 * k - 1), result.real(), round_off);
+            EXPECT_NEAR(added(2 * k), -result.imag(), round_off);
           }
         }
     }
@@ -125,7 +125,7 @@ TEST(LinearFlow, KicksInLanesAreThoseOneByOne) {
       };
       for (Eigen::Index s = 0; s < steps; ++s) {
         half_step();
-        expected += (kicks.kick * kicks.answers.middleRows(s * forces, forces) * kicks.seen * expected).eval();
+        expected += (kicks.kick * kicks.jacobians.middleRows(s * forces, forces) * kicks.seen * expected).eval();
         half_step();
       }
       constexpr double round_off = 1e-12;  // of a hundred operations per entry

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A full dynamic stiffness matrix over frequency: the same answers as its independent directions in their own axes.
+// A full dynamic stiffness matrix over frequency: the same results as its independent directions in their own axes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -14,7 +14,7 @@
 #include "support/random_system.h"
 #include "trivet/foundation/index.h"
 #include "trivet/spatial/rigid_motion.h"
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace matrix_table_test {
 
@@ -65,7 +65,7 @@ class Folder {
       std::filesystem::temp_directory_path() / fmt::format("trivet-matrix-table-{}", ::getpid());
 };
 
-Eigen::VectorXcd answer(const std::string& file, const std::string& extra) {
+Eigen::VectorXcd result(const std::string& file, const std::string& extra) {
   const auto project = test::project(fmt::format(
       "trivet = 1\n[bodies.frame]\nmass = 10\ninertia = {{about = \"pole\", xx = 1, yy = 1.2, zz = 1.5}}\n"
       "[elements.mount]\ntype = \"table\"\non = \"frame\"\nat = [0.1, -0.2, 0.3]\nfile = \"{}\"\n{}"
@@ -73,9 +73,9 @@ Eigen::VectorXcd answer(const std::string& file, const std::string& extra) {
       "0.2]\n"
       "[analyses]\nresponse = {{of = [\"frame\", \"ground\"], at = [\"1.3 Hz\", \"17.7 Hz\", \"63.1 Hz\"]}}\n",
       file, extra));
-  const study::Answers answers = study::answers(project.base(), project.base().analyses, {});
+  const study::CaseResults results = study::case_results(project.base(), project.base().analyses, {});
   std::vector<Complex> values;
-  for (const auto& curve : answers.response->curves.curves)
+  for (const auto& curve : results.response->curves.curves)
     values.insert(values.end(), curve.value.begin(), curve.value.end());
   return Eigen::Map<const Eigen::VectorXcd>(values.data(), to_index(values.size()));
 }
@@ -102,15 +102,15 @@ TEST(MatrixTable, AgreesWithItsDirectionsInTheirOwnAxes) {
       "directions.csv", 6, [](int i, int j) { return i == j; },
       [&](int i, int) { return std::string("k_") + letters[i]; },
       [](int row) -> Eigen::MatrixXcd { return constants(row).asDiagonal(); });
-  const Eigen::VectorXcd expected = answer(
+  const Eigen::VectorXcd expected = result(
       directions,
       fmt::format(
           "interpolation = \"linear\"\norientation = {{axis = [{:.17g}, {:.17g}, {:.17g}], angle = \"{:.17g} rad\"}}\n",
           own.axis().x(), own.axis().y(), own.axis().z(), own.angle()));
-  const Eigen::VectorXcd of_end = answer(folder.table("end.csv", 6, upper, numbered, turned_block), "");
-  const Eigen::VectorXcd of_both = answer(folder.table("both.csv", 12, upper, numbered, full), "");
+  const Eigen::VectorXcd of_end = result(folder.table("end.csv", 6, upper, numbered, turned_block), "");
+  const Eigen::VectorXcd of_both = result(folder.table("both.csv", 12, upper, numbered, full), "");
   const Eigen::VectorXcd unsymmetric =
-      answer(folder.table("all.csv", 6, [](int, int) { return true; }, numbered, turned_block), "symmetric = false\n");
+      result(folder.table("all.csv", 6, [](int, int) { return true; }, numbered, turned_block), "symmetric = false\n");
   for (Eigen::Index i = 0; i < expected.size(); ++i) {
     EXPECT_LE(std::abs(of_end(i) - expected(i)), round_off * std::abs(expected(i))) << i;
     EXPECT_LE(std::abs(of_both(i) - expected(i)), round_off * std::abs(expected(i))) << i;

@@ -127,8 +127,8 @@ std::string on_measured_points(const std::string& excitation, const std::filesys
 
 void expect_same(const std::string& measured, const std::string& modelled) {
   const project::Project one = test::project(measured), other = test::project(modelled);
-  const study::Answers found = study::answers(one.base(), one.base().analyses),
-                       expected = study::answers(other.base(), other.base().analyses);
+  const study::CaseResults found = study::case_results(one.base(), one.base().analyses),
+                           expected = study::case_results(other.base(), other.base().analyses);
   ASSERT_TRUE(found.response && expected.response);
   ASSERT_EQ(found.response->curves.curves.size(), expected.response->curves.curves.size());
   for (std::size_t i = 0; i < found.response->curves.curves.size(); ++i) {
@@ -276,7 +276,7 @@ TEST(MobilityOfPoints, WithoutCouplingsIsAnotherDeck) {
   };
   const auto z = [](const std::filesystem::path& path) {
     const project::Project project = test::project(on_measured_points(push, path));
-    return test::value(*study::answers(project.base(), project.base().analyses).response, "machine.z", 1);
+    return test::value(*study::case_results(project.base(), project.base().analyses).response, "machine.z", 1);
   };
   const Complex with = z(file("trivet_coupled.uff", true)), without = z(file("trivet_uncoupled.uff", false));
   EXPECT_GT(std::abs(with - without), 0.05 * std::abs(with));

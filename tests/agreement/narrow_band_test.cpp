@@ -57,7 +57,7 @@ SteadyBranch followed(const std::string& text, nonlinear::SteadyOptions options,
   return nonlinear::steady_branch(test::project(text).base().system, options);
 }
 
-/// The largest mean of the stable motions that a branch and its further curves have where it was asked.
+/// The largest mean of the stable motions that a branch and its further curves have where it was requested.
 double largest_stable_mean(const SteadyBranch& branch) {
   double mean = 0;
   for (const nonlinear::SteadyPoint& point : branch.at)

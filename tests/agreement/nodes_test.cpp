@@ -27,9 +27,9 @@ constexpr double of_small_mass = 1e-7;  // remainder of second order after extra
 
 constexpr double own_peaks = 1000;  // [rad/s] below those of a dummy body
 
-study::Answers answers(const std::string& text) {
+study::CaseResults results_of(const std::string& text) {
   const project::Project project = test::project(text);
-  study::Answers found = study::answers(project.base(), project.base().analyses);
+  study::CaseResults found = study::case_results(project.base(), project.base().analyses);
   EXPECT_TRUE(found.failures.empty()) << found.failures.front();
   return found;
 }
@@ -135,11 +135,11 @@ std::string condensed(const std::string& damping) {
       rows + "]\ndamping = " + damping + "\n";
 }
 
-/// Answers as one list of numbers per analysis.
+/// Results as one list of numbers per analysis.
 struct Numbers {
   std::vector<std::pair<std::string, Eigen::VectorXcd>> lists;
 
-  explicit Numbers(const study::Answers& found) {
+  explicit Numbers(const study::CaseResults& found) {
     const auto add = [&](const std::string& name, const std::vector<std::complex<double>>& values) {
       lists.emplace_back(name, Eigen::Map<const Eigen::VectorXcd>(values.data(), to_index(values.size())));
     };
@@ -157,8 +157,8 @@ struct Numbers {
       add(std::string("static [") + unit + "]", values);
     }
     for (const auto& curve : found.response->curves.curves) lists.emplace_back("response " + curve.name, curve.value);
-    for (const auto& answer : found.find<study::RandomResult>("random")->response.answers)
-      add("rms " + answer.name, {answer.rms.value_or(-1)});
+    for (const auto& result : found.find<study::RandomResult>("random")->response.channels)
+      add("rms " + result.name, {result.rms.value_or(-1)});
     if (const auto* transient = found.find<study::TransientResult>("transient"))
       for (const auto& curve : transient->response.curves)
         lists.emplace_back("transient " + curve.name, curve.values.cast<std::complex<double>>());
@@ -179,8 +179,8 @@ TEST(Nodes, AreCondensedExactlyIntoOneElement) {
   for (const bool lossy : {false, true}) {
     const std::string damping = lossy ? "{loss_factor = 0.08}" : "{proportional = 0}",
                       common = rest(lossy ? "{loss_factor = 0.1}" : "{proportional = 0.004}") + analyses(!lossy);
-    const Numbers with_node(answers(first_order + node + skew_pair("raft", "joint", damping) + common)),
-        one_element(answers(first_order + condensed(damping) + common));
+    const Numbers with_node(results_of(first_order + node + skew_pair("raft", "joint", damping) + common)),
+        one_element(results_of(first_order + condensed(damping) + common));
     ASSERT_GT(one_element.lists.size(), 30u);
     for (const auto& [name, expected] : one_element.lists) {
       const Eigen::VectorXcd found = with_node.of(name);
@@ -203,9 +203,9 @@ TEST(Nodes, AreTheLimitOfBodiesWhoseMassTendsToZero) {
         : kind == 2                    ? "{proportional = 0}"
                                        : "{fractional_zener = {ratio = 2, time = \"1 ms\", order = 0.5}}",
                       common = (kind == 2 ? skew_damper : "") + rest("{proportional = 0.004}") + analyses(kind != 3);
-    const Numbers with_node(answers(machines + node + skew_pair("raft", "joint", pair) + common)),
-        small(answers(machines + dummy(1e-3) + skew_pair("raft", "joint", pair) + common)),
-        smaller(answers(machines + dummy(5e-4) + skew_pair("raft", "joint", pair) + common));
+    const Numbers with_node(results_of(machines + node + skew_pair("raft", "joint", pair) + common)),
+        small(results_of(machines + dummy(1e-3) + skew_pair("raft", "joint", pair) + common)),
+        smaller(results_of(machines + dummy(5e-4) + skew_pair("raft", "joint", pair) + common));
     int compared = 0;
     for (const auto& [name, found] : with_node.lists) {
       if (name == "modes" || name == "roots") continue;  // a dummy body has modes of its own
@@ -251,8 +251,8 @@ translation = [0.2, 0, 0.5]
 response = {at = [0.01, 20, 60, 150], of = ["machine", "joint", "joint.relative", "prop", "ground", "above"]}
 )";
   };
-  const study::Answers found = answers(model(node)), small = answers(model(dummy(1e-3))),
-                       smaller = answers(model(dummy(5e-4)));
+  const study::CaseResults found = results_of(model(node)), small = results_of(model(dummy(1e-3))),
+                           smaller = results_of(model(dummy(5e-4)));
   for (const auto& curve : found.response->curves.curves)
     for (Eigen::Index i = 0; i < 4; ++i) {
       const std::complex<double> a = test::value(*small.response, curve.name, i),

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "support/harmonic_question.h"
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "support/random_system.h"
+#include "support/sensitivity_request.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -21,23 +21,24 @@ namespace peak_shares_test {
 
 using namespace trivet;
 using test::drive;
-using test::question;
 using test::RelativelyNear;
+using test::sensitivity_request;
 
-TEST(PeakShares, ModesSumToOneAndToTheAnswer) {
+TEST(PeakShares, ModesSumToOneAndToTheChannel) {
   using enum test::RandomDamping;
   constexpr double round_off = 1e-9;  // 1e-16 over the damping, times modes that nearly cancel
   for (unsigned seed = 1; seed <= 6; ++seed) {
     const model::System system = test::checked(
         test::RandomSystem(seed).description(1 + seed % 3, std::array{proportional, viscous, loss}[seed % 3]));
     const assembly::Assembled assembled = assembly::assemble(system);
-    const auto asked = question({"body 0.tip.x", "ground.force.z"}, static_cast<assembly::MotionQuantity>(seed % 3));
+    const auto request =
+        sensitivity_request({"body 0.tip.x", "ground.force.z"}, static_cast<assembly::MotionQuantity>(seed % 3));
     const double omega = 40.0 + 10 * seed;
-    const auto curves =
-        response::frequency_response(assembled, assembly::channels(system, assembled, asked.channels, asked.quantity),
-                                     asked.load(system, assembled), {omega});
+    const auto curves = response::frequency_response(
+        assembled, assembly::channels(system, assembled, request.channels, request.quantity),
+        request.load(system, assembled), {omega});
     for (std::size_t c = 0; c < 2; ++c) {
-      const response::PeakShares shares = response::peak_shares(system, assembled, asked, {c, omega, {}});
+      const response::PeakShares shares = response::peak_shares(system, assembled, request, {c, omega, {}});
       std::complex<double> sum = 0;
       double one = shares.beyond_modes;
       for (const response::ModeShare& mode : shares.modes) {
@@ -53,12 +54,12 @@ TEST(PeakShares, ModesSumToOneAndToTheAnswer) {
 }
 
 /// Mean power of the load over a period, ½ω Im(qᴴh).
-double input_power(const model::System& system, const response::Question& asked, double omega) {
+double input_power(const model::System& system, const response::SensitivityRequest& request, double omega) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto curves = response::frequency_response(
       assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::MotionQuantity::displacement),
-      asked.load(system, assembled), {omega});
-  const Eigen::VectorXcd load = asked.load(system, assembled).force.at(omega);
+      request.load(system, assembled), {omega});
+  const Eigen::VectorXcd load = request.load(system, assembled).force.at(omega);
   double power = 0;
   for (std::size_t i = 0; i < curves.curves.size(); ++i)
     power += 0.5 * omega * (std::conj(curves.curves[i].value(0)) * load(to_index(i))).imag();
@@ -76,10 +77,10 @@ TEST(PeakShares, EnergiesSumToOneAndThePowerIsThatOfTheLoad) {
     if (seed == 6) description.elements[0].law.damping = elements::Zener{0.5, 0.02};
     if (seed == 7) description.elements[0].law.damping = elements::FractionalZener{0.6, 0.01, 0.5};
     const model::System system = test::checked(description);
-    const auto asked = question({"body 0.x"});
+    const auto request = sensitivity_request({"body 0.x"});
     const double omega = 55;
     const response::PeakShares shares =
-        response::peak_shares(system, assembly::assemble(system), asked, {0, omega, {}});
+        response::peak_shares(system, assembly::assemble(system), request, {0, omega, {}});
     double stored = shares.geometric, dissipated = shares.system_damping;
     for (const response::ElementShare& element : shares.elements) {
       stored += element.stored;
@@ -87,7 +88,7 @@ TEST(PeakShares, EnergiesSumToOneAndThePowerIsThatOfTheLoad) {
     }
     EXPECT_NEAR(stored, 1, round_off);
     EXPECT_NEAR(dissipated, 1, round_off);
-    EXPECT_THAT(shares.dissipated_power, RelativelyNear(input_power(system, asked, omega), round_off))
+    EXPECT_THAT(shares.dissipated_power, RelativelyNear(input_power(system, request, omega), round_off))
         << "seed " << seed;
     const bool plain = seed != 6;  // a relaxing branch also stores energy
     for (std::size_t e = plain ? 0 : 1; e < shares.elements.size(); ++e)
@@ -106,12 +107,12 @@ TEST(PeakShares, IncludeThePowerOfAMovingGround) {
     if (kind == 1) description.elements[1].law.damping = elements::FractionalZener{0.6, 0.01, 0.5};
     const model::System system = test::checked(description);
     const assembly::Assembled assembled = assembly::assemble(system);
-    const auto asked = question({"body 0.x"});
+    const auto request = sensitivity_request({"body 0.x"});
     const double omega = 60;
-    const response::PeakShares shares = response::peak_shares(system, assembled, asked, {0, omega, {}});
+    const response::PeakShares shares = response::peak_shares(system, assembled, request, {0, omega, {}});
     const auto force = response::frequency_response(
         assembled, assembly::channels(system, assembled, {"ground"}, assembly::MotionQuantity::displacement),
-        asked.load(system, assembled), {omega});
+        request.load(system, assembled), {omega});
     double power = 0;
     for (std::size_t j = 0; j < 6; ++j)
       power -= 0.5 *
@@ -152,7 +153,7 @@ force = [5, 0, 0]
 )");
   const model::System& system = project.base().system;
   const response::PeakShares shares =
-      response::peak_shares(system, assembly::assemble(system), question({"m.x"}), {0, 30.0, {}});
+      response::peak_shares(system, assembly::assemble(system), sensitivity_request({"m.x"}), {0, 30.0, {}});
   constexpr double round_off = 1e-13;  // one coordinate, some ten operations
   EXPECT_NEAR(shares.elements[0].stored, 500.0 / 1800, round_off);
   EXPECT_NEAR(shares.elements[1].by_direction(0), 1300.0 / 1800, round_off);

@@ -24,7 +24,7 @@ using test::RandomDamping;
 
 constexpr unsigned seeds = 12;
 constexpr double round_off = 1e-10;      // systems of up to 18 coordinates with condition up to 1e5
-constexpr double sum_round_off = 1e-9;   // sums of such answers over bodies or roots
+constexpr double sum_round_off = 1e-9;   // sums of such results over bodies or roots
 constexpr double last_digits = 1e-12;    // one matrix, or a sum of a few dozen positive terms
 constexpr double of_the_matrix = 1e-12;  // backward error of an eigenpair
 

@@ -96,12 +96,12 @@ Eigen::VectorXd summed(const Case& c, const std::vector<assembly::Channel>& chan
 
 void expect_mean_squares(const response::RandomResponse& response, const Eigen::VectorXd& expected, double tolerance,
                          bool of_derivative = false) {
-  ASSERT_EQ(response.answers.size(), to_size(expected.size()));
-  for (std::size_t c = 0; c < response.answers.size(); ++c) {
-    const response::RandomAnswer& answer = response.answers[c];
-    const std::optional<double> rms = of_derivative ? answer.rms_of_derivative : answer.rms;
-    ASSERT_TRUE(rms) << answer.name << ": " << answer.reason;
-    EXPECT_NEAR(*rms * *rms / expected(to_index(c)), 1, tolerance) << answer.name;
+  ASSERT_EQ(response.channels.size(), to_size(expected.size()));
+  for (std::size_t c = 0; c < response.channels.size(); ++c) {
+    const response::RandomChannel& channel = response.channels[c];
+    const std::optional<double> rms = of_derivative ? channel.rms_of_derivative : channel.rms;
+    ASSERT_TRUE(rms) << channel.name << ": " << channel.reason;
+    EXPECT_NEAR(*rms * *rms / expected(to_index(c)), 1, tolerance) << channel.name;
   }
 }
 
@@ -163,7 +163,7 @@ TEST(RandomResponse, AVeryFastWaveIsAnInPhaseMotionOfAllGroundPoints) {
   const auto in_phase = response::random_response(c.assembled, channels,
                                                   {{{"all", assembly::loading(c.assembled, together), spectrum}}, {}});
   for (std::size_t i = 0; i < channels.size(); ++i)
-    EXPECT_NEAR(*wave.answers[i].rms / *in_phase.answers[i].rms, 1, round_off);
+    EXPECT_NEAR(*wave.channels[i].rms / *in_phase.channels[i].rms, 1, round_off);
 }
 
 /// Covariance of (q, q̇) under one white force, 0 … ∞, by the Lyapunov equation.
@@ -217,7 +217,7 @@ TEST(RandomResponse, VeryLightDampingUncouplesTheModes) {
   const auto random = response::random_response(c.assembled, c.channels({"coordinates"}),
                                                 {{{"noise", load, excitation::flat_spectrum(1, 0, 1e6)}}, {}});
   EXPECT_EQ(random.method, RandomMethod::poles) << random.remark;
-  for (const response::RandomAnswer& answer : random.answers) EXPECT_LE(answer.estimated_error, estimated);
+  for (const response::RandomChannel& channel : random.channels) EXPECT_LE(channel.estimated_error, estimated);
   expect_mean_squares(random, expected, of_conditioning);
 }
 
@@ -235,8 +235,8 @@ TEST(RandomResponse, ANarrowInputElsewhereIsNotOverlooked) {
       response::random_response(c.assembled, channels, {{{"wide", force(c, 0), two_pieces(2, 40, 400)}, narrow}, {}});
   const auto alone = response::random_response(c.assembled, channels, {{narrow}, {}});
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    EXPECT_GT(*both.answers[i].rms, 0);
-    EXPECT_NEAR(*both.answers[i].rms / *alone.answers[i].rms, 1, round_off);
+    EXPECT_GT(*both.channels[i].rms, 0);
+    EXPECT_NEAR(*both.channels[i].rms / *alone.channels[i].rms, 1, round_off);
   }
 }
 
@@ -255,11 +255,11 @@ TEST(RandomResponse, CoherentEqualInputsAreOneInputAndUncorrelatedOnesAddUp) {
   const auto only_first = response::random_response(c.assembled, channels, {{first}, {}}),
              only_second = response::random_response(c.assembled, channels, {{second}, {}});
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    EXPECT_NEAR(*coherent.answers[i].rms / *together.answers[i].rms, 1, round_off) << channels[i].name;
-    const double a = std::pow(*only_first.answers[i].rms, 2), b = std::pow(*only_second.answers[i].rms, 2);
-    EXPECT_NEAR(std::pow(*apart.answers[i].rms, 2) / (a + b), 1, round_off) << channels[i].name;
-    EXPECT_NEAR(apart.answers[i].variance_share[0], a / (a + b), round_off);
-    EXPECT_NEAR(coherent.answers[i].variance_share[0] + coherent.answers[i].variance_share[1], 1, round_off);
+    EXPECT_NEAR(*coherent.channels[i].rms / *together.channels[i].rms, 1, round_off) << channels[i].name;
+    const double a = std::pow(*only_first.channels[i].rms, 2), b = std::pow(*only_second.channels[i].rms, 2);
+    EXPECT_NEAR(std::pow(*apart.channels[i].rms, 2) / (a + b), 1, round_off) << channels[i].name;
+    EXPECT_NEAR(apart.channels[i].variance_share[0], a / (a + b), round_off);
+    EXPECT_NEAR(coherent.channels[i].variance_share[0] + coherent.channels[i].variance_share[1], 1, round_off);
   }
 }
 
@@ -293,8 +293,8 @@ TEST(RandomResponse, ADelayOfAPairIsTheDelayOfItsSecondInput) {
                                 {{{"a", force(c, 0), spectrum}, {"b", assembly::loading(c.assembled, late), spectrum}},
                                  {{0, 1, {.at_zero = 1}, 0}}});
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    EXPECT_NEAR(*by_pair.answers[i].rms / *by_action.answers[i].rms, 1, round_off);
-    EXPECT_NEAR(*other_way.answers[i].rms / *by_action.answers[i].rms, 1, round_off);
+    EXPECT_NEAR(*by_pair.channels[i].rms / *by_action.channels[i].rms, 1, round_off);
+    EXPECT_NEAR(*other_way.channels[i].rms / *by_action.channels[i].rms, 1, round_off);
   }
 }
 
@@ -307,7 +307,7 @@ TEST(RandomResponse, AGroundAccelerationIsADisplacementWithItsSpectrumIntegrated
       c.assembled, channels, {{{"a", base(c, 0), excitation::differentiated(acceleration, -2)}}, {}});
   EXPECT_EQ(given.method, RandomMethod::poles) << given.remark;
   for (std::size_t i = 0; i < channels.size(); ++i)
-    EXPECT_NEAR(*given.answers[i].rms / *integrated.answers[i].rms, 1, round_off) << channels[i].name;
+    EXPECT_NEAR(*given.channels[i].rms / *integrated.channels[i].rms, 1, round_off) << channels[i].name;
 }
 
 TEST(RandomResponse, ElementsThatDependOnFrequencyAreIntegratedToTheSameValues) {
@@ -338,10 +338,10 @@ TEST(RandomResponse, ElementsThatDependOnFrequencyAreIntegratedToTheSameValues) 
     const auto by_quadrature =
         response::random_response(exact.assembled, exact.channels(of), {{{"f", load(exact, 1), spectrum}}, {}});
     EXPECT_EQ(by_quadrature.method, RandomMethod::quadrature);
-    for (std::size_t i = 0; i < by_poles.answers.size(); ++i) {
-      EXPECT_NEAR(*by_quadrature.answers[i].rms / *by_poles.answers[i].rms, 1, settled) << by_poles.answers[i].name;
-      EXPECT_NEAR(*by_quadrature.answers[i].zero_crossings / *by_poles.answers[i].zero_crossings, 1, settled);
-      EXPECT_LE(by_quadrature.answers[i].estimated_error, settled);
+    for (std::size_t i = 0; i < by_poles.channels.size(); ++i) {
+      EXPECT_NEAR(*by_quadrature.channels[i].rms / *by_poles.channels[i].rms, 1, settled) << by_poles.channels[i].name;
+      EXPECT_NEAR(*by_quadrature.channels[i].zero_crossings / *by_poles.channels[i].zero_crossings, 1, settled);
+      EXPECT_LE(by_quadrature.channels[i].estimated_error, settled);
     }
   }
 }
@@ -372,7 +372,7 @@ TEST(RandomResponse, TheSpectralDensitiesAddUpToTheVariance) {
     for (std::size_t i = 1; i < curves.angular_frequency.size(); ++i)
       sum += 0.5 * (curves.density[k][i] + curves.density[k][i - 1]) *
           (curves.angular_frequency[i] - curves.angular_frequency[i - 1]);
-    EXPECT_NEAR(sum / std::pow(*random.answers[k].rms, 2), 1, trapezoids) << channels[k].name;
+    EXPECT_NEAR(sum / std::pow(*random.channels[k].rms, 2), 1, trapezoids) << channels[k].name;
   }
 }
 

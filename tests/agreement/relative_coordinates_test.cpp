@@ -26,8 +26,8 @@ constexpr double extreme_height = 1e-8;  // of a flat extreme, found between two
 
 /// Number of random machines of a test: few, or many with TRIVET_LONG_TESTS=1.
 unsigned machines(unsigned few, unsigned many) {
-  const char* asked = std::getenv("TRIVET_LONG_TESTS");
-  return asked && std::string_view(asked) == "1" ? many : few;
+  const char* request = std::getenv("TRIVET_LONG_TESTS");
+  return request && std::string_view(request) == "1" ? many : few;
 }
 
 Eigen::Vector3cd shake(test::RandomSystem& draw) {
@@ -75,7 +75,7 @@ TEST(RelativeCoordinates, OverdampedMachinesHaveThePeaksOfForcesOfInertia) {
   }
 }
 
-TEST(RelativeCoordinates, GiveRandomAnswersOfForcesOfInertia) {
+TEST(RelativeCoordinates, GiveRandomResultsOfForcesOfInertia) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     test::RandomSystem draw(seed);
     const test::ShakenAndPushed both(draw.description(2, test::RandomDamping::viscous),
@@ -85,10 +85,10 @@ TEST(RelativeCoordinates, GiveRandomAnswersOfForcesOfInertia) {
       const excitation::Spectrum flat = excitation::flat_spectrum(1, from, to);
       const auto found = response::random_response(base.assembled, base.channels(both.relative),
                                                    {{{"base", base.loading(), flat}}, {}})
-                             .answers;
+                             .channels;
       const auto wanted = response::random_response(force.assembled, force.channels(both.plain),
                                                     {{{"force", force.loading(), flat}}, {}})
-                              .answers;
+                              .channels;
       for (std::size_t c = 0; c < found.size(); ++c) {
         ASSERT_TRUE(found[c].rms && wanted[c].rms && found[c].zero_crossings && wanted[c].zero_crossings)
             << found[c].name << ": " << found[c].reason;
@@ -157,7 +157,7 @@ TEST(RelativeCoordinates, CountGivenInitialStatesFromTheGroundThatMoves) {
         << found[c].name;
 }
 
-/// Compares the answers of the shaken machine with those of the pushed one at these ω.
+/// Compares the results of the shaken machine with those of the pushed one at these ω.
 void expect_same_response(const model::Description& machine, const std::vector<double>& omega) {
   const test::ShakenAndPushed both(machine, Eigen::Vector3cd(0.3, Complex(0, -0.2), 1));
   const test::Assembly base(both.shaken), force(both.pushed);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The state at rest of models with preload and of models with rigid-body modes: equivalent descriptions give the same
-// answers.
+// results.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -46,8 +46,8 @@ TEST(StaticResponse, AWeightThatPreloadsCarryMovesNothing) {
   const auto project = test::project(beside_a_preload(0));
   const auto& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
-  const auto answer = response::static_response(system, assembled, {"hung", "link"});
-  for (const auto& value : answer.values) {
+  const auto result = response::static_response(system, assembled, {"hung", "link"});
+  for (const auto& value : result.values) {
     if (value.name == "hung.z") {
       EXPECT_NEAR(value.value, 0, round_off * 98.0665 / 2e6);
     }
@@ -81,10 +81,10 @@ TEST(Limits, AreJudgedInABandNearTheEndOfATable) {
                   "[analyses]\nresponse = {{of = [\"frame\"], band = [\"50 Hz\", \"100 Hz\"]}}\n"
                   "[limits]\n\"frame.z\" = \"1 mm\"\n",
                   TRIVET_SOURCE_DIR));
-  const study::Answers answer = study::answers(project.base(), project.base().analyses, {});
-  ASSERT_EQ(answer.limits.size(), 1u);
-  EXPECT_TRUE(answer.limits[0].met);
-  EXPECT_TRUE(answer.failures.empty());
+  const study::CaseResults result = study::case_results(project.base(), project.base().analyses, {});
+  ASSERT_EQ(result.limits.size(), 1u);
+  EXPECT_TRUE(result.limits[0].met);
+  EXPECT_TRUE(result.failures.empty());
 }
 
 }  // namespace rest_test

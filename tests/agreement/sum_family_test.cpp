@@ -31,7 +31,7 @@ void expect_agreement(const std::string& damping, const std::string& gravity = "
   text.replace(text.find("-9.80665"), 8, gravity);
   const project::Project project = test::project(text);
   const study::DesignObjective objective(project, {});
-  const study::CaseFamily& found = objective.families().front();
+  const study::CaseSurrogate& found = objective.families().front();
   ASSERT_EQ(found.reason(), "");
   ASSERT_EQ(objective.space().size(), 20u);
   EXPECT_LE(found.family().worst_difference(), matrices);

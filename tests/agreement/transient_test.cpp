@@ -26,7 +26,7 @@ using test::along;
 using test::NearVector;
 
 constexpr double pi = std::numbers::pi;
-/// Hundreds of steps, each exact to round-off, with answers that are differences of larger numbers.
+/// Hundreds of steps, each exact to round-off, with results that are differences of larger numbers.
 constexpr double round_off = 1e-9;
 
 response::TransientOptions until(double to, double step) {
@@ -102,7 +102,7 @@ TEST(Transient, AgreesWithRungeKuttaOnSkewBodiesUnderForcesOfAllKindsOfPieces) {
 }
 
 TEST(Transient, SettlesIntoTheHarmonicResponseWithDelaysAtSingleGroundEnds) {
-  // Two ground ends of one body move one after the other; after the transients the answers are Re(ŷ e^{iωt}) of the
+  // Two ground ends of one body move one after the other; after the transients the results are Re(ŷ e^{iωt}) of the
   // response with the same delays.
   const model::System system = test::checked(test::RandomSystem(3).description(1, test::RandomDamping::viscous));
   const assembly::Assembled assembled = assembly::assemble(system);
@@ -175,15 +175,15 @@ TEST(Transient, BaseGivenByAccelerationOrVelocityAgreesWithTheSameDisplacement) 
                                       {{{0, kappa * kappa, 0, -std::pow(kappa, 4), kappa}}}};
   spatial::Vector6 direction;
   direction << 0.01, 0.02, -0.03, 0.1, 0.02, 0.05;
-  std::vector<response::TransientResponse> answers;
+  std::vector<response::TransientResponse> results;
   for (int derivative = 0; derivative < 3; ++derivative)
-    answers.push_back(test::transient(system, assembled, {"coordinates", "ground", "base", "b.relative"},
+    results.push_back(test::transient(system, assembled, {"coordinates", "ground", "base", "b.relative"},
                                       {test::base_motion(assembled, forms[derivative], direction, derivative)},
                                       until(0.5, 0.003)));
   for (int derivative = 1; derivative < 3; ++derivative)
-    for (std::size_t k = 0; k < answers[0].curves.size(); ++k)
-      EXPECT_THAT(answers[derivative].curves[k].values, NearVector(answers[0].curves[k].values, round_off))
-          << answers[0].curves[k].name;
+    for (std::size_t k = 0; k < results[0].curves.size(); ++k)
+      EXPECT_THAT(results[derivative].curves[k].values, NearVector(results[0].curves[k].values, round_off))
+          << results[0].curves[k].name;
 }
 
 TEST(Transient, ImpulsesOfAJumpingOrCorneredBaseAreTheLimitOfShortMotionsAlsoThroughMass) {
@@ -279,7 +279,7 @@ TEST(Transient, MaxwellBranchAgreesWithRungeKuttaOnItsOwnEquations) {
   EXPECT_THAT(test::curve(r, "s.force.x").values, NearVector(force, truncation));
 }
 
-TEST(Transient, DoesNotDependOnTheStepOfItsAnswers) {
+TEST(Transient, DoesNotDependOnTheStepOfItsChannels) {
   // Samples at irregular times, points between them, and points so coarse that many corners are between two.
   const model::System system = test::checked(test::RandomSystem(5).description(2, test::RandomDamping::viscous));
   const assembly::Assembled assembled = assembly::assemble(system);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of a floor are compiled in batches. There, a name in the anonymous namespace of one file hides the same name of
+"""Files of a layer are compiled in batches. There, a name in the anonymous namespace of one file hides the same name of
 a header from all files after it: they use another constant or call another function, and the compiler does not warn.
-So no such name may be one that a header of the floor declares, and no constant or type may have the name of one in
+So no such name may be one that a header of the layer declares, and no constant or type may have the name of one in
 another file. Aliases may, if they are equal. Functions of two files may share a name: overloads are chosen by their
 arguments, and equal ones do not compile. Tests are in batches too, and each file *_test.cpp has a namespace with its name."""
 import collections
@@ -51,7 +51,7 @@ def anonymous(lines):
             yield line
 
 
-def problems_of_floor(files):
+def problems_of_layer(files):
     """@param files  {path: lines}"""
     of_headers, of_files = {}, collections.defaultdict(list)
     for path, lines in files.items():
@@ -106,7 +106,7 @@ return l(1);
         "c.cpp": ["namespace {", "struct S {};", "using T = int;"],
         "d.cpp": ["namespace {", "using T = int;", "void g(int x) {"],
     }
-    assert len(list(problems_of_floor(files))) == 3, list(problems_of_floor(files))
+    assert len(list(problems_of_layer(files))) == 3, list(problems_of_layer(files))
     tests = {"a_test.cpp": ["namespace a_test {"], "b_test.cpp": ["namespace {"], "c.cpp": ["namespace {"]}
     assert len(list(problems_of_tests(tests))) == 1, list(problems_of_tests(tests))
 
@@ -114,13 +114,13 @@ return l(1);
 check_itself()
 count, wrong = 0, []
 for folder in sys.argv[1:]:
-    for floor in sorted(path for path in pathlib.Path(folder).iterdir() if path.is_dir()):
+    for layer in sorted(path for path in pathlib.Path(folder).iterdir() if path.is_dir()):
         files = {
             str(path): path.read_text().splitlines()
-            for path in sorted(floor.rglob("*"))
+            for path in sorted(layer.rglob("*"))
             if path.suffix in (".h", ".cpp")
         }
         count += sum(len(declared(anonymous(lines))) for path, lines in files.items() if path.endswith(".cpp"))
-        wrong += [*problems_of_floor(files), *problems_of_tests(files)]
+        wrong += [*problems_of_layer(files), *problems_of_tests(files)]
 print("\n".join(wrong) or f"{count} names of anonymous namespaces hide no other")
 sys.exit(1 if wrong or count == 0 else 0)

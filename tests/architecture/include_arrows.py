@@ -1,25 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks every #include against the permitted includes between floors, and between the rooms of a floor, that CMake
-declares. No other floor may include a private header. Decompositions of Eigen are compiled only in numerics/linalg,
+"""Checks every #include against the permitted includes between layers, and between the folders of a layer, that CMake
+declares. No other layer may include a private header. Decompositions of Eigen are compiled only in numerics/linalg,
 Boost only in source files."""
 import pathlib
 import re
 import sys
 
-source, floors_file = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-floors, rooms, private = {}, {}, set()
-for line in floors_file.read_text().splitlines():
+source, layers_file = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+layers, folders, private = {}, {}, set()
+for line in layers_file.read_text().splitlines():
     name, _, listed = line.partition(":")
     kind, _, rest = name.rpartition(" ")
-    if kind == "room":
-        floor = rest.split("/")[0]
-        rooms[rest] = {f"{floor}/{room}" for room in listed.split()} | {rest}
+    if kind == "folder":
+        layer = rest.split("/")[0]
+        folders[rest] = {f"{layer}/{folder}" for folder in listed.split()} | {rest}
     elif kind == "private":
         private |= {f"{rest}/{header}" for header in listed.split()}
     else:
-        floors[name] = listed.split()
+        layers[name] = listed.split()
 
-# Each costs a second or two in every file that includes it (docs/decisions/rooms-and-a-quick-build.md).
+# Each costs a second or two in every file that includes it (docs/decisions/folders-and-a-quick-build.md).
 decompositions = {"Cholesky", "Dense", "Eigen", "Eigenvalues", "LU", "QR", "SVD"}
 may_decompose = {
     "fem/element_kernel.cpp": {"LU"},  # inverses of 3×3 and 4×4 in the innermost loop
@@ -27,13 +27,13 @@ may_decompose = {
 }
 
 
-def below(floor):
-    """The floor itself and all floors that it may include, directly or through others."""
-    return {floor}.union(*(below(lower) for lower in floors[floor]))
+def below(layer):
+    """The layer itself and all layers that it may include, directly or through others."""
+    return {layer}.union(*(below(lower) for lower in layers[layer]))
 
 
-def room_of(path):
-    """ "numerics/sweep" for numerics/sweep/planes.h; "numerics" for a file outside the rooms."""
+def folder_of(path):
+    """ "numerics/sweep" for numerics/sweep/planes.h; "numerics" for a file outside the folders."""
     return str(pathlib.PurePosixPath(path).parent)
 
 
@@ -49,20 +49,20 @@ for path in sorted((source / "trivet").rglob("*")):
     if path.suffix not in (".h", ".cpp", ".in"):
         continue
     name = path.relative_to(source / "trivet").as_posix()
-    floor, room = name.split("/")[0], room_of(name)
-    if floor not in floors:
-        wrong.append(f"{path}: the folder {floor} is no declared floor")
+    layer, folder = name.split("/")[0], folder_of(name)
+    if layer not in layers:
+        wrong.append(f"{path}: the folder {layer} is not a declared layer")
         continue
-    if room != floor and room not in rooms:
-        wrong.append(f"{path}: the folder {room} is no declared room")
+    if folder != layer and folder not in folders:
+        wrong.append(f"{path}: the folder {folder} is not a declared folder")
         continue
-    allowed = rooms.get(room)  # None outside the rooms: all rooms
+    allowed = folders.get(folder)  # None outside the folders: all folders
     for number, line in enumerate(path.read_text().splitlines(), 1):
         eigen = re.match(r"\s*#\s*include\s*[<\"](?:eigen3/)?Eigen/(\w+)", line)
         if (
             eigen
             and eigen.group(1) in decompositions
-            and room != "numerics/linalg"
+            and folder != "numerics/linalg"
             and eigen.group(1) not in may_decompose.get(name, ())
         ):
             wrong.append(
@@ -78,11 +78,11 @@ for path in sorted((source / "trivet").rglob("*")):
         includes += 1
         target = found.group(1)
         lower = target.split("/")[0]
-        if lower not in below(floor):
-            wrong.append(f"{path}:{number}: {floor} must not include {lower}")
-        elif lower == floor and allowed is not None and room_of(target) not in allowed:
-            wrong.append(f"{path}:{number}: {room} must not include {room_of(target)}")
-        elif lower != floor and target in private:
+        if lower not in below(layer):
+            wrong.append(f"{path}:{number}: {layer} must not include {lower}")
+        elif lower == layer and allowed is not None and folder_of(target) not in allowed:
+            wrong.append(f"{path}:{number}: {folder} must not include {folder_of(target)}")
+        elif lower != layer and target in private:
             wrong.append(f"{path}:{number}: {target} is private to {lower}")
 
 # The command line and Python ask the engine and know nothing below it.
@@ -100,5 +100,7 @@ for path in sorted([*root.glob("apps/cli/*"), *root.glob("bindings/python/core/*
             wrong.append(f"{path}:{number}: {found.group(1)} is behind the engine, the one door of programs")
 if behind_the_door == 0:
     wrong.append("no program includes the engine")
-print("\n".join(wrong) or f"{includes} includes between {len(floors)} floors and {len(rooms)} rooms follow the arrows")
+print(
+    "\n".join(wrong) or f"{includes} includes between {len(layers)} layers and {len(folders)} folders follow the arrows"
+)
 sys.exit(1 if wrong or includes == 0 else 0)

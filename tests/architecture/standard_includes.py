@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of a floor are compiled in batches on a common precompiled header, which hides a missing #include of the standard
+"""Files of a layer are compiled in batches on a common precompiled header, which hides a missing #include of the standard
 library. So every file that uses a name of `std` includes its header, itself or by a header of ours."""
 import pathlib
 import re

@@ -7,7 +7,7 @@
 Needs NumPy and SciPy. The equations of motion are written here a second time: bodies, skew springs with offsets, laws
 along their axes, a moving ground. At some points of each curve a periodic motion is found by Newton's method on the
 return map (DOP853 with variational equations), begun at the state that the program gives. Its mean, extremes and
-largest multiplier must be those of the program. A machine without an answer needs a reason. With loss factors, which
+largest multiplier must be those of the program. A machine without a result needs a reason. With loss factors, which
 have no motion in time, the balance of harmonics is checked instead."""
 import argparse
 import collections
@@ -336,7 +336,7 @@ def compared(machine, point):
 
 
 def judged(number, keep=None):
-    """@returns kind, verdict ("right", "no answer", "wrong"), words, examined points of uncertain stability"""
+    """@returns kind, verdict ("right", "no result", "wrong"), words, examined points of uncertain stability"""
     machine = Machine(number)
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(keep or folder) / f"machine_{number}.toml"
@@ -351,12 +351,12 @@ def judged(number, keep=None):
         return machine.kind, "wrong", f"exit {done.returncode} without a reason", 0
     if not done.stdout.strip():
         return machine.kind, "no answer", " ".join(done.stderr.split())[:300], 0
-    answer = json.loads(done.stdout)
-    points = answer["points"]
+    result = json.loads(done.stdout)
+    points = result["points"]
     if not points:
-        reason = "; ".join([answer["ended"], *answer["warnings"]])[:300]
+        reason = "; ".join([result["ended"], *result["warnings"]])[:300]
         return machine.kind, "no answer" if reason else "wrong", reason or "no points and no reason", 0
-    if done.returncode and not answer["ended"] and not answer["warnings"]:
+    if done.returncode and not result["ended"] and not result["warnings"]:
         return machine.kind, "wrong", f"exit {done.returncode} without a reason", 0
     chosen = machine.chance.sample(points, min(POINTS, len(points)))
     uncertain = 0 if machine.kind in ("loss", "undamped") else sum(map(is_uncertain, chosen))
@@ -364,7 +364,7 @@ def judged(number, keep=None):
     if problems:
         return machine.kind, "wrong", problems[0] + (f" ({len(problems)} of {len(chosen)} points)"), uncertain
     reach = [min(p["angular_frequency"] for p in points), max(p["angular_frequency"] for p in points)]
-    ended = f"; ended: {answer['ended']}" if answer["ended"] else ""
+    ended = f"; ended: {result['ended']}" if result["ended"] else ""
     return machine.kind, "right", f"{len(points)} points from {reach[0]:.4g} to {reach[1]:.4g} rad/s{ended}", uncertain
 
 

@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 from verdict_test import OSCILLATOR as DRIVEN
 from verdict_test import C, G, K, M
 
@@ -26,7 +26,7 @@ OVERSHOOT = 50 / K * (1 + math.exp(-math.pi * RATIO / math.sqrt(1 - RATIO**2)))
 
 class Clearances(InTemporaryFolder):
     def judged(self, text):
-        (result,) = answer("verdict", self.file(text))["cases"][0]["requirements"]
+        (result,) = result_of("verdict", self.file(text))["cases"][0]["requirements"]
         return result
 
     def near(self, found, expected):
@@ -70,7 +70,7 @@ class Clearances(InTemporaryFolder):
         self.assertIn("unbounded", found["detail"])
 
     def test_a_governing_clearance_names_its_cause(self):
-        case = answer("verdict", self.file(OSCILLATOR.replace("6 mm", "1.6 mm") + FORCE))["cases"][0]
+        case = result_of("verdict", self.file(OSCILLATOR.replace("6 mm", "1.6 mm") + FORCE))["cases"][0]
         self.assertIn("floor.approach", case["cause"])
 
     def test_a_map_needs_a_position_of_rest_as_a_verdict_does(self):
@@ -94,7 +94,7 @@ class Clearances(InTemporaryFolder):
             + '[parameters.stiffness]\npath = "elements.s.scale"\nfrom = 0.2\nto = 5\nspacing = "logarithmic"\n'
             + '[analyses]\noptimize = {}\n'
         )
-        found = answer("optimize", self.file(text))
+        found = result_of("optimize", self.file(text))
         scale = (2 * SAG / 1e-3) ** (2 / 3)
         self.assertAlmostEqual(found["parameters"][0]["optimum"] / scale, 1, 5)  # residual of the search
         self.assertAlmostEqual(found["after"] / (1e-3 * scale / SAG), 1, 5)

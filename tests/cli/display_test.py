@@ -4,7 +4,7 @@ import json
 import math
 import re
 
-from trivet_test import SOURCE, InTemporaryFolder, answer, trivet
+from trivet_test import SOURCE, InTemporaryFolder, result_of, trivet
 
 MACHINE = """trivet = 1
 gravity = [0, 0, -9.81]
@@ -83,19 +83,19 @@ class Display(InTemporaryFolder):
     def test_numbers_on_the_screen_are_the_si_numbers_times_their_factors(self):
         shown = trivet("response", self.shown).stdout
         self.assertIn("Amplitude and phase (peak-to-peak; a lag is negative)", shown)
-        data = answer("response", self.si)
+        data = result_of("response", self.si)
         size = lambda name, i: math.hypot(*next(c for c in data["results"] if c["name"] == name)["complex"][i])
         for i, row in enumerate(table(shown, "f [rpm]")):
             self.near(row["f [rpm]"], data["angular_frequency"][i] / RPM)
             self.near(row["|machine.z| [in p-p]"], 2 * size("machine.z", i) / INCH)
             self.near(row["|machine.ry| [deg p-p]"], 2 * math.degrees(size("machine.ry", i)))
-        peak, row = answer("peaks", self.si)["peaks"][0], table(trivet("peaks", self.shown).stdout, "curve")[0]
+        peak, row = result_of("peaks", self.si)["peaks"][0], table(trivet("peaks", self.shown).stdout, "curve")[0]
         self.near(row["amplitude"], 2 * peak["amplitude"] / INCH)
         self.near(row["f [rpm]"], peak["angular_frequency"] / RPM)
         self.assertTrue(row["amplitude"].endswith(" in p-p"))
 
     def test_values_at_rest_in_time_and_rms_have_no_level(self):
-        results = answer("static", self.si)["results"]
+        results = result_of("static", self.si)["results"]
         for row, value in zip(table(trivet("static", self.shown).stdout, "result"), results, strict=True):
             factor = {"m": 1 / INCH, "N": 1 / POUND, "rad": 180 / math.pi, "N m": 1 / (POUND * INCH)}[value["unit"]]
             self.assertIn(row["unit"], ("in", "lbf", "deg", "lbf in"))
@@ -105,7 +105,7 @@ class Display(InTemporaryFolder):
             ("random", "rms", lambda r: r["rms"]),
             ("transient", "largest", lambda r: r["largest"]["value"]),
         ):
-            first = answer(name, self.si)["results"][0]
+            first = result_of(name, self.si)["results"][0]
             row = table(trivet(name, self.shown).stdout, "result")[0]
             self.assertEqual((first["unit"], row[key].split()[1]), ("m", "in"))
             self.near(row[key], number(first) / INCH)
@@ -127,16 +127,16 @@ class Display(InTemporaryFolder):
         self.assertIn("ground.force.z ≤ 26.98 lbf p-p", verdict)
         self.assertIn("machine.z ≤ 0.1181 in ", verdict)
         self.assertEqual(
-            [r["margin"] for r in answer("verdict", self.shown)["cases"][0]["requirements"]],
-            [r["margin"] for r in answer("verdict", self.si)["cases"][0]["requirements"]],
+            [r["margin"] for r in result_of("verdict", self.shown)["cases"][0]["requirements"]],
+            [r["margin"] for r in result_of("verdict", self.si)["cases"][0]["requirements"]],
         )
 
     def test_json_and_csv_stay_in_si(self):
-        for question in ("modes", "response", "peaks", "static", "random", "transient", "verdict"):
+        for analysis in ("modes", "response", "peaks", "static", "random", "transient", "verdict"):
             for form in ("--json", "--csv"):
-                shown = trivet(question, self.shown, form).stdout.replace("shown.toml", "si.toml")
+                shown = trivet(analysis, self.shown, form).stdout.replace("shown.toml", "si.toml")
                 self.assertTrue(shown)
-                self.assertEqual(shown, trivet(question, self.si, form).stdout)
+                self.assertEqual(shown, trivet(analysis, self.si, form).stdout)
         folders = {}
         for path in (self.si, self.shown):
             trivet("run", path, "-o", self.folder / path.stem)
@@ -176,8 +176,8 @@ class Display(InTemporaryFolder):
 
     def test_the_default_written_out_changes_nothing(self):
         written = self.file(MACHINE + '[display]\nlength = "m"\nlevel = "amplitude"\n', "written.toml")
-        for question in ("modes", "response", "peaks", "static", "random", "transient", "verdict", "suspension"):
-            self.assertEqual(trivet(question, written).stdout, trivet(question, self.si).stdout)
+        for analysis in ("modes", "response", "peaks", "static", "random", "transient", "verdict", "suspension"):
+            self.assertEqual(trivet(analysis, written).stdout, trivet(analysis, self.si).stdout)
 
     def test_mistakes_name_place_and_remedy(self):
         done = trivet("check", SOURCE / "tests/bad/display_several_mistakes.toml")

@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 DIGITS = 9  # the program states nine
 G, M, K, STIFFENING = 9.80665, 40.0, 2.5e5, 1.4
@@ -73,21 +73,21 @@ class DynamicStiffness(InTemporaryFolder):
             MOUNT,
         ):
             project = self.file(BODY + element)
-            static = {r["name"]: r["value"] for r in answer("static", project)["results"]}
+            static = {r["name"]: r["value"] for r in result_of("static", project)["results"]}
             self.assertAlmostEqual(static["m.z"] / -SAG, 1, DIGITS)
             self.assertAlmostEqual(static["s.force.z"] / (-M * G), 1, DIGITS)  # equilibrium, by either stiffness
             self.assertAlmostEqual(
-                answer("modes", project)["modes"][0]["angular_frequency"] / NATURAL,
+                result_of("modes", project)["modes"][0]["angular_frequency"] / NATURAL,
                 1,
                 DIGITS,
             )
-            self.assertEqual(answer("static", project)["warnings"], [])
+            self.assertEqual(result_of("static", project)["warnings"], [])
             self.assertIn(
                 "in vibration 1.4 times as stiff",
                 trivet("element", project, "s").stdout,
             )
         # The response: k(1 + iη) of vibration.
-        found = answer(
+        found = result_of(
             "peaks",
             self.file(BODY + MOUNT + FORCE),
             "--set",
@@ -97,9 +97,9 @@ class DynamicStiffness(InTemporaryFolder):
 
     def test_rubber_by_its_material_sags_as_without_stiffening(self):
         plain, stiff = (self.file(BODY + DISC % s, f"{s}.toml") for s in (1, STIFFENING))
-        sags = [answer("static", p)["results"][0]["value"] for p in (plain, stiff)]
+        sags = [result_of("static", p)["results"][0]["value"] for p in (plain, stiff)]
         self.assertAlmostEqual(sags[1] / sags[0], 1, DIGITS)
-        squares = [answer("modes", p)["modes"][0]["eigenvalue_squared"] for p in (plain, stiff)]
+        squares = [result_of("modes", p)["modes"][0]["eigenvalue_squared"] for p in (plain, stiff)]
         self.assertAlmostEqual(squares[1] / squares[0], STIFFENING, DIGITS)
 
     def test_verdict_and_select_judge_sag_by_the_static_stiffness(self):
@@ -107,12 +107,12 @@ class DynamicStiffness(InTemporaryFolder):
             '[requirements]\nmount_load = "catalogue"\nnatural_frequencies = {avoid = [["12.6 Hz", "13 Hz"]]}\n'
         )
         project = self.file(BODY + MOUNT + requirements + 'static = {"m.z" = "2 mm"}\n')
-        rows = answer("verdict", project)["cases"][0]["requirements"]
+        rows = result_of("verdict", project)["cases"][0]["requirements"]
         sags = [row["value"] for row in rows if row["kind"] in ("mount_deflection", "static")]
         for sag in sags:
             self.assertAlmostEqual(abs(sag) / SAG, 1, DIGITS)
         choice = '[parameters.c]\npath = "elements.s.type"\ncatalogue = "maker.toml"\n'
-        found = answer("select", self.file(BODY + MOUNT + choice + requirements))
+        found = result_of("select", self.file(BODY + MOUNT + choice + requirements))
         self.assertEqual(found["without_bounds"], "")
         lowest = {
             d["mounts"]["c"]: (
@@ -149,7 +149,7 @@ natural_frequencies = {avoid = [["15 Hz", "200 Hz"]]}
 starts = 2
 """
         )
-        found = answer("optimize", self.file(text))
+        found = result_of("optimize", self.file(text))
         # k / (m g) · 1 mm = 15 Hz / f, f = √(1.4 k / m) / 2π
         k = (15 * 2 * math.pi * M * G / 1e-3 * math.sqrt(M / STIFFENING)) ** (2 / 3)
         self.assertAlmostEqual(found["parameters"][0]["optimum"] / k, 1, 6)

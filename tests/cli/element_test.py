@@ -111,14 +111,14 @@ class Element(unittest.TestCase):
         self.assertIn("no harmonic excitation", text)
 
     def test_json_keeps_its_contract(self):
-        answer = self.json(self.project(BODY, COIL), "coil spring")
-        self.assertEqual([len(row) for row in answer["stiffness"]], [12] * 12)
-        self.assertEqual([len(row) for row in answer["mass"]], [12] * 12)
-        self.assertEqual([len(row) for row in answer["rigid_motion_residual"]], [6] * 12)
-        self.assertIsNone(answer["preload"])
-        self.assertEqual(answer["warnings"], [])
-        self.assertGreater(len(answer["facts"]), 3)
-        self.assertIsNone(answer["uncertainty"])
+        result = self.json(self.project(BODY, COIL), "coil spring")
+        self.assertEqual([len(row) for row in result["stiffness"]], [12] * 12)
+        self.assertEqual([len(row) for row in result["mass"]], [12] * 12)
+        self.assertEqual([len(row) for row in result["rigid_motion_residual"]], [6] * 12)
+        self.assertIsNone(result["preload"])
+        self.assertEqual(result["warnings"], [])
+        self.assertGreater(len(result["facts"]), 3)
+        self.assertIsNone(result["uncertainty"])
 
     def test_a_single_coil_spring_loses_its_tilting_as_three_springs(self):
         modes = self.json(self.project(BODY, COIL), "coil spring")["simplification"]["modes"]
@@ -153,10 +153,10 @@ class Element(unittest.TestCase):
         text = self.run_element(project, "rig", "--picture", self.folder / "rig.svg")
         self.assertIn("Uncertainty (95 % confidence)", text)
         self.assertIn("outlier: case 8, force z at K", text)
-        answer = self.json(project, "rig")
-        self.assertEqual([r["what"] for r in answer["residuals"] if r["outlier"]], ["case 8, force z at K"])
-        self.assertTrue(answer["warnings"])
-        self.assertLess(abs(answer["stiffness"][6][6] - 2e5), 3 * answer["uncertainty"]["stiffness"][6][6])
+        result = self.json(project, "rig")
+        self.assertEqual([r["what"] for r in result["residuals"] if r["outlier"]], ["case 8, force z at K"])
+        self.assertTrue(result["warnings"])
+        self.assertLess(abs(result["stiffness"][6][6] - 2e5), 3 * result["uncertainty"]["stiffness"][6][6])
         self.assertIn("outlier 1: case 8", (self.folder / "rig.svg").read_text())
 
     def test_pictures_are_whole_svg_files_without_non_numbers(self):

@@ -65,9 +65,9 @@ inertia = {about = "center_of_mass", xx = 8, yy = 12, zz = 13}
         return path
 
     def modes(self, path, *settings):
-        answer = trivet("modes", path, "--json", *settings)
-        self.assertEqual(answer.returncode, 0, answer.stderr)
-        return answer.stdout
+        result = trivet("modes", path, "--json", *settings)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
 
     TYPE = """[element_types.mount]
 type = "bushing"
@@ -144,7 +144,7 @@ scale = {scale * factor}
         )
 
     def test_a_map_varies_a_type_as_one_number(self):
-        questions = """[excitations.push]
+        analyses = """[excitations.push]
 type = "harmonic"
 on = "machine"
 at = [0, 0, 0.1]
@@ -154,10 +154,10 @@ x = {parameter = "element_types.mount.scale", from = 0.5, to = 2, points = 5}
 y = {parameter = "element_types.mount.damping.loss_factor", from = 0.05, to = 0.3, points = 5}
 limits = {"machine.z" = 1e-4}
 """
-        table = self.project(self.TYPE + "damping = {loss_factor = 0.1}\n" + self.TABLE + questions, self.MOUNTS)
-        answer = trivet("map", table, "--csv")
-        self.assertEqual(answer.returncode, 0, answer.stderr)
-        rows = list(csv.reader(answer.stdout.splitlines()))
+        table = self.project(self.TYPE + "damping = {loss_factor = 0.1}\n" + self.TABLE + analyses, self.MOUNTS)
+        result = trivet("map", table, "--csv")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = list(csv.reader(result.stdout.splitlines()))
         margin = rows[0].index("margin")
         compared = 0
         for row in rows[1:]:

@@ -164,10 +164,10 @@ peaks = {{of = ["fan.x"]}}
                 self.assertGreater(effect[trial["parameter"]], 0.01 * strongest, peak["sentence"])
 
     def test_an_undamped_peak_has_a_frequency_to_change_but_no_height(self):
-        answer = json.loads(
+        result = json.loads(
             run("explain", PAPER, "--set", "elements.suspension.damping.proportional=0", "--most", "2", "--json")[0]
         )
-        for peak in answer["peaks"]:
+        for peak in result["peaks"]:
             self.assertTrue(peak["unbounded"])
             self.assertIsNone(peak["amplitude"])
             scale = next(s for s in peak["sensitivities"] if s["parameter"] == "elements.suspension.scale")
@@ -176,11 +176,11 @@ peaks = {{of = ["fan.x"]}}
             self.assertIn("no height", peak["notes"][0])
 
     def test_a_peak_that_is_round_off_of_a_symmetry_is_left_out(self):
-        answer = json.loads(
+        result = json.loads(
             run("explain", str(SOURCE / "examples/rubber_mounts/compressor.toml"), "--json", "--most", "50")[0]
         )
-        self.assertTrue(answer["peaks"])
-        self.assertFalse([p["name"] for p in answer["peaks"] if p["amplitude"] < 1e-12])
+        self.assertTrue(result["peaks"])
+        self.assertFalse([p["name"] for p in result["peaks"] if p["amplitude"] < 1e-12])
 
     def test_csv_has_a_row_for_each_peak_and_parameter(self):
         rows = list(csv.DictReader(io.StringIO(run("explain", PAPER, "--most", "2", "--csv")[0])))
@@ -223,7 +223,7 @@ force = [1, 0, 0]
         self.assertRegex(rows["a"], r"a +100\.0 %")
         self.assertIn(f"-{100 * weight / stiffness:.1f} %", rows["geometric"])
 
-    def test_an_unknown_answer_is_wrong_input(self):
+    def test_an_unknown_result_is_wrong_input(self):
         self.assertIn("nonsense", run("explain", PAPER, "--of", "nonsense", code=2)[1])
 
     def test_without_an_excitation_there_is_nothing_to_explain(self):
@@ -252,14 +252,14 @@ def inertia_about_pole(factor):
 
 class Suspension(unittest.TestCase):
     def test_numbers_of_the_bogie(self):
-        answer = json.loads(run("suspension", BOGIE, "--torque", "x", "--excitation", "10Hz", "--json")[0])
-        frame = answer["bodies"][0]
+        result = json.loads(run("suspension", BOGIE, "--torque", "x", "--excitation", "10Hz", "--json")[0])
+        frame = result["bodies"][0]
         self.assertAlmostEqual(frame["elastic"]["center"][2], -0.166, delta=1e-3)
         self.assertEqual(len(frame["roll_axes"]), 1)
         self.assertEqual([m["purest"] for m in frame["modes"]], ["y", "x", "z", "rx", "rz", "ry"])
         for mode in frame["modes"]:
             self.assertAlmostEqual(sum(mode["kinetic_energy_share"]) + mode["in_elements"], 1, places=9)
-        for row in answer["frequency_separation"]:
+        for row in result["frequency_separation"]:
             self.assertAlmostEqual(row["excitation_ratio"][0] * row["angular_frequency"], 62.83185307, places=6)
 
     def test_text_and_csv(self):

@@ -7,7 +7,7 @@ import math
 import re
 import unittest
 
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 # A climb stops at steps of 1e-10 of a range.
 PLACE = 1e-7
@@ -59,7 +59,7 @@ starts = 4
 
 class Front(InTemporaryFolder):
     def front(self, text):
-        found = answer("optimize", self.file(text + BAND))
+        found = result_of("optimize", self.file(text + BAND))
         for point in found["points"][1:-1]:
             self.assertLess(point["residual"], 1e-5)
         self.assertLess(found["unevenness"], EVEN)
@@ -72,7 +72,7 @@ class Front(InTemporaryFolder):
 
     def test_csv_has_the_points(self):
         project = self.file(TWO + BAND)
-        found = answer("optimize", project)
+        found = result_of("optimize", project)
         rows = list(csv.reader(io.StringIO(trivet("optimize", project, "--csv").stdout)))
         self.assertEqual(len(rows), 1 + len(found["points"]))
         self.assertEqual(rows[0][-2:], ["residual", "knee"])
@@ -93,7 +93,7 @@ class Front(InTemporaryFolder):
         gaps = self.distances(points)
         self.assertLess(max(gaps) / min(gaps), EVEN)
         # The knee is where 1/x_a² over the width of a is that of b; with 401 points it is found to a step.
-        fine = answer("optimize", self.file((TWO + "points = 101\n" + BAND)))
+        fine = result_of("optimize", self.file((TWO + "points = 101\n" + BAND)))
         a, b = fine["points"][fine["knee"]]["amplitudes"]
         width_a, width_b = (o["most"] - o["least"] for o in fine["objectives"])
         slope = (b / a) ** 2 * width_a / width_b  # −db/da in shares: 1 at the knee
@@ -124,7 +124,7 @@ class Front(InTemporaryFolder):
 
     def test_no_choice_is_one_point(self):
         text = TWO.replace('["a.z", "b.z"]', '["a.z", "sa.force.z"]')
-        found = answer("optimize", self.file(text + BAND))
+        found = result_of("optimize", self.file(text + BAND))
         self.assertEqual(len(found["points"]), 1)
         self.assertIn("nothing to choose", trivet("optimize", self.file(text + BAND)).stdout)
 
@@ -134,7 +134,7 @@ class Front(InTemporaryFolder):
         text = text.replace("[parameters.stiffness]", oscillator("c", 60.0, 1e5) + "[parameters.stiffness]")
         text = text.replace('front = ["a.z", "b.z"]', 'front = ["a.z", "b.z", "c.z"]')
         text = text.replace('"elements.sb.scale"]', '"elements.sb.scale", "elements.sc.scale"]')
-        found = answer("optimize", self.file(text))
+        found = result_of("optimize", self.file(text))
         total = (M_B - M_A) * W**2 / F
         for point in found["points"]:
             a, b, c = point["amplitudes"]

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Input of a user has an effect or causes a message: numbers of the command line, questions, excitations, points,
+"""Input of a user has an effect or causes a message: numbers of the command line, analyses, excitations, points,
 columns."""
 import json
 import unittest
 
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 MACHINE = """trivet = 1
 [bodies.machine]
@@ -33,7 +33,7 @@ elements.mount.damping = {loss_factor = 0.1}
 
 class OrderOfChanges(InTemporaryFolder):
     def lowest(self, *arguments):
-        return answer("modes", self.file(MACHINE + CASES), *arguments)["modes"][0]["angular_frequency"]
+        return result_of("modes", self.file(MACHINE + CASES), *arguments)["modes"][0]["angular_frequency"]
 
     def test_the_command_line_wins_over_the_case(self):
         base = self.lowest()
@@ -48,7 +48,7 @@ class OrderOfChanges(InTemporaryFolder):
         self.assertAlmostEqual(self.lowest("--case", "stiff", *light), 4 * base, places=9)
 
     def test_braces_on_the_command_line_replace_those_of_the_case(self):
-        found = answer(
+        found = result_of(
             "roots",
             self.file(MACHINE + CASES),
             "--case",
@@ -72,9 +72,9 @@ class OrderOfChanges(InTemporaryFolder):
         self.assertEqual(cases[2]["changes"], ["elements.mount.damping.proportional = 0.01"])
 
     def test_a_run_lists_the_number_that_is_used(self):
-        asked = "[analyses]\nmodes = {}\nresponse = {of = [\"machine\", \"machine.seat\"]}\n"
+        request = "[analyses]\nmodes = {}\nresponse = {of = [\"machine\", \"machine.seat\"]}\n"
         done = trivet(
-            "run", self.file(MACHINE + CASES + asked), "-o", self.folder / "out", "--set", "elements.mount.scale=9"
+            "run", self.file(MACHINE + CASES + request), "-o", self.folder / "out", "--set", "elements.mount.scale=9"
         )
         self.assertEqual(done.returncode, 0, done.stderr)
         cases = json.loads((self.folder / "out/results.json").read_text())["cases"]
@@ -89,8 +89,8 @@ class OrderOfChanges(InTemporaryFolder):
         self.assertEqual(both.returncode, 0)
 
 
-class Questions(InTemporaryFolder):
-    def test_a_bad_question_stops_only_itself_check_and_run(self):
+class Analyses(InTemporaryFolder):
+    def test_a_bad_analysis_stops_only_itself_check_and_run(self):
         path = self.file(MACHINE + "[analyses]\nstatic = {}\nresponse = {}\n[limits]\n\"machine.seat.z\" = 1\n")
         for command in ("modes", "roots", "response", "peaks", "explain", "suspension"):
             with self.subTest(command=command):
@@ -103,7 +103,7 @@ class Questions(InTemporaryFolder):
             self.assertIn("analyses.static: neither gravity nor a constant force", done.stderr)
         self.assertFalse((self.folder / "out").exists())
 
-    def test_a_bad_question_of_one_case_stops_only_that_case(self):
+    def test_a_bad_analysis_of_one_case_stops_only_that_case(self):
         path = self.file(MACHINE + "[analyses]\nresponse = {}\n[cases.wrong]\nanalyses.response.of = \"mashine\"\n")
         self.assertEqual(trivet("response", path).returncode, 0)
         done = trivet("response", path, "--case", "wrong")
@@ -115,7 +115,7 @@ class Questions(InTemporaryFolder):
         self.assertEqual(done.returncode, 2)
         self.assertIn("analyses.response.of", done.stderr)
 
-    def test_a_misspelt_question_stops_the_commands_that_might_be_meant(self):
+    def test_a_misspelt_analysis_stops_the_commands_that_might_be_meant(self):
         path = self.file(MACHINE + "[analyses]\nrespnse = {of = \"ground\"}\n")
         self.assertIn('did you mean "response"?', trivet("response", path).stderr)
         self.assertEqual(trivet("modes", path).returncode, 0)
@@ -131,7 +131,7 @@ class Unused(InTemporaryFolder):
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout + done.stderr
 
-    def test_excitations_that_no_question_uses(self):
+    def test_excitations_that_no_analysis_uses(self):
         spectrum = (
             '[excitations.road]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\n'
             "psd = [[1, 1e-6], [10, 1e-8]]\n"
@@ -139,7 +139,7 @@ class Unused(InTemporaryFolder):
         said = self.warnings(spectrum + "[analyses]\nresponse = {}\n")
         self.assertIn("excitations.road: no analysis of this file uses it", said)
         self.assertNotIn("excitations.push", said)
-        self.assertNotIn("no analysis", self.warnings(spectrum))  # a file without questions
+        self.assertNotIn("no analysis", self.warnings(spectrum))  # a file without analyses
         self.assertNotIn("no analysis", self.warnings(spectrum + "[analyses]\nmodes = {}\n"))
         self.assertNotIn("no analysis", self.warnings(spectrum + "[analyses]\nresponse = {}\n", "peaks"))
         used = spectrum + "[analyses]\nresponse = {of = \"machine.seat.z\"}\nrandom = {}\n"
@@ -212,11 +212,11 @@ class Unused(InTemporaryFolder):
             .replace("at = [0, 0, 0]", "at = [1, 0, 0]")
         )
         ask = '[analyses]\ntransmissibility = {force = "push"}\n'
-        found = {one["name"]: one for one in answer("transmissibility", self.file(MACHINE + other + ask))["results"]}
+        found = {one["name"]: one for one in result_of("transmissibility", self.file(MACHINE + other + ask))["results"]}
         self.assertIsNotNone(found["ground"]["isolates_from"])
         for name in ("mount", "other"):
             self.assertEqual((found[name]["isolates_from"], found[name]["isolation_efficiency"]), (None, None))
-        alone = {one["name"]: one for one in answer("transmissibility", self.file(MACHINE + ask))["results"]}
+        alone = {one["name"]: one for one in result_of("transmissibility", self.file(MACHINE + ask))["results"]}
         self.assertIsNotNone(alone["mount"]["isolates_from"])
 
     def test_an_overdamped_mode_of_little_mass_does_not_stop_an_earthquake(self):

@@ -37,10 +37,10 @@ class GuidedGround(unittest.TestCase):
             path.write_text(MODEL.format(motion=motion, turned=turned) + extra)
             done = subprocess.run([TRIVET, command, path, "--json"], capture_output=True, text=True, timeout=60)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.answer = json.loads(done.stdout)
+            self.result = json.loads(done.stdout)
             return [
                 w
-                for w in self.answer.get("warnings", self.answer.get("problems"))
+                for w in self.result.get("warnings", self.result.get("problems"))
                 if "constraints are fixed in space" in json.dumps(w)
             ]
 
@@ -49,7 +49,7 @@ class GuidedGround(unittest.TestCase):
         self.assertEqual(len(found), 1)
         self.assertIn("is constrained in x", json.dumps(found))
         self.assertIn("floor", json.dumps(found))
-        force = {one["name"]: one["complex"][0] for one in self.answer["results"]}["mount.force.x"]
+        force = {one["name"]: one["complex"][0] for one in self.result["results"]}["mount.force.x"]
         self.assertAlmostEqual(abs(complex(*force)), 1e6 * 1e-3, delta=1e-3)  # the floor moves under the body
 
     def test_a_ground_that_the_body_follows_has_no_warning(self):

@@ -4,7 +4,7 @@ no design could be better than another."""
 import unittest
 
 from optimize_test import OSCILLATOR
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 SEARCH = "[analyses.optimize]\nstarts = 2\n"
 SIDE = '[parameters.side]\npath = "elements.s.translation.x"\nfrom = 0.5\nto = 5\n'
@@ -18,7 +18,7 @@ class IdleDesigns(InTemporaryFolder):
         line = 1 + project.read_text().splitlines().index("[parameters.side]")
         self.assertIn(f"project.toml:{line}: warning: parameters.side: changes nothing at the optimum", done.stderr)
         self.assertEqual(done.returncode, 0)
-        self.assertEqual([p["name"] for p in answer("optimize", project)["parameters"]], ["stiffness", "side"])
+        self.assertEqual([p["name"] for p in result_of("optimize", project)["parameters"]], ["stiffness", "side"])
 
     def test_given_design_outside_the_ranges(self):
         text = OSCILLATOR.replace('"20 N/mm"', '"200 N/mm"') + '[requirements]\nlimits = {"ground.force.z" = "40 N"}\n'
@@ -29,15 +29,15 @@ class IdleDesigns(InTemporaryFolder):
         done = trivet("optimize", project)
         self.assertIn(f"project.toml:{line}: warning: {outside}", done.stderr)
         self.assertIn("the given design is better than the optimum: least margin", done.stderr)
-        found = answer("optimize", project)
+        found = result_of("optimize", project)
         self.assertGreater(found["before"], found["after"])
         self.assertEqual([outside in found["warnings"][0], len(found["warnings"])], [True, 2])
         self.assertIn(outside, trivet("run", project, "-o", self.folder / "out").stdout)
         ends = text.replace('"200 N/mm"', '"120 N/mm"').replace(
             "translation = [1, 1, 1e5]", "translation = [1, 1, 0.12e6]"
         )
-        self.assertEqual(answer("optimize", self.file(ends + SEARCH))["warnings"], [])  # on the end, in other units
-        within = answer("optimize", self.file(text.replace('"200 N/mm"', '"50 N/mm"') + SEARCH))
+        self.assertEqual(result_of("optimize", self.file(ends + SEARCH))["warnings"], [])  # on the end, in other units
+        within = result_of("optimize", self.file(text.replace('"200 N/mm"', '"50 N/mm"') + SEARCH))
         self.assertEqual(within["warnings"], [])
 
     def test_places_with_different_values(self):
@@ -48,11 +48,11 @@ class IdleDesigns(InTemporaryFolder):
         spread = f"[parameters.spread]\npath = {places}\nfrom = 0.1\nto = 1\n"
         pair = pair.replace("at = [0, 0, 0]\ntranslation", "at = [0, -0.3, 0]\ntranslation") + SEARCH + SMALL
         different = "its places have different values in the file: 0.3 and -0.3"
-        self.assertIn(different, " ".join(answer("optimize", self.file(pair + spread))["warnings"]))
+        self.assertIn(different, " ".join(result_of("optimize", self.file(pair + spread))["warnings"]))
         mirrored = spread.replace(places, "{'elements.left.at.y' = 1, 'elements.right.at.y' = -1}")
-        self.assertNotIn("different", " ".join(answer("optimize", self.file(pair + mirrored))["warnings"]))
+        self.assertNotIn("different", " ".join(result_of("optimize", self.file(pair + mirrored))["warnings"]))
         front = pair.replace(SEARCH, '[analyses.optimize]\nfront = ["m.z", "ground.force.z"]\npoints = 3\nstarts = 2\n')
-        self.assertIn(different, " ".join(answer("optimize", self.file(front + spread))["warnings"]))
+        self.assertIn(different, " ".join(result_of("optimize", self.file(front + spread))["warnings"]))
 
     def test_axis_that_changes_no_requirement_has_a_warning(self):
         axes = '[analyses.map]\npairs = [["stiffness", "side"]]\npoints = 4\n'

@@ -47,7 +47,7 @@ class ImportedComplex(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
 
-    def answer(self, command, elements, *more):
+    def result_of(self, command, elements, *more):
         path = pathlib.Path(self.folder.name) / "model.toml"
         path.write_text(BODY + elements)
         done = subprocess.run([TRIVET, command, path, "--json", *more], capture_output=True, text=True, timeout=120)
@@ -76,7 +76,7 @@ class ImportedComplex(unittest.TestCase):
 
     def test_one_loss_factor_for_all_becomes_that_loss_factor(self):
         imported, given = self.imported("stiff"), self.bushings("stiff")
-        self.assert_same(self.answer("response", imported), self.answer("response", given), 1e-12)
+        self.assert_same(self.result_of("response", imported), self.result_of("response", given), 1e-12)
         facts = subprocess.run(
             [TRIVET, "element", pathlib.Path(self.folder.name) / "model.toml", "stiff", "--json"],
             capture_output=True,
@@ -84,7 +84,7 @@ class ImportedComplex(unittest.TestCase):
             timeout=60,
         )
         self.assertAlmostEqual(json.loads(facts.stdout)["loss_factor"], 0.3)
-        self.answer("response", imported)  # writes the model again
+        self.result_of("response", imported)  # writes the model again
         facts = subprocess.run(
             [TRIVET, "element", pathlib.Path(self.folder.name) / "model.toml", "mount", "--json"],
             capture_output=True,
@@ -95,14 +95,14 @@ class ImportedComplex(unittest.TestCase):
 
     def test_different_losses_in_one_matrix_answer_like_the_elements_they_come_from(self):
         imported, given = self.imported("soft", "stiff"), self.bushings("soft", "stiff")
-        self.assert_same(self.answer("response", imported), self.answer("response", given), 1e-11)
-        left, right = self.answer("peaks", imported)["peaks"], self.answer("peaks", given)["peaks"]
+        self.assert_same(self.result_of("response", imported), self.result_of("response", given), 1e-11)
+        left, right = self.result_of("peaks", imported)["peaks"], self.result_of("peaks", given)["peaks"]
         self.assertEqual([p["name"] for p in left], [p["name"] for p in right])
         for one, other in zip(left, right):
             self.assertAlmostEqual(one["angular_frequency"] / other["angular_frequency"], 1, delta=1e-7)
             self.assertAlmostEqual(one["amplitude"] / other["amplitude"], 1, delta=1e-9)
         roots = [
-            [complex(*r["eigenvalue"]) for r in self.answer("roots", e)["roots"] if r["eigenvalue"][1] > 0]
+            [complex(*r["eigenvalue"]) for r in self.result_of("roots", e)["roots"] if r["eigenvalue"][1] > 0]
             for e in (imported, given)
         ]
         for one, other in zip(*(sorted(r, key=abs) for r in roots), strict=True):
@@ -112,13 +112,13 @@ class ImportedComplex(unittest.TestCase):
         imported, given = self.imported("soft", "stiff"), self.bushings("soft", "stiff")
         twice = ("--set", "elements.soft.scale=2", "--set", "elements.stiff.scale=2")
         self.assert_same(
-            self.answer("response", imported, "--set", "elements.mount.scale=2"),
-            self.answer("response", given, *twice),
+            self.result_of("response", imported, "--set", "elements.mount.scale=2"),
+            self.result_of("response", given, *twice),
             1e-11,
         )
         pull = '[excitations.pull]\ntype = "constant"\non = "machine"\nat = [0, 0, 0]\nforce = [0, 0, 100]\n'
         values = [
-            [r["value"] for r in self.answer("static", e + pull)["results"] if r["name"].startswith("machine")]
+            [r["value"] for r in self.result_of("static", e + pull)["results"] if r["name"].startswith("machine")]
             for e in (imported, given)
         ]
         for one, other in zip(*values, strict=True):

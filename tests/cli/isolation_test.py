@@ -4,7 +4,7 @@ import itertools
 import math
 import unittest
 
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 DIGITS = 9  # the program states nine
 M, K, C = 40.0, 2.5e5, 400.0
@@ -41,7 +41,7 @@ def rpm(speed):
 
 class Isolation(InTemporaryFolder):
     def rows(self, text, requirements):
-        found = answer("verdict", self.file(text + "[requirements]\n" + requirements + "\n"))
+        found = result_of("verdict", self.file(text + "[requirements]\n" + requirements + "\n"))
         return found["cases"][0]["requirements"], found["cases"][0]["warnings"]
 
     def test_transmissibility_at_speeds_over_a_band_and_of_a_moving_ground(self):
@@ -150,7 +150,7 @@ table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}, {order = 0.5, force = [0,
             self.assertFalse([w for w in quiet if "is amplified" in w])
         table = trivet("transmissibility", self.file(amplified)).stdout  # over the band, not over all frequencies
         self.assertIn("highest |T| in the band", table)
-        above = answer(
+        above = result_of(
             "transmissibility",
             self.file(amplified.replace('["12 Hz", "13 Hz"]', '["20 Hz", "25 Hz"]')),
         )
@@ -192,7 +192,7 @@ damping = {{translation = [1e-9, 1e-9, {C / 40}]}}
         single = [abs(stiff / 4 * (heave + x * pitch)) for x in (arm, arm, -arm, -arm)]
 
         def sums(text):
-            found = answer("verdict", self.file(text))
+            found = result_of("verdict", self.file(text))
             texts = [w for w in found["cases"][0]["warnings"] if "single mounts add up" in w]
             return [float(w.split("add up to ")[1].split(" times")[0]) for w in texts], texts
 
@@ -267,7 +267,7 @@ damping = {{translation = [{damper}, 1e-9, {damper}]}}
         total, single = moments(w)
         self.assertLess(total, 0.8)
         self.assertGreater(single, 2 * moments(1e-6)[1])
-        found = answer("verdict", self.file(machine))["cases"][0]
+        found = result_of("verdict", self.file(machine))["cases"][0]
         self.assertTrue(found["met"])
         (words,) = [one for one in found["warnings"] if "single mounts" in one]
         self.assertIn(f"is {total:.3g} of it in total, but the moments", words)
@@ -290,12 +290,12 @@ starts = 2
 """
         )
         softest = M * 9.80665 / 2e-3  # the stiffness of a sag of 2 mm
-        found = answer("optimize", self.file(text))
+        found = result_of("optimize", self.file(text))
         self.assertTrue(found["feasible"])
         self.assertAlmostEqual(found["parameters"][0]["optimum"] / softest, 1, 6)
         self.assertAlmostEqual(found["after"] / (transmitted(rpm(1480), k=softest) / 0.5), 1, 6)
         # The largest least margin balances both: (1 − 50 %) / T = 2 mm / sag.
-        balanced = answer("optimize", self.file(text.replace('minimize = "isolation"\n', "")))
+        balanced = result_of("optimize", self.file(text.replace('minimize = "isolation"\n', "")))
         k = balanced["parameters"][0]["optimum"]
         self.assertAlmostEqual(0.5 / transmitted(rpm(1480), k=k) / (2e-3 * k / (M * 9.80665)), 1, 6)
 
@@ -318,7 +318,7 @@ x = {parameter = "stiffness", points = 4}
 y = {parameter = "damper", points = 3}
 """
         )
-        found = answer("map", self.file(text))
+        found = result_of("map", self.file(text))
         self.assertEqual(sorted(rule["kind"] for rule in found["rules"]), ["amplitude", "isolation"])
         w = 60 * math.pi  # all natural frequencies are below 30 Hz
         places = [(k, c) for c in (50, 1025, 2000) for k in (5e4, 2e5, 3.5e5, 5e5)]
@@ -396,12 +396,12 @@ path = ["elements.front.type", "elements.rear.type"]
 catalogue = "maker.toml"
 """
         machine = MACHINE.replace(places, both)
-        found = answer("select", self.file(machine + operation))
+        found = result_of("select", self.file(machine + operation))
         self.assertEqual(found["best"][0]["mounts"], {"mount": "hard"})
         self.assertGreater(found["best"][0]["transmissibility"], 1)
         self.assertTrue(any("is amplified" in w for w in found["warnings"]))
         self.assertIn("AMPLIFIES", trivet("select", self.file(machine + operation)).stdout)
-        with_isolation = answer("select", self.file(machine + ISOLATION + operation))
+        with_isolation = result_of("select", self.file(machine + ISOLATION + operation))
         self.assertFalse(any("is amplified" in w for w in with_isolation["warnings"]))
 
     def test_the_cheapest_the_lightest_and_the_best_isolating_that_hold(self):
@@ -413,7 +413,7 @@ catalogue = "maker.toml"
                 for at, name in zip(("front", "rear"), pair)
                 for word in ("--set", f'elements.{at}.type = "catalogue:{name}"')
             ]
-            rows = answer("verdict", project, *settings)["cases"][0]["requirements"]
+            rows = result_of("verdict", project, *settings)["cases"][0]["requirements"]
             isolation = next(row["value"] for row in rows if row["kind"] == "isolation")
             judged[pair] = (min(row["margin"] for row in rows), isolation)
         holding = [pair for pair, (margin, _) in judged.items() if margin >= 1]
@@ -426,13 +426,13 @@ catalogue = "maker.toml"
         }
         for by, key in keys.items():
             expected = sorted(holding, key=lambda pair: (round(key(pair), 8), -judged[pair][0]))
-            found = answer("select", project, "--by", by, "--most", "16")
+            found = result_of("select", project, "--by", by, "--most", "16")
             self.assertEqual(found["by"], by)
             self.assertEqual(
                 [(d["mounts"]["ahead"], d["mounts"]["behind"]) for d in found["best"]],
                 expected,
             )
-            first = answer("select", project, "--by", by, "--most", "1")
+            first = result_of("select", project, "--by", by, "--most", "1")
             self.assertEqual(first["best"][0]["mounts"], found["best"][0]["mounts"])
         self.assertIn("Cheapest combination", trivet("select", project, "--by", "price").stdout)
 

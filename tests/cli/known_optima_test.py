@@ -5,7 +5,7 @@ import math
 import unittest
 
 from optimize_test import ABSORBER, OBJECTIVE, PLACE
-from trivet_test import SOURCE, InTemporaryFolder, answer, trivet
+from trivet_test import SOURCE, InTemporaryFolder, result_of, trivet
 
 STARTS = "[analyses.optimize]\nstarts = 32\n"
 # Slopes of values without exact ones are differences over 1e-3 of a range.
@@ -154,7 +154,7 @@ LIMIT = 1.9 * 1000 / (MACHINE * (160 * math.pi) ** 2)
 
 class KnownOptima(InTemporaryFolder):
     def optimum(self, text):
-        found = answer("optimize", self.file(text))
+        found = result_of("optimize", self.file(text))
         return found, {p["name"]: p["optimum"] for p in found["parameters"]}
 
     def test_absorber_with_the_least_rms(self):
@@ -231,7 +231,7 @@ class KnownOptima(InTemporaryFolder):
         grid = (
             f'[analyses.response]\nof = ["machine"]\nspacing = "linear"\npoints = {points}\nband = ["5 Hz", "35 Hz"]\n'
         )
-        found = answer("response", self.file(text + grid, "grid.toml"))
+        found = result_of("response", self.file(text + grid, "grid.toml"))
         [curve] = [c for c in found["results"] if c["name"] == "machine.z"]
         return max(math.hypot(*value) for value in curve["complex"])
 
@@ -264,7 +264,7 @@ class KnownOptima(InTemporaryFolder):
         )
         required = '[requirements]\nband = ["0 rad/s", "200 rad/s"]\nno_peak = "coordinates"\n[requirements.limits]\n'
         found, best = self.optimum(model + parameters + required + limits + "\n[analyses.optimize]\nstarts = 8\n")
-        mapped = answer("map", path, "--points", "41")
+        mapped = result_of("map", path, "--points", "41")
         self.assertAlmostEqual(best["scale"], 10, delta=10 * OBJECTIVE)  # stiffer is always better
         self.assertGreaterEqual(found["after"] * (1 + MAPPED), max(m for m in mapped["grid"]["margin"] if m))
         self.assertAlmostEqual(found["after"] / mapped["best"]["margin"], 1, delta=MAPPED)

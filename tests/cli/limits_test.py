@@ -6,7 +6,7 @@ import re
 import subprocess
 import unittest
 
-from trivet_test import PAPER, TRIVET, InTemporaryFolder, answer, trivet
+from trivet_test import PAPER, TRIVET, InTemporaryFolder, result_of, trivet
 
 BODY = 'trivet = 1\n[bodies.b]\nmass = 100\ninertia = {about = "center_of_mass", xx = 8, yy = 9, zz = 10}\n'
 FORCE = '[excitations.f]\ntype = "harmonic"\non = "b"\nat = [0.1, 0, 0.2]\nforce = [1, 2, 3]\n'
@@ -78,9 +78,9 @@ class Frequencies(InTemporaryFolder):
         self.assertEqual(trivet("suspension", PAPER, "--excitation", "25,50Hz").returncode, 2)
 
     def test_lists_that_are_clear_are_accepted(self):
-        self.assertEqual(answer("response", PAPER, "--at", "1,5")["angular_frequency"], [1, 5])
+        self.assertEqual(result_of("response", PAPER, "--at", "1,5")["angular_frequency"], [1, 5])
         self.assertAlmostEqual(
-            answer("response", PAPER, "--at", "1.5 Hz")["angular_frequency"][0], 9.42477796076938, places=12
+            result_of("response", PAPER, "--at", "1.5 Hz")["angular_frequency"][0], 9.42477796076938, places=12
         )
         self.assertEqual(
             trivet("response", PAPER, "--band", "0,5 Hz").returncode, 0

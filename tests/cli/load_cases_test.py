@@ -6,7 +6,7 @@ import re
 import unittest
 
 from clearances_test import OSCILLATOR
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 CLOSE = 1e-9  # relative: statics of six coordinates, and peaks with their nine digits
 G = 9.80665
@@ -150,7 +150,7 @@ class LoadCases(InTemporaryFolder):
         self.assertLessEqual(abs(found - expected), CLOSE * (scale or abs(expected)), (found, expected))
 
     def test_envelope_over_list_trim_torque_and_2_g(self):
-        found = answer("verdict", self.file(genset()))
+        found = result_of("verdict", self.file(genset()))
         expected = by_hand()
         rows = {row["name"]: row for row in found["envelope"]["quantities"]}
         self.assertEqual(set(rows), set(expected))
@@ -164,14 +164,16 @@ class LoadCases(InTemporaryFolder):
     def test_turning_the_whole_machine_changes_nothing(self):
         c, s, d, t = math.cos(0.5), math.sin(0.5), math.cos(1.1), math.sin(1.1)
         turn = [[d, -t * c, t * s], [t, d * c, -d * s], [0, s, c]]  # about x, then about z
-        rows = {row["name"]: row for row in answer("verdict", self.file(genset(turn=turn)))["envelope"]["quantities"]}
+        rows = {
+            row["name"]: row for row in result_of("verdict", self.file(genset(turn=turn)))["envelope"]["quantities"]
+        }
         for name, values in by_hand().items():
             scale = max(map(abs, values.values()))
             self.near(rows[name]["least"], min(values.values()), scale)
             self.near(rows[name]["largest"], max(values.values()), scale)
 
     def test_clearance_of_every_case(self):
-        found = answer("verdict", self.file(genset()))
+        found = result_of("verdict", self.file(genset()))
         for case in found["cases"]:
             gravity, torque = CASES[case["case"]]
             approach = dot(DIRECTION, moved(POINT, gravity, torque))
@@ -187,7 +189,7 @@ class LoadCases(InTemporaryFolder):
     def test_a_gap_closed_at_rest_has_its_overlap(self):
         path = self.file(genset(gap=1e-3))
         approaches = {case: dot(DIRECTION, moved(POINT, *loads)) for case, loads in CASES.items()}
-        found = answer("verdict", path)
+        found = result_of("verdict", path)
         for case in found["cases"]:
             (result,) = case["requirements"]
             overlap = approaches[case["case"]] - 1e-3
@@ -202,7 +204,7 @@ class LoadCases(InTemporaryFolder):
         self.assertTrue(
             all(case["decides"] for case in found["cases"])
         )  # no requirements: nothing may touch in any case
-        required = answer("verdict", self.file(genset("[requirements]\ndamping_ratio = 1e-3\n", gap=1e-3)))
+        required = result_of("verdict", self.file(genset("[requirements]\ndamping_ratio = 1e-3\n", gap=1e-3)))
         self.assertEqual([case["decides"] for case in required["cases"]], [True] + [False] * (len(CASES) - 1))
 
     def test_a_case_has_a_force_of_its_own(self):
@@ -210,7 +212,7 @@ class LoadCases(InTemporaryFolder):
             "[0, 0, 0]\n", f"[{TORQUE}, 0, 0]\n"
         )
         own = own.replace(f"at = [{TORQUE}, 0, 0]", "at = [0, 0, 0]")
-        found = answer("verdict", self.file(genset(own, reaction="")))
+        found = result_of("verdict", self.file(genset(own, reaction="")))
         case = next(c for c in found["cases"] if c["case"] == "own")
         self.near(case["requirements"][0]["value"], dot(DIRECTION, moved(POINT, CASES[""][0], TORQUE)), GAP)
         driven = genset(own.replace("constant", "harmonic"), reaction="")
@@ -230,7 +232,7 @@ class LoadCases(InTemporaryFolder):
         self.assertEqual(done.returncode, 2)
         self.assertIn('case "afloat": clearances', done.stderr)
         self.assertIn("position of rest is not unique", done.stderr)
-        self.assertEqual(trivet("modes", path).returncode, 0)  # does not ask for it
+        self.assertEqual(trivet("modes", path).returncode, 0)  # does not request it
 
     def test_a_stop_is_compressed_by_what_presses_it(self):
         text = """trivet = 1
@@ -253,7 +255,7 @@ stiffness = 20000
 """
         for gravity, axis, gap in ((-9.81, "-z", 4e-3), (-9.81, "z", 5e-3), (9.81, "z", 4e-3)):
             path = self.file(text.replace("GRAVITY", str(gravity)).replace("AXIS", axis))
-            of = {mount["element"]: mount for mount in answer("check", path)["mounts"]}
+            of = {mount["element"]: mount for mount in result_of("check", path)["mounts"]}
             travel = (98.1 + 20000 * gap) / 30000
             self.near(of["bump"]["compression"], 20000 * (travel - gap))
             self.near(of["spring"]["compression"], math.copysign(10000 * travel, -gravity))
@@ -273,7 +275,7 @@ stiffness = 20000
         check = trivet("check", path).stdout
         self.assertIn("mount at rest", check)
         self.assertIn(f"trivet verdict {path}", check)
-        mounts = answer("check", path)["mounts"]
+        mounts = result_of("check", path)["mounts"]
         self.assertEqual(len(mounts), len(CASES) * len(PLACES))
         hand = by_hand()
         for mount in mounts:

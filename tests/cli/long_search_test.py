@@ -6,7 +6,7 @@ import subprocess
 import time
 import unittest
 
-from trivet_test import SOURCE, TRIVET, InTemporaryFolder, answer, trivet
+from trivet_test import SOURCE, TRIVET, InTemporaryFolder, result_of, trivet
 
 SNUBBER = SOURCE / "examples/snubber/genset.toml"
 POWERTRAIN = SOURCE / "examples/powertrain/decoupled.toml"
@@ -19,14 +19,14 @@ def least_margin(judged):
 
 class LongSearch(InTemporaryFolder):
     def test_one_number_of_steady_motion_against_verdicts(self):
-        found = answer("optimize", SNUBBER)
+        found = result_of("optimize", SNUBBER)
         self.assertEqual(len(found["parameters"]), 1)
         best = found["parameters"][0]["optimum"]
         slip = "element_types.snubber.laws.z.friction.slip"
         for other in (0.9 * best, 0.97 * best, 1.03 * best, 1.1 * best):
-            judged = answer("verdict", SNUBBER, "--set", f"{slip}={other}")
+            judged = result_of("verdict", SNUBBER, "--set", f"{slip}={other}")
             self.assertGreater(found["after"], least_margin(judged))
-        judged = answer("verdict", SNUBBER, "--set", f"{slip}={best:.12g}")
+        judged = result_of("verdict", SNUBBER, "--set", f"{slip}={best:.12g}")
         self.assertAlmostEqual(found["after"] / least_margin(judged), 1, 9)
         self.assertLess(found["designs"], 100)
 

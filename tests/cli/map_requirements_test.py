@@ -6,7 +6,7 @@ import math
 import unittest
 import xml.etree.ElementTree
 
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 STORED = 1e-6  # a map stores margins in single precision
 M, G, SAG, RATIO, WINDOW = 40.0, 9.80665, 4e-3, 0.05, (8.0, 12.0)
@@ -77,7 +77,7 @@ def margin(k, c, m):
 class MapRequirements(InTemporaryFolder):
     def test_every_design_has_the_least_margin_of_all_requirements(self):
         for excitation in ("", PUSH):
-            found = answer("map", self.file(MODEL + excitation + ONE + REQUIRED))
+            found = result_of("map", self.file(MODEL + excitation + ONE + REQUIRED))
             places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
             self.assertEqual(len(places), 63)
             for (k, c), stored in zip(places, found["grid"]["margin"]):
@@ -91,20 +91,20 @@ class MapRequirements(InTemporaryFolder):
             self.assertIn("natural frequencies of the matrices interpolated", found["way"])
 
     def test_boundary_is_where_the_margin_is_one(self):
-        found = answer("map", self.file(MODEL + ONE + REQUIRED))
+        found = result_of("map", self.file(MODEL + ONE + REQUIRED))
         points = [p for line in found["feasible"]["boundary"] for p in line]
         self.assertGreater(len(points), 5)
         for k, c in points:
             self.assertAlmostEqual(margin(k, c, M), 1, delta=1e-4)
 
     def test_each_pair_is_the_map_of_its_two_parameters(self):
-        both = answer("map", self.file(MODEL + PAIRS + REQUIRED))
+        both = result_of("map", self.file(MODEL + PAIRS + REQUIRED))
         self.assertEqual(
             [(m["x"]["name"], m["y"]["name"]) for m in both["pairs"]][1:], [("stiffness", "mass"), ("damper", "mass")]
         )
         for one in both["pairs"]:
             axes = ", ".join(f'{a} = {{parameter = "{one[a]["name"]}", points = 7}}' for a in "xy")
-            alone = answer("map", self.file(MODEL + f"[analyses]\nmap = {{{axes}}}\n" + REQUIRED))
+            alone = result_of("map", self.file(MODEL + f"[analyses]\nmap = {{{axes}}}\n" + REQUIRED))
             alone.pop("warnings")
             self.assertEqual(one, alone)
         text = trivet("map", self.file(MODEL + PAIRS + REQUIRED)).stdout
@@ -115,20 +115,20 @@ class MapRequirements(InTemporaryFolder):
 
     def test_limits_and_peaks_of_requirements_are_those_of_a_map(self):
         rules = 'limits = {"m.z" = "1 mm", "ground.force.z" = "60 N"}\nno_peak = "m"\nband = ["1 Hz", "9 Hz"]\npeak_tolerance = 0.2\n'
-        own = answer("map", self.file(MODEL + PUSH + ONE + rules))
-        required = answer("map", self.file(MODEL + PUSH + ONE + "[requirements]\n" + rules))
+        own = result_of("map", self.file(MODEL + PUSH + ONE + rules))
+        required = result_of("map", self.file(MODEL + PUSH + ONE + "[requirements]\n" + rules))
         self.assertEqual(own, required)
         # A band of the map is that of all its limits; other excitations are judged design by design.
         other = rules.replace('"1 Hz"', '"2 Hz"')
-        moved = answer("map", self.file(MODEL + PUSH + ONE + 'band = ["1 Hz", "9 Hz"]\n[requirements]\n' + other))
+        moved = result_of("map", self.file(MODEL + PUSH + ONE + 'band = ["1 Hz", "9 Hz"]\n[requirements]\n' + other))
         self.assertEqual(own["grid"], moved["grid"])
 
     def test_limits_with_two_bands_are_judged_in_their_own(self):
         low, high = 'band = ["1 Hz", "6 Hz"]\n', 'band = ["9 Hz", "20 Hz"]\n'
         still, force = '"m.z" = "0.4 mm"', 'limits = {"ground.force.z" = "40 N"}\n'
-        one = answer("map", self.file(MODEL + PUSH + ONE + low + f"limits = {{{still}}}\n"))
-        other = answer("map", self.file(MODEL + PUSH + ONE + high + force))
-        both = answer(
+        one = result_of("map", self.file(MODEL + PUSH + ONE + low + f"limits = {{{still}}}\n"))
+        other = result_of("map", self.file(MODEL + PUSH + ONE + high + force))
+        both = result_of(
             "map",
             self.file(
                 MODEL + PUSH + ONE + f"[analyses.response]\n{low}[limits]\n{still}\n[requirements]\n{high}{force}"
@@ -141,14 +141,14 @@ class MapRequirements(InTemporaryFolder):
     def test_own_limits_and_peaks_replace_those_of_the_requirements(self):
         own = 'limits = {"m.z" = "1 mm"}\nno_peak = []\n'
         required = REQUIRED + 'limits = {"m.z" = "1 um"}\nno_peak = "m"\n'
-        found = answer("map", self.file(MODEL + PUSH + ONE + own + required))
+        found = result_of("map", self.file(MODEL + PUSH + ONE + own + required))
         kinds = [(rule["kind"], rule["allowed"]) for rule in found["rules"]]
         self.assertEqual(kinds[0], ("amplitude", 1e-3))
         self.assertEqual([kind for kind, _ in kinds], ["amplitude", "damping_ratio", "static", "avoided_frequencies"])
 
     def test_designs_hold_in_further_cases(self):
         text = MODEL + ONE + REQUIRED + 'hold_in = ["", "heavy"]\n[cases.heavy]\nbodies.m.mass = 80\n'
-        found = answer("map", self.file(text))
+        found = result_of("map", self.file(text))
         places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
         for (k, c), stored in zip(places, found["grid"]["margin"]):
             self.assertAlmostEqual(stored / min(margin(k, c, M), margin(k, c, 80)), 1, delta=STORED)
@@ -168,16 +168,16 @@ class MapRequirements(InTemporaryFolder):
 
         limit = 'limits = {"m.z" = "1 mm"}\n'
         for rules, limited in (("", False), (limit, True), ("[requirements]\n" + limit, True)):
-            found = answer("map", self.file(MODEL + FLOOR + PUSH + ONE + rules))
+            found = result_of("map", self.file(MODEL + FLOOR + PUSH + ONE + rules))
             self.assertEqual([r["kind"] for r in found["rules"]], ["amplitude"] * limited + ["clearance"])
             places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
             for (k, c), stored in zip(places, found["grid"]["margin"]):
                 expected = closed(k, c)
                 self.assertAlmostEqual(stored / (min(expected) if limited else expected[0]), 1, delta=STORED)
-        self.assertIn("clearance", [r["kind"] for r in answer("map", self.file(MODEL + FLOOR + ONE))["rules"]])
+        self.assertIn("clearance", [r["kind"] for r in result_of("map", self.file(MODEL + FLOOR + ONE))["rules"]])
 
     def test_clearance_is_judged_in_the_band_of_the_map(self):
-        own = answer(
+        own = result_of(
             "map", self.file(MODEL + FLOOR + PUSH + ONE + 'band = ["0 Hz", "2 Hz"]\nlimits = {"m.z" = "1 m"}\n')
         )
         places = [(k, c) for c in values(own["y"]) for k in values(own["x"])]
@@ -187,13 +187,13 @@ class MapRequirements(InTemporaryFolder):
             self.assertAlmostEqual(stored / (GAP / (M * G / k + moves)), 1, delta=STORED)
 
     def test_clearance_is_one_rule_beside_natural_frequencies(self):
-        found = answer("map", self.file(MODEL + FLOOR + PUSH + ONE + REQUIRED))
+        found = result_of("map", self.file(MODEL + FLOOR + PUSH + ONE + REQUIRED))
         self.assertEqual(sum(rule["kind"] == "clearance" for rule in found["rules"]), 1)
         self.assertEqual(len({rule["words"] for rule in found["rules"]}), len(found["rules"]))
 
     def test_clearances_without_requirements_hold_in_all_cases(self):
         text = MODEL + FLOOR + ONE + "[cases.heavy]\nbodies.m.mass = 80\n"
-        found = answer("map", self.file(text))
+        found = result_of("map", self.file(text))
         places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
         for (k, c), stored in zip(places, found["grid"]["margin"]):
             self.assertAlmostEqual(stored / (GAP * k / (80 * G)), 1, delta=STORED)
@@ -202,11 +202,11 @@ class MapRequirements(InTemporaryFolder):
         limits = 'limits = {"m.z" = "0.4 mm"}\n'
         response = '[analyses.response]\nband = ["9 Hz", "20 Hz"]\n'
         low = 'band = ["1 Hz", "6 Hz"]\n'
-        own = answer("map", self.file(MODEL + PUSH + ONE + limits + low + response))
-        required = answer("map", self.file(MODEL + PUSH + ONE + limits + response + "[requirements]\n" + low))
+        own = result_of("map", self.file(MODEL + PUSH + ONE + limits + low + response))
+        required = result_of("map", self.file(MODEL + PUSH + ONE + limits + response + "[requirements]\n" + low))
         self.assertEqual(own["band"], required["band"])
         self.assertEqual(own["grid"], required["grid"])
-        of_response = answer("map", self.file(MODEL + PUSH + ONE + limits + response))
+        of_response = result_of("map", self.file(MODEL + PUSH + ONE + limits + response))
         self.assertNotEqual(own["grid"], of_response["grid"])
         self.assertAlmostEqual(of_response["band"][0], 18 * math.pi, delta=1e-9)
 
@@ -214,7 +214,9 @@ class MapRequirements(InTemporaryFolder):
         limits = 'limits = {"m.z" = "0.1 mm"}\nno_peak = "m"\n'
         cases = '[cases.soft]\nelements.s.translation.z = 6e4\nbodies.m.mass = 80\n'
         required = '[requirements]\nhold_in = ["", "soft"]\n'
-        found = answer("map", self.file(MODEL + FLOOR.replace("6 mm", "1 mm") + PUSH + ONE + limits + required + cases))
+        found = result_of(
+            "map", self.file(MODEL + FLOOR.replace("6 mm", "1 mm") + PUSH + ONE + limits + required + cases)
+        )
         self.assertEqual(len({rule["words"] for rule in found["rules"]}), 6)
         base, soft = found["marks"]
         self.assertEqual(base["case"], "")
@@ -225,7 +227,7 @@ class MapRequirements(InTemporaryFolder):
 
     def test_case_whose_own_map_is_wrong_is_still_judged(self):
         heavy = '[cases.heavy]\nbodies.m.mass = 80\nanalyses.map.x.points = 1.5\n'
-        found = answer("map", self.file(MODEL + ONE + REQUIRED + 'hold_in = ["", "heavy"]\n' + heavy))
+        found = result_of("map", self.file(MODEL + ONE + REQUIRED + 'hold_in = ["", "heavy"]\n' + heavy))
         places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
         for (k, c), stored in zip(places, found["grid"]["margin"]):
             self.assertAlmostEqual(stored / min(margin(k, c, M), margin(k, c, 80)), 1, delta=STORED)
@@ -253,12 +255,12 @@ class MapRequirements(InTemporaryFolder):
                 '[elements.k]\ntype = "bushing"\non = "n"\nfrom = "m"\nat = [0, 0, 0]\ntranslation = [1, 1, 1e6]\n'
                 f'[elements.thread]\ntype = "bushing"\non = "m"\nat = [0, 0, 0]\ntranslation = [1, 1, {thread}]\n'
             )
-            found = answer("map", self.file(text + axes + window))
+            found = result_of("map", self.file(text + axes + window))
             places = [(k, n) for n in values(found["y"]) for k in values(found["x"])]
             for (k, n), stored in zip(places, found["grid"]["margin"]):
                 hertz = math.sqrt(k * (1 / 40 + 1 / n)) / (2 * math.pi)
                 self.assertAlmostEqual(stored / (hertz / 5), 1, delta=STORED)
-            judged = answer("verdict", self.file(text + window))["cases"][0]["requirements"]
+            judged = result_of("verdict", self.file(text + window))["cases"][0]["requirements"]
             self.assertAlmostEqual(
                 found["marks"][0]["margin"] / min(r["margin"] or math.inf for r in judged), 1, delta=STORED
             )

@@ -128,12 +128,12 @@ class Map(unittest.TestCase):
         run("map", self.project, "--points", "5", "--picture", str(old))
         self.assertIn("stiffness scale of spring", old.read_text())
 
-    def test_a_picture_that_cannot_be_written_is_rejected_before_the_answer(self):
+    def test_a_picture_that_cannot_be_written_is_rejected_before_the_result(self):
         self.refused_picture(self.folder / "none" / "map.svg", "there is no folder")
         self.refused_picture("/proc/map.svg", "choose a folder with write permission")
         self.refused_picture("", '--picture: "": pictures are SVG; name a file that ends in .svg')
 
-    def test_a_full_disk_keeps_the_old_picture_and_the_answer(self):
+    def test_a_full_disk_keeps_the_old_picture_and_the_result(self):
         picture = self.folder / "map.svg"
         picture.write_text("<svg>old</svg>")
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
@@ -249,13 +249,13 @@ class Map(unittest.TestCase):
         self.assertTrue("amplitudes over" not in peaks and "resonance peaks" in peaks)
         self.assertTrue("amplitudes over" in amplitudes and "resonance peaks" not in amplitudes)
 
-    def test_picture_and_report_state_the_question(self):
-        asked = "amplitudes over all frequencies; resonance peaks at all frequencies, from 1 % above the adjacent minimum (rises below 1e-06 of the curve maximum are ignored)"
+    def test_picture_and_report_state_the_analysis(self):
+        request = "amplitudes over all frequencies; resonance peaks at all frequencies, from 1 % above the adjacent minimum (rises below 1e-06 of the curve maximum are ignored)"
         out = self.folder / "out"
-        self.assertIn(asked, run("run", self.project, "-o", str(out), "--full")[0])
-        self.assertIn("Criteria: " + asked, (out / "00-base" / "map.svg").read_text())
+        self.assertIn(request, run("run", self.project, "-o", str(out), "--full")[0])
+        self.assertIn("Criteria: " + request, (out / "00-base" / "map.svg").read_text())
         report = (out / "report.html").read_text()
-        self.assertGreater(report.count("Criteria: " + asked), 1)  # section and picture
+        self.assertGreater(report.count("Criteria: " + request), 1)  # section and picture
 
     def test_text_and_report_name_axes_and_order_rules_alike(self):
         out = self.folder / "out"

@@ -88,7 +88,7 @@ class MapWarnings(unittest.TestCase):
         self.assertIn("unreliable: a case is feasible where all designs around it are not, or the reverse", done.stdout)
         self.assertNotIn("contradict", self.map(strip, "--points", "5x3").stdout)
 
-    def test_answers_that_do_not_move(self):
+    def test_results_that_do_not_move(self):
         still = BODY.replace('limits = {"m.x" = "1 mm"}', 'limits = {"m.y" = "1 mm"}\nno_peak = ["m.ry", "m.x"]')
         done = self.warned(still, "is zero except for round-off")
         self.assertTrue("map: m.y:" in done.stderr and "map: m.ry:" in done.stderr)

@@ -117,10 +117,10 @@ class Measurements(unittest.TestCase):
 
     def responses(self, *options):
         """Frequencies [Hz] and complex receptances of the seat along z."""
-        answer = json.loads(trivet("response", self.machine, "--json", *options).stdout)
-        curve = next(r for r in answer["results"] if r["name"] == "device.seat.z")
+        result = json.loads(trivet("response", self.machine, "--json", *options).stdout)
+        curve = next(r for r in result["results"] if r["name"] == "device.seat.z")
         return (
-            [w / (2 * math.pi) for w in answer["angular_frequency"]],
+            [w / (2 * math.pi) for w in result["angular_frequency"]],
             [complex(*z) / 10 for z in curve["complex"]],
         )
 
@@ -221,8 +221,8 @@ class Measurements(unittest.TestCase):
             "mass = 40", 'mass = 40\nposition = [1, 2, 3]\norientation = {axis = "z", angle = "90 deg"}'
         )
         self.machine.write_text(turned)  # the body's x is the ground's y, its y is −x
-        answer = json.loads(trivet("response", self.machine, "--json").stdout)
-        curves = {r["name"]: [complex(*z) / 10 for z in r["complex"]] for r in answer["results"]}
+        result = json.loads(trivet("response", self.machine, "--json").stdout)
+        curves = {r["name"]: [complex(*z) / 10 for z in r["complex"]] for r in result["results"]}
         over = {"reference": (5, 3), "hertz": (1.0, 0.1)}
         text = file_of_nodes((5, 0.9, 2.2, 3.1))
         text += measured_function(5, 1, [-v for v in curves["device.seat.y"]], **over)
@@ -324,15 +324,15 @@ class Measurements(unittest.TestCase):
 
     def write_rig_with_rotation(self, z_label="NONE", rx_label="NONE", rx_scale=1.0, rx_quantity=12, units=""):
         """Accelerances of a place, in g and in rad/s2, both per the force along z."""
-        answer = json.loads(trivet("response", self.machine, "--json").stdout)
+        result = json.loads(trivet("response", self.machine, "--json").stdout)
         functions = ""
         for name, direction, scale, unit, quantity in (
             ("device.seat.z", 3, 9.80665, z_label, 12),
             ("device.seat.rx", 4, rx_scale, rx_label, rx_quantity),
         ):
-            curve = next(r for r in answer["results"] if r["name"] == name)
+            curve = next(r for r in result["results"] if r["name"] == name)
             values = [
-                -(w**2) * complex(*z) / 10 / scale for w, z in zip(answer["angular_frequency"], curve["complex"])
+                -(w**2) * complex(*z) / 10 / scale for w, z in zip(result["angular_frequency"], curve["complex"])
             ]
             functions += measured_function(7, direction, values, quantity, (7, 3), (1.0, 0.1), unit=unit)
         (self.folder / "m.uff").write_text(units + file_of_nodes((7, 0.2, 0.1, 0.1)) + functions)
@@ -372,13 +372,13 @@ class Measurements(unittest.TestCase):
 
     def test_a_frequency_response_of_a_finite_element_program_agrees(self):
         """Set 2414, analysis type 5: one set per frequency, complex motions in double precision."""
-        answer = json.loads(trivet("response", self.machine, "--json").stdout)
+        result = json.loads(trivet("response", self.machine, "--json").stdout)
         motions = [
-            next(r for r in answer["results"] if r["name"] == f"device.seat.{axis}")["complex"] for axis in "xyz"
+            next(r for r in result["results"] if r["name"] == f"device.seat.{axis}")["complex"] for axis in "xyz"
         ]
         sets = ""
-        for i in range(0, len(answer["angular_frequency"]), 10):
-            hertz = answer["angular_frequency"][i] / (2 * math.pi)
+        for i in range(0, len(result["angular_frequency"]), 10):
+            hertz = result["angular_frequency"][i] / (2 * math.pi)
             lines = ["    -1", "  2414", f"{1:10d}", "RESPONSE", f"{1:10d}", *["NONE"] * 5]
             lines.append("".join(f"{n:10d}" for n in (1, 5, 2, 8, 6, 3)))
             lines.append("".join(f"{n:10d}" for n in (0, 0, 0, 0, 1, 0, 0, i + 1)))

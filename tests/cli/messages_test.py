@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 MACHINE = """trivet = 1
 gravity = [0, 0, -9.80665]
@@ -71,19 +71,19 @@ class Messages(InTemporaryFolder):
         closed = TRACE + [(360, 1e5)]
         self.assertEqual(self.said(self.engine_with(closed, "crank_angle_deg,pressure"), 0), "")
         # The gas forces turn the engine about its crankshaft.
-        question = '[analyses.orders]\nof = ["m.rx"]\nspeed = ["600 rpm", "900 rpm"]\n'
+        analysis = '[analyses.orders]\nof = ["m.rx"]\nspeed = ["600 rpm", "900 rpm"]\n'
 
         def turning(text):
             inertia = 'free = ["rx"]\ninertia = {about = "center_of_mass", xx = 5, yy = 5, zz = 5}'
             text = text.replace("400]}", "400], rotation = [60, 1, 1]}").replace('free = ["z"]', inertia)
-            return text.replace("2.5e5]", "2.5e5]\nrotation = [3e4, 1, 1]") + question
+            return text.replace("2.5e5]", "2.5e5]\nrotation = [3e4, 1, 1]") + analysis
 
-        exact = answer("orders", self.file(turning(self.engine_with(closed, "crank_angle_deg,pressure"))))
+        exact = result_of("orders", self.file(turning(self.engine_with(closed, "crank_angle_deg,pressure"))))
         for digits in (2, 4):  # 6.28 rad and 6.2832 rad, which is 360.0004°
             radians = [(f"{math.radians(a):.{digits}f}", p) for a, p in closed]
             text = self.engine_with(radians, '"crank_angle [rad]",pressure')
             self.assertEqual(self.said(text, 0), "")
-            rounded = answer("orders", self.file(turning(text)))
+            rounded = result_of("orders", self.file(turning(text)))
             found, wanted = rounded["overall"][0], exact["overall"][0]
             # An angle is off by at most half a unit of its last digit, of steps of about a radian.
             for value, right in zip(found["rms"], wanted["rms"], strict=True):

@@ -6,7 +6,7 @@ import math
 import re
 import unittest
 
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 DIGITS = 9  # the program states nine for peaks; equilibrium has more
 G = 9.80665
@@ -59,7 +59,7 @@ class MountRanges(InTemporaryFolder):
         )
 
     def judged(self, text):
-        found = answer("verdict", self.file(text))
+        found = result_of("verdict", self.file(text))
         return {r["requirement"]: r for r in found["cases"][0]["requirements"]}, found["met"]
 
     def test_loads_of_a_skew_mount_in_three_directions(self):
@@ -135,7 +135,7 @@ class MountRanges(InTemporaryFolder):
         self.assertAlmostEqual(after[body]["value"] / at_once[body]["value"], 1, DIGITS)
         half = disc % ", creep = 1.25"
         path = self.file(half)
-        changed = answer("verdict", path, "--set", "elements.a.material.creep = 1.5")
+        changed = result_of("verdict", path, "--set", "elements.a.material.creep = 1.5")
         self.assertAlmostEqual(changed["cases"][0]["requirements"][0]["value"] / at_once[own]["value"], 1.5, DIGITS)
 
     def test_harmonic_deflection_over_the_band(self):
@@ -179,7 +179,7 @@ class MountRanges(InTemporaryFolder):
                 self.assertEqual(shown.count('suspicion "rated load"'), 1, shown)
                 self.assertIn(f"{LOADS['z']:.5g} N along z, {LOADS['x']:.5g} N along x", shown)
                 self.assertIn('its mount "M 1" carries 100 … 1000 N along z, -1500 … 900 N along x', shown)
-        verdict = answer("verdict", path)["cases"][0]["requirements"]
+        verdict = result_of("verdict", path)["cases"][0]["requirements"]
         outside = {r["requirement"]: r["value"] for r in verdict if not r["met"]}
         self.assertEqual(len(outside), 2)
         self.assertAlmostEqual(outside["a carries 100 … 1000 N"] / LOADS["z"], 1, DIGITS)
@@ -263,12 +263,14 @@ class Selection(InTemporaryFolder):
             text += f'[elements.{name}]\ntype = "catalogue:soft"\ncatalogue = "own.toml"\non = "m"\nat = [0, 0, 0]\naxis = {axis}\n'
             text += f'[parameters.{name}]\npath = "elements.{name}.type"\ncatalogue = "own.toml"\n'
         project = self.file(text + REQUIRED)
-        found = answer("select", project, "--most", "9")
+        found = result_of("select", project, "--most", "9")
         self.assertEqual((found["without_bounds"], len(found["best"])), ("", 9))
         margins, shares = {}, {}
         for mounts in itertools.product(NAMES, NAMES):
             settings = [f'elements.{e}.type = "catalogue:{m}"' for e, m in zip(("left", "right"), mounts)]
-            judged = answer("verdict", project, "--set", settings[0], "--set", settings[1])["cases"][0]["requirements"]
+            judged = result_of("verdict", project, "--set", settings[0], "--set", settings[1])["cases"][0][
+                "requirements"
+            ]
             margins[mounts] = min(r["margin"] for r in judged)
             loads = [r for r in judged if r["kind"] == "mount_load"]
             self.assertEqual(len(loads), 6)
@@ -279,7 +281,7 @@ class Selection(InTemporaryFolder):
             mounts = (design["mounts"]["left"], design["mounts"]["right"])
             self.assertAlmostEqual(design["margin"] / margins[mounts], 1, DIGITS)
             self.assertAlmostEqual(design["load"] / shares[mounts], 1, DIGITS)
-        first = answer("select", project, "--most", "1")
+        first = result_of("select", project, "--most", "1")
         self.assertEqual(first["best"][0]["mounts"], found["best"][0]["mounts"])
         self.assertLess(first["judged"], 9)
 

@@ -5,7 +5,7 @@ import math
 import unittest
 
 from select_test import CATALOGUE, MACHINE, NAMES, REQUIREMENTS, with_mounts
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 DIGITS = 9
 
@@ -26,7 +26,7 @@ to = 1.1
         project = self.file(numbers_only)
         found = {}
         for ahead, behind in itertools.product(NAMES, NAMES):
-            found[ahead, behind] = answer("optimize", project, *with_mounts(ahead, behind))
+            found[ahead, behind] = result_of("optimize", project, *with_mounts(ahead, behind))
         return found
 
     def test_margin(self):
@@ -35,7 +35,7 @@ to = 1.1
             text[text.index("[parameters.ahead]") : text.index('[parameters."place')],
             "",
         )
-        found = answer("optimize", self.file(text))
+        found = result_of("optimize", self.file(text))
         each = self.optimum_of_each(numbers_only)
         best = max(each, key=lambda mounts: each[mounts]["after"])
         self.assertEqual(found["mounts"]["chosen"], {"ahead": best[0], "behind": best[1]})
@@ -55,7 +55,7 @@ to = 1.1
             text[text.index("[parameters.ahead]") : text.index('[parameters."place')],
             "",
         )
-        found = answer("optimize", self.file(text))
+        found = result_of("optimize", self.file(text))
         each = {mounts: one for mounts, one in self.optimum_of_each(numbers_only).items() if one["feasible"]}
         self.assertGreater(len(each), 1)
         best = min(each, key=lambda mounts: each[mounts]["after"])
@@ -69,15 +69,15 @@ to = 1.1
         self.assertIn("Best found of 16 combinations of mounts", text.stdout)
         lines = [line.strip() for line in text.stdout.splitlines() if line.startswith("--set '")]
         settings = [word for line in lines for word in ("--set", line[len("--set '") : -1])]
-        judged = answer("verdict", project, *settings)
+        judged = result_of("verdict", project, *settings)
         margin = min(r["margin"] for r in judged["cases"][0]["requirements"])
-        self.assertAlmostEqual(answer("optimize", project)["after"] / margin, 1, 8)
+        self.assertAlmostEqual(result_of("optimize", project)["after"] / margin, 1, 8)
 
     def test_written_file_has_the_margin(self):
         project = self.file(MACHINE + self.PLACE + REQUIREMENTS + self.SEARCH)
         written = self.folder / "best.toml"
-        found = answer("optimize", project, "--write", written)
-        judged = answer("verdict", written)
+        found = result_of("optimize", project, "--write", written)
+        judged = result_of("verdict", written)
         margin = min(r["margin"] for r in judged["cases"][0]["requirements"])
         self.assertAlmostEqual(found["after"] / margin, 1, 8)
         self.assertIn(
@@ -88,7 +88,7 @@ to = 1.1
     def test_one_choice_of_two_may_take_part(self):
         text = MACHINE + self.PLACE + REQUIREMENTS
         text += '[analyses.optimize]\nstarts = 2\nparameters = ["place ahead", "behind"]\n'
-        found = answer("optimize", self.file(text))
+        found = result_of("optimize", self.file(text))
         self.assertEqual(found["mounts"]["combinations"], 4)
         self.assertEqual(list(found["mounts"]["chosen"]), ["behind"])
 
@@ -97,7 +97,7 @@ to = 1.1
     ):
         # Amplitudes have no quick bound. The first four of 16 all have the softest mount behind.
         text = MACHINE + self.PLACE + '[requirements]\nband = ["0.1 Hz", "2 Hz"]\nlimits = {"m.z" = "1 mm"}\n'
-        found = answer(
+        found = result_of(
             "optimize",
             self.file(text + "[analyses.optimize]\nstarts = 1\ncombinations = 1\n"),
         )
@@ -171,7 +171,7 @@ starts = 2
             ),  # of three the one with the best bound at other numbers
             (few, "B"),  # nothing holds with the given numbers
         ):
-            found = answer("optimize", self.file(problem))
+            found = result_of("optimize", self.file(problem))
             self.assertEqual(found["mounts"]["chosen"], {"mount": best}, problem[-60:])
             self.assertAlmostEqual(found["after"] / margin[best], 1, 6)
             self.assertAlmostEqual(found["parameters"][0]["optimum"], end, 6)

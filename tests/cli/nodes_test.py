@@ -92,9 +92,9 @@ class Nodes(unittest.TestCase):
         self.assertIn("<h3>Nodes</h3>", (results / "report.html").read_text())
 
     def test_modes_are_those_of_the_masses_and_their_shapes_contain_the_nodes(self):
-        answer = json.loads(self.run_on("modes", BARS, "--json"))
-        self.assertEqual(answer["bodies"], ["m", "joint"])
-        (mode,) = answer["modes"]
+        result = json.loads(self.run_on("modes", BARS, "--json"))
+        self.assertEqual(result["bodies"], ["m", "joint"])
+        (mode,) = result["modes"]
         self.assertAlmostEqual(mode["eigenvalue_squared"], 2e4 / 10, places=8)
         self.assertAlmostEqual(mode["shape"][8] / mode["shape"][2], 1 / 3, places=12)
 
@@ -128,8 +128,8 @@ class Nodes(unittest.TestCase):
         self.run_on("transient", text)
 
     def test_explain_finds_no_sensitivity_to_masses_of_nodes(self):
-        answer = json.loads(self.run_on("explain", BARS, "--of", "m.z", "--json"))
-        parameters = [one["parameter"] for one in answer["peaks"][0]["sensitivities"]]
+        result = json.loads(self.run_on("explain", BARS, "--of", "m.z", "--json"))
+        parameters = [one["parameter"] for one in result["peaks"][0]["sensitivities"]]
         self.assertIn("bodies.m.mass", parameters)
         self.assertFalse([name for name in parameters if "joint" in name])
 

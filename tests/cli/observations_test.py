@@ -6,7 +6,7 @@ import re
 import unittest
 
 from load_cases_test import cross, dot
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 CLOSE = 1e-9  # relative: statics of six coordinates, and peaks with their nine digits
 SINGLE = 1e-7  # relative: maps store margins in single precision
@@ -83,8 +83,8 @@ class Observations(InTemporaryFolder):
 
     def response(self, more="", top=""):
         names = ["machine", "machine.flange", "frame.flange", "coupling", "joint"]
-        asked = f'[analyses.response]\nof = {json.dumps(names)}\nat = ["3 Hz", "11 Hz", "40 Hz"]\n'
-        found = answer("response", self.file(top + TWO_BODIES + OBSERVED + asked + more))
+        request = f'[analyses.response]\nof = {json.dumps(names)}\nat = ["3 Hz", "11 Hz", "40 Hz"]\n'
+        found = result_of("response", self.file(top + TWO_BODIES + OBSERVED + request + more))
         curves = {r["name"]: [complex(*z) for z in r["complex"]] for r in found["results"]}
         return found["angular_frequency"], curves
 
@@ -105,8 +105,8 @@ class Observations(InTemporaryFolder):
         more = (
             '[relative.joint]\nof = "ground"\nto = "machine.flange"\naxis = "z"\n[analyses.response]\nat = ["9 Hz"]\n'
         )
-        asked = 'of = ["machine.flange.relative", "joint"]\n'
-        found = answer("response", self.file(TWO_BODIES + base + more + asked))
+        request = 'of = ["machine.flange.relative", "joint"]\n'
+        found = result_of("response", self.file(TWO_BODIES + base + more + request))
         curves = {r["name"]: complex(*r["complex"][0]) for r in found["results"]}
         machine = about_z([curves[f"machine.flange.relative.{c}"] for c in "xyz"], ANGLE)
         scale = max(map(abs, machine))
@@ -134,8 +134,8 @@ class Observations(InTemporaryFolder):
                     self.near(curves[f"joint.{kind}.{c}"][i], value, max(map(abs, values)))
 
     def test_section_at_rest_carries_the_weight_above_it(self):
-        asked = '[analyses.static]\nof = ["joint", "coupling", "machine.flange", "frame.flange"]\n'
-        found = answer("static", self.file(TWO_BODIES + OBSERVED + asked))
+        request = '[analyses.static]\nof = ["joint", "coupling", "machine.flange", "frame.flange"]\n'
+        found = result_of("static", self.file(TWO_BODIES + OBSERVED + request))
         values = {r["name"]: r["value"] for r in found["results"]}
         weight = [0, 0, -150 * G]
         centre = [a + b for a, b in zip((0.1, 0.2, 0.5), about_z((0.05, -0.02, 0.1), ANGLE), strict=True)]
@@ -158,15 +158,15 @@ class Observations(InTemporaryFolder):
             '[analyses]\npeaks = {of = ["coupling", "joint"]}\nrandom = {of = ["coupling", "joint"], quantity = "acceleration", weighting = "Wk"}\n'
         )
         path = self.file(TWO_BODIES + OBSERVED + more)
-        verdict = answer("verdict", path)["cases"][0]
+        verdict = result_of("verdict", path)["cases"][0]
         self.assertEqual((len(verdict["requirements"]), verdict["not_judged"]), (6, 0))
-        peaks = {p["name"] for p in answer("peaks", path)["peaks"]}
+        peaks = {p["name"] for p in result_of("peaks", path)["peaks"]}
         self.assertIn("joint.force.z", peaks)
         self.assertIn("coupling.axial", peaks)
-        weighted = {r["name"]: r["weighted_rms"] for r in answer("random", path)["results"]}
+        weighted = {r["name"]: r["weighted_rms"] for r in result_of("random", path)["results"]}
         self.assertEqual({n for n, rms in weighted.items() if rms}, {n for n in weighted if n.startswith("coupling")})
         felt = path.read_text().replace('weighting = "Wk"', 'weighting = "seat"')
-        found = answer("random", self.file(felt, "felt.toml"))["results"]
+        found = result_of("random", self.file(felt, "felt.toml"))["results"]
         self.assertEqual({r["weighted_rms"] for r in found}, {None})  # a person does not sit on a relative motion
         explained = trivet("explain", path, "--of", "coupling.radial_2")
         self.assertIn("coupling.radial_2", explained.stdout, explained.stderr)
@@ -182,21 +182,21 @@ class Observations(InTemporaryFolder):
         def margin(*settings):
             """What the verdict on this design states."""
             settings = [part for path, value in settings for part in ("--set", f"{path}={value!r}")]
-            found = answer("verdict", self.file(model + "[requirements]\n" + limits), *settings)
+            found = result_of("verdict", self.file(model + "[requirements]\n" + limits), *settings)
             return found["cases"][0]["requirements"][0]["margin"]
 
         axes = "".join(
             f'[analyses.map.{axis}]\nparameter = "elements.{element}.scale"\npoints = 3\n{ends}'
             for axis, element in (("x", "e"), ("y", "a"))
         )
-        best = answer("map", self.file(model + "[analyses.map]\n" + limits + axes))["best"]
+        best = result_of("map", self.file(model + "[analyses.map]\n" + limits + axes))["best"]
         expected = margin(("elements.e.scale", best["x"]), ("elements.a.scale", best["y"]))
         self.assertLessEqual(abs(best["margin"] - expected), SINGLE * expected)
         search = (
             f'[requirements]\n{limits}[parameters.p]\npath = "elements.e.scale"\n{ends}'
             '[analyses.optimize]\nminimize = ["coupling.radial_1"]\nstarts = 2\n'
         )
-        found = answer("optimize", self.file(model + search))
+        found = result_of("optimize", self.file(model + search))
         self.assertLessEqual(found["after"], found["before"])
         expected = margin(("elements.e.scale", found["parameters"][0]["optimum"]))
         self.near(found["minimized"][0]["after"], 1e-3 / expected, 1e-3 / expected)
@@ -208,7 +208,7 @@ class Observations(InTemporaryFolder):
             '[analyses.transient]\nof = ["machine.flange", "frame.flange", "coupling.axial"]\nto = 0.2\n'
         )
         viscous = re.sub(r"damping = .*\n", 'damping = {proportional = "2 ms"}\n', TWO_BODIES)
-        found = answer("transient", self.file(viscous + OBSERVED.replace(str(list(AXIS)), '"z"') + more))
+        found = result_of("transient", self.file(viscous + OBSERVED.replace(str(list(AXIS)), '"z"') + more))
         curves = {r["name"]: r["value"] for r in found["results"]}
         scale = max(map(abs, curves["machine.flange.z"]))
         self.assertGreater(scale, 0)

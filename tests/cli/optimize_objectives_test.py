@@ -4,7 +4,7 @@ import math
 import unittest
 
 from optimize_test import OSCILLATOR, PLACE, G, M
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 # The measure of a peak that is gone is sampled from a thousandth of the natural frequencies on: x = 1e-6.
 ABSENCE = 1e-4
@@ -27,7 +27,7 @@ class Objectives(InTemporaryFolder):
     def optimum(self, text):
         if "[analyses.optimize]" not in text:
             text += "[analyses.optimize]\nstarts = 4\n"
-        found = answer("optimize", self.file(text))
+        found = result_of("optimize", self.file(text))
         return found, {p["name"]: p["optimum"] for p in found["parameters"]}
 
     def damper(self, least, most):
@@ -131,11 +131,11 @@ class Objectives(InTemporaryFolder):
         # A limit that a case adds comes before what is minimised in its list, and must not be taken for it.
         text = OSCILLATOR + '[analyses.response]\nband = ["30 Hz", "60 Hz"]\n[cases.heavy]\nbodies.m.mass = 60\n'
         search = '[analyses.optimize]\nminimize = "ground.force.z"\nstarts = 2\n'
-        plain = answer(
+        plain = result_of(
             "optimize", self.file(text.replace("[cases", '[requirements]\nhold_in = ["", "heavy"]\n[cases') + search)
         )
         loose = text.replace("[cases", '[requirements]\nhold_in = ["", "heavy"]\n[cases')
-        more = answer("optimize", self.file(loose + 'requirements.limits = {"m.z" = "1 m"}\n' + search))
+        more = result_of("optimize", self.file(loose + 'requirements.limits = {"m.z" = "1 m"}\n' + search))
         self.assertEqual(len(more["cases"][1]["after"]["requirements"]), 1)
         self.assertEqual([one["name"] for one in more["minimized"]], ["ground.force.z"] * 2)
         for key in ("before", "after"):

@@ -4,7 +4,7 @@ import json
 import math
 import unittest
 
-from trivet_test import SOURCE, InTemporaryFolder, answer, trivet
+from trivet_test import SOURCE, InTemporaryFolder, result_of, trivet
 
 # A search stops at steps of 1e-10 of a range; at a smooth maximum of a margin this leaves half of the digits of a place.
 PLACE, OBJECTIVE = 1e-6, 1e-9
@@ -74,7 +74,7 @@ class Optimize(InTemporaryFolder):
     def optimum(self, text):
         if "[analyses.optimize]" not in text:
             text += "[analyses.optimize]\nstarts = 4\n"
-        found = answer("optimize", self.file(text))
+        found = result_of("optimize", self.file(text))
         return found, {p["name"]: p["optimum"] for p in found["parameters"]}
 
     def test_absorber_with_the_lowest_peaks(self):
@@ -305,11 +305,11 @@ class Optimize(InTemporaryFolder):
         text += '[analyses.optimize]\nminimize = {static = ["m.z"]}\nstarts = 4\n'
         project = self.file(text)
         written = project.parent / "best.toml"
-        found = answer("optimize", project)
+        found = result_of("optimize", project)
         self.assertAlmostEqual(found["parameters"][0]["optimum"] * 1e3 / (M * (24 * math.pi) ** 2), 1, delta=PLACE)
         self.assertTrue(found["feasible"])
         self.assertEqual(trivet("optimize", project, "--write", str(written)).returncode, 0)
-        window = answer("verdict", written)["cases"][0]["requirements"][0]
+        window = result_of("verdict", written)["cases"][0]["requirements"][0]
         self.assertEqual((window["met"], window["margin"]), (True, 1))
 
     def test_it_holds_in_every_case_named(self):
@@ -345,7 +345,7 @@ class Optimize(InTemporaryFolder):
         self.assertAlmostEqual(best["spread"], 600, delta=PLACE)
         self.assertTrue(found["parameters"][0]["at_bound"])
         wide = text.replace("at = [0, 0.2, 0]", "at = [0, 0.6, 0]").replace("at = [0, -0.2, 0]", "at = [0, -0.6, 0]")
-        modes = [m["angular_frequency"] for m in answer("modes", self.file(wide))["modes"]]
+        modes = [m["angular_frequency"] for m in result_of("modes", self.file(wide))["modes"]]
         for one, other in zip(found["cases"][0]["angular_frequencies_after"], modes):
             self.assertAlmostEqual(one / other, 1, delta=OBJECTIVE)
 
@@ -357,7 +357,7 @@ class Optimize(InTemporaryFolder):
         margins = []
         for x in (axis, named):
             project = self.file(OSCILLATOR + f"[analyses]\nmap = {{x = {x}, y = {mass}, {rules}")
-            margins.append(answer("map", project)["grid"]["margin"])
+            margins.append(result_of("map", project)["grid"]["margin"])
         self.assertEqual(margins[0], margins[1])
 
     def test_search_is_the_same_in_every_run(self):
@@ -379,7 +379,7 @@ class Optimize(InTemporaryFolder):
 
     def test_example_decouples_the_powertrain(self):
         project = str(SOURCE / "examples/powertrain/decoupled.toml")
-        found = answer("optimize", project)
+        found = result_of("optimize", project)
         self.assertLess(found["before"], 1)
         self.assertTrue(found["feasible"])
         self.assertLess(found["residual"], 1e-4)

@@ -5,7 +5,7 @@ import math
 import tomllib
 import unittest
 
-from trivet_test import SOURCE, answer
+from trivet_test import SOURCE, result_of
 
 FOLDER = SOURCE / "examples/pump_set"
 PROJECT, DATA = FOLDER / "pump.toml", tomllib.loads((FOLDER / "pump.toml").read_text())
@@ -126,7 +126,7 @@ class PumpSet(unittest.TestCase):
     def test_the_given_mounts(self):
         machine = Set(("bell A 55",) * 3)
         # What the weight adds to the stiffness of vibration is tested elsewhere; here it changes T by less than 1 %.
-        rows = answer("verdict", PROJECT, "--set", "second_order = false")["cases"][0]["requirements"]
+        rows = result_of("verdict", PROJECT, "--set", "second_order = false")["cases"][0]["requirements"]
         isolation = [row["value"] for row in rows if row["kind"] == "isolation"]
         for found, expected in zip(isolation, machine.transmissibilities(), strict=True):
             self.assertAlmostEqual(found / expected, 1, DIGITS)
@@ -138,7 +138,7 @@ class PumpSet(unittest.TestCase):
                 self.assertLessEqual(next(machine.amplitude_margins()) * row["value"] / 0.08e-3, 1.01)
 
     def test_the_cheapest_mounts_that_hold(self):
-        found = answer("select", PROJECT, "--by", "price", "--most", "64")
+        found = result_of("select", PROJECT, "--by", "price", "--most", "64")
         self.assertEqual(found["without_curves"], "")
         prices = {
             names: sum(2 * number(MOUNTS[n]["price"]) for n in names) for names in itertools.product(MOUNTS, repeat=3)

@@ -155,15 +155,15 @@ class RandomGraphs(InTemporaryFolder):
         for name, system in systems():
             with self.subTest(name):
                 n = len(system.load)
-                asked = sorted(random.Random(n).sample(range(n), min(n, 12)))
+                request = sorted(random.Random(n).sample(range(n), min(n, 12)))
                 omega = [3.7, 41.3, 180.9] if n > 100 else [0.0, 3.7, 17.1, 41.3, 77.7, 180.9]
-                of = json.dumps(system.names(asked))
+                of = json.dumps(system.names(request))
                 found = self.json("response", system.text + f"[analyses.response]\nat = {omega}\nof = {of}\n")
                 self.assertTrue(found["checks"]["second_solver"]["passed"])
                 for at, w in enumerate(omega):
                     exact = system.motion(w)
                     largest = max(map(abs, exact))
-                    for curve, c in zip(found["results"], asked):
+                    for curve, c in zip(found["results"], request):
                         self.assertLessEqual(abs(complex(*curve["complex"][at]) - exact[c]), OF_THE_LARGEST * largest)
 
     def test_modes(self):
@@ -205,10 +205,10 @@ class RandomGraphs(InTemporaryFolder):
             if n > 40:
                 continue
             with self.subTest(name):
-                asked = [0, n // 2, n - 1]
-                of = json.dumps(system.names(asked))
+                request = [0, n // 2, n - 1]
+                of = json.dumps(system.names(request))
                 peaks = self.json("peaks", system.text + f"[analyses.peaks]\nof = {of}\n")["peaks"]
-                for curve, c in zip(system.names(asked), asked):
+                for curve, c in zip(system.names(request), request):
                     own = [p for p in peaks if p["name"] == curve]
                     self.assertTrue(own)
                     for peak in own:

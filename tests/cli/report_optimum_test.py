@@ -6,7 +6,7 @@ import re
 import unittest
 
 from front_test import BAND, TWO
-from trivet_test import InTemporaryFolder, answer, trivet
+from trivet_test import InTemporaryFolder, result_of, trivet
 
 
 class ReportOptimum(InTemporaryFolder):
@@ -23,8 +23,8 @@ class ReportOptimum(InTemporaryFolder):
             done.stdout,
         )
 
-    def assert_is_answer(self, case, project):
-        found = answer("optimize", project)
+    def assert_is_result(self, case, project):
+        found = result_of("optimize", project)
         self.assertTrue(found["warnings"])
         for warning in found.pop("warnings"):
             self.assertIn(warning, case["warnings"])
@@ -34,7 +34,7 @@ class ReportOptimum(InTemporaryFolder):
         text = TWO.replace('front = ["a.z", "b.z"]', 'minimize = "a.z"\nstarts = 2')
         text += BAND + '[requirements]\nlimits = {"b.z" = 3e-5}\n[cases.heavy]\nbodies.a.mass = 3\n'
         project, cases, page, screen = self.run_of(text)
-        self.assert_is_answer(cases[0], project)
+        self.assert_is_result(cases[0], project)
         self.assertNotIn("optimize", cases[1])
         for words in (
             "Best design",
@@ -47,7 +47,7 @@ class ReportOptimum(InTemporaryFolder):
         self.assert_page_has_words_of(screen, page)
 
     def assert_page_has_words_of(self, screen, page):
-        """Every number of the answer on the screen is in its section of the page, perhaps with an SI prefix."""
+        """Every number of the result on the screen is in its section of the page, perhaps with an SI prefix."""
         text = screen[re.search(r"^.* → .*\n\n  parameter", screen, re.M).start() :]
         text = text[: text.index("it proves no global optimum.") + 28]
         section = re.search(r">Best design</h2>(.*?)</section>", page, re.S).group(1)
@@ -69,7 +69,7 @@ class ReportOptimum(InTemporaryFolder):
 
     def test_front(self):
         project, cases, page, screen = self.run_of(TWO + "points = 5\n" + BAND)
-        self.assert_is_answer(cases[0], project)
+        self.assert_is_result(cases[0], project)
         self.assertTrue("Less of one result is more of another" in page)
         self.assertTrue(list((self.folder / "out").glob("*/*front*.svg")))
         self.assertIn("Knee: point", screen)

@@ -193,7 +193,7 @@ def call(command, example):
 
 
 @functools.cache
-def answer(command, example):
+def result_of(command, example):
     """The JSON of a command, its pool, and what it prints, without names and skipped lines."""
     document = json.loads(output(*call(command, example), "--json"))
     if command == "element":  # lists its energy in the modes of the machine by their frequencies
@@ -244,7 +244,7 @@ class SameNumbers(unittest.TestCase):
     def test_numbers_of_the_text_are_those_of_the_json(self):
         for command, example in COMMANDS:
             with self.subTest(command=command, example=example):
-                _, pool, text = answer(command, example)
+                _, pool, text = result_of(command, example)
                 found, count = strangers(text, pool)
                 self.assertEqual(found, [])
                 self.assertGreater(count, 3)
@@ -253,7 +253,7 @@ class SameNumbers(unittest.TestCase):
         """One hundredth more, of numbers with four digits or more: curves of thousands of points hide some of them."""
         noticed = tried = 0
         for command, example in COMMANDS:
-            _, pool, text = answer(command, example)
+            _, pool, text = result_of(command, example)
             for token in NUMBER.finditer(text):
                 if len(re.sub(r"e.*|\D", "", token["number"]).lstrip("0")) < 4:
                     continue
@@ -268,7 +268,7 @@ class SameNumbers(unittest.TestCase):
             if command in ("element", "select", "explain", "suspension", "map"):
                 continue  # no --csv, or it is written from other lists: see the tests of these commands
             with self.subTest(command=command, example=example):
-                _, pool, _ = answer(command, example)
+                _, pool, _ = result_of(command, example)
                 rows = list(csv.reader(io.StringIO(output(*call(command, example), "--csv"))))
                 missing = []
                 for row in rows[1:]:
@@ -301,7 +301,7 @@ class SameNumbers(unittest.TestCase):
             if command in ("explain", "suspension", "map", "verdict", "optimize", "select", "element", "limit_lines"):
                 continue  # not exported; the arrays of limit lines have curves that the JSON does not
             with self.subTest(command=command), tempfile.TemporaryDirectory() as folder:
-                _, pool, _ = answer(command, example)
+                _, pool, _ = result_of(command, example)
                 path = pathlib.Path(folder) / "all.npz"
                 output("export", EXAMPLES / example, "--to", "numpy", "--what", command, "-o", path)
                 count, missing = 0, []

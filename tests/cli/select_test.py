@@ -5,7 +5,7 @@ import math
 import shlex
 import unittest
 
-from trivet_test import SOURCE, InTemporaryFolder, answer, trivet
+from trivet_test import SOURCE, InTemporaryFolder, result_of, trivet
 
 DIGITS = 9  # the program states nine for peaks; statics and natural frequencies have more
 G = 9.80665
@@ -83,7 +83,7 @@ class Select(InTemporaryFolder):
         self.file(CATALOGUE, "maker.toml")
 
     def selected(self, text, *options):
-        return answer("select", self.file(text), *options)
+        return result_of("select", self.file(text), *options)
 
     def refused(self, text):
         result = trivet("select", self.file(text))
@@ -92,12 +92,12 @@ class Select(InTemporaryFolder):
 
     def test_every_combination_has_the_margin_of_its_verdict(self):
         project = self.file(MACHINE + REQUIREMENTS)
-        found = answer("select", project, "--most", "16")
+        found = result_of("select", project, "--most", "16")
         self.assertEqual(found["combinations"], 16)
         self.assertEqual(len(found["best"]), 16)
         margins = {}
         for ahead, behind in itertools.product(NAMES, NAMES):
-            judged = answer("verdict", project, *with_mounts(ahead, behind))
+            judged = result_of("verdict", project, *with_mounts(ahead, behind))
             margins[ahead, behind] = min(r["margin"] for r in judged["cases"][0]["requirements"])
         ranked = [(d["mounts"]["ahead"], d["mounts"]["behind"]) for d in found["best"]]
         self.assertEqual(len(set(ranked)), 16)
@@ -106,8 +106,8 @@ class Select(InTemporaryFolder):
             self.assertEqual(design["met"], margins[mounts] >= 1)
         by_margin = [round(margins[mounts], DIGITS) for mounts in ranked]  # equal ones keep the order of the catalogue
         self.assertEqual(by_margin, sorted(by_margin, reverse=True))
-        # Few combinations are computed completely if only the first is asked for, and it is the same.
-        first = answer("select", project, "--most", "1")
+        # Few combinations are computed completely if only the first is requested, and it is the same.
+        first = result_of("select", project, "--most", "1")
         self.assertEqual(first["best"][0]["mounts"], found["best"][0]["mounts"])
         self.assertLess(first["judged"], 16)
 
@@ -224,9 +224,9 @@ natural_frequencies = {avoid = [["12 Hz", "12.5 Hz"]]}
         lines = [line.strip() for line in text.stdout.splitlines() if line.startswith("--set '")]
         self.assertGreaterEqual(len(lines), 2)
         settings = [word for line in lines for word in ("--set", line[len("--set '") : -1])]
-        judged = answer("verdict", project, *settings)
+        judged = result_of("verdict", project, *settings)
         margin = min(r["margin"] for r in judged["cases"][0]["requirements"])
-        self.assertAlmostEqual(answer("select", project)["best"][0]["margin"] / margin, 1, DIGITS)
+        self.assertAlmostEqual(result_of("select", project)["best"][0]["margin"] / margin, 1, DIGITS)
 
     def test_settings_of_names_with_quotes(self):
         name = "M 1\" 40 ShA's"
@@ -324,7 +324,7 @@ natural_frequencies = {avoid = [["12 Hz", "12.5 Hz"]]}
         self.assertIn("no combination of mounts can be judged", done.stderr)
 
     def test_genset_of_the_examples(self):
-        found = answer("select", str(SOURCE / "examples/genset/mounts.toml"))
+        found = result_of("select", str(SOURCE / "examples/genset/mounts.toml"))
         self.assertEqual(found["combinations"], 12**3)
         best = found["best"][0]
         self.assertTrue(best["met"])

@@ -53,18 +53,18 @@ class Sizes(Refused):
         path = self.file(text + f'[analyses.response]\nat = {omega}\nof = ["b0.x", "b399.x"]\n')
         done = trivet("response", path, "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
-        answer = json.loads(done.stdout)
-        self.assertTrue(answer["checks"]["second_solver"]["passed"])
+        result = json.loads(done.stdout)
+        self.assertTrue(result["checks"]["second_solver"]["passed"])
         for at, w in enumerate(omega):
             x = [0.0, 1.0]  # ground and first body; the last one has no spring behind it
             for _ in range(count - 1):
                 x.append((2 - w * w / stiffness) * x[-1] - x[-2])
             force = stiffness * (x[-1] - x[-2]) - w * w * x[-1]
-            for curve, shape in zip(answer["results"], (x[1], x[-1])):
+            for curve, shape in zip(result["results"], (x[1], x[-1])):
                 exact = 7 * shape / force
                 self.assertAlmostEqual(math.hypot(*curve["complex"][at]) / abs(exact), 1, 8)
 
-    def test_twenty_thousand_answers(self):
+    def test_twenty_thousand_results(self):
         points = "".join(f"points.p{i} = [{i}e-4, 0, 0]\n" for i in range(4000))
         names = ", ".join(f'"b.p{i}.{c}"' for i in range(4000) for c in "xyzxy")
         self.refused(
@@ -145,7 +145,7 @@ class Sizes(Refused):
 
 
 class Extremes(InTemporaryFolder):
-    def test_random_answers_with_one_extreme_stiffness(self):
+    def test_random_results_with_one_extreme_stiffness(self):
         example = (SOURCE / "examples/optical_table/table.toml").read_text()
         for file in (SOURCE / "examples/optical_table").glob("*.csv"):
             (self.folder / file.name).write_text(file.read_text())

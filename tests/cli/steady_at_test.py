@@ -122,11 +122,11 @@ class SteadyAt(unittest.TestCase):
 
     def test_the_second_verdict_is_that_of_all_motions_at_a_frequency(self):
         found = run(STOP, "--json", "--deep", "--at", "36 rad/s,40 rad/s")
-        answer = json.loads(found.stdout)
-        self.assertEqual(answer["winding"]["points"], len(answer["points"]))
-        self.assertEqual(answer["winding"]["differs_at"], [])
+        result = json.loads(found.stdout)
+        self.assertEqual(result["winding"]["points"], len(result["points"]))
+        self.assertEqual(result["winding"]["differs_at"], [])
         # Between two folds of a curve its outer motions are stable, and that between them is not.
-        for one in answer["at"]:
+        for one in result["at"]:
             by_size = sorted(one["motions"], key=lambda motion: motion["results"][0]["amplitudes"][0])
             self.assertEqual([motion["stable"] for motion in by_size], [True, False, True])
             self.assertFalse(any(motion.get("uncertain") for motion in by_size))

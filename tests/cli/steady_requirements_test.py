@@ -37,8 +37,8 @@ def verdict(law, required, *options, machine=MACHINE):
         file = pathlib.Path(folder) / "machine.toml"
         file.write_text(machine.replace("LAW", law).replace("REQUIRED", required))
         run = subprocess.run([TRIVET, "verdict", str(file), "--json", *options], capture_output=True, text=True)
-        answer = json.loads(run.stdout) if run.stdout else {}
-        return run, answer["cases"][0]["requirements"] if "cases" in answer else None
+        result = json.loads(run.stdout) if run.stdout else {}
+        return run, result["cases"][0]["requirements"] if "cases" in result else None
 
 
 STOP = "{gap_stop = {gap = 0.006, stiffness = 4e5}}"

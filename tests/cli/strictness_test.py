@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""--strict: an exit code for answers that need action; the answer itself stays the same."""
+"""--strict: an exit code for results that need action; the result itself stays the same."""
 import os
 import pathlib
 import subprocess

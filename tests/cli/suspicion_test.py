@@ -266,7 +266,7 @@ class Acceptances(InTemporaryFolder):
         done = self.check(self.machine)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_those_of_a_mount_do_not_silence_the_questions(self):
+    def test_those_of_a_mount_do_not_silence_the_analyses(self):
         self.machine["analyses"] = {"response": {"band": ["900 Hz", "2000 Hz"]}}
         self.machine["cases"] = {}
         self.machine.pop("limits", None), self.machine.pop("limit_lines", None)
@@ -290,7 +290,7 @@ class Acceptances(InTemporaryFolder):
         done = self.check(self.machine)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_warnings_reach_every_answer(self):
+    def test_warnings_reach_every_result(self):
         self.machine["bodies"]["compressor"]["mass"] = 400000
         path = written(self.folder, self.machine)
         for command in (["check"], ["modes"], ["roots"], ["peaks"], ["static"], ["suspension"]):

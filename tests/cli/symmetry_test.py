@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random answers that vanish by symmetry are 0, and the others keep their accuracy; resonances of a floor given by its
+"""Random results that vanish by symmetry are 0, and the others keep their accuracy; resonances of a floor given by its
 mobility."""
 import json
 import math
@@ -72,7 +72,7 @@ class SymmetricTable(unittest.TestCase):
         rows = [f"{f:.6f},{mobility(f).real:.9e},{mobility(f).imag:.9e}" for f in ROWS]
         (self.folder / "y.csv").write_text("frequency_hz,y_z_z,y_z_z_im\n" + "\n".join(rows) + "\n")
 
-    def answer(self, command, offset=0):
+    def result_of(self, command, offset=0):
         (self.folder / "table.toml").write_text(project(offset))
         done = subprocess.run(
             [TRIVET, command, "table.toml", "--json"], cwd=self.folder, capture_output=True, text=True, timeout=60
@@ -80,9 +80,9 @@ class SymmetricTable(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
-    def test_answers_that_vanish_by_symmetry_are_zero(self):
-        results = {r["name"]: r for r in self.answer("random")["results"]}
-        aside = {r["name"]: r for r in self.answer("random", 1e-9)["results"]}
+    def test_results_that_vanish_by_symmetry_are_zero(self):
+        results = {r["name"]: r for r in self.result_of("random")["results"]}
+        aside = {r["name"]: r for r in self.result_of("random", 1e-9)["results"]}
         odd = ("y", "rx", "rz")
         settled = 1e-6  # accuracy required of the quadrature
         for name, one in results.items():
@@ -95,8 +95,8 @@ class SymmetricTable(unittest.TestCase):
                 self.assertAlmostEqual(one["rms"] / aside[name]["rms"], 1, delta=settled)
 
     def test_peaks_of_the_floor_are_found_to_the_end_of_its_table(self):
-        answer = self.answer("peaks")
-        found = [p["angular_frequency"] / (2 * math.pi) for p in answer["peaks"] if p["name"] == "p1.foot.z"]
+        result = self.result_of("peaks")
+        found = [p["angular_frequency"] / (2 * math.pi) for p in result["peaks"] if p["name"] == "p1.foot.z"]
         for natural, _, _ in FLOOR:
             self.assertTrue(any(abs(f / natural - 1) < MOVED_BY_MOUNTS for f in found), (natural, found))
 

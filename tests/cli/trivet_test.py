@@ -24,7 +24,7 @@ def trivet(*arguments, **options):
     return subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True, timeout=300, **options)
 
 
-def answer(*arguments):
+def result_of(*arguments):
     done = trivet(*arguments, "--json")
     assert done.returncode == 0, done.stderr
     return json.loads(done.stdout)
@@ -43,7 +43,7 @@ class InTemporaryFolder(unittest.TestCase):
 
 class Contract(InTemporaryFolder):
     def test_modes(self):
-        found = answer("modes", PAPER)
+        found = result_of("modes", PAPER)
         self.assertEqual(found["bodies"], ["aggregate"])
         self.assertEqual(len(found["modes"]), 6)
         for key in (
@@ -59,22 +59,22 @@ class Contract(InTemporaryFolder):
         self.assertEqual(found["warnings"], [])
 
     def test_the_lowest_modes(self):
-        every = answer("modes", PAPER)["modes"]
+        every = result_of("modes", PAPER)["modes"]
         done = trivet("modes", PAPER, "--lowest", "2", "--json")
         self.assertEqual(json.loads(done.stdout)["modes"], every[:2])
         self.assertIn("the lowest 2", trivet("modes", PAPER, "--lowest", "2").stdout)
         self.assertEqual(trivet("modes", PAPER, "--lowest", "0").returncode, 2)
         of_file = self.file(PAPER.read_text().replace("modes = {}", "modes = {lowest = 3}"))
-        self.assertEqual(answer("modes", of_file)["modes"], every[:3])
+        self.assertEqual(result_of("modes", of_file)["modes"], every[:3])
 
     def test_as_printed_every_output_carries_the_warning(self):
         for which in ("modes", "roots", "response", "peaks"):
             extra = ("--at", "1") if which == "response" else ()
-            self.assertTrue(any("inertia" in w for w in answer(which, PRINTED, *extra)["warnings"]), which)
+            self.assertTrue(any("inertia" in w for w in result_of(which, PRINTED, *extra)["warnings"]), which)
             self.assertIn("warning", trivet(which, PRINTED, *extra).stdout)
             self.assertIn("warning", trivet(which, PRINTED, *extra, "--csv").stderr)
-        self.assertIsNone(answer("modes", PRINTED)["modes"][0]["angular_frequency"])
-        growing = [r for r in answer("roots", PRINTED)["roots"] if r["kind"] == "growing"]
+        self.assertIsNone(result_of("modes", PRINTED)["modes"][0]["angular_frequency"])
+        growing = [r for r in result_of("roots", PRINTED)["roots"] if r["kind"] == "growing"]
         self.assertEqual(len(growing), 1)
         self.assertIsNone(growing[0]["angular_frequency"])
 
@@ -86,7 +86,7 @@ class Contract(InTemporaryFolder):
         self.assertFalse((self.folder / "out").exists())
 
     def test_response_at_frequencies_with_units(self):
-        found = answer("response", PAPER, "--at", "0 Hz,1 rad/s,2.5 Hz")
+        found = result_of("response", PAPER, "--at", "0 Hz,1 rad/s,2.5 Hz")
         self.assertEqual(found["angular_frequency"][:2], [0, 1])
         self.assertAlmostEqual(found["angular_frequency"][2], 15.70796326794897, places=12)
         self.assertEqual(found["results"][0]["name"], "aggregate.x")
@@ -95,14 +95,14 @@ class Contract(InTemporaryFolder):
         self.assertTrue(found["checks"]["second_solver"]["passed"])
 
     def test_roots_peaks_static_element(self):
-        self.assertEqual(len(answer("roots", PAPER)["roots"]), 12)
-        peak = answer("peaks", PAPER, "--case", "Figure 7")["peaks"][0]
+        self.assertEqual(len(result_of("roots", PAPER)["roots"]), 12)
+        peak = result_of("peaks", PAPER, "--case", "Figure 7")["peaks"][0]
         for key in ("name", "angular_frequency", "amplitude", "prominence", "ratio_to_static", "nearest_mode"):
             self.assertIn(key, peak)
-        static = answer("static", SOURCE / "examples/skew_mounts/machine.toml")
+        static = result_of("static", SOURCE / "examples/skew_mounts/machine.toml")
         total = next(r for r in static["results"] if r["name"] == "ground.force.z")
         self.assertAlmostEqual(total["value"], -400 * 9.80665, places=6)
-        element = answer("element", SOURCE / "examples/paper/three_elements.toml", "element x")
+        element = result_of("element", SOURCE / "examples/paper/three_elements.toml", "element x")
         self.assertEqual(len(element["stiffness"]), 12)
         self.assertEqual(len(element["rigid_motion_residual"]), 12)
 
@@ -112,12 +112,12 @@ class Contract(InTemporaryFolder):
         self.assertEqual(len({len(row) for row in rows}), 1)
 
     def test_case_and_set(self):
-        base = answer("modes", PAPER)["modes"][0]["angular_frequency"]
+        base = result_of("modes", PAPER)["modes"][0]["angular_frequency"]
         self.assertAlmostEqual(
-            answer("modes", PAPER, "--case", "Figure 8")["modes"][0]["angular_frequency"], base * 3**0.5, places=9
+            result_of("modes", PAPER, "--case", "Figure 8")["modes"][0]["angular_frequency"], base * 3**0.5, places=9
         )
         self.assertAlmostEqual(
-            answer("modes", PAPER, "--set", "elements.suspension.scale=4")["modes"][0]["angular_frequency"],
+            result_of("modes", PAPER, "--set", "elements.suspension.scale=4")["modes"][0]["angular_frequency"],
             2 * base,
             places=9,
         )
@@ -165,7 +165,7 @@ class Contract(InTemporaryFolder):
         self.assertTrue((self.folder / "out/report.html").exists())
 
     def test_free_system_is_named(self):
-        found = answer("modes", SOURCE / "examples/free_pair/coupled_bodies.toml")
+        found = result_of("modes", SOURCE / "examples/free_pair/coupled_bodies.toml")
         self.assertEqual(len(found["free_motions"]), 6)
         self.assertEqual([m["angular_frequency"] for m in found["modes"][:6]], [0] * 6)
         self.assertIsNone(found["modes"][0]["strain_energy_share"])

@@ -4,7 +4,7 @@ import json
 import math
 import unittest
 
-from trivet_test import SOURCE, InTemporaryFolder, answer, trivet
+from trivet_test import SOURCE, InTemporaryFolder, result_of, trivet
 
 DIGITS = 9  # of closed forms; the program states nine for peaks
 M, K, C, G = 40.0, 2.5e5, 400.0, 9.80665
@@ -33,7 +33,7 @@ RATIO = C / (2 * math.sqrt(K * M))
 
 class Verdict(InTemporaryFolder):
     def judged(self, text, case=0):
-        found = answer("verdict", self.file(text))
+        found = result_of("verdict", self.file(text))
         return {r["requirement"]: r for r in found["cases"][case]["requirements"]}, found
 
     def one(self, requirement, more=""):
@@ -187,14 +187,14 @@ mount_load = "catalogue"
             + '[requirements]\nstatic = {"m.z" = "2 mm"}\nhold_in = ["", "soft"]\n[cases.soft]\nelements.s.scale = 0.5\n'
         )
         path = self.file(text)
-        found = answer("verdict", path)
+        found = result_of("verdict", path)
         self.assertEqual([c["met"] for c in found["cases"]], [True, False])
         self.assertFalse(found["met"])
         self.assertEqual(trivet("verdict", path).returncode, 0)
         strict = trivet("verdict", path, "--strict")
         self.assertEqual((strict.returncode, "1 requirement violated" in strict.stderr), (3, True))
         alone = self.file(text.replace('"", "soft"', '""'))
-        self.assertTrue(answer("verdict", alone)["met"])
+        self.assertTrue(result_of("verdict", alone)["met"])
         self.assertEqual(trivet("verdict", alone, "--strict").returncode, 0)
 
     def test_what_cannot_be_judged_has_its_reason(self):
@@ -208,13 +208,13 @@ mount_load = "catalogue"
         self.assertIn("NOT JUDGED", trivet("verdict", path).stdout)
 
     def test_what_cannot_be_judged_leaves_the_rest_judged(self):
-        # A loss factor has no motion over time: not judged by itself, and where the file asks for the motion too.
+        # A loss factor has no motion over time: not judged by itself, and where the file requests the motion too.
         lossy = OSCILLATOR.replace("damping = {translation = [1e-3, 1e-3, 400.0]}", "damping = {loss_factor = 0.1}")
         lossy += '[excitations.blow]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n'
         lossy += "history = {step = {amplitude = 1}}\n"
         required = '[requirements]\nlargest = {"m.z" = "3 mm"}\nstatic = {"m.z" = "2 mm"}\n'
-        asked = "[analyses.transient]\nto = 1\nstep = 0.01\n"
-        for text in (lossy + required, lossy + required + asked):
+        request = "[analyses.transient]\nto = 1\nstep = 0.01\n"
+        for text in (lossy + required, lossy + required + request):
             path = self.file(text)
             for strict in ((), ("--strict",)):
                 self.assertEqual(trivet("verdict", path, *strict).returncode, 1)
@@ -224,7 +224,7 @@ mount_load = "catalogue"
             self.assertIn("loss factor", largest["reason"])
             self.assertAlmostEqual(rest["value"], M * G / K, DIGITS)
             self.assertTrue(rest["met"])
-        # The analysis itself is wrong for such a machine: who asks for its answer hears so first.
+        # The analysis itself is wrong for such a machine: who requests its result hears so first.
         for command in ("transient", "check"):
             self.assertEqual(trivet(command, path).returncode, 2)
         self.assertEqual(trivet("run", path, "--output", self.folder / "out").returncode, 2)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An external program: describes a system, requests answers, reads them.
+// An external program: describes a system, requests results, reads them.
 #include <cmath>
 #include <cstdio>
 

@@ -78,8 +78,8 @@ class Program:
         assert ran.returncode == code, (arguments, ran.returncode, ran.stderr)
         return ran
 
-    def json(self, question: str, *arguments: str) -> dict:
-        return json.loads(self(question, self.path, "--json", *arguments).stdout)
+    def json(self, analysis: str, *arguments: str) -> dict:
+        return json.loads(self(analysis, self.path, "--json", *arguments).stdout)
 
     def export(self, format_name: str, target: pathlib.Path, *arguments: str, code: int = 0) -> str:
         """The notes."""

@@ -136,7 +136,7 @@ def test_matrices_as_csv(program, tmp_path):
 
 
 def test_parts_are_read_back(program, with_text, tmp_path):
-    """Tables of bodies, elements and points in place of the parts give the same answers."""
+    """Tables of bodies, elements and points in place of the parts give the same results."""
     program.export("csv", tmp_path / "tables", "--what", "modes")
     rest = program.path.read_text().split("[excitations.shaft]")[1]
     tables = "".join(f'[tables.{kind}]\nfile = "tables/{kind}.csv"\n' for kind in ("bodies", "elements", "points"))

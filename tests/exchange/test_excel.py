@@ -54,8 +54,8 @@ def test_requirements(tmp_path, case):
 def test_a_requirement_that_is_not_judged(with_text, tmp_path, program):
     lossy = program.path.read_text().replace("proportional = 5e-7", "loss_factor = 0.1")
     step = '[excitations.s]\ntype = "time"\non = "raft"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {step = {amplitude = 50}}\n'
-    asked = with_text(lossy + step + '[requirements]\nlargest = {"raft.z" = "1 mm"}\n')
-    asked.export("excel", tmp_path / "out.xlsx", "--what", "modes")
+    request = with_text(lossy + step + '[requirements]\nlargest = {"raft.z" = "1 mm"}\n')
+    request.export("excel", tmp_path / "out.xlsx", "--what", "modes")
     table = columns(openpyxl.load_workbook(tmp_path / "out.xlsx")["requirements"])
     assert table["verdict"] == ["NOT JUDGED"] and table["reason"][0]
     assert table["margin"] == [None]
@@ -91,14 +91,14 @@ def test_libreoffice(program, tmp_path):
 def test_units_and_levels_of_the_display(with_text, program, tmp_path):
     """Amplitudes have a level, roots and modes have none, and every frequency has the unit of frequencies."""
     shown = '\n[display]\nlength = "in"\nangle = "deg"\nfrequency = "rpm"\nlevel = "peak_to_peak"\n'
-    asked = with_text(program.path.read_text() + shown + '[analyses.shapes]\nat = ["8 Hz"]\n')
-    asked.export("excel", tmp_path / "out.xlsx", "--what", "peaks,roots,shapes")
+    request = with_text(program.path.read_text() + shown + '[analyses.shapes]\nat = ["8 Hz"]\n')
+    request.export("excel", tmp_path / "out.xlsx", "--what", "peaks,roots,shapes")
     book = openpyxl.load_workbook(tmp_path / "out.xlsx")
     inch = 0.0254
     values = columns(book["peaks values"])
     assert values["unit"] == ["rpm", "rpm"]
     assert {unit for unit in columns(book["peaks"])["unit"] if unit} <= {"in p-p", "deg p-p", "N p-p", "N in p-p"}
-    found = asked.json("shapes")["shapes"][0]
+    found = request.json("shapes")["shapes"][0]
     shape = columns(book["shapes"])
     assert shape["largest_excursion [in p-p]"][0] == pytest.approx(2 * found["largest_excursion"] / inch)
     assert not any("p-p" in heading for heading in columns(book["roots"]))

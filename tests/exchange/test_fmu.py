@@ -29,7 +29,7 @@ history = {{rows = {[list(row) for row in zip(TIMES, FLOOR, strict=True)]}}}
 
 @pytest.fixture
 def driven(program, with_text):
-    """The machine with two time histories in place of its harmonic force, more damping, and an answer in time."""
+    """The machine with two time histories in place of its harmonic force, more damping, and a result in time."""
     text = program.path.read_text().replace("proportional = 5e-7", "proportional = 2e-4")
     head, rest = text.split("[excitations.shaft]")
     analyses = rest.split("[analyses]")[1].replace("peaks = {}", "")

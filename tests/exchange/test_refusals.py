@@ -35,7 +35,7 @@ def test_lossy_mounts_have_no_motion_in_time(with_text, program, tmp_path):
     said = lossy.export("fmu", tmp_path / "x.fmu", code=1)
     assert "loss factor" in said and "replace" in said
     assert not (tmp_path / "x.fmu").exists()
-    lossy.export("matlab", tmp_path / "x.mat")  # harmonic answers have loss factors
+    lossy.export("matlab", tmp_path / "x.mat")  # harmonic results have loss factors
 
 
 @pytest.mark.parametrize("name", ARRAYS)

@@ -15,14 +15,14 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/judging/read_project.h"
+#include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/analyses/analysis_types.h"
-#include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/results/model/project_json.h"
 #include "trivet/solids/closed_surface.h"
 #include "trivet/solids/stl_file.h"
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::fuzz {
 namespace {
@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_coordinates = 12, most_elements = 12, most_cases = 3;
-constexpr int most_reports = 300;  // of progress: a question stops after that many steps
+constexpr int most_reports = 300;  // of progress: an analysis stops after that many steps
 
 /// A folder for the files that projects refer to, removed at the end. The cache is off.
 const fs::path& folder() {
@@ -52,22 +52,22 @@ bool is_slow(std::string_view text) {
       text.find(".st") != std::string_view::npos;
 }
 
-void ask(const project::Case& variant, const std::function<void(project::Analyses&)>& question) {
-  project::Analyses asked;
-  question(asked);
+void ask(const project::Case& variant, const std::function<void(project::Analyses&)>& analysis) {
+  project::Analyses request;
+  analysis(request);
   int reports = 0;
   const foundation::Progress bounded = [&](std::string_view, double) {
     if (++reports > most_reports) throw foundation::Interrupted();
   };
   try {
-    static_cast<void>(study::answers(variant, asked, bounded));
+    static_cast<void>(study::case_results(variant, request, bounded));
   } catch (const foundation::NotComputable&) {
   } catch (const foundation::InvalidInput&) {
   } catch (const foundation::Interrupted&) {
   }
 }
 
-void ask_quick_questions(const project::Project& project) {
+void ask_quick_analyses(const project::Project& project) {
   for (std::size_t i = 0; i < std::min(project.cases.size(), most_cases); ++i) {
     const project::Case& variant = project.cases[i];
     if (project::coordinates(variant.system.description(), true) > most_coordinates ||
@@ -79,10 +79,10 @@ void ask_quick_questions(const project::Project& project) {
     if (project::coordinates(variant.system.description(), true) <= most_coordinates / 2)
       ask(variant, [](project::Analyses& a) { a.peaks.emplace(); });
     ask(variant, [&](project::Analyses& a) {
-      if (variant.analyses.questions.contains("random"))
-        a.questions["random"] = std::make_shared<project::RandomQuestion>();
-      if (const auto asked = variant.analyses.questions.find("earthquake"); asked != variant.analyses.questions.end())
-        a.questions.insert(*asked);
+      if (variant.analyses.by_name.contains("random"))
+        a.by_name["random"] = std::make_shared<project::RandomAnalysis>();
+      if (const auto request = variant.analyses.by_name.find("earthquake"); request != variant.analyses.by_name.end())
+        a.by_name.insert(*request);
     });
   }
 }
@@ -94,7 +94,7 @@ void read_text(const std::string& text, const fs::path& source) {
     static_cast<void>(results::problems_json(project.error(), {}));
     return;
   }
-  ask_quick_questions(*project);
+  ask_quick_analyses(*project);
   static_cast<void>(results::results_json(*project, {}));
 }
 

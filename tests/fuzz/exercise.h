@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-/// Passes any bytes to one of the readers of input data, then computes the quick answers. All bytes must be read or
+/// Passes any bytes to one of the readers of input data, then computes the quick results. All bytes must be read or
 /// rejected.
 namespace trivet::fuzz {
 

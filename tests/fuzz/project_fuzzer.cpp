@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer target: any bytes through every reader, then the quick answers (tests/fuzz/exercise.h).
+// libFuzzer target: any bytes through every reader, then the quick results (tests/fuzz/exercise.h).
 #include <cstddef>
 #include <cstdint>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the paper's answers with earlier answers of this program: shows only that nothing changed.
+// Compares the paper's results with earlier results of this program: shows only that nothing changed.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
 #include <fstream>
 
 #include "trivet/judging/read_project.h"
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace golden_test {
 
@@ -22,10 +22,10 @@ TEST(Golden, PeaksOfThePaperInAllCases) {
   const auto project = judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
   std::vector<Pinned> found;
   for (const auto& variant : project.cases) {
-    const auto answers = study::answers(variant, variant.analyses);
-    for (const auto& peak : answers.peaks->peaks.list)
+    const auto results = study::case_results(variant, variant.analyses);
+    for (const auto& peak : results.peaks->peaks.list)
       found.push_back(
-          {variant.name + "/" + answers.peaks->peaks.curves[peak.curve].name, peak.angular_frequency, peak.amplitude});
+          {variant.name + "/" + results.peaks->peaks.curves[peak.curve].name, peak.angular_frequency, peak.amplitude});
   }
   const std::string path = std::string(TRIVET_SOURCE_DIR) + "/tests/golden/paper_peaks.csv";
   if (std::getenv("TRIVET_REWRITE_GOLDEN")) {

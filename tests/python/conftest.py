@@ -16,7 +16,7 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "examples"
 
-#: A machine of one body on two springs, with everything that most questions need.
+#: A machine of one body on two springs, with everything that most analyses need.
 MACHINE = {
     "title": "Machine",
     "bodies": {

@@ -92,7 +92,7 @@ def test_two_wrong_changes_are_two_problems(machine):
         ({"case": "x"}, "no such case"),
     ],
 )
-def test_wrong_questions(machine, keys, words):
+def test_wrong_analyses(machine, keys, words):
     with pytest.raises(trivet.InputError, match=words):
         machine.response(**keys)
 
@@ -161,10 +161,10 @@ def test_warnings_are_python_warnings():
     light = {**MACHINE, "bodies": {"machine": {**MACHINE["bodies"]["machine"], "mass": 1.2e7}}}
     project = trivet.Project(**light)
     with pytest.warns(trivet.ModelWarning, match="mass") as caught:
-        answer = project.modes()
-    assert [str(one.message) for one in caught] == [str(problem) for problem in answer.warnings]
+        result = project.modes()
+    assert [str(one.message) for one in caught] == [str(problem) for problem in result.warnings]
     assert all(one.filename == __file__ for one in caught)
-    assert str(answer.warnings[0].subject) in answer._repr_html_()
+    assert str(result.warnings[0].subject) in result._repr_html_()
 
 
 def test_import_is_quick():

@@ -30,7 +30,7 @@ ALLOWED = (trivet.InputError, trivet.NotComputable, TypeError, ValueError, OSErr
 
 
 def callables(project: trivet.Project) -> list:
-    questions = [getattr(project, name) for name, _ in trivet._core.questions()]
+    analyses = [getattr(project, name) for name, _ in trivet._core.analyses()]
     others = [
         project.map, project.select, project.optimize, project.verdict, project.check, project.explain,
         project.suspension, project.element, project.matrices, project.state_space, project.sweep, project.changed,
@@ -38,7 +38,7 @@ def callables(project: trivet.Project) -> list:
         project.response().__getitem__, project.response().plot, project.response().to_csv,
         project.response().to_dataframe, project.response().svg, project.matrices().load, project.matrices().array,
     ]  # fmt: skip
-    return questions + others
+    return analyses + others
 
 
 KEYS = ["case", "threads", "progress", "of", "band", "at", "quantity", "most", "deep", "all", "excitations", "torques",
@@ -110,13 +110,13 @@ def test_sweep_with_paths_without_values():
 def test_deleted_owners():
     arrays = []
     for _ in range(50):
-        answer = trivet.Project(**MACHINE).response(at=[5.0, 10.0])
-        arrays.append((answer.array("machine.z"), answer.array("machine.z").copy()))
+        result = trivet.Project(**MACHINE).response(at=[5.0, 10.0])
+        arrays.append((result.array("machine.z"), result.array("machine.z").copy()))
         sweep = trivet.Project(**MACHINE).sweep({"bodies.machine.mass": [100.0, 120.0]})
         arrays.append((sweep.amplitude, sweep.amplitude.copy()))
         matrices = trivet.Project(**MACHINE).matrices()
         arrays.append((matrices.K, matrices.K.copy()))
-        del answer, sweep, matrices
+        del result, sweep, matrices
     gc.collect()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

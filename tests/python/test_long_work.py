@@ -31,7 +31,7 @@ def test_progress(machine):
     assert seen[-1][0] == 1
 
 
-def test_every_question_shows_that_it_ends(machine):
+def test_every_analysis_shows_that_it_ends(machine):
     seen = []
     machine.modes(progress=lambda *call: seen.append(call))
     assert seen == [(1, 1, "modes")]

@@ -57,7 +57,7 @@ def test_a_continuous_phase_is_complete(machine):
 @pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
 @pytest.mark.parametrize("backend", ["matplotlib", "plotly"])
 @pytest.mark.parametrize(
-    ("path", "question"),
+    ("path", "analysis"),
     [
         ("paper/corrected.toml", "modes"),
         ("paper/corrected.toml", "peaks"),
@@ -69,8 +69,8 @@ def test_a_continuous_phase_is_complete(machine):
         ("optical_table/table.toml", "transmissibility"),
     ],
 )
-def test_every_answer_with_curves_has_a_picture(path, question, backend, tmp_path):
-    figure = getattr(trivet.open(example(path)), question)().plot(backend=backend)
+def test_every_result_with_curves_has_a_picture(path, analysis, backend, tmp_path):
+    figure = getattr(trivet.open(example(path)), analysis)().plot(backend=backend)
     if backend == "matplotlib":
         figure.savefig(tmp_path / "picture.png")
         assert all(label for label in labels(figure))

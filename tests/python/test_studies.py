@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Matrices, state space and sweeps against NumPy, SciPy and single answers."""
+"""Matrices, state space and sweeps against NumPy, SciPy and single results."""
 
 import pickle
 
@@ -212,7 +212,7 @@ def test_sweeps_and_matrices_show_themselves(machine):
 
 
 @pytest.mark.parametrize("study", ["matrices", "state_space", "sweep", "modes"])
-def test_studies_warn_of_the_model_but_not_of_unasked_excitations(study):
+def test_studies_warn_of_the_model_but_not_of_unrequested_excitations(study):
     heavy = {"machine": {**MACHINE["bodies"]["machine"], "mass": 1.2e7}}
     excitations = {**MACHINE["excitations"], "other": MACHINE["excitations"]["force"]}
     analyses = {"response": {"excitations": ["force"], "at": [10.0]}}

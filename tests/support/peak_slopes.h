@@ -15,11 +15,11 @@
 
 namespace trivet::test {
 
-inline response::Peaks peaks_of(const model::System& system, const response::Question& asked) {
+inline response::Peaks peaks_of(const model::System& system, const response::SensitivityRequest& request) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
-  return response::peaks(assembled, assembly::channels(system, assembled, asked.channels, asked.quantity),
-                         asked.load(system, assembled), modes, modal::roots(system, assembled, modes));
+  return response::peaks(assembled, assembly::channels(system, assembled, request.channels, request.quantity),
+                         request.load(system, assembled), modes, modal::roots(system, assembled, modes));
 }
 
 struct PeakSlopes {
@@ -32,11 +32,11 @@ constexpr double step_by_circles = 2e-3, truncation_by_circles = 2e-5;
 /// Differences of fourth order of peaks: of each place, of the peak of its curve nearest to it.
 /// @param changed  the machine with a parameter changed by an amount
 template <typename Changed>
-std::vector<PeakSlopes> peak_slopes(const Changed& changed, double step, const response::Question& asked,
+std::vector<PeakSlopes> peak_slopes(const Changed& changed, double step, const response::SensitivityRequest& request,
                                     const std::vector<response::PeakPlace>& places) {
   std::vector<PeakSlopes> found(places.size());
   for (const auto& [node, weight] : {std::pair{1.0, 8.0 / 12}, {-1.0, -8.0 / 12}, {2.0, -1.0 / 12}, {-2.0, 1.0 / 12}}) {
-    const response::Peaks again = peaks_of(changed(node * step), asked);
+    const response::Peaks again = peaks_of(changed(node * step), request);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const response::Peak* nearest = nullptr;
       const auto away = [&](const response::Peak& peak) {

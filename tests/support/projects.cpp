@@ -40,8 +40,8 @@ std::string chain(const std::vector<double>& masses, const std::vector<double>& 
   return text;
 }
 
-std::complex<double> value(const study::ResponseAnswer& answer, const std::string& name, Eigen::Index at) {
-  for (const auto& curve : answer.curves.curves)
+std::complex<double> value(const study::ResponseResult& result, const std::string& name, Eigen::Index at) {
+  for (const auto& curve : result.curves.curves)
     if (curve.name == name) return curve.value(at);
   throw std::out_of_range("no curve " + name);
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "trivet/project/project.h"
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::test {
 
@@ -19,6 +19,6 @@ namespace trivet::test {
                                 const std::string& orientation = "");
 
 /// Complex value of a curve by name.
-[[nodiscard]] std::complex<double> value(const study::ResponseAnswer& answer, const std::string& name, Eigen::Index at);
+[[nodiscard]] std::complex<double> value(const study::ResponseResult& result, const std::string& name, Eigen::Index at);
 
 }  // namespace trivet::test

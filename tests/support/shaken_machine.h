@@ -34,7 +34,7 @@ struct Assembly {
 /// moving ground.
 struct ShakenAndPushed {
   model::Description shaken, pushed;
-  std::vector<std::string> relative, plain;  ///< answers of the first and of the second, in the same order
+  std::vector<std::string> relative, plain;  ///< results of the first and of the second, in the same order
 
   ShakenAndPushed(const model::Description& machine, const Eigen::Vector3cd& acceleration)
       : shaken(machine), pushed(machine) {

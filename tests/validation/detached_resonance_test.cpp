@@ -55,8 +55,8 @@ band = ["5 rad/s", "60 rad/s"]
 harmonics = 1
 branches = "all"
 )");
-  const study::Answers answers = study::answers(project.base(), project.base().analyses);
-  const auto& branch = *answers.find<nonlinear::SteadyBranch>("steady");
+  const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
+  const auto& branch = *results.find<nonlinear::SteadyBranch>("steady");
   const auto largest = [](const nonlinear::SteadyBranch& curve) {
     double found = 0;
     for (const nonlinear::SteadyPoint& point : curve.points) found = std::max(found, point.results[0].half_of_range());

@@ -42,13 +42,14 @@ TEST(Earthquake, TwoEqualStoreysHaveTheClosedForm) {
                  gamma = m * (1 + top) / modal_mass;
     EXPECT_THAT(r.modes[i].angular_frequency, RelativelyNear(std::sqrt(squared), round_off));
     EXPECT_THAT(r.modes[i].effective_mass, RelativelyNear(gamma * gamma * modal_mass, round_off));
-    EXPECT_THAT(std::abs(r.answers[0].modal_maxima(i)), RelativelyNear(std::abs(gamma * top * 2 / squared), round_off));
-    EXPECT_THAT(std::abs(r.answers[1].modal_maxima(i)),
+    EXPECT_THAT(std::abs(r.channels[0].modal_maxima(i)),
+                RelativelyNear(std::abs(gamma * top * 2 / squared), round_off));
+    EXPECT_THAT(std::abs(r.channels[1].modal_maxima(i)),
                 RelativelyNear(2 * gamma * gamma * modal_mass, round_off));  // base force: S_a times the effective mass
     squares += std::pow(gamma * top * 2 / squared, 2);
     mass += r.modes[i].effective_mass;
   }
-  EXPECT_THAT(r.answers[0].square_root_of_sum_of_squares, RelativelyNear(std::sqrt(squares), round_off));
+  EXPECT_THAT(r.channels[0].square_root_of_sum_of_squares, RelativelyNear(std::sqrt(squares), round_off));
   EXPECT_THAT(mass, RelativelyNear(2 * m, round_off));
   EXPECT_THAT(r.effective_mass_share, RelativelyNear(1.0, round_off));
 }
@@ -78,7 +79,7 @@ TEST(Earthquake, OneModeHasTheLargestValueOfItsTimeHistory) {
   const auto history = test::transient(system, assembled, {"m1.relative.x"},
                                        {test::base_motion(assembled, shaking, along(0), 2)}, options);
   const double largest = std::max(history.curves[0].largest.value, -history.curves[0].smallest.value);
-  EXPECT_THAT(r.answers[0].complete_quadratic, RelativelyNear(largest, step_by_step));
+  EXPECT_THAT(r.channels[0].complete_quadratic, RelativelyNear(largest, step_by_step));
   EXPECT_TRUE(r.warnings.list().empty());
   EXPECT_NEAR(r.modes[0].damping_ratio, zeta, round_off);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/law_course.h"
+#include "trivet/nonlinear/laws/law_over_period.h"
 
 #include <gmock/gmock.h>
 

@@ -36,7 +36,8 @@ TEST(LuGre, HarmonicsAreThoseOfDahl) {
   for (const double state : {0.0, 2e-3}) {
     const auto found = [&](const elements::ScalarLaw& law) {
       const elements::ScalarLaws laws = {law};
-      return nonlinear::LawHarmonics(nonlinear::LawAbout(laws, state, elements::small_motion(laws, state)), harmonics)
+      return nonlinear::LawHarmonics(nonlinear::DeviationLaw(laws, state, elements::small_motion(laws, state)),
+                                     harmonics)
           .at(motion, 30);
     };
     const nonlinear::ForceHarmonics ours = found(bristles), theirs = found(dahl);

@@ -23,12 +23,12 @@ constexpr double of_a_peak = 1e-10;      // round-off of the search for a maximu
 constexpr double of_long_beams = 1e-9;   // round-off of slender beams: condition 1e6 of their stiffness
 constexpr double of_stiff_axes = 1e-4;   // the closed form has beams that do not stretch: EA L²/EI is about 1e6 here
 
-study::Answers answers(const std::string& text) {
+study::CaseResults results_of(const std::string& text) {
   const project::Project project = test::project(text);
-  return study::answers(project.base(), project.base().analyses);
+  return study::case_results(project.base(), project.base().analyses);
 }
 
-double static_value(const study::Answers& found, const std::string& name) {
+double static_value(const study::CaseResults& found, const std::string& name) {
   for (const response::StaticValue& value : found.statics->values)
     if (value.name == name) return value.value;
   ADD_FAILURE() << "no static result " << name;
@@ -81,7 +81,7 @@ std::string spring_below(double loss_factor) {
 
 TEST(Nodes, TwoSpringsInSeriesAreOneSpringAtRestAndInModes) {
   const double k = lower * upper / (lower + upper);
-  const study::Answers found = answers(
+  const study::CaseResults found = results_of(
       in_series("", spring_below(0), "modes = {}\nroots = {}\nstatic = {of = [\"m\", \"joint\", \"lower\"]}\n"));
   ASSERT_EQ(found.modes.list.size(), 1u);
   EXPECT_THAT(*found.modes.list[0].angular_frequency, RelativelyNear(std::sqrt(k / mass), of_two_solves));
@@ -98,9 +98,9 @@ TEST(Nodes, TwoSpringsInSeriesAreOneSpringAtRestAndInModes) {
 
 TEST(Nodes, TwoLossySpringsInSeriesAreOneSpringInResponseAndPeaks) {
   const Complex k = 1.0 / (1.0 / (lower * Complex(1, 0.2)) + 1.0 / (upper * Complex(1, 0.04)));
-  const study::Answers found =
-      answers(in_series("damping = {loss_factor = 0.04}", spring_below(0.2),
-                        "response = {at = [3, 40, 41.83, 200], of = [\"m\", \"joint\"]}\npeaks = {of = [\"m\"]}\n"));
+  const study::CaseResults found =
+      results_of(in_series("damping = {loss_factor = 0.04}", spring_below(0.2),
+                           "response = {at = [3, 40, 41.83, 200], of = [\"m\", \"joint\"]}\npeaks = {of = [\"m\"]}\n"));
   const double omegas[] = {3, 40, 41.83, 200};
   for (Eigen::Index i = 0; i < 4; ++i) {
     const Complex exact = 5.0 / (k - omegas[i] * omegas[i] * mass);
@@ -128,8 +128,8 @@ at = [0, 0, 0]
 translation = [1e4, 1e4, {}]
 )",
                                         dashpot, parallel);
-  const study::Answers found =
-      answers(in_series("", below, "roots = {}\nmodes = {}\nresponse = {at = [1, 30, 60, 400], of = [\"m\"]}\n"));
+  const study::CaseResults found =
+      results_of(in_series("", below, "roots = {}\nmodes = {}\nresponse = {at = [1, 30, 60, 400], of = [\"m\"]}\n"));
   const double omegas[] = {1, 30, 60, 400};
   for (Eigen::Index i = 0; i < 4; ++i) {
     const Complex s(0, omegas[i]);
@@ -149,7 +149,7 @@ translation = [1e4, 1e4, {}]
 /// A node between a mass and the ground, with a dashpot at 36.87° to the springs: it damps one of two directions.
 TEST(Nodes, ASkewDashpotDampsOneDirectionOfThem) {
   constexpr double dashpot = 700, across = 5e4, up = 2e4;
-  const study::Answers found = answers(fmt::format(R"(trivet = 1
+  const study::CaseResults found = results_of(fmt::format(R"(trivet = 1
 [bodies.m]
 mass = {}
 free = ["x", "z"]
@@ -174,7 +174,7 @@ translation = [3e4, 1e4, 3e4]
 [analyses]
 roots = {{}}
 )",
-                                                   mass, across, up, dashpot));
+                                                          mass, across, up, dashpot));
   const Eigen::Vector2d n(0.6, -0.8);
   const auto dynamic_stiffness = [&](Complex s) {
     Eigen::Matrix4cd z = Eigen::Matrix4cd::Zero();
@@ -219,7 +219,7 @@ TEST(Nodes, BeamsEndToEndAreACantileverOf3EIOverLCubed) {
   constexpr double length = 1.7;
   const double k = 3 * steel * moment / std::pow(length, 3);
   for (const int parts : {1, 2, 5}) {
-    const study::Answers found = answers(
+    const study::CaseResults found = results_of(
         fmt::format("trivet = 1\n[bodies.m]\nmass = 20\ninertia = {{about = \"pole\", xx = 1e-9, yy = 1e-9, zz = "
                     "1e-9}}\nposition = [{}, 0, 0]\n",
                     length) +
@@ -244,9 +244,9 @@ TEST(Nodes, TwoLegsInPartsUnderARigidDeckHave12EIOverLCubedEach) {
         beam(std::string("foot ") + side, fmt::format("on = \"{}\"\nfrom_at = [0, {}, 0]", side, y)) +
         beam(std::string("head ") + side, fmt::format("on = \"deck\"\nat = [0, {}, 0]\nfrom = \"{}\"", y, side));
   }
-  const study::Answers found =
-      answers(fmt::format("trivet = 1\n[bodies.deck]\nmass = 500\nfree = [\"x\"]\nposition = [0, 0, {}]\n", height) +
-              legs + "[analyses]\nmodes = {}\n");
+  const study::CaseResults found =
+      results_of(fmt::format("trivet = 1\n[bodies.deck]\nmass = 500\nfree = [\"x\"]\nposition = [0, 0, {}]\n", height) +
+                 legs + "[analyses]\nmodes = {}\n");
   ASSERT_EQ(found.modes.list.size(), 1u);
   EXPECT_THAT(*found.modes.list[0].angular_frequency, RelativelyNear(std::sqrt(k / 500), of_long_beams));
 }
@@ -261,7 +261,7 @@ TEST(Nodes, PortalFrameHasTheSwayStiffnessOfTheTextbook) {
         beam("left", "on = \"a\"\nfrom_at = [0, 0, 0]") +
         beam("right", fmt::format("on = \"b\"\nfrom_at = [{}, 0, 0]", 2 * height)) +
         beam("girder", "on = \"a\"\nfrom = \"b\"", girder * moment);
-    const study::Answers found = answers(
+    const study::CaseResults found = results_of(
         "trivet = 1\n[bodies.m]\nmass = 1\nfree = [\"x\"]\n[elements.s]\ntype = \"three_springs\"\non = \"m\"\nat = "
         "[0, "
         "0, 0]\ntranslation = [1, 1, 1]\n" +

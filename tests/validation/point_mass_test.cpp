@@ -56,13 +56,13 @@ force = [5, 0, 0]
 /// Compliance of the tip under a lateral force: bending and shear.
 double lateral() { return length * length * length / (3 * young * inertia) + length / (shear_factor * area * shear); }
 
-study::Answers answers(const std::string& text) {
+study::CaseResults results_of(const std::string& text) {
   const project::Project project = test::project(text);
-  return study::answers(project.base(), project.base().analyses);
+  return study::case_results(project.base(), project.base().analyses);
 }
 
 TEST(PointMass, OnACantileverHasThreeModes) {
-  const modal::Modes modes = answers(on_a_bar("[analyses]\nmodes = {}\nroots = {}\n")).modes;
+  const modal::Modes modes = results_of(on_a_bar("[analyses]\nmodes = {}\nroots = {}\n")).modes;
   ASSERT_EQ(modes.list.size(), 3);
   const double bending = 1 / std::sqrt(mass * lateral()), axial = std::sqrt(young * area / length / mass);
   EXPECT_THAT(*modes.list[0].angular_frequency, RelativelyNear(bending, of_solves));
@@ -71,8 +71,8 @@ TEST(PointMass, OnACantileverHasThreeModes) {
 }
 
 TEST(PointMass, TurnsWithTheEndOfTheBarAtRestAndInTheResponse) {
-  const study::Answers found =
-      answers(on_a_bar("[analyses]\nstatic = {of = [\"tip\"]}\nresponse = {of = [\"tip.x\", \"tip.ry\"], at = [2]}\n"));
+  const study::CaseResults found = results_of(
+      on_a_bar("[analyses]\nstatic = {of = [\"tip\"]}\nresponse = {of = [\"tip.x\", \"tip.ry\"], at = [2]}\n"));
   double x = 0, ry = 0;
   for (const response::StaticValue& value : found.statics->values) {
     if (value.name == "tip.x") x = value.value;
@@ -109,7 +109,7 @@ modes = {}
   const project::Project project = test::project(text);
   EXPECT_THAT(model::left_out_notes(project.base().system.description()),
               ElementsAre("point mass m: rotation about x, y, z are held by no element and left out"));
-  const modal::Modes modes = study::answers(project.base(), project.base().analyses).modes;
+  const modal::Modes modes = study::case_results(project.base(), project.base().analyses).modes;
   ASSERT_EQ(modes.list.size(), 3);
   for (const auto& [i, omega] : {std::pair{0, 20.0}, {1, 30.0}, {2, 40.0}})
     EXPECT_THAT(*modes.list[static_cast<std::size_t>(i)].angular_frequency, RelativelyNear(omega, of_solves));
@@ -126,7 +126,7 @@ modes = {}
 TEST(PointMass, IsNotUnphysicalForModalDamping) {
   std::string text = on_a_bar("[damping]\nmodal = 0.02\n[analyses]\nmodes = {}\n");
   text.replace(text.find("inertia ="), 0, "allow_unphysical = true\n");
-  EXPECT_EQ(answers(text).modes.list.size(), 3);
+  EXPECT_EQ(results_of(text).modes.list.size(), 3);
 }
 
 /// The same as a body whose inertia is far too small to matter below its own frequencies.
@@ -138,7 +138,7 @@ TEST(PointMass, IsTheLimitOfASmallInertiaInAStep) {
     std::string text = on_a_bar(in_time);
     for (const char* key : {"xx = 0", "yy = 0", "zz = 0"})
       text.replace(text.find(key), 6, std::string(key).substr(0, 5) + value);
-    const study::Answers found = answers(text);
+    const study::CaseResults found = results_of(text);
     return found.find<study::TransientResult>("transient")->response.curves.front().largest.value;
   };
   constexpr double share_of_inertia = 1e-5;  // of the frequency of the mass, with 1e-6 kg m² beside m L² = 64 kg m²

@@ -47,10 +47,11 @@ model::Element strut(const std::string& name, std::optional<std::size_t> from, s
 struct Case {
   model::System system;
   assembly::Assembled assembled = assembly::assemble(system);
-  response::RandomAnswer answer(const std::string& of, assembly::MotionQuantity quantity,
-                                const response::RandomInput& input, const response::RandomOptions& options = {}) const {
+  response::RandomChannel result(const std::string& of, assembly::MotionQuantity quantity,
+                                 const response::RandomInput& input,
+                                 const response::RandomOptions& options = {}) const {
     const auto channels = assembly::channels(system, assembled, {of}, quantity);
-    return response::random_response(assembled, channels, {{input}, {}}, options).answers.at(0);
+    return response::random_response(assembled, channels, {{input}, {}}, options).channels.at(0);
   }
   assembly::Loading base(int derivative) const {
     model::Action action;
@@ -84,14 +85,14 @@ TEST(MilesEquation, AgreesWithTheFormulaAndItsExactNeighbours) {
   const Case c = oscillator(2.5, 2 * pi * 80, 0.05);
   const response::RandomInput wide{"shaker", c.base(2), flat_hz(0.04 * g * g, 0, 8e8)},
       narrow{"shaker", c.base(2), flat_hz(0.04 * g * g, 20, 2000)};
-  const response::RandomAnswer relative = c.answer("m.relative.z", assembly::MotionQuantity::displacement, wide);
+  const response::RandomChannel relative = c.result("m.relative.z", assembly::MotionQuantity::displacement, wide);
   EXPECT_NEAR(*relative.rms / 0.0002751793829982445, 1, integral_error);
   EXPECT_NEAR(*relative.rms * std::pow(2 * pi * 80, 2) / g / 7.0898154036220635, 1, integral_error);
   EXPECT_NEAR(*relative.zero_crossings / 80, 1, integral_error);  // white noise: the undamped natural frequency
   EXPECT_NEAR(*relative.three_sigma / *relative.rms, 3, last_digit);
-  EXPECT_NEAR(*c.answer("m.z", assembly::MotionQuantity::acceleration, wide).rms / g / 7.125176298310874, 1,
+  EXPECT_NEAR(*c.result("m.z", assembly::MotionQuantity::acceleration, wide).rms / g / 7.125176298310874, 1,
               integral_error);
-  EXPECT_NEAR(*c.answer("m.z", assembly::MotionQuantity::acceleration, narrow).rms / g / 7.066220704474251, 1,
+  EXPECT_NEAR(*c.result("m.z", assembly::MotionQuantity::acceleration, narrow).rms / g / 7.066220704474251, 1,
               integral_error);
 }
 
@@ -161,13 +162,13 @@ TEST(RandomRoad, AQuarterCarOnAClassCRoadAgreesWithItsIntegralByHand) {
     tyre_force += weight * std::norm(car.tyre * (wheel - 1.0));
   }
   const response::RandomInput input{"road", c.base(0), road};
-  EXPECT_NEAR(*c.answer("car.z", assembly::MotionQuantity::acceleration, input).rms / std::sqrt(acceleration), 1,
+  EXPECT_NEAR(*c.result("car.z", assembly::MotionQuantity::acceleration, input).rms / std::sqrt(acceleration), 1,
               truncation);
-  const response::RandomAnswer rattle =
-      c.answer("suspension.deflection.z", assembly::MotionQuantity::displacement, input);
+  const response::RandomChannel rattle =
+      c.result("suspension.deflection.z", assembly::MotionQuantity::displacement, input);
   EXPECT_NEAR(*rattle.rms / std::sqrt(travel), 1, truncation);
   EXPECT_NEAR(*rattle.zero_crossings / (std::sqrt(travel_rate / travel) / (2 * pi)), 1, truncation);
-  EXPECT_NEAR(*c.answer("tyre.force.z", assembly::MotionQuantity::displacement, input).rms / std::sqrt(tyre_force), 1,
+  EXPECT_NEAR(*c.result("tyre.force.z", assembly::MotionQuantity::displacement, input).rms / std::sqrt(tyre_force), 1,
               truncation);
 }
 
@@ -181,8 +182,8 @@ TEST(HumanWeighting, AVeryNarrowBandHasThePublishedFactors) {
   using excitation::Weighting;
   for (const auto& [weighting, factor] : {std::pair{Weighting::Wk, 0.7718}, {Weighting::Wd, 0.1261}})
     for (const auto quantity : {assembly::MotionQuantity::displacement, assembly::MotionQuantity::acceleration}) {
-      const response::RandomAnswer answer = c.answer("seat.z", quantity, input, {.weighted = {{0, weighting}}});
-      EXPECT_NEAR(*answer.weighted_rms / (factor * std::sqrt(2e-5)), 1, printed_digits);
+      const response::RandomChannel result = c.result("seat.z", quantity, input, {.weighted = {{0, weighting}}});
+      EXPECT_NEAR(*result.weighted_rms / (factor * std::sqrt(2e-5)), 1, printed_digits);
     }
 }
 
@@ -203,12 +204,12 @@ TEST(HumanWeighting, AWideBandAgreesWithTheSumOverItsCurve) {
         0.01 / (2 * pi) * std::norm(joint / (joint - omega * omega)) *
         std::norm(excitation::transfer(excitation::Weighting::Wk, omega));
   }
-  const response::RandomAnswer answer =
-      c.answer("m.z", assembly::MotionQuantity::velocity, input, {.weighted = {{0, excitation::Weighting::Wk}}});
-  EXPECT_FALSE(answer.rms);  // a flat acceleration down to 0 Hz has no finite velocity …
-  EXPECT_THAT(answer.reason, testing::HasSubstr("begins at 0 Hz"));
-  ASSERT_TRUE(answer.weighted_rms);  // … but the weighting removes it
-  EXPECT_NEAR(*answer.weighted_rms / std::sqrt(sum), 1, truncation);
+  const response::RandomChannel result =
+      c.result("m.z", assembly::MotionQuantity::velocity, input, {.weighted = {{0, excitation::Weighting::Wk}}});
+  EXPECT_FALSE(result.rms);  // a flat acceleration down to 0 Hz has no finite velocity …
+  EXPECT_THAT(result.reason, testing::HasSubstr("begins at 0 Hz"));
+  ASSERT_TRUE(result.weighted_rms);  // … but the weighting removes it
+  EXPECT_NEAR(*result.weighted_rms / std::sqrt(sum), 1, truncation);
 }
 
 TEST(CriticalDamping, ADoublePoleIsIntegratedWithoutPoles) {
@@ -220,27 +221,27 @@ TEST(CriticalDamping, ADoublePoleIsIntegratedWithoutPoles) {
                                                 {{{"force", c.force(0, 1), excitation::flat_spectrum(1, 0, 1e5)}}, {}});
   EXPECT_EQ(random.method, response::RandomMethod::quadrature);
   EXPECT_FALSE(random.remark.empty());
-  EXPECT_NEAR(*random.answers[0].rms / std::sqrt(pi / 4e3), 1, settled);
+  EXPECT_NEAR(*random.channels[0].rms / std::sqrt(pi / 4e3), 1, settled);
 }
 
 TEST(InfiniteVariance, IsAMissingNumberWithItsReason) {
   const Case undamped = oscillator(1, 10, 0), damped = oscillator(1, 10, 0.1);
-  const response::RandomAnswer resonance =
-      undamped.answer("m.z", assembly::MotionQuantity::displacement,
+  const response::RandomChannel resonance =
+      undamped.result("m.z", assembly::MotionQuantity::displacement,
                       {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 100)});
   EXPECT_FALSE(resonance.rms || resonance.rms_of_derivative || resonance.zero_crossings || resonance.three_sigma);
   EXPECT_THAT(resonance.reason, testing::HasSubstr("undamped natural frequency"));
   // A band below resonance has a finite variance also without damping: ∫₁⁵ dω/(100 − ω²)².
   const auto primitive = [](double w) { return w / (200 * (100 - w * w)) + std::log((10 + w) / (10 - w)) / 4000; };
-  const response::RandomAnswer below =
-      undamped.answer("m.z", assembly::MotionQuantity::displacement,
+  const response::RandomChannel below =
+      undamped.result("m.z", assembly::MotionQuantity::displacement,
                       {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 5)});
   constexpr double round_off = 1e-12;  // of a difference of two closed forms
   EXPECT_NEAR(*below.rms, std::sqrt(primitive(5) - primitive(1)), round_off);
   const response::RandomInput floor{"floor", damped.base(2), excitation::flat_spectrum(1, 0, 100)};
-  EXPECT_FALSE(damped.answer("m.z", assembly::MotionQuantity::displacement, floor).rms);
-  EXPECT_TRUE(damped.answer("m.relative.z", assembly::MotionQuantity::displacement, floor).rms);
-  EXPECT_TRUE(damped.answer("m.z", assembly::MotionQuantity::acceleration, floor).rms);
+  EXPECT_FALSE(damped.result("m.z", assembly::MotionQuantity::displacement, floor).rms);
+  EXPECT_TRUE(damped.result("m.relative.z", assembly::MotionQuantity::displacement, floor).rms);
+  EXPECT_TRUE(damped.result("m.z", assembly::MotionQuantity::acceleration, floor).rms);
 }
 
 }  // namespace random_reference_test

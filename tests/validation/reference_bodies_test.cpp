@@ -64,9 +64,9 @@ translation = [80000, 80000, 300000]
 static = {}
 )";
   const auto project = test::project(text);
-  const study::Answers answers = study::answers(project.base(), project.base().analyses);
+  const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
   const auto found = [&](const std::string& name) {
-    return std::ranges::find_if(answers.statics->values, [&](const auto& v) { return v.name == name; })->value;
+    return std::ranges::find_if(results.statics->values, [&](const auto& v) { return v.name == name; })->value;
   };
   EXPECT_THAT(found("plate.z"), RelativelyNear(-0.0026897977325498093, all_digits));
   EXPECT_THAT(found("plate.rx"), RelativelyNear(0.0017407425956452326, all_digits));

@@ -129,14 +129,14 @@ TEST(Sdld21, HarmonicResponseOfTheDampedChain) {
   const auto project =
       test::project(test::chain(std::vector<double>(8, 10), std::vector<double>(9, 1e5), std::vector<double>(9, 50)) +
                     force_on("m4", 1) + response_at(hertz));
-  const study::Answers answers = study::answers(project.base(), project.base().analyses);
+  const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
   for (std::size_t i = 0; i < hertz.size(); ++i) {
-    const auto found = test::value(*answers.response, "m4.x", to_index(i));
+    const auto found = test::value(*results.response, "m4.x", to_index(i));
     const std::complex<double> published(table[i][1], table[i][2]), exact(table[i][3], table[i][4]);
     EXPECT_LE(std::abs(found - published), published_digits * std::abs(published)) << hertz[i] << " Hz";
     EXPECT_LE(std::abs(found - exact), all_digits * std::abs(exact)) << hertz[i] << " Hz";
   }
-  EXPECT_TRUE(answers.response->deep.passed);
+  EXPECT_TRUE(results.response->deep.passed);
 }
 
 TEST(Sdld313, HystereticDampingWithItsComplexStaticLimit) {
@@ -153,9 +153,9 @@ TEST(Sdld313, HystereticDampingWithItsComplexStaticLimit) {
   for (const auto& row : table) hertz.push_back(row[0]);
   const auto project =
       test::project(test::chain({10, 5}, {28000, 28000}, {}, {0.1, 0}) + force_on("m2", 100) + response_at(hertz));
-  const study::Answers answers = study::answers(project.base(), project.base().analyses);
+  const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
   for (std::size_t i = 0; i < hertz.size(); ++i) {
-    const auto found = test::value(*answers.response, "m2.x", to_index(i));
+    const auto found = test::value(*results.response, "m2.x", to_index(i));
     const std::complex<double> published(table[i][1], table[i][2]), exact(table[i][3], table[i][4]);
     EXPECT_LE(std::abs(found - published), published_digits * std::abs(published)) << hertz[i] << " Hz";
     EXPECT_LE(std::abs(found - exact), all_digits * std::abs(exact)) << hertz[i] << " Hz";
@@ -179,7 +179,7 @@ TEST(Iso7626, ReceptanceMobilityAndAccelerance) {
       const auto project = test::project(
           test::chain({12}, {4e5}, {150}) + force_on("m1", 1) +
           fmt::format("[analyses]\nresponse = {{at = [\"{} Hz\"], quantity = \"{}\"}}\n", row[0], quantity[kind]));
-      const auto found = test::value(*study::answers(project.base(), project.base().analyses).response, "m1.x", 0);
+      const auto found = test::value(*study::case_results(project.base(), project.base().analyses).response, "m1.x", 0);
       const std::complex<double> expected(row[1 + 2 * kind], row[2 + 2 * kind]);
       EXPECT_LE(std::abs(found - expected), round_off * std::abs(expected))
           << quantity[kind] << " at " << row[0] << " Hz";

@@ -142,10 +142,10 @@ TEST(RandomRelativeMotion, HasRmsAndZeroCrossingsOfTheClosedFormFarBelowResonanc
           response::random_response(o.assembled, o.channels({"m.relative.z", "strut.deflection.z"}), {{input}, {}});
       const double displacement = std::sqrt(density * integral(o, from * o.natural, to * o.natural, 0)),
                    velocity = std::sqrt(density * integral(o, from * o.natural, to * o.natural, 1));
-      for (const response::RandomAnswer& answer : found.answers) {
-        ASSERT_TRUE(answer.rms && answer.zero_crossings) << answer.reason;
-        EXPECT_NEAR(*answer.rms, displacement, accuracy * displacement) << from << " … " << to << ", ratio " << ratio;
-        EXPECT_NEAR(*answer.zero_crossings, velocity / displacement / (2 * pi),
+      for (const response::RandomChannel& channel : found.channels) {
+        ASSERT_TRUE(channel.rms && channel.zero_crossings) << channel.reason;
+        EXPECT_NEAR(*channel.rms, displacement, accuracy * displacement) << from << " … " << to << ", ratio " << ratio;
+        EXPECT_NEAR(*channel.zero_crossings, velocity / displacement / (2 * pi),
                     accuracy * velocity / displacement / (2 * pi))
             << from << " … " << to << ", ratio " << ratio;
       }
@@ -157,13 +157,13 @@ TEST(RandomRelativeMotion, AgreesWithMilesFromZeroOn) {
   const Oscillator o(40, 0.02);
   const double density = 0.3, miles = std::sqrt(pi * density / (4 * o.ratio * std::pow(o.natural, 3)));
   const response::RandomInput input{"base", o.base(1), excitation::flat_spectrum(density, 0, 1e3 * o.natural)};
-  const response::RandomAnswer answer =
-      response::random_response(o.assembled, o.channels({"m.relative.z"}), {{input}, {}}).answers.at(0);
-  ASSERT_TRUE(answer.rms && answer.zero_crossings) << answer.reason;
+  const response::RandomChannel channel =
+      response::random_response(o.assembled, o.channels({"m.relative.z"}), {{input}, {}}).channels.at(0);
+  ASSERT_TRUE(channel.rms && channel.zero_crossings) << channel.reason;
   constexpr double above_the_band = 1e-10;          // 4ζ/(3π) (ω₀/1e3 ω₀)³
   constexpr double velocity_above_the_band = 2e-5;  // 4ζ/π · 1e-3, of the square
-  EXPECT_NEAR(*answer.rms, miles, above_the_band * miles);
-  EXPECT_NEAR(*answer.zero_crossings, o.natural / (2 * pi), velocity_above_the_band * o.natural / (2 * pi));
+  EXPECT_NEAR(*channel.rms, miles, above_the_band * miles);
+  EXPECT_NEAR(*channel.zero_crossings, o.natural / (2 * pi), velocity_above_the_band * o.natural / (2 * pi));
 }
 
 TEST(TransientRelativeMotion, KeepsItsDigitsHoweverFarTheGroundDrifts) {

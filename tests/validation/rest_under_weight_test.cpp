@@ -65,7 +65,7 @@ TEST(RestUnderWeight, TiltsACabinetAgainstItsWeight) {
   EXPECT_THAT(rest.at("a.force.z"), RelativelyNear(-(400 * g / 4 + 4.6e4 * 0.25 * tilt), round_off));
 }
 
-TEST(RestUnderWeight, TiltsItByItsMountsAloneAsAsked) {
+TEST(RestUnderWeight, TiltsItByItsMountsAloneAsRequested) {
   const auto rest = at_rest("second_order = false\n" + cabinet + wind("cabinet", 2.2, 200), {"cabinet.ry"});
   EXPECT_THAT(rest.at("cabinet.ry"), RelativelyNear(200 * 2.2 / (4 * 4.6e4 * 0.25 * 0.25), round_off));
 }

@@ -120,7 +120,7 @@ TEST(Weight, SoftensACabinetOnUnequalMountsInBothPlanes) {
     EXPECT_THAT(found, testing::Contains(RelativelyNear(expected, round_off)));
 }
 
-TEST(Weight, IsLeftOutToSecondOrderAsAsked) {
+TEST(Weight, IsLeftOutToSecondOrderAsRequested) {
   const auto [low, high] = swaying(800, 420, 0.8, 24e4, 4 * 5e4 * 0.22 * 0.22 + 800 * g * 0.8);
   EXPECT_THAT(squares("second_order = false\n" + Cabinet{.height = 0.8}.text()),
               testing::Contains(RelativelyNear(low, round_off)));

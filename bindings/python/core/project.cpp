@@ -68,7 +68,7 @@ std::vector<std::pair<std::string, std::string>> analyses() {
   return list;
 }
 
-/// (name, what it answers, has it a case, its keys) of commands that need no method of their own in Python.
+/// (name, what it results, has it a case, its keys) of commands that need no method of their own in Python.
 std::vector<std::tuple<std::string, std::string, bool, std::vector<std::string>>> commands() {
   std::vector<std::tuple<std::string, std::string, bool, std::vector<std::string>>> list;
   for (const engine::Command& command : engine::commands()) {
@@ -125,7 +125,7 @@ void bind_project(nb::module_& module) {
       "read_text", [](const std::string& file) { return value_or_throw(engine::read_source(file)); }, nb::arg("file"),
       "Text of a project file.");
   module.def("path_keys", &engine::path_keys, nb::arg("path"), "Keys of a path; empty if it is none.");
-  module.def("questions", analyses, "(name, what it answers) of every analysis of a case");
+  module.def("analyses", analyses, "(name, what it answers) of every analysis of a case");
   module.def("commands", commands, "(name, what it answers, is it of one case, its keys) of every command");
   module.def("schema", &engine::project_schema, "The JSON Schema of the project file.");
   module.def("starter", &engine::starter_text, "A commented project file to begin with.");

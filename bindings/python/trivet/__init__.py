@@ -10,11 +10,13 @@ Numbers are SI. Names, keys and messages are those of the project file and the c
 """
 
 from trivet import _start
-from trivet._answer import Answer, Curve
+from trivet._result import Curve, Result
 from trivet._core import Problem, schema, starter, version as __version__
 from trivet._errors import InputError, ModelWarning, NotComputable
 from trivet._project import Project, open
 from trivet._study import Matrices, Run, StateSpace, Sweep
+
+Answer = Result  # its older name
 
 __all__ = [
     "Answer",
@@ -25,6 +27,7 @@ __all__ = [
     "NotComputable",
     "Problem",
     "Project",
+    "Result",
     "Run",
     "StateSpace",
     "Sweep",

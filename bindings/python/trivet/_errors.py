@@ -29,7 +29,7 @@ class NotComputable(RuntimeError):
 
 
 class ModelWarning(UserWarning):
-    """Something in the model or in an answer that needs attention."""
+    """Something in the model or in a result that needs attention."""
 
 
 def problem(path: str, value: object, rule: str, remedy: str) -> _core.Problem:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How projects and answers show themselves in notebooks."""
+"""How projects and results show themselves in notebooks."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from typing import TYPE_CHECKING
 from trivet import _tables
 
 if TYPE_CHECKING:
-    from trivet._answer import Answer
+    from trivet._result import Result
     from trivet._project import Project
 
 _most_rows, _most_columns = 20, 14
 
 
-def answer(of: Answer) -> str:
+def result(of: Result) -> str:
     """Warnings on top, then the first table, or the text of the command."""
     case = f" · case {escape(of.case)}" if of.case else ""
-    head = f"<p><b>{escape(of.question)}</b>{case} · {escape(of.project.title)}</p>"
+    head = f"<p><b>{escape(of.analysis)}</b>{case} · {escape(of.project.title)}</p>"
     notices = notice(of.warnings, "#b00020") + notice(of.failures, "#b00020") + notice(of.notes, "#0072b2")
     if not of.tables:
         return head + notices + f"<pre>{escape(of._core.text(of._converted))}</pre>"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of answers: what is drawn (panels of lines), and two ways to draw it."""
+"""Pictures of results: what is drawn (panels of lines), and two ways to draw it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from trivet import _core, _tables
 from trivet._errors import InputError, problem
 
 if TYPE_CHECKING:
-    from trivet._answer import Answer, Curve, Numbers
+    from trivet._result import Result, Curve, Numbers
 
 #: Colours of the report; people with any colour vision tell them apart.
 _colours = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00")
@@ -47,34 +47,34 @@ class Panel:
     phase: bool = False
 
 
-def picture(answer: Answer, names: tuple[str, ...], backend: str) -> Any:
+def picture(result: Result, names: tuple[str, ...], backend: str) -> Any:
     """A figure of the backend."""
     drawers = {"matplotlib": _with_matplotlib, "plotly": _with_plotly}
     if backend not in drawers:
         rule = 'known are "matplotlib" and "plotly"'
         raise InputError([problem("backend", f'"{backend}"', rule, "choose one of them")])
-    panels = _panels(answer, names)
+    panels = _panels(result, names)
     if not panels:
-        remedy = "use .svg()" if answer._core.figures else "use .to_dataframe() or print it"
-        raise InputError([problem(answer.question, "nothing to plot", "the answer has no curves", remedy)])
-    title = answer.project.title + (f" · {answer.case}" if answer.case else "")
+        remedy = "use .svg()" if result._core.figures else "use .to_dataframe() or print it"
+        raise InputError([problem(result.analysis, "nothing to plot", "the result has no curves", remedy)])
+    title = result.project.title + (f" · {result.case}" if result.case else "")
     return drawers[backend](panels, title)
 
 
-def _panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
-    if answer.question == "modes":
-        return _mode_panels(answer)
-    if answer.question == "peaks":
-        return _peak_panels(answer, names)
-    if answer.question == "measurements":
-        return _measurement_panels(answer, names)
-    curves = answer.curves
-    shown = names or [name for name in curves if answer.question != "orders" or name.endswith(" rms")]
+def _panels(result: Result, names: tuple[str, ...]) -> list[Panel]:
+    if result.analysis == "modes":
+        return _mode_panels(result)
+    if result.analysis == "peaks":
+        return _peak_panels(result, names)
+    if result.analysis == "measurements":
+        return _measurement_panels(result, names)
+    curves = result.curves
+    shown = names or [name for name in curves if result.analysis != "orders" or name.endswith(" rms")]
     chosen = [curves[name] for name in shown if name in curves]
-    return _curve_panels(chosen, answer._shown)
+    return _curve_panels(chosen, result._shown)
 
 
-def _curve_panels(curves: list[Curve], shown: _core.ShownUnits) -> list[Panel]:
+def _curve_panels(curves: list[Curve], shown: _core.DisplayUnits) -> list[Panel]:
     groups: dict[tuple[str, str], list[Curve]] = {}
     for curve in curves:
         groups.setdefault((curve.axis, curve.unit), []).append(curve)
@@ -109,7 +109,7 @@ def _angles(panel: Panel) -> tuple[float, float, list[int]]:
     return low - 10, high + 10, list(range(low, high + 1, step))
 
 
-def _amplitude_panel(axis: str, unit: str, curves: list[Curve], shown: _core.ShownUnits) -> Panel:
+def _amplitude_panel(axis: str, unit: str, curves: list[Curve], shown: _core.DisplayUnits) -> Panel:
     x_label, factor = _axis(axis, shown)
     harmonic = any(curve.harmonic for curve in curves)
     word = _level_words[shown.level] if harmonic and unit != "1" else _quantity_words.get(unit, "value")
@@ -135,7 +135,7 @@ def _spans_decades(x: Numbers) -> bool:
     return len(positive) == len(x) > 1 and positive.max() / positive.min() > 50
 
 
-def _axis(axis: str, shown: _core.ShownUnits) -> tuple[str, float]:
+def _axis(axis: str, shown: _core.DisplayUnits) -> tuple[str, float]:
     """Label of an axis, and the factor from SI. Frequencies are in Hz and speeds in rpm, as in the report, unless a
     unit was chosen."""
     if axis in ("angular_frequency", "speed"):
@@ -144,17 +144,17 @@ def _axis(axis: str, shown: _core.ShownUnits) -> tuple[str, float]:
     return f"{_axis_words.get(axis, axis)} [{'s' if axis == 'time' else 'SI'}]", 1.0
 
 
-def _mode_panels(answer: Answer) -> list[Panel]:
-    x_label, factor = _axis("angular_frequency", answer._shown)
-    frequencies = answer.array("angular_frequency") * factor
+def _mode_panels(result: Result) -> list[Panel]:
+    x_label, factor = _axis("angular_frequency", result._shown)
+    frequencies = result.array("angular_frequency") * factor
     numbers = np.arange(1, len(frequencies) + 1)
     return [Panel("mode", x_label, [Line("natural frequency", numbers, frequencies)], marks=True)]
 
 
-def _peak_panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
-    table = {column.name: column.values for column in _tables.shown(_tables.columns(answer.to_csv()), answer._shown)}
-    x_label, factor = _axis("angular_frequency", answer._shown)
-    places = np.asarray(answer.array("angular_frequency"), dtype=float) * factor
+def _peak_panels(result: Result, names: tuple[str, ...]) -> list[Panel]:
+    table = {column.name: column.values for column in _tables.shown(_tables.columns(result.to_csv()), result._shown)}
+    x_label, factor = _axis("angular_frequency", result._shown)
+    places = np.asarray(result.array("angular_frequency"), dtype=float) * factor
     panels = []
     for unit in dict.fromkeys(table["unit"]):
         lines = []
@@ -171,19 +171,19 @@ def _peak_panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
         if lines:
             plain = str(unit).removesuffix(" p-p").removesuffix(" rms")
             panels.append(
-                Panel(x_label, _label(_level_words[answer._shown.level], plain), lines, log_y=True, marks=True)
+                Panel(x_label, _label(_level_words[result._shown.level], plain), lines, log_y=True, marks=True)
             )
     return panels
 
 
-def _measurement_panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
+def _measurement_panels(result: Result, names: tuple[str, ...]) -> list[Panel]:
     """For each measured function its amplitude and phase, and the computed ones."""
-    curves = answer.curves
+    curves = result.curves
     panels = []
-    for channel in answer.array("channel"):
+    for channel in result.array("channel"):
         pair = [curves[f"{channel} measured"], curves[f"{channel} computed"]]
         if not names or any(curve.name in names for curve in pair):
-            panels += _curve_panels(pair, answer._shown)
+            panels += _curve_panels(pair, result._shown)
     return panels
 
 

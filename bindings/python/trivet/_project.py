@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A machine on its springs, checked, with its questions."""
+"""A machine on its springs, checked, with its analyses."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from trivet import _core, _errors, _html
-from trivet._answer import Answer
+from trivet._result import Result
 from trivet._errors import InputError, problem
 from trivet._progress import Progress, shown
-from trivet._questions import Questions
+from trivet._analyses import Analyses
 from trivet._study import Matrices, Run, StateSpace, Sweep
 from trivet._arguments import (
     frequency,
@@ -28,7 +28,7 @@ from trivet._values import key_text, plain, settings_of, toml_text
 from trivet._whole_file import replace_file
 
 
-class Project(Questions):
+class Project(Analyses):
     """A checked project. It does not change: `changed` gives another one. Two projects are equal if their content is.
 
     Project(bodies={"machine": {"mass": 12.5, …}}, elements={…}, …) takes the tables of the project file; `open` reads
@@ -134,21 +134,21 @@ class Project(Questions):
         case: str,
         threads: int,
         progress: Progress | bool | None,
-    ) -> Answer:
+    ) -> Result:
         require_case_and_threads(case, threads)
-        asked = self._with_keys(command, keys)
+        changed = self._with_keys(command, keys)
         with shown(progress) as callback:
-            return asked._answer(asked._inner.ask(command, case, own, threads, callback))
+            return changed._result(changed._inner.ask(command, case, own, threads, callback))
 
-    def _with_keys(self, question: str, keys: dict[str, Any]) -> Project:
+    def _with_keys(self, analysis: str, keys: dict[str, Any]) -> Project:
         """The project with other keys of one analysis."""
         if not keys:
             return self
-        return self.changed({f"analyses.{question}.{key_text(_key(key))}": value for key, value in keys.items()})
+        return self.changed({f"analyses.{analysis}.{key_text(_key(key))}": value for key, value in keys.items()})
 
-    def _answer(self, core: _core.Answer) -> Answer:
+    def _result(self, core: _core.Result) -> Result:
         _errors.warn(core.warnings)
-        return Answer(core, self)
+        return Result(core, self)
 
     def map(
         self,
@@ -158,44 +158,44 @@ class Project(Questions):
         threads: int = 0,
         progress: Progress | bool | None = None,
         **keys: Any,
-    ) -> Answer:
+    ) -> Result:
         """Map of the requirements over two parameters: [analyses.map]. points: designs along both axes instead of those
         of the file. Other keywords replace its keys."""
         require_case_and_threads(case, threads)
         size = {} if points is None else {"points": _points(points)}
-        asked = self._with_keys("map", keys)
+        changed = self._with_keys("map", keys)
         with shown(progress) as callback:
-            return asked._answer(asked._inner.ask("map", case, size, threads, callback))
+            return changed._result(changed._inner.ask("map", case, size, threads, callback))
 
     def select(
         self, *, most: int = 10, by: str = "margin", threads: int = 0, progress: Progress | bool | None = None
-    ) -> Answer:
+    ) -> Result:
         """The mounts of a catalogue with the largest least margin, or of those that meet every requirement the first by
         "price", "mass" or "isolation"; `best` is the project with them."""
         require_case_and_threads("", threads)
         most = whole_number("most", most)
         with shown(progress) as callback:
-            return self._answer(self._inner.ask("select", "", {"most": most, "by": by}, threads, callback))
+            return self._result(self._inner.ask("select", "", {"most": most, "by": by}, threads, callback))
 
-    def optimize(self, *, threads: int = 0, progress: Progress | bool | None = None, **keys: Any) -> Answer:
+    def optimize(self, *, threads: int = 0, progress: Progress | bool | None = None, **keys: Any) -> Result:
         """The values of [parameters] with the largest least margin, or the smallest amplitudes: [analyses.optimize].
         `best` is the project with them."""
         require_case_and_threads("", threads)
-        asked = self._with_keys("optimize", keys)
+        changed = self._with_keys("optimize", keys)
         with shown(progress) as callback:
-            return asked._answer(asked._inner.ask("optimize", "", {}, threads, callback))
+            return changed._result(changed._inner.ask("optimize", "", {}, threads, callback))
 
-    def verdict(self, *, threads: int = 0, progress: Progress | bool | None = None) -> Answer:
+    def verdict(self, *, threads: int = 0, progress: Progress | bool | None = None) -> Result:
         """Is every requirement met in every case, which one governs, and by what margin?"""
         require_case_and_threads("", threads)
         with shown(progress) as callback:
-            return self._answer(self._inner.ask("verdict", "", {}, threads, callback))
+            return self._result(self._inner.ask("verdict", "", {}, threads, callback))
 
-    def check(self, *, deep: bool = False, threads: int = 0, progress: Progress | bool | None = None) -> Answer:
+    def check(self, *, deep: bool = False, threads: int = 0, progress: Progress | bool | None = None) -> Result:
         """All checks of the data; with `deep` two independent solvers are compared."""
         require_case_and_threads("", threads)
         with shown(progress) as callback:
-            return self._answer(self._inner.ask("check", "", {"deep": bool(deep)}, threads, callback))
+            return self._result(self._inner.ask("check", "", {"deep": bool(deep)}, threads, callback))
 
     def explain(
         self,
@@ -205,12 +205,12 @@ class Project(Questions):
         case: str = "",
         threads: int = 0,
         progress: Progress | bool | None = None,
-    ) -> Answer:
+    ) -> Result:
         """Causes of each resonance peak, and the parameters that change it. of: results; by default those of `peaks`."""
         require_case_and_threads(case, threads)
         names, most = text_list("of", of), whole_number("most", most)
         with shown(progress) as callback:
-            return self._answer(self._inner.ask("explain", case, {"of": names, "most": most}, threads, callback))
+            return self._result(self._inner.ask("explain", case, {"of": names, "most": most}, threads, callback))
 
     def suspension(
         self,
@@ -219,7 +219,7 @@ class Project(Questions):
         excitations: Iterable[float | str] = (),
         case: str = "",
         progress: Progress | bool | None = None,
-    ) -> Answer:
+    ) -> Result:
         """Elastic centre, roll axes, decoupling and frequency separation. torques: moments, body axes. excitations:
         frequencies to compare with the natural ones, in rad/s or with units."""
         require_case_and_threads(case, 0)
@@ -228,7 +228,7 @@ class Project(Questions):
             "excitation": [frequency(f) for f in items("excitations", excitations)],
         }
         with shown(progress) as callback:
-            return self._answer(self._inner.ask("suspension", case, keys, 0, callback))
+            return self._result(self._inner.ask("suspension", case, keys, 0, callback))
 
     def element(
         self,
@@ -238,19 +238,19 @@ class Project(Questions):
         case: str = "",
         threads: int = 0,
         progress: Progress | bool | None = None,
-    ) -> Answer:
+    ) -> Result:
         """One element: its 12×12, checks, energy, and a comparison with three springs in its place."""
         require_case_and_threads(case, threads)
         require_text("name", name)
         with shown(progress) as callback:
-            return self._answer(self._inner.ask("element", case, {"name": name, "all": bool(all)}, threads, callback))
+            return self._result(self._inner.ask("element", case, {"name": name, "all": bool(all)}, threads, callback))
 
     def run(self, folder: str | os.PathLike[str], *, threads: int = 0, progress: Progress | bool | None = None) -> Run:
         """All analyses of the file in all cases: tables, pictures, results.json and report.html in a folder."""
         require_case_and_threads("", threads)
         with shown(progress) as callback:
             core = self._inner.ask("run", "", {"output": os.fspath(folder)}, threads, callback)
-        return Run(pathlib.Path(folder), {one.case: self._answer(one) for one in core.cases})
+        return Run(pathlib.Path(folder), {one.case: self._result(one) for one in core.cases})
 
     def export(
         self,
@@ -262,10 +262,10 @@ class Project(Questions):
         threads: int = 0,
         progress: Progress | bool | None = None,
     ) -> list[str]:
-        """Writes matrices and answers in a file of another program, and returns what that format loses.
+        """Writes matrices and results in a file of another program, and returns what that format loses.
 
         to: one of "matlab", "universal", "universal_binary", "nastran", "numpy", "hdf5", "excel", "fmu", "fmu3",
-        "matrix_market", "csv"; by default by the ending of the path. what: "matrices" and names of questions; by default
+        "matrix_market", "csv"; by default by the ending of the path. what: "matrices" and names of analyses; by default
         what the format and the file have."""
         target = os.fspath(path)
         format_name = to or _formats_by_ending.get(pathlib.Path(target).suffix.lower(), "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results that are not answers of a command: a whole run, matrices, a sweep over designs."""
+"""Results that are not results of a command: a whole run, matrices, a sweep over designs."""
 
 from __future__ import annotations
 
@@ -19,29 +19,29 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-    from trivet._answer import Answer
+    from trivet._result import Result
 
 Real = npt.NDArray[np.float64]
 
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """A result folder, and the answers of each case ("" is the base model)."""
+    """A result folder, and the results of each case ("" is the base model)."""
 
     folder: pathlib.Path
-    cases: dict[str, Answer]
+    cases: dict[str, Result]
 
     @property
     def report(self) -> pathlib.Path:
         return self.folder / "report.html"
 
     def __str__(self) -> str:
-        return "\n".join(str(answer) for answer in self.cases.values())
+        return "\n".join(str(result) for result in self.cases.values())
 
     def _repr_html_(self) -> str:
         notices = "".join(
-            _html.notice(answer.warnings, "#b00020") + _html.notice(answer.failures, "#b00020")
-            for answer in self.cases.values()
+            _html.notice(result.warnings, "#b00020") + _html.notice(result.failures, "#b00020")
+            for result in self.cases.values()
         )
         return f"<p>Report: {self.report}</p>{notices}"
 

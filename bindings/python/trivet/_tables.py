@@ -56,7 +56,7 @@ def _typed(fields: list[str]) -> list[float | int | None] | list[str]:
         return fields
 
 
-def shown(table: list[Column], units: _core.ShownUnits) -> list[Column]:
+def shown(table: list[Column], units: _core.DisplayUnits) -> list[Column]:
     """The same columns in the units and the level in which numbers are shown. Where units are in a column of their own,
     each row is converted."""
     by_name = {column.name: column.values for column in table}
@@ -94,7 +94,7 @@ class _Row:
     harmonic: bool
     frequency: bool
 
-    def shown(self, units: _core.ShownUnits) -> tuple[str, float]:
+    def shown(self, units: _core.DisplayUnits) -> tuple[str, float]:
         if self.frequency:
             return units.axis()
         unit, factor = units.unit(self.unit)
@@ -112,7 +112,7 @@ def _has_amplitudes(table: list[Column]) -> bool:
     return any(column.name.endswith(("amplitude", "measured re")) for column in table)
 
 
-def with_level(unit: str, si_unit: str, units: _core.ShownUnits) -> tuple[str, float]:
+def with_level(unit: str, si_unit: str, units: _core.DisplayUnits) -> tuple[str, float]:
     """The unit of a harmonic quantity with the level that it has, "mil p-p", and the factor of the level. Ratios have
     no level."""
     if si_unit in ("1", ""):
@@ -120,7 +120,7 @@ def with_level(unit: str, si_unit: str, units: _core.ShownUnits) -> tuple[str, f
     return unit + {"peak_to_peak": " p-p", "rms": " rms"}.get(units.level, ""), units.level_factor
 
 
-def _shown_column(column: Column, rows: list[_Row], units: _core.ShownUnits) -> Column:
+def _shown_column(column: Column, rows: list[_Row], units: _core.DisplayUnits) -> Column:
     if column.name == "unit" and rows:
         return Column("unit", "", [row.shown(units)[0] for row in rows])
     if all(isinstance(value, str) for value in column.values):
@@ -137,7 +137,7 @@ def _shown_column(column: Column, rows: list[_Row], units: _core.ShownUnits) -> 
     return Column(column.name, unit, [_times(value, factor) for value in column.values])
 
 
-def _unit_of_column(column: Column, units: _core.ShownUnits) -> tuple[str, float]:
+def _unit_of_column(column: Column, units: _core.DisplayUnits) -> tuple[str, float]:
     """Unit and factor. A number in rad/s is a frequency unless its column is a result, "machine.rx re"."""
     if column.unit == "rad/s" and "." not in column.name:
         return units.axis()

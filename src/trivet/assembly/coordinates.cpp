@@ -53,16 +53,16 @@ Loading following(const Ground& ground, const Loading& loading) {
   return result;
 }
 
-std::vector<AnsweredTogether> by_coordinates(const Ground& ground, const std::vector<Channel>& channels,
-                                             const Loading& loading) {
-  AnsweredTogether in_space{{}, {}, loading}, relative{{}, {}, loading};
+std::vector<ChannelGroup> by_coordinates(const Ground& ground, const std::vector<Channel>& channels,
+                                         const Loading& loading) {
+  ChannelGroup in_space{{}, {}, loading}, relative{{}, {}, loading};
   bool drifts = !loading.motion.vanishes() && loading.motion.lowest_power() < 0;
   if (drifts) {
     relative.loading = following(ground, loading);
     drifts = follows(ground, relative.loading.motion);
   }
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    AnsweredTogether& group = drifts && is_relative(ground, channels[c], relative.loading.motion) ? relative : in_space;
+    ChannelGroup& group = drifts && is_relative(ground, channels[c], relative.loading.motion) ? relative : in_space;
     group.which.push_back(c);
     group.channels.push_back(channels[c]);
   }

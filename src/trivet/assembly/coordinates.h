@@ -21,7 +21,7 @@ namespace trivet::assembly {
 [[nodiscard]] Loading following(const Ground& ground, const Loading& loading);
 
 /// Channels that are computed in the same coordinates, with the loading for these.
-struct AnsweredTogether {
+struct ChannelGroup {
   std::vector<std::size_t> which;  ///< indices in the list of all channels, ascending
   std::vector<Channel> channels;
   Loading loading;
@@ -30,11 +30,11 @@ struct AnsweredTogether {
 /// Groups the channels if the ground is given by its velocity or acceleration, so that its displacement is unbounded at
 /// rest: relative motions, deflections and forces in coordinates relative to the ground, the others in space. At most
 /// two groups; one if this makes no difference.
-[[nodiscard]] std::vector<AnsweredTogether> by_coordinates(const Ground& ground, const std::vector<Channel>& channels,
-                                                           const Loading& loading);
+[[nodiscard]] std::vector<ChannelGroup> by_coordinates(const Ground& ground, const std::vector<Channel>& channels,
+                                                       const Loading& loading);
 
-/// Curves of channels and the given ground motion, without the motions that no curve contains. Bounded at rest if only
-/// those are unbounded.
+/// Curves of channels and the given ground motion, without ground motions that no curve uses, so that the curves stay
+/// finite at ω = 0.
 struct GivenCurves {
   numerics::Load given;
   std::vector<numerics::ObservedCurve> curves;

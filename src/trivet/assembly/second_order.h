@@ -67,7 +67,7 @@ struct SecondOrderForms {
 };
 [[nodiscard]] SecondOrderForms second_order_forms(const model::System& system, const Assembled& first);
 
-/// Does the model ask for it: is there a weight?
+/// Does the model need it: is there a weight?
 [[nodiscard]] bool has_second_order(const model::System& system);
 
 }  // namespace trivet::assembly

@@ -86,7 +86,7 @@ DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::
          amplitude ? amplitude_words(channel.name, rule.allowed, channel.unit) : "no peak of " + channel.name});
   }
   if (options.fast) fit_family(variant);
-  else report_.no_family = "as asked";
+  else report_.no_family = "as requested";
 }
 
 /// @param form  plain_design or driven_design
@@ -230,17 +230,17 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
 }
 
 std::size_t DesignEvaluation::channel_of(const std::string& name, assembly::MotionQuantity quantity) {
-  for (std::size_t i = 0; i < answers_.size(); ++i)
-    if (answers_[i].name == name && answers_[i].quantity == quantity) return i;
-  answers_.push_back({name, quantity});
-  return answers_.size() - 1;
+  for (std::size_t i = 0; i < channels_.size(); ++i)
+    if (channels_[i].name == name && channels_[i].quantity == quantity) return i;
+  channels_.push_back({name, quantity});
+  return channels_.size() - 1;
 }
 
 std::vector<assembly::Channel> DesignEvaluation::channels(const model::System& system,
                                                           const assembly::Assembled& assembled) const {
   std::vector<assembly::Channel> result;
-  for (const Answer& answer : answers_)
-    result.push_back(assembly::channels(system, assembled, {answer.name}, answer.quantity).front());
+  for (const NamedChannel& channel : channels_)
+    result.push_back(assembly::channels(system, assembled, {channel.name}, channel.quantity).front());
   return result;
 }
 
@@ -277,13 +277,13 @@ JudgedDesign DesignEvaluation::judged_design(const model::System& system) const 
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   const modal::Roots roots = modal::roots(system, assembled, modes);
-  const std::vector<assembly::Channel> asked = channels(system, assembled);
+  const std::vector<assembly::Channel> requested = channels(system, assembled);
   const assembly::Loading loading = assembly::harmonic_loading(system, assembled, request_.excitations);
   const double search_to = std::isfinite(set_.band.to) ? set_.band.to : 0;
   JudgedDesign result;
-  result.peaks = response::peaks(assembled, asked, loading, modes, roots,
+  result.peaks = response::peaks(assembled, requested, loading, modes, roots,
                                  {.min_prominence = set_.min_prominence, .search_to = search_to});
-  result.rules = rule_values(assembled, asked, loading, result.peaks, set_);
+  result.rules = rule_values(assembled, requested, loading, result.peaks, set_);
   for (std::size_t r = 0; r < set_.rules.size(); ++r)
     result.margins.push_back(margin(set_.rules[r], result.rules.values[r]));
   result.governing = governing(result.margins);

@@ -48,7 +48,7 @@ class DesignEvaluation {
   [[nodiscard]] const EvaluationReport& report() const { return report_; }
 
  private:
-  struct Answer {
+  struct NamedChannel {
     std::string name;
     assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   };
@@ -72,7 +72,7 @@ class DesignEvaluation {
   const project::MapRequest& request_;
   EvaluationOptions options_;
   project::ModelNumber x_, y_;
-  std::vector<Answer> answers_;
+  std::vector<NamedChannel> channels_;
   std::vector<MapRule> rules_;
   RuleSet set_;
   std::optional<DesignFamily<PlainDesign>> plain_family_;

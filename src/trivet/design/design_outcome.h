@@ -12,7 +12,7 @@ namespace trivet::design {
 /// One rule of a map, as shown to the user.
 struct MapRule {
   DesignRule::Kind kind = DesignRule::Kind::amplitude;
-  std::string answer;            ///< "aggregate.rz"
+  std::string channel;           ///< "aggregate.rz"
   std::string unit;              ///< SI unit of the result
   double allowed = 0;            ///< amplitude [SI], or relative prominence
   std::string words;             ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"

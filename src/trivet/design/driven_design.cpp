@@ -97,7 +97,7 @@ DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
   if (loading.longest_delay() > 0) return {{}, "motions with delays"};
   DrivenDesign design{m.A, m.B, m.K, m.lossy() ? m.K_loss : Eigen::MatrixXd::Zero(n, n), {}, {}};
   design.curves.resize(channels.size());
-  for (const assembly::AnsweredTogether& group : assembly::by_coordinates(assembled.ground, channels, loading)) {
+  for (const assembly::ChannelGroup& group : assembly::by_coordinates(assembled.ground, channels, loading)) {
     const assembly::GivenCurves given = assembly::given_curves(group.channels, group.loading.motion);
     Terms& load = design.loads.emplace_back();
     const numerics::Load side = assembly::right_side(assembled, group.loading);

@@ -31,7 +31,7 @@ struct DrivenDesign {
   std::vector<Curve> curves;
 };
 
-/// @param within_band  only the highest values in a finite band are asked for: results may grow towards high
+/// @param within_band  only the highest values in a finite band are requested: results may grow towards high
 /// frequencies
 [[nodiscard]] DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
                                                          const std::vector<assembly::Channel>& channels,

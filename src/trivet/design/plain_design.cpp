@@ -78,10 +78,10 @@ DesignOrReason<PlainDesign> plain_design(const assembly::Assembled& assembled,
   const auto load = real_load(loading.force);
   if (!load) return {{}, "forces of different phases"};
   PlainDesign design{m.A, m.B, m.K, *load, {}, {}, {}};
-  const auto answers = to_index(channels.size());
-  design.rows = Eigen::MatrixXd::Zero(answers, m.size());
+  const auto channel_count = to_index(channels.size());
+  design.rows = Eigen::MatrixXd::Zero(channel_count, m.size());
   design.rows_on_velocity = design.rows;
-  for (Eigen::Index c = 0; c < answers; ++c) {
+  for (Eigen::Index c = 0; c < channel_count; ++c) {
     const assembly::Channel& channel = channels[c];
     const bool other = !channel.dynamic_forces.empty() || !channel.on_displacement.imag().isZero(0) ||
         (channel.on_acceleration.size() > 0 && !channel.on_acceleration.isZero(0));

@@ -112,7 +112,7 @@ const Part* part_with_file(const std::vector<Part>& parts, const std::string& fi
 
 std::string as_csv(const Document& document, const std::string& file) {
   const Part* part = part_with_file(document.parts, file);
-  if (!part) throw foundation::InvalidInput("the answer has no table \"" + file + "\"");
+  if (!part) throw foundation::InvalidInput("the result has no table \"" + file + "\"");
   if (const auto* table = std::get_if<Table>(&part->content)) return csv_rows(*table);
   return csv_curves(std::get<Curves>(part->content));
 }

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "trivet/documents/table.h"
-#include "trivet/project/text/shown_units.h"
+#include "trivet/project/text/display_units.h"
 
-/// An answer, described once for all forms (docs/decisions/documents.md).
+/// A result, described once for all forms (docs/decisions/documents.md).
 namespace trivet::documents {
 
 /// A column of a curve in CSV: its heading and which real number of a complex one.
@@ -82,7 +82,7 @@ struct Part {
   std::variant<Table, Curves, Single, Words, Sentence, Group> content;
 };
 
-/// The parts of an answer in their order.
+/// The parts of a result in their order.
 struct Document {
   std::vector<Part> parts;
   template <typename Content>
@@ -91,13 +91,14 @@ struct Document {
   }
 };
 
-/// The five forms. Documents are views of answers, which must outlive them and their arrays.
+/// The five forms. Documents are views of results, which must outlive them and their arrays.
 [[nodiscard]] Json as_json(const Document& document);
 /// The table or curves with this file name. @throws foundation::InvalidInput if there is none
 [[nodiscard]] std::string as_csv(const Document& document, const std::string& file);
 void add_arrays(const Document& document, LabelledArrays& list);
 /// @param form  on_screen or in_summary
-[[nodiscard]] std::string as_text(const Document& document, const project::ShownUnits& display, Form form = on_screen);
-[[nodiscard]] std::string as_html(const Document& document, const project::ShownUnits& display);
+[[nodiscard]] std::string as_text(const Document& document, const project::DisplayUnits& display,
+                                  Form form = on_screen);
+[[nodiscard]] std::string as_html(const Document& document, const project::DisplayUnits& display);
 
 }  // namespace trivet::documents

@@ -18,7 +18,7 @@ const char* style_of(Mark mark) {
   return mark == Mark::bad ? "failed" : mark == Mark::minor ? "minor" : mark == Mark::doubt ? "unjudged" : "";
 }
 
-std::string html_of(const Table& table, const project::ShownUnits& display) {
+std::string html_of(const Table& table, const project::DisplayUnits& display) {
   const ShownTable shown = shown_table(table, display, on_page);
   if (shown.headings.empty()) return "";
   if (shown.rows.empty()) return table.without_rows.empty() ? "" : hint(table.without_rows);
@@ -38,7 +38,7 @@ std::string html_of(const Table& table, const project::ShownUnits& display) {
 
 class Page {
  public:
-  explicit Page(const project::ShownUnits& display) : display_(display) {}
+  explicit Page(const project::DisplayUnits& display) : display_(display) {}
 
   void operator()(const Table& table) {
     if (table.forms & on_page) add(html_of(table, display_));
@@ -68,13 +68,13 @@ class Page {
     html_ += html;
   }
 
-  const project::ShownUnits& display_;
+  const project::DisplayUnits& display_;
   std::string html_, items_;
 };
 
 }  // namespace
 
-std::string as_html(const Document& document, const project::ShownUnits& display) {
+std::string as_html(const Document& document, const project::DisplayUnits& display) {
   Page page(display);
   for (const Part& part : document.parts) std::visit(page, part.content);
   return page.html();

@@ -81,20 +81,20 @@ std::string percent_words(double share) {
 
 Cell percent_cell(double share) { return right(std::isfinite(share) ? percent_words(share) : "∞"); }
 
-Cell frequency_cell(double angular_frequency, const project::ShownUnits& display) {
+Cell frequency_cell(double angular_frequency, const project::DisplayUnits& display) {
   return number_cell(shown_frequency(display, angular_frequency), 5);
 }
 
-Cell frequency_cell_heading(const std::string& words, const project::ShownUnits& display) {
+Cell frequency_cell_heading(const std::string& words, const project::DisplayUnits& display) {
   return right(words + " [" + frequency_unit(display) + "]");
 }
 
-void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::ShownUnits& display) {
+void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::DisplayUnits& display) {
   for (const std::string& unit : frequency_units(display))
     row.push_back(aligned_cell(shown_frequency(display, angular_frequency, unit), 6));
 }
 
-void add_frequency_headings(std::vector<Cell>& row, const project::ShownUnits& display) {
+void add_frequency_headings(std::vector<Cell>& row, const project::DisplayUnits& display) {
   for (const std::string& unit : frequency_units(display)) row.push_back(right(frequency_heading(display, unit)));
 }
 

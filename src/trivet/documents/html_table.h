@@ -44,11 +44,11 @@ struct Row {
 [[nodiscard]] Cell percent_cell(double share);
 [[nodiscard]] std::string percent_words(double share);
 /// ω in rad/s as a frequency, by default in Hz; and a heading: "at [Hz]".
-[[nodiscard]] Cell frequency_cell(double angular_frequency, const project::ShownUnits& display);
-[[nodiscard]] Cell frequency_cell_heading(const std::string& words, const project::ShownUnits& display);
+[[nodiscard]] Cell frequency_cell(double angular_frequency, const project::DisplayUnits& display);
+[[nodiscard]] Cell frequency_cell_heading(const std::string& words, const project::DisplayUnits& display);
 /// ω in rad/s and as a frequency in Hz, two cells, or one cell in the unit of the display; and their headings.
-void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::ShownUnits& display);
-void add_frequency_headings(std::vector<Cell>& row, const project::ShownUnits& display);
+void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::DisplayUnits& display);
+void add_frequency_headings(std::vector<Cell>& row, const project::DisplayUnits& display);
 /// "✓ ok" or "✗ FAILED".
 [[nodiscard]] Cell verdict_cell(bool passed, const std::string& yes = "ok", const std::string& no = "FAILED");
 /// A verdict that is missing: "? not judged".

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] std::string text(const Json& json, int indent = -1);
 
 /// A list of numbers, null where one is not finite. It is written as text at once: a value for each of the millions of
-/// numbers of a large answer would take most of a command's time.
+/// numbers of a large result would take most of a command's time.
 class NumberList {
  public:
   void add(double value);

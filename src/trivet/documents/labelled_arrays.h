@@ -17,11 +17,11 @@
 #include <variant>
 #include <vector>
 
-/// The numbers of answers as arrays with names, units and axes: for Python and for files of other programs. Names are
+/// The numbers of results as arrays with names, units and axes: for Python and for files of other programs. Names are
 /// those of the CSV tables and of docs/json.md:
 /// - A curve has the name of its result ("machine.z"); further curves of it have a word after a blank ("machine.z
 ///   phase", "machine.z density", "machine.z order 2"), as has what the user names freely ("LINE margin").
-/// - The first table of an answer has plain names ("amplitude"). Those of a further one begin with its axis:
+/// - The first table of a result has plain names ("amplitude"). Those of a further one begin with its axis:
 ///   "result.highest" over the axis "result". Neither has a blank or is ever the name of a result, which ends in ".x",
 ///   ".rz" or another component.
 /// - Yes and no are 1 and 0. NaN: there is no such number.
@@ -40,7 +40,7 @@ struct LabelledArray {
   std::vector<std::size_t> shape;       ///< one size per axis
   std::vector<std::ptrdiff_t> strides;  ///< one per axis, in numbers
   std::variant<const double*, const std::complex<double>*, std::vector<std::string>> values;
-  std::shared_ptr<const void> owner = {};  ///< of the numbers; empty: the answer, which must outlive the array
+  std::shared_ptr<const void> owner = {};  ///< of the numbers; empty: the result, which must outlive the array
   bool harmonic = false;                   ///< amplitudes of harmonic quantities, which have a level; or their units
 
   [[nodiscard]] std::size_t size() const;
@@ -52,7 +52,7 @@ struct LabelledArray {
   [[nodiscard]] const std::vector<std::string>& texts() const { return std::get<std::vector<std::string>>(values); }
 };
 
-/// Arrays in the order in which they are added. `view` and `field` refer to numbers of the answer and copy nothing.
+/// Arrays in the order in which they are added. `view` and `field` refer to numbers of the result and copy nothing.
 class LabelledArrays {
  public:
   [[nodiscard]] const std::vector<LabelledArray>& list() const { return list_; }

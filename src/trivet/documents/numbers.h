@@ -13,7 +13,7 @@
 
 namespace trivet::documents {
 
-/// A list of real or complex numbers that belong to an answer: a view without a copy, except of temporary ones.
+/// A list of real or complex numbers that belong to a result: a view without a copy, except of temporary ones.
 class Numbers {
  public:
   Numbers() = default;  ///< no list, which is not the same as an empty one

@@ -11,12 +11,12 @@
 
 namespace trivet::documents {
 
-DisplayUnit display_unit(const project::ShownUnits& display, const std::string& si_unit) {
+DisplayUnit display_unit(const project::DisplayUnits& display, const std::string& si_unit) {
   const project::ShownUnit shown = project::shown_unit(display, si_unit);
   return {shown.unit, "", shown.factor, shown.unit == si_unit};
 }
 
-DisplayUnit amplitude_unit(const project::ShownUnits& display, const std::string& si_unit) {
+DisplayUnit amplitude_unit(const project::DisplayUnits& display, const std::string& si_unit) {
   DisplayUnit shown = display_unit(display, si_unit);
   if (si_unit == "1") return shown;
   shown.factor *= project::level_factor(display.level);
@@ -30,7 +30,7 @@ const char* level_words(project::Level level) {
   return level == project::Level::rms ? "rms" : "zero-to-peak";
 }
 
-std::string sentence_note(const project::ShownUnits& display) {
+std::string sentence_note(const project::DisplayUnits& display) {
   return display.level == project::Level::amplitude ? "" : " (Amplitudes in this sentence are zero-to-peak.)";
 }
 
@@ -68,20 +68,20 @@ double LargestOfKind::shown(const std::string& si_unit, double value) const {
   return without_round_off(value, largest);
 }
 
-std::string frequency_unit(const project::ShownUnits& display, const std::string& usual) {
+std::string frequency_unit(const project::DisplayUnits& display, const std::string& usual) {
   return display.frequency.empty() ? usual : display.frequency;
 }
 
-double shown_frequency(const project::ShownUnits& display, double omega, const std::string& usual) {
+double shown_frequency(const project::DisplayUnits& display, double omega, const std::string& usual) {
   if (!display.frequency.empty()) return omega * project::shown_frequency(display).factor;
   return usual == "Hz" ? omega / foundation::two_pi : omega;
 }
 
-std::vector<std::string> frequency_units(const project::ShownUnits& display) {
+std::vector<std::string> frequency_units(const project::DisplayUnits& display) {
   return display.frequency.empty() ? std::vector<std::string>{"rad/s", "Hz"} : std::vector{display.frequency};
 }
 
-std::string frequency_heading(const project::ShownUnits& display, const std::string& usual) {
+std::string frequency_heading(const project::DisplayUnits& display, const std::string& usual) {
   const std::string unit = frequency_unit(display, usual);
   return (unit == "rad/s" ? "ω [" : "f [") + unit + "]";
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/project/text/shown_units.h"
+#include "trivet/project/text/display_units.h"
 
 /// Numbers as tables and pictures show them: in the units of [display], by default as computed.
 namespace trivet::documents {
@@ -15,18 +15,18 @@ struct DisplayUnit {
   std::string unit;   ///< "in"
   std::string level;  ///< " p-p" or " rms" of a harmonic quantity; empty: zero-to-peak, or not harmonic
   double factor = 1;
-  bool si = true;  ///< the unit is that of the answer, so it may get an SI prefix
+  bool si = true;  ///< the unit is that of the result, so it may get an SI prefix
   [[nodiscard]] std::string label() const { return unit + level; }
 };
 
 /// For values at rest, in time, root mean squares and dimensions.
-[[nodiscard]] DisplayUnit display_unit(const project::ShownUnits& display, const std::string& si_unit);
+[[nodiscard]] DisplayUnit display_unit(const project::DisplayUnits& display, const std::string& si_unit);
 /// For amplitudes of harmonic quantities, and for limits on them. Ratios (unit "1") stay.
-[[nodiscard]] DisplayUnit amplitude_unit(const project::ShownUnits& display, const std::string& si_unit);
+[[nodiscard]] DisplayUnit amplitude_unit(const project::DisplayUnits& display, const std::string& si_unit);
 /// "zero-to-peak", "peak-to-peak" or "rms".
 [[nodiscard]] const char* level_words(project::Level level);
 /// Note on sentences that have amplitudes in SI, with a blank before it; empty if these are zero-to-peak as the rest.
-[[nodiscard]] std::string sentence_note(const project::ShownUnits& display);
+[[nodiscard]] std::string sentence_note(const project::DisplayUnits& display);
 /// A factor 10^(3n) that brings `largest` near 1 … 1000, and the resulting unit: 0.01 m → 1000, "mm". Only newtons and
 /// watts get larger units.
 struct UnitPrefix {
@@ -39,7 +39,7 @@ struct UnitPrefix {
 /// An SI value with its shown unit; SI units get prefixes: "0.5 mm", "0.02 in p-p".
 [[nodiscard]] std::string value_text(double value, const DisplayUnit& shown);
 
-/// The largest number of each kind in one answer, with which round-off is told from data: a number below 1e-12 of the
+/// The largest number of each kind in one result, with which round-off is told from data: a number below 1e-12 of the
 /// largest is shown as 0, without a prefix. Rotations and moments are also compared with translations and forces at a
 /// lever of 1 m, because a machine may have no other rotation than round-off.
 class LargestOfKind {
@@ -53,12 +53,13 @@ class LargestOfKind {
 };
 
 /// Unit of a frequency. @param usual  without one in [display]: "rad/s" or "Hz"
-[[nodiscard]] std::string frequency_unit(const project::ShownUnits& display, const std::string& usual = "Hz");
+[[nodiscard]] std::string frequency_unit(const project::DisplayUnits& display, const std::string& usual = "Hz");
 /// A frequency in that unit. @param omega  [rad/s]
-[[nodiscard]] double shown_frequency(const project::ShownUnits& display, double omega, const std::string& usual = "Hz");
+[[nodiscard]] double shown_frequency(const project::DisplayUnits& display, double omega,
+                                     const std::string& usual = "Hz");
 /// Units of the columns of a table that has ω and f: "rad/s" and "Hz", or the one of [display].
-[[nodiscard]] std::vector<std::string> frequency_units(const project::ShownUnits& display);
+[[nodiscard]] std::vector<std::string> frequency_units(const project::DisplayUnits& display);
 /// "ω [rad/s]", "f [Hz]"
-[[nodiscard]] std::string frequency_heading(const project::ShownUnits& display, const std::string& usual = "Hz");
+[[nodiscard]] std::string frequency_heading(const project::DisplayUnits& display, const std::string& usual = "Hz");
 
 }  // namespace trivet::documents

@@ -17,7 +17,7 @@ namespace {
 
 bool has_own_unit(Kind kind) { return kind == Kind::quantity || kind == Kind::amplitude; }
 
-DisplayUnit display_unit_of(Kind kind, const std::string& si_unit, const project::ShownUnits& display) {
+DisplayUnit display_unit_of(Kind kind, const std::string& si_unit, const project::DisplayUnits& display) {
   return kind == Kind::amplitude ? amplitude_unit(display, si_unit) : display_unit(display, si_unit);
 }
 
@@ -33,7 +33,7 @@ double number_or_nothing(const Json& value) { return value.is_number() ? value.g
 
 class Writing {
  public:
-  Writing(const Table& table, const project::ShownUnits& display, Form form)
+  Writing(const Table& table, const project::DisplayUnits& display, Form form)
       : table_(table), display_(display), columns_(used_columns(table, table.people, form)) {
     std::erase_if(columns_,
                   [&](const UsedColumn& used) { return used.column->heading.empty() || !(used.column->forms & form); });
@@ -148,7 +148,7 @@ class Writing {
   }
 
   const Table& table_;
-  const project::ShownUnits& display_;
+  const project::DisplayUnits& display_;
   std::vector<UsedColumn> columns_;
   std::vector<std::size_t> rows_;
   std::map<const Column*, UnitPrefix> common_units_;
@@ -157,7 +157,7 @@ class Writing {
 
 }  // namespace
 
-ShownTable shown_table(const Table& table, const project::ShownUnits& display, Form form) {
+ShownTable shown_table(const Table& table, const project::DisplayUnits& display, Form form) {
   return Writing(table, display, form).shown();
 }
 
@@ -165,7 +165,7 @@ std::string fixed_digits(double value, int digits) {
   return std::isfinite(value) ? aligned_number(value, digits) : number_text(value);
 }
 
-std::string shown_quantity(const Quantity& quantity, const project::ShownUnits& display) {
+std::string shown_quantity(const Quantity& quantity, const project::DisplayUnits& display) {
   const auto number = [&](double value) { return number_text(value, quantity.digits); };
   switch (quantity.kind) {
     case Kind::share:
@@ -187,7 +187,7 @@ std::string shown_quantity(const Quantity& quantity, const project::ShownUnits& 
   return number(quantity.value * prefix.factor) + " " + prefix.unit;
 }
 
-std::string shown_sentence(const Sentence& sentence, const project::ShownUnits& display) {
+std::string shown_sentence(const Sentence& sentence, const project::DisplayUnits& display) {
   std::string text;
   for (const auto& part : sentence.parts)
     text += std::holds_alternative<Quantity>(part) ? shown_quantity(std::get<Quantity>(part), display)

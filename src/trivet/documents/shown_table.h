@@ -18,13 +18,13 @@ struct ShownTable {
   std::vector<bool> numbers;  ///< right-aligned columns
   std::vector<Row> rows;
 };
-[[nodiscard]] ShownTable shown_table(const Table& table, const project::ShownUnits& display, Form form);
+[[nodiscard]] ShownTable shown_table(const Table& table, const project::DisplayUnits& display, Form form);
 
 /// A number with so many significant digits, zeros at the end included; "–" for NaN, "∞".
 [[nodiscard]] std::string fixed_digits(double value, int digits);
 
 /// A number in a sentence with its unit: "12.5 Hz", "0.3 mm p-p".
-[[nodiscard]] std::string shown_quantity(const Quantity& quantity, const project::ShownUnits& display);
-[[nodiscard]] std::string shown_sentence(const Sentence& sentence, const project::ShownUnits& display);
+[[nodiscard]] std::string shown_quantity(const Quantity& quantity, const project::DisplayUnits& display);
+[[nodiscard]] std::string shown_sentence(const Sentence& sentence, const project::DisplayUnits& display);
 
 }  // namespace trivet::documents

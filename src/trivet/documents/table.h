@@ -78,7 +78,7 @@ enum class Mark { plain, bad, minor, doubt };
 struct Table {
   std::string key = {};      ///< of the list in JSON; empty: not in JSON
   std::string axis = {};     ///< of the arrays; empty: no arrays
-  bool plain_names = false;  ///< arrays are called "amplitude", not "peak.amplitude": the first table of an answer
+  bool plain_names = false;  ///< arrays are called "amplitude", not "peak.amplitude": the first table of a result
   bool counted = true;       ///< the axis has the coordinates 1, 2, …, unless an array has its name
   std::string file = {};     ///< of CSV: "peaks.csv"; empty: no CSV
   std::string title = {};    ///< for people
@@ -105,7 +105,7 @@ template <typename T>
 }
 
 /// Makes columns of a list of rows: a column is a member of a row, or computed of it or of its index. The list is part
-/// of the answer, which outlives the columns, or kept by them.
+/// of the result, which outlives the columns, or kept by them.
 template <typename Row>
 class Rows {
  public:

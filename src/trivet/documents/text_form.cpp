@@ -11,7 +11,7 @@
 namespace trivet::documents {
 namespace {
 
-std::string text_of(const Table& table, const project::ShownUnits& display, Form form) {
+std::string text_of(const Table& table, const project::DisplayUnits& display, Form form) {
   const ShownTable shown = shown_table(table, display, form);
   if (shown.headings.empty()) return "";
   if (shown.rows.empty()) return table.without_rows.empty() ? "" : table.without_rows + "\n";
@@ -24,7 +24,7 @@ std::string text_of(const Table& table, const project::ShownUnits& display, Form
 }
 
 struct Printing {
-  const project::ShownUnits& display;
+  const project::DisplayUnits& display;
   Form form;
   std::string& text;
 
@@ -45,7 +45,7 @@ struct Printing {
 
 }  // namespace
 
-std::string as_text(const Document& document, const project::ShownUnits& display, Form form) {
+std::string as_text(const Document& document, const project::DisplayUnits& display, Form form) {
   std::string text;
   for (const Part& part : document.parts) std::visit(Printing{display, form, text}, part.content);
   return text;

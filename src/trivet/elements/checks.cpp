@@ -95,13 +95,13 @@ double entry_round_off(const Matrix12& matrix, double arm, int i, int j) {
 }  // namespace
 
 Eigen::Matrix<double, 12, 6> turned_preload(const Vector12& preload, const Eigen::Matrix3d& n_from_k) {
-  Eigen::Matrix<double, 12, 6> asked = Eigen::Matrix<double, 12, 6>::Zero();
+  Eigen::Matrix<double, 12, 6> required = Eigen::Matrix<double, 12, 6>::Zero();
   for (int j = 0; j < 3; ++j) {
     const Eigen::Vector3d in_k = Eigen::Vector3d::Unit(j), in_n = n_from_k * in_k;
-    asked.col(3 + j) << in_n.cross(preload.segment<3>(0)), 0.5 * in_n.cross(preload.segment<3>(3)),
+    required.col(3 + j) << in_n.cross(preload.segment<3>(0)), 0.5 * in_n.cross(preload.segment<3>(3)),
         in_k.cross(preload.segment<3>(6)), 0.5 * in_k.cross(preload.segment<3>(9));
   }
-  return asked;
+  return required;
 }
 
 MatrixVerdict examine(const Matrix12& matrix, const Eigen::Matrix<double, 12, 6>& rigid,

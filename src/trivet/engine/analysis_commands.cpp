@@ -11,20 +11,20 @@
 #include "trivet/engine/solved_cases.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/judging/suspicions.h"
+#include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/analyses/analysis_types.h"
-#include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/text/admissible_range.h"
-#include "trivet/results/format/written_answers.h"
-#include "trivet/study/analyses/answers.h"
-#include "trivet/study/analyses/asked_questions.h"
+#include "trivet/results/format/written_results.h"
+#include "trivet/study/analyses/analysis_commands.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::engine {
 namespace {
 
 using foundation::InvalidInput;
 
-std::shared_ptr<project::SteadyQuestion> steady_of(const project::Analyses& analyses) {
-  return std::make_shared<project::SteadyQuestion>(*analyses.find<project::SteadyQuestion>("steady"));
+std::shared_ptr<project::SteadyAnalysis> steady_of(const project::Analyses& analyses) {
+  return std::make_shared<project::SteadyAnalysis>(*analyses.find<project::SteadyAnalysis>("steady"));
 }
 
 void set_band(const Task& task, project::Analyses& analyses) {
@@ -41,7 +41,7 @@ void set_band(const Task& task, project::Analyses& analyses) {
 
 /// The analysis of the file, or one with defaults, with the keys of the request in place of those of the file.
 project::Analyses with_keys(const Task& task) {
-  project::Analyses analyses = study::asked_question(task.command.name).asked(task.variant);
+  project::Analyses analyses = study::analysis_command(task.command.name).request(task.variant);
   const std::string& name = task.command.name;
   if (name == "modes" && task.keys.has("lowest")) analyses.lowest_modes = task.keys.count("lowest");
   if (name == "response" && task.keys.has("at")) {
@@ -60,7 +60,7 @@ project::Analyses with_keys(const Task& task) {
                          "over = \"load_factor\" from the file");
     steady->harmonics_at = task.keys.frequencies("at");
   }
-  analyses.questions["steady"] = steady;
+  analyses.by_name["steady"] = steady;
   return analyses;
 }
 
@@ -69,8 +69,8 @@ Result run_analysis(const Task& task) {
   const project::Case& variant = task.variant;
   const project::Analyses analyses = with_keys(task);
   const bool whole_model = !project::lowest_modes_suffice(analyses);
-  study::Answers found =
-      study::answers(variant, analyses, task.progress, whole_model ? task.solved.of(variant) : nullptr);
+  study::CaseResults found =
+      study::case_results(variant, analyses, task.progress, whole_model ? task.solved.of(variant) : nullptr);
   if (task.command.name == "response" && task.keys.has("band"))
     found.warnings.add(judging::doubts_about_band(variant, *analyses.response->band));
   found.warnings = without_unused(*task.project, found.warnings);
@@ -79,17 +79,17 @@ Result run_analysis(const Task& task) {
   const auto held = hold(task, std::move(found));
   Result result;
   add_notices(held->found, result);
-  result.json = writer([held, name, &variant] { return results::answer_json(name, variant, held->found); });
-  result.text = writer([held, name, &variant] { return results::answer_text(name, variant, held->found); });
-  result.text_in = [held, name, &variant](const project::ShownUnits& display) {
-    study::Answers shown = held->found;
+  result.json = writer([held, name, &variant] { return results::result_json(name, variant, held->found); });
+  result.text = writer([held, name, &variant] { return results::result_text(name, variant, held->found); });
+  result.text_in = [held, name, &variant](const project::DisplayUnits& display) {
+    study::CaseResults shown = held->found;
     shown.display = display;
-    return results::answer_text(name, with_display(variant, display), shown);
+    return results::result_text(name, with_display(variant, display), shown);
   };
-  for (const results::AnswerTable& table : results::answer_tables(name))
+  for (const results::ResultTable& table : results::result_tables(name))
     result.tables.emplace_back(table.file,
                                writer([held, csv = table.csv, &variant] { return csv(variant, held->found); }));
-  result.arrays = [held, name, &variant] { return results::answer_arrays(name, variant, held->found); };
+  result.arrays = [held, name, &variant] { return results::result_arrays(name, variant, held->found); };
   result.held = held;
   return result;
 }
@@ -132,7 +132,7 @@ std::vector<std::string> examples_of(const std::string& name) {
 
 }  // namespace
 
-project::Case with_display(project::Case variant, const project::ShownUnits& display) {
+project::Case with_display(project::Case variant, const project::DisplayUnits& display) {
   variant.display = display;
   return variant;
 }
@@ -146,7 +146,7 @@ foundation::Problems without_unused(const project::Project& project, const found
   return kept;
 }
 
-void add_notices(const study::Answers& found, Result& result) {
+void add_notices(const study::CaseResults& found, Result& result) {
   result.warnings = found.warnings;
   result.failures = found.failures;
   for (const auto* notes : {&found.free_motions, &found.notes})
@@ -157,7 +157,7 @@ void add_notices(const study::Answers& found, Result& result) {
 
 std::vector<Command> analysis_commands() {
   std::vector<Command> rows;
-  for (const study::AskedQuestion& analysis : study::asked_questions())
+  for (const study::AnalysisCommand& analysis : study::analysis_commands())
     rows.push_back({.name = analysis.name,
                     .about = analysis.about,
                     .group = group_of(analysis.name),

@@ -57,7 +57,7 @@ struct Task {
   const struct Command& command;
   std::shared_ptr<const project::Project> project;
   const std::vector<std::string>& settings;  ///< changes of the file that the project was read with
-  const project::Case& variant;              ///< the case that was asked for, or the base model
+  const project::Case& variant;              ///< the case that was requested, or the base model
   const KeyReader& keys;
   const Request& request;
   const foundation::Progress& progress;

@@ -36,14 +36,14 @@ template <typename Text>
 }
 
 /// The case with other units of its tables.
-[[nodiscard]] project::Case with_display(project::Case variant, const project::ShownUnits& display);
+[[nodiscard]] project::Case with_display(project::Case variant, const project::DisplayUnits& display);
 
 /// Warnings without those about analyses of the file, which concern no single command.
 [[nodiscard]] foundation::Problems without_unused(const project::Project& project,
                                                   const foundation::Problems& warnings);
 
 /// The parts of `run` and of the single analyses that are the same: warnings, notes, failures, findings.
-void add_notices(const study::Answers& found, Result& result);
+void add_notices(const study::CaseResults& found, Result& result);
 
 [[nodiscard]] Key picture_key(const std::string& drawn);
 [[nodiscard]] Key write_key(const std::string& best);

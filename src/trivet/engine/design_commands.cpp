@@ -20,7 +20,7 @@
 #include "trivet/results/design/optimization_results.h"
 #include "trivet/results/design/selection_results.h"
 #include "trivet/results/design/verdict_results.h"
-#include "trivet/results/format/written_answers.h"
+#include "trivet/results/format/written_results.h"
 #include "trivet/study/optimize/design_front.h"
 #include "trivet/study/optimize/optimization.h"
 #include "trivet/study/select/mount_selection.h"
@@ -51,7 +51,7 @@ Result verdict(const Task& task) {
   result.complete = std::ranges::all_of(cases, [](const study::CaseVerdict& one) { return one.not_judged() == 0; });
   result.json = writer([held] { return results::verdict_json(held->found); });
   result.text = writer([held] { return results::verdict_text(held->found); });
-  result.text_in = [held](const project::ShownUnits& display) {
+  result.text_in = [held](const project::DisplayUnits& display) {
     study::Verdict shown = held->found;
     for (study::CaseVerdict& one : shown.cases) one.display = display;
     shown.envelope.display = display;
@@ -83,7 +83,7 @@ study::MapOptions map_sizes(const Task& task) {
   return options;
 }
 
-study::Answers computed_maps(const Task& task) {
+study::CaseResults computed_maps(const Task& task) {
   const project::Case& variant = task.variant;
   if (!variant.analyses.map)
     throw InvalidInput(
@@ -91,9 +91,9 @@ study::Answers computed_maps(const Task& task) {
         "no_peak = \"coordinates\"} to [analyses]");
   const study::MapOptions sizes = map_sizes(task);
   const project::MapRequest& request = *variant.analyses.map;
-  project::Analyses asked;
-  asked.map = request;
-  study::Answers found = study::notices(variant, asked, task.solved.of(variant));
+  project::Analyses requested;
+  requested.map = request;
+  study::CaseResults found = study::notices(variant, requested, task.solved.of(variant));
   found.map_pairs = study::design_maps(*task.project, variant, request, sizes, task.progress);
   if (found.map_pairs.empty()) found.map = study::design_map(*task.project, variant, request, sizes, task.progress);
   return found;
@@ -102,7 +102,7 @@ study::Answers computed_maps(const Task& task) {
 Result map(const Task& task) {
   const project::Case& variant = task.variant;
   const auto held = hold(task, computed_maps(task));
-  const study::Answers& found = held->found;
+  const study::CaseResults& found = held->found;
   Result result;
   result.warnings = without_unused(*task.project, found.warnings);
   if (found.map) result.warnings.add(found.map->warnings);
@@ -114,7 +114,7 @@ Result map(const Task& task) {
     if (held->found.map) results::write_map_json(*held->found.map, warnings, sink);
     else results::write_map_pairs_json(held->found.map_pairs, warnings, sink);
   };
-  result.text = writer([held, &variant] { return results::answer_text("map", variant, held->found); });
+  result.text = writer([held, &variant] { return results::result_text("map", variant, held->found); });
   result.tables.emplace_back("map.csv", [held](const Sink& sink) {
     if (held->found.map) results::write_map_csv(*held->found.map, sink);
     else results::write_map_pairs_csv(held->found.map_pairs, sink);
@@ -124,20 +124,20 @@ Result map(const Task& task) {
                                                         : report::map_matrix_figure(held->found.map_pairs, title))
                                     .svg;
                               }));
-  result.arrays = [held, &variant] { return results::answer_arrays("map", variant, held->found); };
+  result.arrays = [held, &variant] { return results::result_arrays("map", variant, held->found); };
   result.held = held;
   return result;
 }
 
 /// Changes that a search may make: the first mount of each choice, and numbers to the middle of their ranges.
-std::vector<project::Node> trial_changes(const project::Analyses& asked, bool numbers) {
+std::vector<project::Node> trial_changes(const project::Analyses& requested, bool numbers) {
   const project::OptimizeRequest request =
-      numbers ? asked.optimize.value_or(project::OptimizeRequest()) : project::OptimizeRequest();
+      numbers ? requested.optimize.value_or(project::OptimizeRequest()) : project::OptimizeRequest();
   std::vector<project::Node> changes;
-  for (const project::MountChoice& choice : asked.choices)
+  for (const project::MountChoice& choice : requested.choices)
     if (request.varies(choice.name) && !choice.mounts.empty()) changes.push_back(project::change_of(choice, 0));
   if (!numbers) return changes;
-  for (const project::DesignAxis& axis : asked.parameters)
+  for (const project::DesignAxis& axis : requested.parameters)
     if (constexpr double middle = 0.5; request.varies(axis.name))
       changes.push_back(project::ModelNumber(axis).change(axis.at(middle)));
   return changes;
@@ -147,13 +147,14 @@ std::vector<project::Node> trial_changes(const project::Analyses& asked, bool nu
 std::function<bool()> end_of_search(const Task& task) {
   using Clock = std::chrono::steady_clock;
   const auto limit = task.keys.seconds("time-limit");
-  return [asked = task.request.ends_search, limit, start = Clock::now()] {
-    return (asked && asked()) || (limit && std::chrono::duration<double>(Clock::now() - start).count() > *limit);
+  return [requested = task.request.ends_search, limit, start = Clock::now()] {
+    return (requested && requested()) ||
+        (limit && std::chrono::duration<double>(Clock::now() - start).count() > *limit);
   };
 }
 
 Result optimum(const Task& task, const NewProjectFile& file) {
-  study::Answers found;
+  study::CaseResults found;
   found.optimization = std::make_shared<const study::Optimization>(
       study::optimization(*task.project, task.progress, end_of_search(task)));
   const auto held = hold(task, std::move(found));
@@ -174,7 +175,7 @@ Result optimum(const Task& task, const NewProjectFile& file) {
         written;
   });
   result.held = held;
-  result.arrays = [held, &base = task.variant] { return results::answer_arrays("optimize", base, held->found); };
+  result.arrays = [held, &base = task.variant] { return results::result_arrays("optimize", base, held->found); };
   result.tables.emplace_back("optimum.csv",
                              writer([held] { return results::optimization_csv(*held->found.optimization); }));
   return result;
@@ -184,7 +185,7 @@ Result front(const Task& task, const NewProjectFile& file) {
   if (task.keys.has("time-limit"))
     throw InvalidInput(task.keys.written("time-limit") +
                        ": a front is computed as a whole; take fewer points or starts");
-  study::Answers found;
+  study::CaseResults found;
   found.front = std::make_shared<const study::DesignFront>(study::design_front(*task.project, task.progress));
   const auto held = hold(task, std::move(found));
   const study::DesignFront& computed = *held->found.front;
@@ -204,7 +205,7 @@ Result front(const Task& task, const NewProjectFile& file) {
         results::front_settings(shown, chosen) + written;
   });
   result.held = held;
-  result.arrays = [held, &base = task.variant] { return results::answer_arrays("optimize", base, held->found); };
+  result.arrays = [held, &base = task.variant] { return results::result_arrays("optimize", base, held->found); };
   result.tables.emplace_back("optimum.csv", writer([held] { return results::front_csv(*held->found.front); }));
   if (computed.objectives.size() == 2)
     result.figures.emplace_back("front.svg", writer([held, title = task.project->title] {

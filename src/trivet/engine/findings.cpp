@@ -28,9 +28,9 @@ void Findings::add(const study::CaseVerdict& judged) {
     (result.value ? violated_ : unknown_) += judged.decides && !result.met();
 }
 
-void Findings::add(const study::Answers& results) {
+void Findings::add(const study::CaseResults& results) {
   add(results.warnings);
-  for (const study::LimitAnswer& limit : results.limits) exceeded_ += !limit.met;
+  for (const study::LimitResult& limit : results.limits) exceeded_ += !limit.met;
   for (const study::LimitLineResult& line : results.limit_lines) exceeded_ += !line.comparison.met();
   if (results.verdict) add(*results.verdict);
   if (results.map) add(*results.map);

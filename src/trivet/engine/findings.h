@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::engine {
 
@@ -18,7 +18,7 @@ class Findings {
  public:
   void add(const foundation::Problems& warnings);
   /// Limits, limit lines, a map, a verdict and the warnings of one case.
-  void add(const study::Answers& results);
+  void add(const study::CaseResults& results);
   /// A case that violates a rule or could not be computed, or no feasible design at all.
   void add(const study::DesignMap& map);
   /// Requirements that are violated or could not be judged, if the design has to meet them in this case.

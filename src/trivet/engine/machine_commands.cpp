@@ -9,7 +9,7 @@
 #include "trivet/engine/command_rows.h"
 #include "trivet/engine/key_reader.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/project/questions.h"
+#include "trivet/project/analysis_filter.h"
 #include "trivet/report/figures/element_picture.h"
 #include "trivet/results/design/explanation_results.h"
 #include "trivet/results/model/check_text.h"
@@ -24,9 +24,9 @@ using foundation::InvalidInput;
 
 /// The note that requirements are judged by `verdict`; empty if the file has nothing to judge.
 std::string judged_by_verdict(const project::Project& project) {
-  const project::Analyses& asked = project.base().analyses;
+  const project::Analyses& request = project.base().analyses;
   const bool clearances = !project.base().system.description().clearances.empty();
-  if (!asked.requirements && !clearances && asked.limits.empty() && asked.limit_lines.empty()) return "";
+  if (!request.requirements && !clearances && request.limits.empty() && request.limit_lines.empty()) return "";
   return fmt::format("Not judged here: requirements{} and limits, in all cases. Judge them by: trivet verdict {}\n",
                      clearances ? ", clearances" : "", project.source);
 }
@@ -51,7 +51,7 @@ Result check(const Task& task) {
       fmt::format("{}: no errors{}\n", task.project->source,
                   result.warnings.list().empty() ? "" : ", but there are warnings");
   result.text = writer([held, closing] { return check_text(held->found) + closing; });
-  result.text_in = [held, closing](const project::ShownUnits& display) {
+  result.text_in = [held, closing](const project::DisplayUnits& display) {
     std::vector<study::CaseCheck> shown = held->found;
     for (study::CaseCheck& one : shown) one.display = display;
     return check_text(shown) + closing;
@@ -80,14 +80,14 @@ Result suspension(const Task& task) {
     if (!(omega > 0) || !std::isfinite(omega))
       throw InvalidInput(fmt::format("{}: {} rad/s; a frequency of excitation is > 0 and finite",
                                      task.keys.written("excitation"), omega));
-  study::SuspensionAnswer found = study::suspension(variant, task.keys.directions("torque"), excitations);
+  study::SuspensionResult found = study::suspension(variant, task.keys.directions("torque"), excitations);
   found.warnings = without_unused(*task.project, found.warnings);
   const auto held = hold(task, std::move(found));
   Result result;
   result.warnings = held->found.warnings;
   result.json = writer([held, &variant] { return results::suspension_json(variant, held->found); });
   result.text = writer([held, &variant] { return results::suspension_text(variant, held->found); });
-  result.text_in = [held, &variant](const project::ShownUnits& display) {
+  result.text_in = [held, &variant](const project::DisplayUnits& display) {
     return results::suspension_text(with_display(variant, display), held->found);
   };
   result.tables.emplace_back("suspension.csv",
@@ -143,7 +143,7 @@ Result element(const Task& task) {
   result.json = writer([held, &variant, number] {
     return results::element_json(variant, number, held->found.summary, held->found.simple);
   });
-  result.text_in = [held, number, &variant](const project::ShownUnits& display) {
+  result.text_in = [held, number, &variant](const project::DisplayUnits& display) {
     return results::element_text(with_display(variant, display), number, held->found.summary) +
         (held->found.simple ? "\n" + results::simplification_text(*held->found.simple) : "");
   };

@@ -11,7 +11,7 @@
 #include "trivet/documents/labelled_arrays.h"
 #include "trivet/engine/findings.h"
 #include "trivet/foundation/problems.h"
-#include "trivet/project/text/shown_units.h"
+#include "trivet/project/text/display_units.h"
 
 namespace trivet::engine {
 
@@ -43,7 +43,7 @@ struct Result {
   Writer json = {};
   Writer text = {};
   /// The text with the units of another [display]; empty: it has no units that can change.
-  std::function<std::string(const project::ShownUnits& display)> text_in = {};
+  std::function<std::string(const project::DisplayUnits& display)> text_in = {};
   NamedWriters tables = {};   ///< "random.csv", CSV; --csv prints the first
   NamedWriters figures = {};  ///< "front.svg", SVG
   std::function<documents::LabelledArrays()> arrays = {};

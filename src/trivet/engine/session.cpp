@@ -12,7 +12,7 @@
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/judging/read_project.h"
-#include "trivet/project/questions.h"
+#include "trivet/project/analysis_filter.h"
 #include "trivet/project/rewritten_project.h"
 #include "trivet/project/text/source_file.h"
 #include "trivet/results/files/whole_file.h"
@@ -24,18 +24,18 @@ namespace {
 using foundation::InvalidInput;
 
 /// The part of a file that a request looks at.
-project::Questions looked_at(const Request* request) {
+project::AnalysisFilter looked_at(const Request* request) {
   const Command* command = request ? find_command(request->command) : nullptr;
   if (!command || command->all_tables) return {};
-  project::Questions questions{command->looks_at, {}, {}, 0};
-  if (command->of_one_case) questions.of_case = request->case_name;
+  project::AnalysisFilter filter{command->looks_at, {}, {}, 0};
+  if (command->of_one_case) filter.of_case = request->case_name;
   if (command->is_analysis) {
-    questions.command = command->name;
+    filter.command = command->name;
     const auto lowest = std::ranges::find(request->keys, "lowest", [](const auto& key) { return key.first; });
     foundation::Problems wrong;  // reported when the request is asked
-    if (lowest != request->keys.end()) questions.lowest_modes = KeyReader(*command, *request, wrong).count("lowest");
+    if (lowest != request->keys.end()) filter.lowest_modes = KeyReader(*command, *request, wrong).count("lowest");
   }
-  return questions;
+  return filter;
 }
 
 const project::Case& case_of(const project::Project& project, const std::string& name, const std::string& before_keys) {

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "trivet/foundation/problems.h"
-#include "trivet/project/text/shown_units.h"
+#include "trivet/project/text/display_units.h"
 
 /// Units of numbers that are given to, or shown by, a program around the engine.
 namespace trivet::engine {
 
-using DisplayUnits = project::ShownUnits;
+using DisplayUnits = project::DisplayUnits;
 
 /// Other units of tables and pictures: {"length", "in"}, {"level", "rms"} …; all wrong ones at once.
 [[nodiscard]] foundation::Expected<DisplayUnits> changed_units(

@@ -11,7 +11,7 @@
 #include "trivet/results/design/study_summary.h"
 #include "trivet/results/design/verdict_results.h"
 #include "trivet/results/design/verdict_words.h"
-#include "trivet/results/format/written_answers.h"
+#include "trivet/results/format/written_results.h"
 #include "trivet/results/model/project_json.h"
 
 namespace trivet::engine {
@@ -21,13 +21,13 @@ using HeldStudy = std::shared_ptr<const Held<report::WrittenStudy>>;
 
 Result case_result(const HeldStudy& held, std::size_t number) {
   const project::Case& variant = held->project->cases[number];
-  const study::Answers& found = held->found.answers[number];
+  const study::CaseResults& found = held->found.results[number];
   Result result;
   result.command = "run";
   result.case_name = variant.name;
   result.title = held->project->title;
   add_notices(found, result);
-  result.text = writer([held, &variant, &found] { return results::answers_summary(variant, found); });
+  result.text = writer([held, &variant, &found] { return results::results_summary(variant, found); });
   result.json = writer([held, &variant, &found] { return results::case_results_json(*held->project, variant, found); });
   return result;
 }
@@ -40,10 +40,10 @@ std::string case_heading(const project::Case& variant) {
 
 std::string verdicts_text(const report::WrittenStudy& study) {
   std::string text;
-  for (const study::Answers& one : study.answers)
+  for (const study::CaseResults& one : study.results)
     if (one.verdict) text += results::verdict_summary(*one.verdict);
   const study::Envelope& envelope = study.envelope;
-  if (study.answers.front().verdict) text += (envelope.rows.empty() ? "" : "\n") + results::envelope_text(envelope);
+  if (study.results.front().verdict) text += (envelope.rows.empty() ? "" : "\n") + results::envelope_text(envelope);
   return text.empty() ? text : text + "\n";
 }
 
@@ -55,11 +55,11 @@ Result run(const Task& task) {
   for (std::size_t i = 0; i < task.project->cases.size(); ++i) {
     result.cases.push_back(case_result(held, i));
     result.complete = result.complete && result.cases.back().complete;
-    result.findings.add(held->found.answers[i]);
+    result.findings.add(held->found.results[i]);
   }
   const bool full = task.keys.flag("full");
   result.text = [held, folder, full, cases = result.cases](const Sink& sink) {
-    sink(results::study_summary(*held->project, held->found.answers));
+    sink(results::study_summary(*held->project, held->found.results));
     if (full) sink(verdicts_text(held->found));
     for (std::size_t i = 0; full && i < cases.size(); ++i)
       sink(case_heading(held->project->cases[i]) + preface(cases[i]) + whole(cases[i].text) + "\n");
@@ -117,7 +117,7 @@ std::vector<Command> whole_commands() {
                  .short_name = "o"},
                 {.name = "what",
                  .kind = KeyKind::text,
-                 .about = "matrices and questions, as in matrices,modes,response; default: what the format and the "
+                 .about = "matrices and analyses, as in matrices,modes,response; default: what the format and the "
                           "file have"}},
        .json = false,
        .warnings = WarningsPlace::within,

@@ -8,8 +8,8 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/results/analyses/study_arrays.h"
-#include "trivet/results/format/written_answers.h"
-#include "trivet/study/analyses/asked_questions.h"
+#include "trivet/results/format/written_results.h"
+#include "trivet/study/analyses/analysis_commands.h"
 
 namespace trivet::exports {
 namespace {
@@ -18,20 +18,20 @@ constexpr const char* of_matrices = "matrices";
 
 std::vector<std::string> known_names() {
   std::vector<std::string> names = {of_matrices};
-  for (const study::AskedQuestion& question : study::asked_questions()) names.emplace_back(question.name);
+  for (const study::AnalysisCommand& analysis : study::analysis_commands()) names.emplace_back(analysis.name);
   return names;
 }
 
-/// What the file asks for, and the modes.
-std::vector<std::string> asked_in(const project::Analyses& asked) {
+/// What the file requests, and the modes.
+std::vector<std::string> requested_in(const project::Analyses& request) {
   std::vector<std::string> names = {of_matrices, "modes"};
-  if (asked.roots) names.emplace_back("roots");
-  if (asked.response) names.emplace_back("response");
-  if (asked.peaks) names.emplace_back("peaks");
-  if (asked.static_of) names.emplace_back("static");
-  for (const auto& [name, question] : asked.questions) names.push_back(name);
-  if (!asked.limit_lines.empty()) names.emplace_back("limit_lines");
-  if (!asked.measurements.empty()) names.emplace_back("measurements");
+  if (request.roots) names.emplace_back("roots");
+  if (request.response) names.emplace_back("response");
+  if (request.peaks) names.emplace_back("peaks");
+  if (request.static_of) names.emplace_back("static");
+  for (const auto& [name, analysis] : request.by_name) names.push_back(name);
+  if (!request.limit_lines.empty()) names.emplace_back("limit_lines");
+  if (!request.measurements.empty()) names.emplace_back("measurements");
   return names;
 }
 
@@ -39,16 +39,16 @@ Group matrices(const project::Case& variant, std::vector<std::string>& notes) {
   const auto found = std::make_shared<const study::SystemMatrices>(study::system_matrices(variant));
   if (!found->exact)
     notes.emplace_back(
-        "elements depend on frequency: B and K are those of their nearest linear system, the answers are exact");
+        "elements depend on frequency: B and K are those of their nearest linear system, the results are exact");
   return {of_matrices, results::matrix_arrays(*found), nullptr, found};
 }
 
-Group answer(const project::Case& variant, const std::string& question, const project::Analyses& asked,
-             const foundation::Progress& progress) {
-  const auto found = std::make_shared<const study::Answers>(study::answers(variant, asked, progress));
-  const bool only_beside = question == "response" && found->response;
+Group result_group(const project::Case& variant, const std::string& analysis, const project::Analyses& request,
+                   const foundation::Progress& progress) {
+  const auto found = std::make_shared<const study::CaseResults>(study::case_results(variant, request, progress));
+  const bool only_beside = analysis == "response" && found->response;
   if (!found->failures.empty() && !only_beside) throw foundation::NotComputable(found->failures.front());
-  return {question, results::answer_arrays(question, variant, *found), found, found};
+  return {analysis, results::result_arrays(analysis, variant, *found), found, found};
 }
 
 std::string left_out(const std::string& name, const std::string& reason) {
@@ -79,26 +79,26 @@ std::string Content::words() const { return project.source + (variant.name.empty
 Content content(const project::Project& project, const project::Case& variant, const std::vector<std::string>& what,
                 const std::vector<std::string>& format_groups, const foundation::Progress& progress) {
   Content found{project, variant, {}, {}};
-  const auto asked = [&](const std::string& name) {
-    return name == of_matrices ? project::Analyses() : study::asked_question(name).asked(variant);
+  const auto request = [&](const std::string& name) {
+    return name == of_matrices ? project::Analyses() : study::analysis_command(name).request(variant);
   };
-  const auto add = [&](const std::string& name, const project::Analyses& question) {
+  const auto add = [&](const std::string& name, const project::Analyses& analysis) {
     if (found.find(name)) return;
     found.groups.push_back(name == of_matrices ? matrices(variant, found.notes)
-                                               : answer(variant, name, question, progress));
+                                               : result_group(variant, name, analysis, progress));
   };
-  for (const std::string& name : what) add(name, asked(name));
+  for (const std::string& name : what) add(name, request(name));
   if (!what.empty()) return found;
-  for (const std::string& name : format_groups.empty() ? asked_in(variant.analyses) : format_groups) {
-    std::optional<project::Analyses> question;
+  for (const std::string& name : format_groups.empty() ? requested_in(variant.analyses) : format_groups) {
+    std::optional<project::Analyses> analysis;
     try {
-      question = asked(name);
-    } catch (const foundation::InvalidInput& reason) {  // such as a format's answer without its excitation
+      analysis = request(name);
+    } catch (const foundation::InvalidInput& reason) {  // such as a format's result without its excitation
       found.notes.push_back(left_out(name, reason.what()));
       continue;
     }
     try {
-      add(name, *question);
+      add(name, *analysis);
     } catch (const foundation::NotComputable& reason) {
       found.notes.push_back(left_out(name, reason.what()));
     }

@@ -5,7 +5,7 @@
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/part_tables.h"
 #include "trivet/results/format/in_documents.h"
-#include "trivet/results/format/written_answers.h"
+#include "trivet/results/format/written_results.h"
 
 /// The tables of the result folder, and the parts of the model as tables that a project file reads.
 namespace trivet::exports {
@@ -29,14 +29,14 @@ std::vector<std::string> write_csv(const Content& content, const Target& target,
   for (const PartTable& table : part_tables(content.variant.document, lost))
     write_bytes(target.path() / (table.kind + ".csv"), table.csv);
   for (const Group& group : content.groups) {
-    if (!group.answers) {
+    if (!group.results) {
       for (const char* name : {"A", "B", "K", "K_loss"})
         write_bytes(target.path() / (std::string(name) + ".csv"), matrix_csv(*group.arrays.find(name), group.arrays));
       lost.emplace_back(loads_left_out);
       continue;
     }
-    for (const results::AnswerTable& table : results::answer_tables(group.name))
-      write_bytes(target.path() / table.file, table.csv(content.variant, *group.answers));
+    for (const results::ResultTable& table : results::result_tables(group.name))
+      write_bytes(target.path() / table.file, table.csv(content.variant, *group.results));
   }
   return lost;
 }
@@ -45,7 +45,7 @@ std::vector<std::string> write_csv(const Content& content, const Target& target,
 
 const Format csv_format = {
     "csv",
-    "folder with the CSV tables of the answers, the matrices, and bodies, elements and points as tables for a file",
+    "folder with the CSV tables of the results, the matrices, and bodies, elements and points as tables for a file",
     Target::Kind::folder,
     {},
     false,

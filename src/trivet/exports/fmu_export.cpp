@@ -6,7 +6,7 @@
 #include "trivet/exports/functional_mockup_unit.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/analyses/question.h"
+#include "trivet/project/analyses/analysis.h"
 #include "trivet/study/explain/linear_system.h"
 
 /// Functional mock-up units: inputs are the places of the excitations (study/explain/linear_system.h), outputs the
@@ -15,11 +15,11 @@
 namespace trivet::exports {
 namespace {
 
-/// The results that the file asks for in time, else those of its response, else all coordinates.
-project::AnswerSelection outputs(const project::Analyses& asked) {
-  if (const auto found = asked.questions.find("transient"); found != asked.questions.end())
+/// The results that the file requests in time, else those of its response, else all coordinates.
+project::ChannelSelection outputs(const project::Analyses& request) {
+  if (const auto found = request.by_name.find("transient"); found != request.by_name.end())
     return found->second->selection;
-  return asked.response ? asked.response->selection : project::AnswerSelection();
+  return request.response ? request.response->selection : project::ChannelSelection();
 }
 
 bool share_a_name(const std::vector<Signal>& some, const std::vector<Signal>& others) {
@@ -47,7 +47,7 @@ LinearSystem with_names(LinearSystem system, const Content& content, std::vector
 }
 
 std::string unit_of_case(const Content& content, FmiVersion version, std::vector<std::string>& notes) {
-  const project::AnswerSelection wanted = outputs(content.variant.analyses);
+  const project::ChannelSelection wanted = outputs(content.variant.analyses);
   study::LinearSystem system = study::linear_system(content.variant, wanted.of, wanted.quantity, true);
   if (system.inputs.empty())
     throw foundation::NotComputable(

@@ -28,7 +28,7 @@ const Format& format_of(const std::string& name) {
 }
 
 /// @throws foundation::InvalidInput for groups that the format cannot hold
-void require_room(const Format& format, const std::vector<std::string>& what) {
+void require_enough_memory(const Format& format, const std::vector<std::string>& what) {
   if (format.fixed && !what.empty())
     throw foundation::InvalidInput(std::string("what: the format ") + format.name +
                                    " has a fixed content; leave it out");
@@ -56,7 +56,7 @@ std::vector<std::string> export_project(const project::Project& project, const p
                                         const std::filesystem::path& path, const foundation::Progress& progress) {
   const Format& format = format_of(format_name);
   require_known(what);
-  require_room(format, what);
+  require_enough_memory(format, what);
   const Target target(path, format.kind, format.side);
   const Content found =
       format.fixed ? Content{project, variant, {}, {}} : content(project, variant, what, format.groups, progress);

@@ -14,7 +14,7 @@
 #include "trivet/exports/unique_names.h"
 #include "trivet/project/text/document.h"
 
-/// HDF5: a group for each answer, a dataset for each array, dimension scales with the names of the axes, the attribute
+/// HDF5: a group for each result, a dataset for each array, dimension scales with the names of the axes, the attribute
 /// `units`, and complex numbers as {r, i}, which h5py reads as complex.
 namespace trivet::exports {
 namespace {

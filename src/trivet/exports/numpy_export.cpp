@@ -89,6 +89,6 @@ std::vector<std::string> write_numpy(const Content& content, const Target& targe
 }  // namespace
 
 const Format numpy_format = {
-    "numpy", "NumPy archive (.npz): matrices and answers with units", Target::Kind::file, {}, false, write_numpy};
+    "numpy", "NumPy archive (.npz): matrices and results with units", Target::Kind::file, {}, false, write_numpy};
 
 }  // namespace trivet::exports

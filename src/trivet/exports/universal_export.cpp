@@ -14,10 +14,10 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/results/format/in_documents.h"
-#include "trivet/study/analyses/asked_questions.h"
+#include "trivet/study/analyses/analysis_commands.h"
 
 /// Universal files: units, nodes, lines, modes (set 55), and the response as functions (set 58). In text, frequencies
-/// have six digits: they are rounded first, and the answers are computed there, so that every value is exact at the
+/// have six digits: they are rounded first, and the results are computed there, so that every value is exact at the
 /// frequency beside it. Node numbers and names are in NAME_nodes.csv.
 namespace trivet::exports {
 namespace {
@@ -57,20 +57,20 @@ void warn_of_coarse_digits(const Content& content, const std::vector<double>& he
 }
 
 /// The response at frequencies [Hz], with the results and the quantity of the file.
-study::Answers response_at(const Content& content, const std::vector<double>& hertz,
-                           const foundation::Progress& progress) {
-  project::Analyses asked = study::asked_question("response").asked(content.variant);
-  asked.response->band.reset();
-  asked.response->at.clear();
-  for (const double f : hertz) asked.response->at.push_back(foundation::two_pi * f);
-  asked.limit_lines.clear();
-  study::Answers answers = study::answers(content.variant, asked, progress);
-  if (!answers.response)
-    throw foundation::NotComputable(answers.failures.empty() ? "response: none" : answers.failures.front());
-  return answers;
+study::CaseResults response_at(const Content& content, const std::vector<double>& hertz,
+                               const foundation::Progress& progress) {
+  project::Analyses request = study::analysis_command("response").request(content.variant);
+  request.response->band.reset();
+  request.response->at.clear();
+  for (const double f : hertz) request.response->at.push_back(foundation::two_pi * f);
+  request.limit_lines.clear();
+  study::CaseResults results = study::case_results(content.variant, request, progress);
+  if (!results.response)
+    throw foundation::NotComputable(results.failures.empty() ? "response: none" : results.failures.front());
+  return results;
 }
 
-/// The one force in one direction that excites the model, if there is no other excitation in its answers.
+/// The one force in one direction that excites the model, if there is no other excitation in its results.
 struct SingleForce {
   exchange::UniversalPoint point;
   double amplitude = 0;
@@ -80,11 +80,11 @@ struct SingleForce {
 std::optional<SingleForce> single_force(const Content& content, const UniversalGeometry& geometry) {
   const model::System& system = content.variant.system;
   std::optional<SingleForce> found;
-  const std::vector<std::string> asked =
-      study::asked_question("response").asked(content.variant).response->selection.excitations;
+  const std::vector<std::string> request =
+      study::analysis_command("response").request(content.variant).response->selection.excitations;
   for (const model::Excitation& excitation : system.description().excitations) {
     if (!project::drives(excitation, project::Drive::harmonic)) continue;
-    if (!asked.empty() && std::ranges::find(asked, excitation.name) == asked.end()) continue;
+    if (!request.empty() && std::ranges::find(request, excitation.name) == request.end()) continue;
     const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
     const model::Action& action = excitation.action;
     if (found || !harmonic || harmonic->power_of_frequency != 0 || !action.body || action.delay != 0)
@@ -132,10 +132,10 @@ std::vector<exchange::UniversalFunction> functions(const Content& content, const
                                                    const std::vector<double>& hertz, FunctionForm form,
                                                    std::vector<std::string>& lost,
                                                    const foundation::Progress& progress) {
-  const study::Answers answers = response_at(content, hertz, progress);
+  const study::CaseResults results = response_at(content, hertz, progress);
   const std::optional<SingleForce> force = single_force(content, geometry);
   std::vector<exchange::UniversalFunction> all;
-  for (const response::Curve& curve : answers.response->curves.curves) {
+  for (const response::Curve& curve : results.response->curves.curves) {
     exchange::UniversalFunction function;
     function.ids[0] = fitting(curve.name, lost);
     function.ids[1] = fitting(content.words(), lost);
@@ -182,9 +182,9 @@ std::vector<std::string> written_universal(const Content& content, const Target&
   file.header.program = "Trivet";
   file.nodes = geometry.nodes;
   file.lines = geometry.lines;
-  if (const Group* modes = content.find("modes")) file.modes = universal_modes(system, geometry, modes->answers->modes);
+  if (const Group* modes = content.find("modes")) file.modes = universal_modes(system, geometry, modes->results->modes);
   if (const Group* response = content.find("response")) {
-    const std::vector<double> hertz = held_frequencies(response->answers->response->curves.angular_frequency, form);
+    const std::vector<double> hertz = held_frequencies(response->results->response->curves.angular_frequency, form);
     if (form == FunctionForm::ascii) warn_of_coarse_digits(content, hertz, notes);
     else notes.emplace_back("binary functions are single precision: values have seven digits");
     file.functions = functions(content, geometry, hertz, form, notes, progress);

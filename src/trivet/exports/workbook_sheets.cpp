@@ -39,13 +39,14 @@ const LabelledArray* units_of_rows(const LabelledArrays& all, const std::string&
   return plain && plain->is_text() && plain->axes.front() == axis ? plain : nullptr;
 }
 
-DisplayUnit shown_unit_of(const LabelledArray& array, const std::string& si_unit, const project::ShownUnits& display) {
+DisplayUnit shown_unit_of(const LabelledArray& array, const std::string& si_unit,
+                          const project::DisplayUnits& display) {
   return array.harmonic ? results::amplitude_unit(display, si_unit) : results::display_unit(display, si_unit);
 }
 
 /// Unit of a whole column of real numbers, or of a single one. A number in rad/s is a frequency, except in time and
 /// over shaft speed.
-DisplayUnit unit_of_column(const LabelledArray& array, const project::ShownUnits& display) {
+DisplayUnit unit_of_column(const LabelledArray& array, const project::DisplayUnits& display) {
   const std::string axis = array.axes.empty() ? "" : array.axes.front();
   if (array.unit != "rad/s" || array.harmonic || axis == "time" || (axis == "speed" && array.name != "speed"))
     return shown_unit_of(array, array.unit, display);
@@ -54,14 +55,14 @@ DisplayUnit unit_of_column(const LabelledArray& array, const project::ShownUnits
 }
 
 std::vector<std::string> shown_texts(const LabelledArray& array, const LabelledArrays& all,
-                                     const project::ShownUnits& display) {
+                                     const project::DisplayUnits& display) {
   std::vector<std::string> texts = array.texts();
   if (&array == units_of_rows(all, array.axes.front()))
     for (std::string& unit : texts) unit = shown_unit_of(array, unit, display).label();
   return texts;
 }
 
-void add_real_column(const LabelledArray& array, const LabelledArrays& all, const project::ShownUnits& display,
+void add_real_column(const LabelledArray& array, const LabelledArrays& all, const project::DisplayUnits& display,
                      Sheet& sheet) {
   const DisplayUnit whole = unit_of_column(array, display);
   const LabelledArray* units =
@@ -76,7 +77,7 @@ void add_real_column(const LabelledArray& array, const LabelledArrays& all, cons
   sheet.columns.push_back({"frequency", results::frequency_unit(display), std::move(frequencies), {}});
 }
 
-void add_column(const LabelledArray& array, const LabelledArrays& all, const project::ShownUnits& display,
+void add_column(const LabelledArray& array, const LabelledArrays& all, const project::DisplayUnits& display,
                 Sheet& sheet) {
   if (array.is_text()) {
     sheet.columns.push_back({array.name, "", {}, shown_texts(array, all, display)});
@@ -118,7 +119,7 @@ LabelledArray part(const LabelledArray& array, const std::vector<Number>& number
 }
 
 /// A column, or two if it is complex, for each entry of the other axis: "shape machine.x".
-void add_matrix(const LabelledArray& array, const LabelledArrays& all, const project::ShownUnits& display,
+void add_matrix(const LabelledArray& array, const LabelledArrays& all, const project::DisplayUnits& display,
                 Sheet& sheet) {
   const std::size_t rows = axis_of_rows(array), columns = 1 - rows;
   const LabelledArray* labels = all.find(array.axes[columns]);
@@ -137,7 +138,7 @@ void add_matrix(const LabelledArray& array, const LabelledArrays& all, const pro
 }
 
 /// Numbers and words without an axis.
-Sheet sheet_of_values(const Group& group, const project::ShownUnits& display) {
+Sheet sheet_of_values(const Group& group, const project::DisplayUnits& display) {
   Sheet sheet{"", {{"name", "", {}, {}}, {"value", "", {}, {}}, {"unit", "", {}, {}}}, false};
   for (const LabelledArray& array : group.arrays.list()) {
     if (!array.axes.empty() || array.is_text() || array.is_complex()) continue;
@@ -156,7 +157,7 @@ bool is_frequency_again(const LabelledArray& array, const LabelledArrays& all) {
 }
 
 /// One sheet for each axis of a group; phases of a response are beside its amplitudes.
-void add_sheets(const Group& group, const project::ShownUnits& display, UniqueNames& used, std::vector<Sheet>& sheets,
+void add_sheets(const Group& group, const project::DisplayUnits& display, UniqueNames& used, std::vector<Sheet>& sheets,
                 std::vector<std::string>& lost) {
   std::vector<std::pair<std::string, Sheet>> by_axis;
   for (const LabelledArray& array : group.arrays.list()) {
@@ -241,7 +242,7 @@ std::vector<Sheet> workbook_sheets(const Content& content, const foundation::Pro
   std::vector<Sheet> sheets = {input_sheet(content, used)};
   add_verdict(content, progress, used, sheets);
   for (const Group& group : content.groups)
-    add_sheets(group, group.name == "matrices" ? project::ShownUnits() : content.variant.display, used, sheets, lost);
+    add_sheets(group, group.name == "matrices" ? project::DisplayUnits() : content.variant.display, used, sheets, lost);
   return sheets;
 }
 

@@ -42,7 +42,7 @@ double thinnest_rubber(const std::vector<Layer>& layers) {
 }
 
 /// Checks the number of elements before the mesh is made.
-void require_room(double quads, double intervals) {
+void require_enough_memory(double quads, double intervals) {
   if (quads * intervals > most_hexahedra)
     throw foundation::InvalidInput(
         fmt::format("{:.3g} finite elements ({} over the section, {} over the height); at most {:.0f} are allowed: "
@@ -84,7 +84,7 @@ Levels along_axis(const std::vector<Layer>& layers, int level, double half_width
 
 Mesh extruded(const Section& section, const Levels& levels) {
   const int points = static_cast<int>(section.points.cols()), count = static_cast<int>(levels.material.size());
-  require_room(static_cast<double>(section.quads.size()), count);
+  require_enough_memory(static_cast<double>(section.quads.size()), count);
   Mesh mesh;
   mesh.nodes.resize(3, to_index(points) * (2 * count + 1));
   for (int l = 0; l <= 2 * count; ++l) {

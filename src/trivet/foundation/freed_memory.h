@@ -3,7 +3,7 @@
 
 namespace trivet::foundation {
 
-/// For programs whose answers are many small matrices: freed memory stays with the process, up to 16 MiB for each
+/// For programs whose results are many small matrices: freed memory stays with the process, up to 16 MiB for each
 /// thread. By default the GNU C library returns the free end of its heap to the system and requests it again page by
 /// page, an eighth of the time of `trivet steady`; other libraries are left as they are. Call it first in main.
 void keep_freed_memory();

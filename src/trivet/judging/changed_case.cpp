@@ -17,7 +17,7 @@ using project::Node;
 
 std::optional<Case> read_changed(const Case& variant, const std::vector<Node>& changes, foundation::Problems& problems,
                                  bool may_fall = false) {
-  Node document = project::without_questions(variant.written);
+  Node document = project::without_analyses(variant.written);
   for (const Node& change : changes) project::apply_changes(document, change, "", problems);
   const project::KnownModel known{variant.document, variant.system.description()};
   auto read = project::read_case(std::move(document), variant.name, problems, &known);

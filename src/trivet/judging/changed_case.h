@@ -11,7 +11,7 @@
 /// One case with other numbers. Only the changed parts are read again.
 namespace trivet::judging {
 
-/// Model of a case with these values, without questions; or all problems at once. May run on any number of threads at
+/// Model of a case with these values, without analyses; or all problems at once. May run on any number of threads at
 /// once.
 [[nodiscard]] foundation::Expected<model::System> changed_system(const project::Case& variant,
                                                                  const project::Design& design);

@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "trivet/judging/design_corners.h"
-#include "trivet/judging/settled_system.h"
+#include "trivet/judging/rest_state.h"
 #include "trivet/judging/suspicions.h"
+#include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/analyses/analysis_types.h"
-#include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/text/document.h"
 #include "trivet/project/text/element_types.h"
 #include "trivet/project/text/part_tables.h"
@@ -18,27 +18,27 @@ namespace trivet::judging {
 namespace {
 
 /// Reports a transient analysis of a model without constant coefficients in time.
-void check_transient(const model::System& system, const project::Analyses& asked, foundation::Problems& problems) {
-  const auto* question = asked.find<project::TransientQuestion>("transient");
-  if (!question) return;
+void check_transient(const model::System& system, const project::Analyses& request, foundation::Problems& problems) {
+  const auto* analysis = request.find<project::TransientAnalysis>("transient");
+  if (!analysis) return;
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto problem = response::without_motion_in_time(
-      system, assembled, response::time_inputs(system, assembled, question->selection.excitations),
-      question->nearest_linear_system);
+      system, assembled, response::time_inputs(system, assembled, analysis->selection.excitations),
+      analysis->nearest_linear_system);
   if (problem) problems.error("analyses.transient", problem->finding, problem->rule, problem->remedy);
 }
 
 /// Settles the machine and checks it together with the analyses; the problems of the model, with their places.
-foundation::Problems settled_and_checked(project::ReadCase& read, const project::Questions& questions) {
+foundation::Problems settled_and_checked(project::ReadCase& read, const project::AnalysisFilter& filter) {
   foundation::Problems found = read.of_model;
   if (!read.system) {
     name_slips(read.bodies, read.document, found);
   } else {
     if (read.has_every_part) settle(*read.system, found);
-    found.add(project::too_large(read.system->description(), project::counted_part(questions, read.analyses)));
+    found.add(project::too_large(read.system->description(), project::counted_part(filter, read.analyses)));
     if (!read.of_text.has_errors()) {
-      project::check_analyses(*read.system, read.analyses, questions, read.name, found);
-      if (!project::is_only_setting("transient", questions, read.name))
+      project::check_analyses(*read.system, read.analyses, filter, read.name, found);
+      if (!project::is_only_setting("transient", filter, read.name))
         check_transient(*read.system, read.analyses, found);
       warn_of_small_motions(*read.system, read.analyses, found);
     }
@@ -49,18 +49,18 @@ foundation::Problems settled_and_checked(project::ReadCase& read, const project:
 
 }  // namespace
 
-std::optional<project::Case> checked_case(project::ReadCase read, const project::Questions& questions,
+std::optional<project::Case> checked_case(project::ReadCase read, const project::AnalysisFilter& filter,
                                           const project::Case* base, foundation::Problems& problems) {
   foundation::Problems all = read.of_text;
-  all.add(settled_and_checked(read, questions));
+  all.add(settled_and_checked(read, filter));
   project::name_element_types(read.written, all);
   project::gather_columns(all);
-  all = project::without_unrequested(all, questions, read.name, read.analyses);
+  all = project::without_unrequested(all, filter, read.name, read.analyses);
   const bool new_map = read.analyses.map && (!base || !(base->analyses.map == read.analyses.map));
   const bool new_parameters = !base && !read.analyses.parameters.empty();
   if (new_map || new_parameters) {
-    check_corners(read, new_map, new_parameters, questions, all);
-    all = project::without_unrequested(all, questions, read.name, read.analyses);
+    check_corners(read, new_map, new_parameters, filter, all);
+    all = project::without_unrequested(all, filter, read.name, read.analyses);
   }
   const bool good = !all.has_errors();
   all.sort_by_origin();

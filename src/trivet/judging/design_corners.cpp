@@ -20,7 +20,7 @@
 namespace trivet::judging {
 namespace {
 
-/// Reads a model without its questions and returns its problems.
+/// Reads a model without its analyses and returns its problems.
 using ReadModel = std::function<foundation::Problems(const project::Node& model)>;
 
 /// First error that changes cause in addition to the known ones.
@@ -47,7 +47,7 @@ bool has_problem_at(const foundation::Problems& problems, const std::string& pat
 void refuse_if_all_fail(const project::Node& document, const std::vector<std::vector<project::Node>>& designs,
                         const project::DesignAxis& axis, const std::string& subject, bool has_range,
                         const ReadModel& read, foundation::Problems& problems) {
-  const project::Node model = project::without_questions(document);
+  const project::Node model = project::without_analyses(document);
   std::optional<foundation::Problem> first;
   for (const std::vector<project::Node>& design : designs) {
     const auto problem = first_new_error(model, design, problems, read);
@@ -137,14 +137,14 @@ void check_parameters(const project::Node& document, const std::vector<project::
 
 }  // namespace
 
-void check_corners(const project::ReadCase& read, bool of_map, bool of_parameters, const project::Questions& questions,
-                   foundation::Problems& problems) {
+void check_corners(const project::ReadCase& read, bool of_map, bool of_parameters,
+                   const project::AnalysisFilter& filter, foundation::Problems& problems) {
   std::optional<project::KnownModel> known;
   if (read.system) known.emplace(read.document, read.system->description());
   const auto read_model = [&](const project::Node& model) {
     foundation::Problems found;
     auto design = project::read_case(model, read.name, found, known ? &*known : nullptr);
-    if (design) static_cast<void>(checked_case(std::move(*design), questions, nullptr, found));
+    if (design) static_cast<void>(checked_case(std::move(*design), filter, nullptr, found));
     return found;
   };
   if (of_map) check_map_numbers(read.written, *read.analyses.map, read_model, problems);

@@ -16,16 +16,16 @@
 namespace trivet::judging {
 namespace {
 
+using project::AnalysisFilter;
 using project::Case;
 using project::Project;
-using project::Questions;
 
 /// Adds the suspicions of a case to its warnings, except those accepted, and the error of clearances without rest.
-void judge(Case& variant, const Questions& questions, AcceptanceBook& book, foundation::Problems& problems) {
+void judge(Case& variant, const AnalysisFilter& filter, AcceptanceBook& book, foundation::Problems& problems) {
   const foundation::Problems standing = standing_problems(variant);
   problems.add(standing);
   if (!standing.has_errors()) variant.warnings.add(standing);
-  if (project::is_requested("clearances", questions, variant.name)) problems.add(without_rest(variant));
+  if (project::is_requested("clearances", filter, variant.name)) problems.add(without_rest(variant));
   const std::vector<Acceptance> accepted = read_acceptances(variant.document, problems);
   std::vector<std::pair<std::string, std::string>> kinds;
   for (const Acceptance& one : accepted) kinds.emplace_back(one.table, one.kind);
@@ -53,7 +53,7 @@ void add_of_case(const foundation::Problems& found, const foundation::Problems& 
 class CaseReader {
  public:
   /// @param earlier  a project of the same text, whose parts need not be read again; null if there is none
-  CaseReader(const Questions& questions, const Project* earlier) : questions_(questions), earlier_(earlier) {}
+  CaseReader(const AnalysisFilter& filter, const Project* earlier) : filter_(filter), earlier_(earlier) {}
 
   /// One case; none if it has errors. @param title  of the file  @param base  null for the base model
   std::optional<Case> read(project::WrittenCase written, const Case* base, std::string& title,
@@ -64,9 +64,9 @@ class CaseReader {
     auto read = project::read_case(std::move(written.document), written.name, problems, known ? &*known : nullptr);
     if (!read) return std::nullopt;
     title = read->title;
-    std::optional<Case> variant = checked_case(std::move(*read), questions_, base, problems);
+    std::optional<Case> variant = checked_case(std::move(*read), filter_, base, problems);
     if (!variant) return std::nullopt;
-    judge(*variant, questions_, book_, problems);
+    judge(*variant, filter_, book_, problems);
     variant->changes = std::move(written.changes);
     return variant;
   }
@@ -76,16 +76,16 @@ class CaseReader {
   }
 
  private:
-  const Questions& questions_;
+  const AnalysisFilter& filter_;
   const Project* earlier_;
   AcceptanceBook book_;
 };
 
-foundation::Expected<Project> judged(project::WrittenProject written, const Questions& questions,
+foundation::Expected<Project> judged(project::WrittenProject written, const AnalysisFilter& filter,
                                      const Project* earlier = nullptr) {
   Project project = std::move(written.project);
   foundation::Problems problems = std::move(written.problems), of_base;
-  CaseReader reader(questions, earlier);
+  CaseReader reader(filter, earlier);
   if (auto base = reader.read(std::move(written.base), nullptr, project.title, of_base))
     project.cases.push_back(std::move(*base));
   problems.add(of_base);
@@ -102,7 +102,7 @@ foundation::Expected<Project> judged(project::WrittenProject written, const Ques
     add_of_case(of_case, of_base, name, problems);
     if (variant && !project.cases.empty()) project.cases.push_back(std::move(*variant));
   }
-  if (!questions.requested && !problems.has_errors()) {
+  if (!filter.requested && !problems.has_errors()) {
     problems.add(reader.unused_acceptances(!project.settings.empty()));
     project.unused_parts = project::unused_parts(project.cases);
     problems.add(project.unused_parts);
@@ -114,12 +114,12 @@ foundation::Expected<Project> judged(project::WrittenProject written, const Ques
   return project;
 }
 
-foundation::Expected<Project> project_for(const Questions& questions, const std::string& text,
+foundation::Expected<Project> project_for(const AnalysisFilter& filter, const std::string& text,
                                           const std::string& source, const std::vector<std::string>& settings,
                                           const std::string& folder = "") {
   auto written = project::written_project(text, source, settings, folder);
   if (!written) return tl::make_unexpected(written.error());
-  return judged(std::move(*written), questions);
+  return judged(std::move(*written), filter);
 }
 
 }  // namespace
@@ -129,11 +129,11 @@ foundation::Expected<Project> project_from_text(const std::string& text, const s
   return project_for({}, text, source, settings, folder);
 }
 
-foundation::Expected<Project> read_project_for(const Questions& questions, const std::filesystem::path& path,
+foundation::Expected<Project> read_project_for(const AnalysisFilter& filter, const std::filesystem::path& path,
                                                const std::vector<std::string>& settings) {
   const auto text = project::read_source(path);
   if (!text) return tl::make_unexpected(text.error());
-  return project_for(questions, *text, path.string(), settings);
+  return project_for(filter, *text, path.string(), settings);
 }
 
 foundation::Expected<Project> read_project(const std::filesystem::path& path,

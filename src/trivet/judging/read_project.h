@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "trivet/foundation/problems.h"
+#include "trivet/project/analysis_filter.h"
 #include "trivet/project/project.h"
-#include "trivet/project/questions.h"
 
 /// Opens a project: reads its file, puts nonlinear machines into their positions of rest and judges all cases.
 namespace trivet::judging {
@@ -22,8 +22,8 @@ namespace trivet::judging {
                                                                        const std::vector<std::string>& settings = {},
                                                                        const std::string& folder = "");
 
-/// As `read_project`, but questions with errors that were not requested are removed from the analyses of their case.
-[[nodiscard]] foundation::Expected<project::Project> read_project_for(const project::Questions& questions,
+/// As `read_project`, but analyses with errors that were not requested are removed from the analyses of their case.
+[[nodiscard]] foundation::Expected<project::Project> read_project_for(const project::AnalysisFilter& filter,
                                                                       const std::filesystem::path& path,
                                                                       const std::vector<std::string>& settings = {});
 

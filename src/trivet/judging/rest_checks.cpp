@@ -33,7 +33,7 @@ foundation::Problems standing_problems(const project::Case& variant) {
   const model::System& system = variant.system;
   foundation::Problems problems;
   if (!assembly::has_second_order(system)) return problems;
-  // What stands is a question of statics: rubber resists a slow tilt with its static stiffness.
+  // What stands is a matter of statics: rubber resists a slow tilt with its static stiffness.
   const bool is_softer = model::has_static_stiffness(system);
   const auto falling = is_softer
       ? plausibility::falling_body(system, assembly::assemble(model::with_static_stiffness(system)))

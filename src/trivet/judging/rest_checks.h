@@ -10,7 +10,7 @@ namespace trivet::judging {
 /// farther away, a warning.
 [[nodiscard]] foundation::Problems standing_problems(const project::Case& variant);
 
-/// The error of a case that has clearances and no static answer: without one, how far they close at rest is not known.
+/// The error of a case that has clearances and no static result: without one, how far they close at rest is not known.
 [[nodiscard]] foundation::Problems without_rest(const project::Case& variant);
 
 }  // namespace trivet::judging

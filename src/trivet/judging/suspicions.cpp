@@ -10,7 +10,7 @@
 #include "trivet/judging/acceptances.h"
 #include "trivet/plausibility/inertia_slips.h"
 #include "trivet/project/analyses/analysis_types.h"
-#include "trivet/project/questions.h"
+#include "trivet/project/analysis_filter.h"
 #include "trivet/project/text/table_reader.h"
 
 namespace trivet::judging {
@@ -125,29 +125,30 @@ void add_speeds_of_isolation(const project::Case& variant, plausibility::Stated&
   for (const project::Node& table : isolation->items) add_of(table);
 }
 
-void add_questions(const project::Case& variant, plausibility::Stated& stated) {
-  const project::Analyses& asked = variant.analyses;
-  const auto add = [&](const std::string& question, const std::optional<assembly::Band>& band) {
-    if (band) stated.windows.push_back({"analyses." + question + ".band", band->from, band->to});
+void add_analyses(const project::Case& variant, plausibility::Stated& stated) {
+  const project::Analyses& requested = variant.analyses;
+  const auto add = [&](const std::string& analysis, const std::optional<assembly::Band>& band) {
+    if (band) stated.windows.push_back({"analyses." + analysis + ".band", band->from, band->to});
   };
-  if (asked.response) add("response", asked.response->band);
-  for (const auto& [question, band] : project::asked_bands(asked)) add(question, band);
+  if (requested.response) add("response", requested.response->band);
+  for (const auto& [analysis, band] : project::requested_bands(requested)) add(analysis, band);
   const assembly::MotionQuantity quantity =
-      asked.response ? asked.response->selection.quantity : assembly::MotionQuantity::displacement;
-  for (const project::Limit& limit : asked.limits) add_limit("limits", {limit.name, quantity, limit.amplitude}, stated);
-  if (asked.requirements)
-    for (const auto& [key, limits] : {std::pair{"limits", &asked.requirements->limits},
-                                      {"steady", &asked.requirements->steady},
-                                      {"static", &asked.requirements->statics}})
+      requested.response ? requested.response->selection.quantity : assembly::MotionQuantity::displacement;
+  for (const project::Limit& limit : requested.limits)
+    add_limit("limits", {limit.name, quantity, limit.amplitude}, stated);
+  if (requested.requirements)
+    for (const auto& [key, limits] : {std::pair{"limits", &requested.requirements->limits},
+                                      {"steady", &requested.requirements->steady},
+                                      {"static", &requested.requirements->statics}})
       for (const project::AmplitudeLimit& limit : *limits) add_limit(std::string("requirements.") + key, limit, stated);
-  for (const project::LimitLineRequest& request : asked.limit_lines)
+  for (const project::LimitLineRequest& request : requested.limit_lines)
     if (const assembly::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,
                                         request.of, std::ranges::max(line.limit), line.unit == "m/s", true});
   add_windows_of_requirements(variant, stated);
   const project::Node* orders = find(variant.document, "analyses", "orders");
   const project::Node* speeds = orders ? orders->find("speed") : nullptr;
-  const auto* run_up = asked.find<project::OrdersQuestion>("orders");
+  const auto* run_up = requested.find<project::OrdersAnalysis>("orders");
   if (run_up && speeds && speeds->items.size() == 2 && speeds->items[1].kind != project::Node::Kind::text)
     stated.speeds.push_back({"analyses.orders.speed", run_up->speed.to});
   add_speeds_of_isolation(variant, stated);
@@ -155,8 +156,8 @@ void add_questions(const project::Case& variant, plausibility::Stated& stated) {
     if (const auto* random = std::get_if<model::Random>(&excitation.course))
       stated.windows.push_back(
           {"excitations." + excitation.name + ".psd", random->spectrum.from(), random->spectrum.to(), true});
-  if (const auto* in_time = asked.find<project::TransientQuestion>("transient"))
-    stated.transient = plausibility::TimeQuestion{in_time->to, in_time->selection.excitations};
+  if (const auto* in_time = requested.find<project::TransientAnalysis>("transient"))
+    stated.transient = plausibility::TimeAnalysis{in_time->to, in_time->selection.excitations};
 }
 
 /// Renames a subject to the foundation of the file: the impedance of a ground point has the name of its element.
@@ -176,7 +177,7 @@ std::vector<plausibility::Suspicion> suspicions(const project::Case& variant,
   plausibility::Stated stated;
   add_bodies(variant, stated);
   add_rotors(variant, stated);
-  add_questions(variant, stated);
+  add_analyses(variant, stated);
   stated.accepted = accepted;
   std::vector<plausibility::Suspicion> found = plausibility::suspicions(variant.system, stated);
   for (plausibility::Suspicion& one : found) name_foundation(variant.document, one.subject);

@@ -10,7 +10,7 @@
 
 namespace trivet::judging {
 
-/// Suspicions about the machine and the questions of a case, accepted or not.
+/// Suspicions about the machine and the analyses of a case, accepted or not.
 /// @param accepted  (table, kind); accepted values raise no suspicion about other values
 [[nodiscard]] std::vector<plausibility::Suspicion> suspicions(
     const project::Case& variant, const std::vector<std::pair<std::string, std::string>>& accepted = {});

@@ -53,7 +53,8 @@ void check_clearance(const Description& description, const Clearance& clearance,
     problems.warning(path + ".direction",
                      fmt::format("{} is {:.6g} m behind {} in this direction", foundation::quoted(clearance.to.name),
                                  -apart, foundation::quoted(clearance.of.name)),
-                     "the direction points from the first place to the second: moving so, the first closes the gap",
+                     "the direction points from the first place to the second: the first place closes the gap by "
+                     "moving in this direction",
                      "turn the direction around, unless the parts reach past each other");
 }
 

@@ -35,7 +35,7 @@ inline constexpr double worth_a_word = 0.25;
                                                          const assembly::Assembled& assembled,
                                                          double from_share = worth_a_word);
 
-/// Where the weight acts to first order only: as asked, on bodies that it moves without end, in taut beams.
+/// Where the weight acts to first order only: as requested, on bodies that it moves without end, in taut beams.
 [[nodiscard]] std::vector<std::string> first_order_notes(const model::System& system,
                                                          const assembly::Assembled& assembled);
 

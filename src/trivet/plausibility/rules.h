@@ -67,6 +67,6 @@ void judge_dampers(const model::System& system, Suspicions& found);
 void judge_rotors(const model::System& system, const std::vector<Rotor>& rotors, Suspicions& found);
 
 /// Bands and spectra without a resonance, transients that end too early, pulses that last too long.
-void judge_questions(const model::System& system, const Stated& stated, Suspicions& found);
+void judge_analyses(const model::System& system, const Stated& stated, Suspicions& found);
 
 }  // namespace trivet::plausibility

@@ -100,7 +100,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
     judge_foundations(system, all, found);
     judge_ground_motion(system, all, found);
   }
-  if (!bodies_doubtful && blamed.empty()) judge_questions(system, stated, found);
+  if (!bodies_doubtful && blamed.empty()) judge_analyses(system, stated, found);
   return found;
 }
 

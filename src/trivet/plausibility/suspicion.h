@@ -88,7 +88,7 @@ struct Speed {
 struct AllowedMotion {
   std::string body;      ///< "frame"
   std::string subject;   ///< "limits.frame.z"
-  std::string answer;    ///< "frame.z"
+  std::string channel;   ///< "frame.z"
   double amplitude = 0;  ///< [m], [m/s]
   bool is_velocity = false;
   bool is_line = false;  ///< of a limit line; its rows are in SI
@@ -102,12 +102,12 @@ struct Engine {
 };
 
 /// A transient analysis.
-struct TimeQuestion {
+struct TimeAnalysis {
   std::optional<double> to;              ///< [s]; empty: some periods after the last input
   std::vector<std::string> excitations;  ///< empty: all
 };
 
-/// Statements and questions of the project that the system does not contain.
+/// Statements and analyses of the project that the system does not contain.
 struct Stated {
   std::vector<bool> inertia_about_pole;  ///< per body
   std::vector<bool> from_solids;         ///< per body: mass and inertia come from solids
@@ -116,7 +116,7 @@ struct Stated {
   std::vector<Speed> speeds;
   std::vector<AllowedMotion> allowed_motions;
   std::vector<Engine> engines;
-  std::optional<TimeQuestion> transient;
+  std::optional<TimeAnalysis> transient;
   /// Table and kind of each suspicion that the user has accepted; an accepted value causes no suspicion about other
   /// values.
   std::vector<std::pair<std::string, std::string>> accepted;
@@ -129,7 +129,7 @@ struct Stated {
 /// Suspicions about frequency ranges alone.
 [[nodiscard]] std::vector<Suspicion> suspicions_about(const model::System& system, const std::vector<Window>& windows);
 
-/// All suspicions, one per cause, in the order body, layout, damping, loads, questions.
+/// All suspicions, one per cause, in the order body, layout, damping, loads, analyses.
 [[nodiscard]] std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated);
 
 }  // namespace trivet::plausibility

@@ -12,9 +12,9 @@ namespace trivet::project {
 
 namespace {
 
-/// All may move in one direction (question_sizes.h).
+/// All may move in one direction (analysis_sizes.h).
 constexpr std::size_t most_bodies = 1000;
-/// Each has six answers.
+/// Each has six channels.
 constexpr std::size_t most_body_points = 5000;
 
 /// Fills mass, centre and inertia; returns whether an inertia was given.
@@ -38,7 +38,7 @@ bool read_inertia(TableReader& body, spatial::MassProperties& mass) {
   return true;
 }
 
-void read_points(TableReader& reader, model::Body& body, NamesInFile& in_file) {
+void read_points(TableReader& reader, model::Body& body, SymbolTable& symbols) {
   const Node* table = reader.table("points");
   if (!table) return;
   TableReader points(*table, reader.path() + ".points", reader.problems());
@@ -48,19 +48,19 @@ void read_points(TableReader& reader, model::Body& body, NamesInFile& in_file) {
     return;
   }
   for (const std::string& name : table->keys) {
-    in_file.points.push_back(body.name + "." + name);
+    symbols.points.push_back(body.name + "." + name);
     if (const auto at = points.vector(name, Quantity::length)) body.points.push_back({name, *at});
   }
 }
 
-void add_guided_names(const model::Body& body, NamesInFile& in_file) {
+void add_guided_names(const model::Body& body, SymbolTable& symbols) {
   for (std::size_t j = 0; j < 6; ++j)
-    if (!body.free[j]) in_file.guided.push_back(body.name + "." + model::coordinate_names[j]);
+    if (!body.free[j]) symbols.guided.push_back(body.name + "." + model::coordinate_names[j]);
 }
 
-void add_names(const model::Body& body, NamesInFile& in_file) {
-  for (const model::Point& point : body.points) in_file.points.push_back(body.name + "." + point.name);
-  add_guided_names(body, in_file);
+void add_names(const model::Body& body, SymbolTable& symbols) {
+  for (const model::Point& point : body.points) symbols.points.push_back(body.name + "." + point.name);
+  add_guided_names(body, symbols);
 }
 
 std::optional<model::Body> known_body(const KnownModel& known, const std::string& name, const Node& now) {
@@ -70,7 +70,7 @@ std::optional<model::Body> known_body(const KnownModel& known, const std::string
   return found == bodies.end() ? std::nullopt : std::optional(*found);
 }
 
-model::Body read_body(const Node& node, const std::string& name, std::size_t index, NamesInFile& in_file,
+model::Body read_body(const Node& node, const std::string& name, std::size_t index, SymbolTable& symbols,
                       foundation::Problems& problems) {
   TableReader reader(node, "bodies." + name, problems);
   model::Body body;
@@ -91,20 +91,20 @@ model::Body read_body(const Node& node, const std::string& name, std::size_t ind
   }
   body.pose.position = reader.vector("position", Quantity::length).value_or(Eigen::Vector3d::Zero());
   body.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
-  read_points(reader, body, in_file);
-  read_free(reader, body, in_file);
+  read_points(reader, body, symbols);
+  read_free(reader, body, symbols);
   if (!reader.has("inertia") && !reader.has("solids") && (body.free[3] || body.free[4] || body.free[5]))
     reader.missing("inertia",
                    "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}; a point "
                    "mass has xx = 0, yy = 0, zz = 0");
-  read_body_adjustments(reader, body, index, in_file);
+  read_body_adjustments(reader, body, index, symbols);
   reader.finish();
   return body;
 }
 
 }  // namespace
 
-void read_free(TableReader& reader, model::Body& body, NamesInFile& in_file) {
+void read_free(TableReader& reader, model::Body& body, SymbolTable& symbols) {
   const auto names = reader.texts("free", R"(["x", "y"])");
   if (!names) return;
   body.free.fill(false);
@@ -117,12 +117,12 @@ void read_free(TableReader& reader, model::Body& body, NamesInFile& in_file) {
       reader.error("free", foundation::quoted(name), "a coordinate is one of x, y, z, rx, ry, rz",
                    "name the coordinates that move");
   }
-  add_guided_names(body, in_file);
+  add_guided_names(body, symbols);
 }
 
-void read_bodies(TableReader& root, model::Description& description, NamesInFile& in_file, const KnownModel* known) {
+void read_bodies(TableReader& root, model::Description& description, SymbolTable& symbols, const KnownModel* known) {
   const Node* table = root.table("bodies");
-  in_file.bodies_unknown = !table;
+  symbols.bodies_unknown = !table;
   if (!table) {
     if (!root.has("bodies")) root.missing("bodies", "describe at least one body: [bodies.NAME]");
     return;
@@ -130,15 +130,15 @@ void read_bodies(TableReader& root, model::Description& description, NamesInFile
   if (table->keys.size() > most_bodies)
     root.error("bodies", fmt::format("{} bodies", table->keys.size()),
                fmt::format("this version takes at most {}", most_bodies), "split the model");
-  in_file.bodies = table->keys;
+  symbols.bodies = table->keys;
   for (std::size_t i = 0; i < table->keys.size() && i < most_bodies; ++i) {
     const auto earlier = known ? known_body(*known, table->keys[i], table->items[i]) : std::nullopt;
     if (earlier) {
-      add_names(*earlier, in_file);
+      add_names(*earlier, symbols);
       description.bodies.push_back(*earlier);
     } else if (table->items[i].kind == Node::Kind::table) {
       description.bodies.push_back(
-          read_body(table->items[i], table->keys[i], description.bodies.size(), in_file, root.problems()));
+          read_body(table->items[i], table->keys[i], description.bodies.size(), symbols, root.problems()));
     } else {
       root.problems()
           .error("bodies." + table->keys[i], kind_name(table->items[i].kind), "a body is a table",
@@ -153,7 +153,7 @@ namespace {
 /// As many as bodies.
 constexpr std::size_t most_nodes = 200;
 
-model::Body read_node(const Node& node, const std::string& name, NamesInFile& in_file, foundation::Problems& problems) {
+model::Body read_node(const Node& node, const std::string& name, SymbolTable& symbols, foundation::Problems& problems) {
   TableReader reader(node, "nodes." + name, problems);
   model::Body body;
   body.name = name;
@@ -164,7 +164,7 @@ model::Body read_node(const Node& node, const std::string& name, NamesInFile& in
   body.pose.position = reader.vector("position", Quantity::length).value_or(Eigen::Vector3d::Zero());
   if (!reader.has("position")) reader.missing("position", "give its place in the ground frame: position = [x, y, z]");
   body.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
-  read_free(reader, body, in_file);
+  read_free(reader, body, symbols);
   for (const char* key : {"mass", "inertia", "center_of_mass", "solids", "points"}) {
     if (!reader.has(key)) continue;
     reader.error(key, "unknown key", "a node has no mass and is one place: position, orientation and free",
@@ -177,19 +177,19 @@ model::Body read_node(const Node& node, const std::string& name, NamesInFile& in
 
 }  // namespace
 
-void read_nodes(TableReader& root, model::Description& description, NamesInFile& in_file) {
+void read_nodes(TableReader& root, model::Description& description, SymbolTable& symbols) {
   const Node* table = root.table("nodes");
   if (!table) {
-    in_file.bodies_unknown = in_file.bodies_unknown || root.has("nodes");
+    symbols.bodies_unknown = symbols.bodies_unknown || root.has("nodes");
     return;
   }
   if (table->keys.size() > most_nodes)
     root.error("nodes", fmt::format("{} nodes", table->keys.size()),
                fmt::format("this version takes at most {}", most_nodes), "split the model");
-  in_file.nodes = table->keys;
+  symbols.nodes = table->keys;
   for (std::size_t i = 0; i < table->keys.size() && i < most_nodes; ++i)
     if (table->items[i].kind == Node::Kind::table)
-      description.bodies.push_back(read_node(table->items[i], table->keys[i], in_file, root.problems()));
+      description.bodies.push_back(read_node(table->items[i], table->keys[i], symbols, root.problems()));
     else
       root.problems()
           .error("nodes." + table->keys[i], kind_name(table->items[i].kind), "a node is a table",

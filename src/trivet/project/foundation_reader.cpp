@@ -179,15 +179,15 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
 /// mount would be free of forces, but its mobility could not be used, so that is an error.
 /// @param key, thing  "modes" and "shapes", or "nodes" and "a node"
 void report_idle_mount(TableReader& root, const std::string& ground, const std::string& mount, const std::string& key,
-                       const std::string& thing, const NamesInFile& in_file) {
-  if (std::ranges::any_of(in_file.foundation_references, [&](const NamesInFile::FoundationReference& one) {
+                       const std::string& thing, const SymbolTable& symbols) {
+  if (std::ranges::any_of(symbols.foundation_references, [&](const SymbolTable::FoundationReference& one) {
         return one.element == mount && one.ground == ground;
       }))
     return;
   const std::string subject = "foundations." + ground + "." + key;
   const Node* origin = root.node("foundations")->find(ground)->find(key);
   const std::string finding = fmt::format("{} of {}", thing, foundation::quoted(mount));
-  if (std::ranges::find(in_file.elements, mount) != in_file.elements.end()) {
+  if (std::ranges::find(symbols.elements, mount) != symbols.elements.end()) {
     const std::string rule = "this element is not on the foundation",
                       remedy = "add foundation = \"" + ground + "\" to it, or remove " + thing;
     foundation::Problem& problem = key == "nodes" ? root.problems().error(subject, finding, rule, remedy)
@@ -195,7 +195,7 @@ void report_idle_mount(TableReader& root, const std::string& ground, const std::
     problem.origin = origin->origin;
     return;
   }
-  const std::string guess = foundation::nearest_name(mount, in_file.elements);
+  const std::string guess = foundation::nearest_name(mount, symbols.elements);
   root.problems()
       .error(subject, finding, "no element has this name",
              guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?")
@@ -204,7 +204,7 @@ void report_idle_mount(TableReader& root, const std::string& ground, const std::
 
 }  // namespace
 
-void read_foundations(TableReader& root, model::Description& description, NamesInFile& in_file) {
+void read_foundations(TableReader& root, model::Description& description, SymbolTable& symbols) {
   const Node* table = root.table("foundations");
   std::map<std::string, Ground> grounds;
   for (std::size_t i = 0; table && i < table->keys.size(); ++i) {
@@ -223,20 +223,20 @@ void read_foundations(TableReader& root, model::Description& description, NamesI
     if (type == "mobility") grounds[name].separate = read_mobility(reader);
     if (type == "modal") grounds[name] = read_modal(reader, name, description);
     if (type) reader.finish();
-    if (std::ranges::none_of(in_file.foundation_references,
-                             [&](const NamesInFile::FoundationReference& one) { return one.ground == name; }))
+    if (std::ranges::none_of(symbols.foundation_references,
+                             [&](const SymbolTable::FoundationReference& one) { return one.ground == name; }))
       reader.problems()
           .warning("foundations." + name, "no element is on it", "a foundation acts only under elements that name it",
                    "add foundation = \"" + name + "\" to them")
           .origin = table->items[i].origin;
   }
   for (const auto& [name, ground] : grounds) {
-    for (const auto& [mount, shape] : ground.shapes) report_idle_mount(root, name, mount, "modes", "shapes", in_file);
+    for (const auto& [mount, shape] : ground.shapes) report_idle_mount(root, name, mount, "modes", "shapes", symbols);
     for (const auto& [mount, point] : ground.separate.points)
-      report_idle_mount(root, name, mount, "nodes", "a node", in_file);
+      report_idle_mount(root, name, mount, "nodes", "a node", symbols);
   }
   std::vector<std::string> names = table ? table->keys : std::vector<std::string>{};
-  for (const auto& [element_name, ground_name, origin] : in_file.foundation_references) {
+  for (const auto& [element_name, ground_name, origin] : symbols.foundation_references) {
     const std::string subject = "elements." + element_name + ".foundation";
     const auto element = std::ranges::find_if(
         description.elements, [&, wanted = element_name](const model::Element& e) { return e.name == wanted; });

@@ -40,8 +40,8 @@ void read_each(TableReader& root, const char* table, const std::string& rule, co
 
 class PlaceReader {
  public:
-  PlaceReader(const model::Description& description, const NamesInFile& in_file)
-      : description_(description), in_file_(in_file) {}
+  PlaceReader(const model::Description& description, const SymbolTable& symbols)
+      : description_(description), in_file_(symbols) {}
 
   /// None if it is not known; that is a problem unless the part could not be read.
   std::optional<model::Place> place(TableReader& reader, const std::string& key, const std::string& name) const {
@@ -64,7 +64,7 @@ class PlaceReader {
 
  private:
   const model::Description& description_;
-  const NamesInFile& in_file_;
+  const SymbolTable& in_file_;
 };
 
 std::optional<Eigen::Vector3d> required_direction(TableReader& reader, const std::string& key,
@@ -86,7 +86,7 @@ void read_relative(TableReader& reader, const std::string& name, const PlaceRead
 /// Indices of the named elements; none if one is not known, or could not be read.
 std::optional<std::vector<std::size_t>> elements_named(TableReader& reader, const std::vector<std::string>& names,
                                                        const model::Description& description,
-                                                       const NamesInFile& in_file) {
+                                                       const SymbolTable& symbols) {
   std::vector<std::size_t> found;
   for (const std::string& name : names) {
     const auto at = std::ranges::find_if(description.elements,
@@ -95,15 +95,15 @@ std::optional<std::vector<std::size_t>> elements_named(TableReader& reader, cons
       found.push_back(static_cast<std::size_t>(at - description.elements.begin()));
       continue;
     }
-    if (std::ranges::find(in_file.elements, name) != in_file.elements.end()) continue;
-    const std::string guess = foundation::nearest_name(name, in_file.elements);
+    if (std::ranges::find(symbols.elements, name) != symbols.elements.end()) continue;
+    const std::string guess = foundation::nearest_name(name, symbols.elements);
     reader.error("elements", foundation::quoted(name), "no element has this name",
                  guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
   return found.size() == names.size() ? std::optional(found) : std::nullopt;
 }
 
-void read_section(TableReader& reader, const std::string& name, const NamesInFile& in_file,
+void read_section(TableReader& reader, const std::string& name, const SymbolTable& symbols,
                   model::Description& description) {
   if (!reader.has("elements")) reader.missing("elements", "name the elements that the section cuts: [\"ELEMENT\", …]");
   if (!reader.has("at")) reader.missing("at", "give the point of the moments in the ground frame: at = [x, y, z]");
@@ -112,7 +112,7 @@ void read_section(TableReader& reader, const std::string& name, const NamesInFil
   const auto axes = reader.orientation("axes");
   if (names && names->empty())
     reader.error("elements", "an empty list", "a section cuts at least one element", "name it, or remove the section");
-  const auto elements = elements_named(reader, names.value_or(std::vector<std::string>()), description, in_file);
+  const auto elements = elements_named(reader, names.value_or(std::vector<std::string>()), description, symbols);
   if (elements && !elements->empty() && at && (axes || !reader.has("axes")))
     description.sections.push_back({name, *elements, *at, axes.value_or(Eigen::Matrix3d::Identity())});
 }
@@ -138,16 +138,16 @@ void read_clearance(TableReader& reader, const std::string& name, const PlaceRea
 
 }  // namespace
 
-void read_observations(TableReader& root, model::Description& description, NamesInFile& in_file) {
-  const PlaceReader places(description, in_file);
+void read_observations(TableReader& root, model::Description& description, SymbolTable& symbols) {
+  const PlaceReader places(description, symbols);
   read_each(root, "relative", "a relative motion is a table", "write [relative.NAME] with of, to and axis",
-            in_file.relative_motions,
+            symbols.relative_motions,
             [&](TableReader& reader, const std::string& name) { read_relative(reader, name, places, description); });
   read_each(root, "sections", "a section is a table", "write [sections.NAME] with elements, at and axes",
-            in_file.sections,
-            [&](TableReader& reader, const std::string& name) { read_section(reader, name, in_file, description); });
+            symbols.sections,
+            [&](TableReader& reader, const std::string& name) { read_section(reader, name, symbols, description); });
   read_each(root, "clearances", "a clearance is a table", "write [clearances.NAME] with between, direction and gap",
-            in_file.clearances,
+            symbols.clearances,
             [&](TableReader& reader, const std::string& name) { read_clearance(reader, name, places, description); });
 }
 

@@ -9,8 +9,8 @@
 #include "trivet/foundation/problems.h"
 #include "trivet/model/system.h"
 #include "trivet/project/analyses/analyses.h"
+#include "trivet/project/text/display_units.h"
 #include "trivet/project/text/document.h"
-#include "trivet/project/text/shown_units.h"
 
 namespace trivet::project {
 
@@ -23,7 +23,7 @@ struct Case {
   foundation::Problems warnings;  ///< of reading and checking, with their places
   Node written;                   ///< the file with the changes applied
   Node document;                  ///< `written` with the element types merged in: the input of the model
-  ShownUnits display;             ///< of its tables and pictures
+  DisplayUnits display;           ///< of its tables and pictures
   foundation::Problems of_text;   ///< warnings of reading alone
 };
 

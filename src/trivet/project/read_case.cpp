@@ -15,7 +15,7 @@
 #include "trivet/project/part_readers.h"
 #include "trivet/project/settings.h"
 #include "trivet/project/text/element_types.h"
-#include "trivet/project/text/names_in_file.h"
+#include "trivet/project/text/symbol_table.h"
 
 namespace trivet::project {
 namespace {
@@ -35,10 +35,10 @@ std::string part_path(const std::string& subject) {
   return subject.substr(0, subject.find('.', subject.find('.') + 1));
 }
 
-bool has_every_element(const model::Description& description, const NamesInFile& in_file) {
+bool has_every_element(const model::Description& description, const SymbolTable& symbols) {
   const auto read =
       std::ranges::count_if(description.elements, [](const model::Element& element) { return !element.is_foundation; });
-  return to_size(read) == in_file.elements.size();
+  return to_size(read) == symbols.elements.size();
 }
 
 /// Problems of the checked model that are not consequences of reading errors.
@@ -73,20 +73,20 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
 }
 
 /// Reads the parts of the model in the order in which they refer to each other.
-model::Description read_description(const Node& document, TableReader& root, NamesInFile& in_file,
+model::Description read_description(const Node& document, TableReader& root, SymbolTable& symbols,
                                     const KnownModel* known) {
   model::Description description;
   description.title = root.text("title").value_or("");
   if (const Node* types = document.find("element_types"); types && types->kind == Node::Kind::table)
-    in_file.element_types = types->keys;
-  read_bodies(root, description, in_file, known);
-  read_nodes(root, description, in_file);
-  read_elements(root, description, in_file, known);
-  read_foundations(root, description, in_file);
-  read_system_damping(root, description, in_file);
-  read_excitations(root, description, in_file);
-  read_observations(root, description, in_file);
-  for (const auto& adjust : in_file.adjustments) adjust(description);
+    symbols.element_types = types->keys;
+  read_bodies(root, description, symbols, known);
+  read_nodes(root, description, symbols);
+  read_elements(root, description, symbols, known);
+  read_foundations(root, description, symbols);
+  read_system_damping(root, description, symbols);
+  read_excitations(root, description, symbols);
+  read_observations(root, description, symbols);
+  for (const auto& adjust : symbols.adjustments) adjust(description);
   return description;
 }
 
@@ -101,19 +101,19 @@ std::optional<ReadCase> read_case(Node written, const std::string& name, foundat
   read.written = std::move(written);
   TableReader root(read.document, "", read.of_text);
   if (!is_known_format(root)) return problems.add(read.of_text), std::nullopt;
-  NamesInFile in_file;
-  model::Description description = read_description(read.document, root, in_file, known);
+  SymbolTable symbols;
+  model::Description description = read_description(read.document, root, symbols, known);
   read.title = description.title;
-  read.analyses = read_analyses(root, in_file);
-  read_measurements(root, description, in_file, read.analyses);
+  read.analyses = read_analyses(root, symbols);
+  read_measurements(root, description, symbols, read.analyses);
   read.analyses.choices = read_mount_choices(root, read.written);
   read.display = read_display(root);
   root.also_known({"cases", "accept", "element_types", "tables"});
   root.finish();
 
   const bool every_body_was_read =
-      !in_file.bodies_unknown && description.bodies.size() == in_file.bodies.size() + in_file.nodes.size();
-  const bool every_element_was_read = has_every_element(description, in_file);
+      !symbols.bodies_unknown && description.bodies.size() == symbols.bodies.size() + symbols.nodes.size();
+  const bool every_element_was_read = has_every_element(description, symbols);
   read.has_every_part = every_body_was_read && every_element_was_read;
   read.bodies = description.bodies;
   auto system = model::System::checked(std::move(description));
@@ -123,10 +123,10 @@ std::optional<ReadCase> read_case(Node written, const std::string& name, foundat
   return read;
 }
 
-Node without_questions(Node document) {
-  for (const char* question :
+Node without_analyses(Node document) {
+  for (const char* analysis :
        {"analyses", "limits", "limit_lines", "measurements", "requirements", "parameters", "cases"})
-    if (const auto at = std::ranges::find(document.keys, question); at != document.keys.end()) {
+    if (const auto at = std::ranges::find(document.keys, analysis); at != document.keys.end()) {
       document.items.erase(document.items.begin() + (at - document.keys.begin()));
       document.keys.erase(at);
     }

@@ -8,9 +8,9 @@
 #include "trivet/foundation/problems.h"
 #include "trivet/model/system.h"
 #include "trivet/project/analyses/analyses.h"
+#include "trivet/project/text/display_units.h"
 #include "trivet/project/text/document.h"
 #include "trivet/project/text/known_model.h"
-#include "trivet/project/text/shown_units.h"
 
 /// Reading ends here: at the checked description of one case. Nothing is solved; that is for the layer judging.
 namespace trivet::project {
@@ -25,7 +25,7 @@ struct ReadCase {
   std::vector<model::Body> bodies;      ///< of the description, also with errors
   bool has_every_part = false;          ///< every body and element of the file is in the description
   Analyses analyses;
-  ShownUnits display;
+  DisplayUnits display;
   foundation::Problems of_text;   ///< of keys and values
   foundation::Problems of_model;  ///< of the description that they give, as far as they are not the cause
 };
@@ -34,7 +34,7 @@ struct ReadCase {
 [[nodiscard]] std::optional<ReadCase> read_case(Node written, const std::string& name, foundation::Problems& problems,
                                                 const KnownModel* known = nullptr);
 
-/// The document without its questions and cases.
-[[nodiscard]] Node without_questions(Node document);
+/// The document without its analyses and cases.
+[[nodiscard]] Node without_analyses(Node document);
 
 }  // namespace trivet::project

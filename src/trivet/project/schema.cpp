@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "trivet/project/analyses/question_reader.h"
+#include "trivet/project/analyses/analysis_reader.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/text/embedded_text.h"
 
@@ -68,9 +68,9 @@ void add_element_laws(Json& definitions) {
   }
 }
 
-void add_questions(Json& analyses) {
-  for (const QuestionReader& question : question_readers())
-    analyses[question.name] = closed(parsed(question.name, question.keys), {{"accept", reference("accept")}}, {}, {});
+void add_analyses(Json& analyses) {
+  for (const AnalysisReader& analysis : analysis_readers())
+    analyses[analysis.name] = closed(parsed(analysis.name, analysis.keys), {{"accept", reference("accept")}}, {}, {});
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void add_questions(Json& analyses) {
 std::string project_schema() {
   Json schema = Json::parse(schema_text);
   add_element_laws(schema["$defs"]);
-  add_questions(schema["properties"]["analyses"]["properties"]);
+  add_analyses(schema["properties"]["analyses"]["properties"]);
   return schema.dump(1) + "\n";
 }
 

@@ -93,8 +93,8 @@ std::vector<std::string> change_lines(const Node* of_case, const Settings& setti
   return lines;
 }
 
-ShownUnits read_display(TableReader& root) {
-  ShownUnits units;
+DisplayUnits read_display(TableReader& root) {
+  DisplayUnits units;
   const Node* table = root.table("display");
   if (!table) return units;
   TableReader reader(*table, "display", root.problems());

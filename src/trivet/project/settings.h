@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "trivet/project/text/display_units.h"
 #include "trivet/project/text/document.h"
-#include "trivet/project/text/shown_units.h"
 #include "trivet/project/text/table_reader.h"
 
 namespace trivet::project {
@@ -34,6 +34,6 @@ void set_folder(Node& node, const std::string& folder);
                                                     const Node& document);
 
 /// Reads [display].
-[[nodiscard]] ShownUnits read_display(TableReader& root);
+[[nodiscard]] DisplayUnits read_display(TableReader& root);
 
 }  // namespace trivet::project

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/settings.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/project/text/part_tables.h"

@@ -80,7 +80,7 @@ function bends(a, m, b, part, tops) {
   for (let c = 0; c < tops.length; c++) {
     const size = v => Math.hypot(v[2 * c], v[2 * c + 1]), [from, middle, to] = [size(a), size(m), size(b)];
     const most = Math.max(from, middle, to);
-    if (Number.isNaN(most) && tops[c] < Infinity) return true;  // up to a frequency without an answer
+    if (Number.isNaN(most) && tops[c] < Infinity) return true;  // up to a frequency without a result
     if (!(most > 1e-6 * tops[c])) continue;  // its shape there is invisible
     if (Math.abs(middle - (1 - part) * from - part * to) > 7e-4 * Math.max(middle, 1e-3 * most)) return true;
     const turn = (u, v) => Math.abs(Math.atan2(u[2 * c] * v[2 * c + 1] - u[2 * c + 1] * v[2 * c],
@@ -144,7 +144,7 @@ function tabled(c) {
   return {angular_frequency: points.map(p => p.w), results};
 }
 
-/// Curves of a case in ascending ω: amplitude in the shown unit, phase in degrees; null if the answer is not defined.
+/// Curves of a case in ascending ω: amplitude in the shown unit, phase in degrees; null if the result is not defined.
 function readCurves(c) {
   const response = c.response.pieces ? tabled(c) : c.response, all = response.angular_frequency;
   const order = all.map((_, i) => i).sort((a, b) => all[a] - all[b]), omega = order.map(i => all[i]);

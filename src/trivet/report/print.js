@@ -36,7 +36,7 @@ function isSpiky(chart) {
   return common > 0 && largestOf(lines.map(highest)) > spiky * common;
 }
 
-/// Heading, charts, answers and tables of a case.
+/// Heading, charts, results and tables of a case.
 function paperCase(index) {
   const {nodes, charts: made} = chartsOfCase(index, PAPER_CHART);
   paperCharts.push(...made);

@@ -16,7 +16,7 @@
 #include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/plausibility/overturning.h"
-#include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/study/analyses/case_context.h"
 #include "trivet/study/explain/element_summary.h"
 #include "trivet/study/optimize/design_front.h"
@@ -27,28 +27,28 @@ namespace {
 
 /// Computes the map that the file requests, with the cases as points on it.
 void add_map(const project::Project& project, const project::Case& variant, const foundation::Progress& step,
-             Answers& answers) {
+             CaseResults& results) {
   try {
     const project::MapRequest& request = *variant.analyses.map;
-    if (request.pairs.empty()) answers.map = design_map(project, variant, request, {}, step);
-    else answers.map_pairs = design_maps(project, variant, request, {}, step);
-    if (answers.map) answers.warnings.add(answers.map->warnings);
-    for (const DesignMap& map : answers.map_pairs) answers.warnings.add(map.warnings);
+    if (request.pairs.empty()) results.map = design_map(project, variant, request, {}, step);
+    else results.map_pairs = design_maps(project, variant, request, {}, step);
+    if (results.map) results.warnings.add(results.map->warnings);
+    for (const DesignMap& map : results.map_pairs) results.warnings.add(map.warnings);
   } catch (const foundation::NotComputable& reason) {
-    answers.failures.emplace_back(reason.what());
+    results.failures.emplace_back(reason.what());
   } catch (const foundation::InvalidInput& reason) {
-    answers.failures.emplace_back(reason.what());
+    results.failures.emplace_back(reason.what());
   }
 }
 
-/// Judges the case, with the warnings of the verdict that its answers do not have yet.
+/// Judges the case, with the warnings of the verdict that its results do not have yet.
 void add_verdict(const project::Project& project, const project::Case& variant, const foundation::Progress& step,
-                 Answers& answers) {
-  answers.verdict = case_verdict(variant, cases_to_hold(project), step);
+                 CaseResults& results) {
+  results.verdict = case_verdict(variant, cases_to_hold(project), step);
   std::set<std::string> known;
-  for (const foundation::Problem& problem : answers.warnings.list()) known.insert(foundation::message(problem));
-  for (const foundation::Problem& problem : answers.verdict->warnings.list())
-    if (known.insert(foundation::message(problem)).second) answers.warnings.add(problem);
+  for (const foundation::Problem& problem : results.warnings.list()) known.insert(foundation::message(problem));
+  for (const foundation::Problem& problem : results.verdict->warnings.list())
+    if (known.insert(foundation::message(problem)).second) results.warnings.add(problem);
 }
 
 /// Mounts at rest, if that takes no time.
@@ -64,28 +64,28 @@ std::vector<MountAtRest> quick_mounts(const model::System& system, const assembl
 }
 
 /// What a case contributes to the envelope of a run: nothing without a verdict or static results.
-LoadCase load_case_of(const project::Case& variant, const Answers& answers) {
-  if (answers.verdict) return answers.verdict->load_case;
+LoadCase load_case_of(const project::Case& variant, const CaseResults& results) {
+  if (results.verdict) return results.verdict->load_case;
   if (!variant.analyses.static_of) return {variant.name, {}, ""};
   return load_case(variant.name, variant.system, assembly::assemble(variant.system), variant.analyses);
 }
 
 /// Searches the best design, or the front, that the file requests.
-void add_optimum(const project::Project& project, const foundation::Progress& step, Answers& answers) {
+void add_optimum(const project::Project& project, const foundation::Progress& step, CaseResults& results) {
   const auto& request = project.base().analyses.optimize;
   if (!request) return;
   try {
     if (request->front.empty()) {
-      answers.optimization = std::make_shared<const Optimization>(optimization(project, step));
-      answers.warnings.add(answers.optimization->warnings);
+      results.optimization = std::make_shared<const Optimization>(optimization(project, step));
+      results.warnings.add(results.optimization->warnings);
     } else {
-      answers.front = std::make_shared<const DesignFront>(design_front(project, step));
-      answers.warnings.add(answers.front->warnings);
+      results.front = std::make_shared<const DesignFront>(design_front(project, step));
+      results.warnings.add(results.front->warnings);
     }
   } catch (const foundation::NotComputable& reason) {
-    answers.failures.emplace_back(reason.what());
+    results.failures.emplace_back(reason.what());
   } catch (const foundation::InvalidInput& reason) {
-    answers.failures.emplace_back(reason.what());
+    results.failures.emplace_back(reason.what());
   }
 }
 
@@ -107,9 +107,9 @@ void add_matrix_lines(const std::string& subject, const std::string& quantity, c
 
 }  // namespace
 
-std::vector<Answers> run(const project::Project& project, const foundation::Progress& progress,
-                         const std::function<void(std::size_t, const Answers&)>& done) {
-  std::vector<Answers> all;
+std::vector<CaseResults> run(const project::Project& project, const foundation::Progress& progress,
+                             const std::function<void(std::size_t, const CaseResults&)>& done) {
+  std::vector<CaseResults> all;
   for (std::size_t i = 0; i < project.cases.size(); ++i) {
     const project::Case& variant = project.cases[i];
     const auto step = [&](std::string_view task, double fraction) {
@@ -117,7 +117,7 @@ std::vector<Answers> run(const project::Project& project, const foundation::Prog
         progress(fmt::format("{}: {}", variant.name.empty() ? "base model" : variant.name, task),
                  (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
     };
-    all.push_back(answers(variant, variant.analyses, step));
+    all.push_back(case_results(variant, variant.analyses, step));
     if (project.base().analyses.requirements || !project.base().system.description().clearances.empty())
       add_verdict(project, variant, step, all.back());
     if (project.cases.size() > 1) all.back().load_case = load_case_of(variant, all.back());
@@ -128,12 +128,12 @@ std::vector<Answers> run(const project::Project& project, const foundation::Prog
   return all;
 }
 
-Envelope envelope_of(const std::vector<Answers>& answers) {
+Envelope envelope_of(const std::vector<CaseResults>& results) {
   std::vector<const LoadCase*> cases;
-  for (const Answers& one : answers)
+  for (const CaseResults& one : results)
     if (one.load_case) cases.push_back(&*one.load_case);
   Envelope result = envelope(cases);
-  if (!answers.empty()) result.display = answers.front().display;
+  if (!results.empty()) result.display = results.front().display;
   return result;
 }
 

@@ -5,18 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::study {
 
 /// Computes all analyses of a project in all its cases; maps of the base model and of cases with a map of their own.
 /// @param progress  "CASE: task" and the share of the whole
 /// @param done  receives each case when it is complete
-[[nodiscard]] std::vector<Answers> run(const project::Project& project, const foundation::Progress& progress = {},
-                                       const std::function<void(std::size_t index, const Answers&)>& done = {});
+[[nodiscard]] std::vector<CaseResults> run(const project::Project& project, const foundation::Progress& progress = {},
+                                           const std::function<void(std::size_t index, const CaseResults&)>& done = {});
 
 /// The envelope of the static results of a run over all its cases.
-[[nodiscard]] Envelope envelope_of(const std::vector<Answers>& answers);
+[[nodiscard]] Envelope envelope_of(const std::vector<CaseResults>& results);
 
 /// One check that the data passed or failed, as text.
 struct CheckLine {
@@ -33,11 +33,11 @@ struct CheckLine {
 /// Checks of a case without its analyses.
 struct CaseCheck {
   std::string case_name;
-  project::ShownUnits display;    ///< of its tables
+  project::DisplayUnits display;  ///< of its tables
   foundation::Problems warnings;  ///< of the data, the modes and the roots
   std::vector<CheckLine> lines;   ///< for cases other than the base model: only those that differ from it
   std::vector<MountAtRest>
-      mounts;  ///< empty without a static answer; for other cases only if they differ from the base
+      mounts;  ///< empty without a static result; for other cases only if they differ from the base
   std::vector<std::string> free_motions;
   std::vector<std::string> notes;  ///< left-out directions of nodes; for the base model: bodies that gravity tilts
   std::optional<response::DeepCheck> deep;  ///< comparison of two solvers, if requested

@@ -16,8 +16,8 @@ using namespace trivet::documents;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
+using trivet::project::DisplayUnits;
 using trivet::project::Level;
-using trivet::project::ShownUnits;
 
 constexpr double infinity = std::numeric_limits<double>::infinity(), two_pi = 2 * std::numbers::pi;
 
@@ -82,8 +82,8 @@ Document document() {
   return all;
 }
 
-ShownUnits inches_peak_to_peak() {
-  ShownUnits display;
+DisplayUnits inches_peak_to_peak() {
+  DisplayUnits display;
   display.length = "in";
   display.level = Level::peak_to_peak;
   display.frequency = "rpm";

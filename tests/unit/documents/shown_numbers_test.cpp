@@ -9,8 +9,8 @@ using namespace trivet;
 
 constexpr double inch = 0.0254;
 
-project::ShownUnits inches_peak_to_peak() {
-  project::ShownUnits display;
+project::DisplayUnits inches_peak_to_peak() {
+  project::DisplayUnits display;
   display.length = "in";
   display.level = project::Level::peak_to_peak;
   return display;
@@ -32,7 +32,7 @@ TEST(ShownNumbers, ARatioStays) {
 }
 
 TEST(ShownNumbers, OnlySiUnitsGetAPrefix) {
-  const project::ShownUnits display = inches_peak_to_peak();
+  const project::DisplayUnits display = inches_peak_to_peak();
   EXPECT_EQ(documents::value_text(2.54e-5, documents::amplitude_unit(display, "m")), "0.002 in p-p");
   EXPECT_EQ(documents::value_text(600, documents::amplitude_unit(display, "N")), "1.2 kN p-p");
   EXPECT_EQ(documents::value_text(0.0005, documents::display_unit({}, "m")), "500 µm");
@@ -42,7 +42,7 @@ TEST(ShownNumbers, FrequenciesAreThoseOfTheTableUnlessTheDisplayHasOne) {
   EXPECT_THAT(documents::frequency_units({}), testing::ElementsAre("rad/s", "Hz"));
   EXPECT_EQ(documents::frequency_heading({}, "rad/s"), "ω [rad/s]");
   EXPECT_EQ(documents::shown_frequency({}, 3, "rad/s"), 3);
-  project::ShownUnits display;
+  project::DisplayUnits display;
   display.frequency = "rpm";
   EXPECT_THAT(documents::frequency_units(display), testing::ElementsAre("rpm"));
   EXPECT_EQ(documents::frequency_heading(display, "rad/s"), "f [rpm]");

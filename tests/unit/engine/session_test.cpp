@@ -38,7 +38,7 @@ TEST(Session, ChangedIsTheChangedFileReadAgain) {
   EXPECT_NE(json(again, "modes"), json(opened("genset/genset.toml"), "modes"));
 }
 
-TEST(Session, AnswersSeveralRequestsAtOnce) {
+TEST(Session, ResultsSeveralRequestsAtOnce) {
   const Session session = opened("genset/genset.toml");
   const std::vector<std::string> commands = {"modes", "response", "peaks", "static", "suspension", "roots"};
   std::vector<std::string> alone, together(commands.size());

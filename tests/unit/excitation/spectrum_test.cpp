@@ -152,7 +152,7 @@ TEST(RandomInputs, TheLaterInputLags) {
   EXPECT_EQ(s(1, 0), std::conj(s(0, 1)));
 }
 
-TEST(RandomInputs, AnAnswerOfTheirSumVanishesInAntiPhase) {
+TEST(RandomInputs, AChannelOfTheirSumVanishesInAntiPhase) {
   // x₂(t) = x₁(t − τ): with ωτ = π the sum is zero, with ωτ = 2π it is twice x₁. S_yy = Σ H_j* S_jk H_k.
   const RandomInputs wheels{{flat_spectrum(4, 1, 9), flat_spectrum(4, 1, 9)}, {{0, 1, {}, 1}}};
   EXPECT_NEAR(density_matrix(wheels, std::numbers::pi).sum().real(), 0, round_off);

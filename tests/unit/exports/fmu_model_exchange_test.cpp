@@ -66,12 +66,12 @@ TEST(FmuModelExchange, OfVersion3IsTheSame) {
   const fmi3Instance instance = resources.new_3_model_exchange();
   EXPECT_EQ(fmi3EnterInitializationMode(instance, false, 0, 0, false, 0), fmi3OK);
   EXPECT_EQ(fmi3ExitInitializationMode(instance), fmi3OK);
-  std::array<bool, 5> answers = {true, true, true, true, true};
+  std::array<bool, 5> results = {true, true, true, true, true};
   double next_event = 0;
   EXPECT_EQ(
-      fmi3UpdateDiscreteStates(instance, &answers[0], &answers[1], &answers[2], &answers[3], &answers[4], &next_event),
+      fmi3UpdateDiscreteStates(instance, &results[0], &results[1], &results[2], &results[3], &results[4], &next_event),
       fmi3OK);
-  EXPECT_THAT(answers, ElementsAre(false, false, false, false, false));
+  EXPECT_THAT(results, ElementsAre(false, false, false, false, false));
   EXPECT_EQ(fmi3EvaluateDiscreteStates(instance), fmi3OK);
   EXPECT_EQ(fmi3EnterContinuousTimeMode(instance), fmi3OK);
   EXPECT_EQ(fmi3SetTime(instance, 0.25), fmi3OK);

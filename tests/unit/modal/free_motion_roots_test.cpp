@@ -41,12 +41,12 @@ peaks = {}
 
 TEST(FreeMotions, HaveZeroRootsIfADamperDoesNotResistThem) {
   const project::Project project = test::project(damped_pendulum_without_weight);
-  project::Analyses asked;
-  asked.roots = true;
-  const study::Answers answers = study::answers(project.base(), asked);
+  project::Analyses request;
+  request.roots = true;
+  const study::CaseResults results = study::case_results(project.base(), request);
   int at_rest = 0;
   double slowest = std::numeric_limits<double>::infinity();
-  for (const modal::Root& root : answers.roots.list)
+  for (const modal::Root& root : results.roots.list)
     if (const double size = std::abs(root.eigenvalue); size == 0) ++at_rest;
     else slowest = std::min(slowest, size);
   constexpr double slowest_decay = 1e-3;  // [1/s] c/m with kilograms, far above round-off
@@ -56,10 +56,10 @@ TEST(FreeMotions, HaveZeroRootsIfADamperDoesNotResistThem) {
 
 TEST(FreeMotions, HaveFinitePeaksWithADamperAndModalDamping) {
   const project::Project project = test::project(damped_pendulum_without_weight);
-  const study::Answers answers = study::answers(project.base(), project.base().analyses);
-  ASSERT_TRUE(answers.peaks.has_value());
-  EXPECT_GE(answers.peaks->peaks.list.size(), 3u);
-  for (const response::Peak& peak : answers.peaks->peaks.list)
+  const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
+  ASSERT_TRUE(results.peaks.has_value());
+  EXPECT_GE(results.peaks->peaks.list.size(), 3u);
+  for (const response::Peak& peak : results.peaks->peaks.list)
     EXPECT_TRUE(std::isfinite(peak.amplitude) && std::isfinite(peak.angular_frequency));
 }
 

@@ -128,7 +128,7 @@ TEST(BristleLoop, HarmonicsHaveTheirDerivatives) {
     for (const VectorXd& motion : motions()) {
       SCOPED_TRACE(i);
       const nonlinear::LawHarmonics law(
-          nonlinear::LawAbout(elements::ScalarLaws{laws()[i]}, 1e-4, elements::small_motion({laws()[i]}, 1e-4)),
+          nonlinear::DeviationLaw(elements::ScalarLaws{laws()[i]}, 1e-4, elements::small_motion({laws()[i]}, 1e-4)),
           harmonics);
       constexpr double step = 1e-9, of_omega = 1e-4;
       constexpr double truncation = 1e-6;  // of steps of a millionth of the motion
@@ -190,7 +190,7 @@ TEST(BristleLoop, VariationOfTwiceThePeriodIsTheTangentOfTwoPeriods) {
     VectorXd twice = VectorXd::Zero(numerics::coefficient_count(2 * harmonics));
     twice(0) = motion(0);
     for (Index k = 1; k <= harmonics; ++k) twice.segment<2>(4 * k - 1) = motion.segment<2>(2 * k - 1);
-    const nonlinear::LawHarmonics over_two(nonlinear::LawAbout(elements::ScalarLaws{law}), 2 * harmonics);
+    const nonlinear::LawHarmonics over_two(nonlinear::DeviationLaw(elements::ScalarLaws{law}), 2 * harmonics);
     const MatrixXd tangent = over_two.at(twice, omega / 2).tangent;
     const Eigen::MatrixXcd variation = nonlinear::BristleVariation(loop_of(law, motion), omega, harmonics).at(0.5);
     // e^{i(1/2 + l)φ} = e^{inψ} with n = 2 l + 1 and ψ = φ/2.

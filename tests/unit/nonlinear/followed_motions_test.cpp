@@ -73,7 +73,7 @@ TEST_F(JoinedMotions, FollowTheCurveFromEndToEnd) {
   EXPECT_LT(along.front(), -2.4);
   EXPECT_GT(along.back(), 2.4);
   EXPECT_THAT(joined.corners(), testing::ElementsAre(5, 6, 7));
-  EXPECT_EQ(places(joined.asked_for()), places(joined.all_at(0)));
+  EXPECT_EQ(places(joined.requested()), places(joined.all_at(0)));
   expect_all_at_zero();
 }
 

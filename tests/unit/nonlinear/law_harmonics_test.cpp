@@ -55,8 +55,8 @@ TEST(LawHarmonics, TangentIsTheDerivativeByTheCoefficients) {
   motion << 0.1, 0.9, -0.4, 0.2, 0.3, -0.1, 0.05, 0.02, -0.03;
   const elements::ScalarLaws cubic = {elements::PolynomialForce{{1, 2, -3}}};
   const elements::ScalarLaws stops = {elements::GapStop{.gap_above = 0.5, .gap_below = 0.3, .stiffness = 2}};
-  for (const nonlinear::LawAbout& one :
-       {nonlinear::LawAbout(cubic), nonlinear::LawAbout(stops), nonlinear::LawAbout(stops, 0.4, {1.5, 0})}) {
+  for (const nonlinear::DeviationLaw& one : {nonlinear::DeviationLaw(cubic), nonlinear::DeviationLaw(stops),
+                                             nonlinear::DeviationLaw(stops, 0.4, {1.5, 0})}) {
     const LawHarmonics law(one, 4);
     const Eigen::MatrixXd tangent = law.at(motion, 1).tangent;
     constexpr double step = 1e-6, truncation = 1e-7;
@@ -74,9 +74,10 @@ TEST(LawHarmonics, PiecesOfSecondDegreeAreThoseOfManyInstants) {
   VectorXd motion(9);
   motion << 0.1, 0.9, -0.4, 0.2, 0.3, -0.1, 0.05, 0.02, -0.03;
   const elements::GapStop damped{.gap_above = 0.5, .gap_below = 0.3, .stiffness = 2, .dissipation = 0.8};
-  const nonlinear::LawAbout law(elements::ScalarLaws{damped, elements::DampingForce(elements::QuadraticDamping{3, 1}),
-                                                     elements::PolynomialForce{{1, -2, 3}}},
-                                0.2, {1.5, 0.4});
+  const nonlinear::DeviationLaw law(
+      elements::ScalarLaws{damped, elements::DampingForce(elements::QuadraticDamping{3, 1}),
+                           elements::PolynomialForce{{1, -2, 3}}},
+      0.2, {1.5, 0.4});
   constexpr Index harmonics = 4, instants = 200000;
   constexpr double omega = 1.7, of_midpoints = 2e-8;
   const VectorXd rate = omega * numerics::phase_derivative(motion);
@@ -118,7 +119,7 @@ TEST(LawHarmonics, DerivativesOfDampersAndLoops) {
   for (std::size_t i = 0; i < std::size(laws); ++i)
     for (const VectorXd& at : {motion, twice_round, aside}) {
       SCOPED_TRACE(i);
-      const LawHarmonics law(nonlinear::LawAbout(laws[i], 0.15, {1.5, 0.2}, 0.3), 4);
+      const LawHarmonics law(nonlinear::DeviationLaw(laws[i], 0.15, {1.5, 0.2}, 0.3), 4);
       constexpr double omega = 1.3, step = 1e-6;
       const double truncation = i < 9 ? 1e-6 : 5e-5;  // Gauss's rule where a smooth loop turns sharply
       const nonlinear::ForceHarmonics found = law.at(at, omega);
@@ -154,8 +155,8 @@ TEST(LawHarmonics, CoulombFrictionTurnsWithTheWholeMotion) {
       motion(2 * n - 1) -= of_friction * std::sin(order * turn);
       motion(2 * n) += of_friction * std::cos(order * turn);
     }
-    const LawHarmonics law(nonlinear::LawAbout(elements::ScalarLaws{elements::CoulombFriction{slip}}, 0, {}, 1 / mass),
-                           harmonics);
+    const LawHarmonics law(
+        nonlinear::DeviationLaw(elements::ScalarLaws{elements::CoulombFriction{slip}}, 0, {}, 1 / mass), harmonics);
     const std::vector<nonlinear::HystereticLoop> loops = law.course(motion, omega).loops();
     EXPECT_EQ(loops.size(), 1u);
     EXPECT_EQ(loops[0].branches().size(), 2u);

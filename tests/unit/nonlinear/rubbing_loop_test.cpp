@@ -20,26 +20,26 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 using elements::GapStop;
-using nonlinear::RubbingAbout;
+using nonlinear::ContactFriction;
 using nonlinear::RubbingLoop;
 
 constexpr double pi = std::numbers::pi, omega = 30, longest = pi / 32;
 constexpr Index harmonics = 3;
 
 /// Contact at rest by `pressed`, or a gap of as much if that is negative.
-RubbingAbout rubbing(double pressed, double dissipation = 0, double power = 1) {
+ContactFriction rubbing(double pressed, double dissipation = 0, double power = 1) {
   GapStop stop{.gap_above = 1e-3, .stiffness = power > 1 ? 4e6 : 1e5, .power = power, .dissipation = dissipation};
   return {{.coefficient = 0.4, .stiffness = 5e4}, {stop}, 1e-3 + pressed};
 }
 
-std::vector<double> corners(const RubbingAbout&, const MatrixXd& course, double pressed) {
+std::vector<double> corners(const ContactFriction&, const MatrixXd& course, double pressed) {
   MatrixXd samples(256, course.rows());
   for (Index n = 0; n < samples.rows(); ++n)
     samples.row(n) = numerics::fourier_row((course.rows() - 1) / 2, 2 * pi * static_cast<double>(n) / 256);
   return numerics::level_crossings(course.col(0), {-pressed}, samples);
 }
 
-RubbingLoop loop(const RubbingAbout& law, const MatrixXd& course, double pressed, double of_omega = omega) {
+RubbingLoop loop(const ContactFriction& law, const MatrixXd& course, double pressed, double of_omega = omega) {
   return {law, course, corners(law, course, pressed), of_omega, longest};
 }
 
@@ -53,7 +53,7 @@ MatrixXd motion() {
 }
 
 /// Forces by very small steps, each of which brings a force beyond the limit back along itself.
-MatrixXd by_small_steps(const RubbingAbout& law, const MatrixXd& course, int steps) {
+MatrixXd by_small_steps(const ContactFriction& law, const MatrixXd& course, int steps) {
   const Index count = course.rows(), H = (count - 1) / 2;
   MatrixXd sum = MatrixXd::Zero(count, 2), slope(count, 3);
   for (Index j = 0; j < 3; ++j) slope.col(j) = numerics::phase_derivative(course.col(j));
@@ -119,14 +119,14 @@ TEST(Slip, OfAConstantLimitIsThatOfManySmallTravels) {
 
 TEST(RubbingLoop, UnderConstantPressureIsASlider) {
   constexpr double pressed = 2e-4;
-  const RubbingAbout law = rubbing(pressed);
+  const ContactFriction law = rubbing(pressed);
   MatrixXd course = motion();
   course.col(0).setZero();
   course.col(2).setZero();
   const RubbingLoop found = loop(law, course, pressed);
   const nonlinear::RubbingHarmonics harmonic = nonlinear::rubbing_harmonics(found, course, omega, true);
   const elements::ScalarLaws slider = {elements::HystereticForce(elements::Slider{5e4, law.limit(0, 0).value, 0})};
-  const nonlinear::LawHarmonics exact(nonlinear::LawAbout(slider, 0, {5e4, 0}), harmonics);
+  const nonlinear::LawHarmonics exact(nonlinear::DeviationLaw(slider, 0, {5e4, 0}), harmonics);
   const nonlinear::ForceHarmonics expected = exact.at(course.col(1), omega);
   constexpr double of_quadrature = 1e-9;
   EXPECT_NEAR((harmonic.force.col(1) - expected.force).norm(), 0, of_quadrature * expected.force.norm());
@@ -139,7 +139,7 @@ TEST(RubbingLoop, IsWhatManySmallStepsGive) {
   constexpr double of_turning = 1e-4;  // of the force; both fall with the square of the steps
   for (const double pressed : {-2e-4, 2e-4, 8e-4})
     for (const double dissipation : {0.0, 20.0}) {
-      const RubbingAbout law = rubbing(pressed, dissipation);
+      const ContactFriction law = rubbing(pressed, dissipation);
       const MatrixXd course = motion(), expected = by_small_steps(law, course, steps),
                      found = nonlinear::rubbing_harmonics(loop(law, course, pressed), course, omega, false)
                                  .force.rightCols<2>();
@@ -151,7 +151,7 @@ TEST(RubbingLoop, IsWhatManySmallStepsGive) {
 TEST(RubbingLoop, HasErrorsOfTheSquareOfItsSteps) {
   constexpr double step = pi / 16, exact = pi / 2048, of_ratio = 0.4, removed = 0.1;
   for (const double pressed : {-2e-4, 2e-4, 8e-4}) {
-    const RubbingAbout law = rubbing(pressed, 20);
+    const ContactFriction law = rubbing(pressed, 20);
     const MatrixXd course = motion();
     const auto force = [&](double longest_step, bool rough) {
       const RubbingLoop one(law, course, corners(law, course, pressed), omega, longest_step, rough);
@@ -167,7 +167,7 @@ TEST(RubbingLoop, HasTheDerivativesOfItsForces) {
   constexpr double h = 1e-9, accurate = 2e-4;  // nodes move with the instants, and so do the errors of their steps
   for (const double pressed : {-2e-4, 2e-4, 8e-4})
     for (const double power : {1.0, 1.5}) {
-      const RubbingAbout law = rubbing(pressed, 20, power);
+      const ContactFriction law = rubbing(pressed, 20, power);
       const MatrixXd course = motion();
       const auto forces = [&](const MatrixXd& of, double at) {
         return nonlinear::rubbing_harmonics(loop(law, of, pressed, at), of, at, false).force;
@@ -196,7 +196,7 @@ TEST(RubbingLoop, HasTheDerivativesOfItsForces) {
 /// A stop that is met quickly sticks at once, to the place at which it closed.
 TEST(RubbingLoop, HasTheDerivativesOfSticksFromItsClosing) {
   constexpr double pressed = -2e-4, h = 1e-9, accurate = 2e-4;
-  const RubbingAbout law = rubbing(pressed, 20);
+  const ContactFriction law = rubbing(pressed, 20);
   MatrixXd course = motion();
   course.rightCols<2>() *= 0.2;
   const RubbingLoop found = loop(law, course, pressed);
@@ -223,7 +223,7 @@ TEST(RubbingLoop, HasTheDerivativesOfSticksFromItsClosing) {
 
 TEST(RubbingLoop, SticksFarthestBelowItsLimits) {
   constexpr double pressed = 1.4e-3, h = 1e-9, of_differences = 5e-4;
-  const RubbingAbout law = rubbing(pressed);
+  const ContactFriction law = rubbing(pressed);
   const double k = law.law().stiffness;
   const MatrixXd course = 0.5 * motion();
   const RubbingLoop found = loop(law, course, pressed);
@@ -246,7 +246,7 @@ TEST(RubbingLoop, SticksFarthestBelowItsLimits) {
 /// As a motion grows, it begins to slip with the force at which it stuck.
 TEST(RubbingLoop, BeginsToSlipWithoutAJump) {
   constexpr double pressed = 8e-4;
-  const RubbingAbout law = rubbing(pressed);
+  const ContactFriction law = rubbing(pressed);
   double low = 0.3, high = 0.8;
   const auto at = [&](double share) { return loop(law, share * motion(), pressed); };
   ASSERT_TRUE(at(low).always_sticks());
@@ -303,7 +303,7 @@ TEST(DeepestPlace, OfEllipses) {
 
 TEST(RubbingLoop, IsTheSameInTurnedDirections) {
   constexpr double pressed = 2e-4, angle = 0.7;
-  const RubbingAbout law = rubbing(pressed);
+  const ContactFriction law = rubbing(pressed);
   Eigen::Matrix2d turn;
   turn << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
   const MatrixXd course = motion();
@@ -318,7 +318,7 @@ TEST(RubbingLoop, IsTheSameInTurnedDirections) {
 TEST(RubbingVariation, IsTheTangentOfTwiceThePeriod) {
   constexpr Index kept = 8;
   for (const double pressed : {-2e-4, 8e-4}) {
-    const RubbingAbout law = rubbing(pressed, 20);
+    const ContactFriction law = rubbing(pressed, 20);
     const MatrixXd course = motion();
     const nonlinear::RubbingVariation found =
         nonlinear::rubbing_variation(loop(law, course, pressed), omega, 0.5, kept);

@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using nonlinear::RubbingAbout;
+using nonlinear::ContactFriction;
 using nonlinear::RubbingHarmonics;
 using nonlinear::RubbingLoop;
 
@@ -37,7 +37,7 @@ struct Ring {
         .gap_above = play, .stiffness = power > 1 ? 4e6 : 1e5, .power = power, .dissipation = dissipation}));
     return found;
   }
-  [[nodiscard]] RubbingAbout law() const { return {friction, force(), at_rest}; }
+  [[nodiscard]] ContactFriction law() const { return {friction, force(), at_rest}; }
   [[nodiscard]] RubbingLoop loop(const MatrixXd& course, double of_omega = omega, double step = longest,
                                  bool rough = false) const {
     const nonlinear::DistanceHarmonics ring(nonlinear::DistanceAbout(force(), at_rest), (course.rows() - 1) / 2);

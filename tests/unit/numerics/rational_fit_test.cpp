@@ -12,7 +12,7 @@ namespace rational_fit_test {
 using namespace trivet;
 using Complex = std::complex<double>;
 
-constexpr double fit_error = 1e-6;                   // that the fit is asked for, at its samples
+constexpr double fit_error = 1e-6;                   // that the fit is requested, at its samples
 constexpr double between_samples = 100 * fit_error;  // resonances have few samples
 constexpr double pole_error = 1e-4;                  // of the half-width, which the same samples show
 

@@ -20,7 +20,7 @@ constexpr double round_off = 4 * test::epsilon;
 constexpr double triple_zero = 1e-19;  // far below round-off of the ends: the search goes on to a value of 0
 constexpr double flat_minimum = 1e-7;  // root of round-off, the accuracy of a minimum that values enclose
 
-/// Counts the values that a search asks for.
+/// Counts the values that a search requests.
 struct Counted {
   std::function<double(double)> function;
   int count = 0;

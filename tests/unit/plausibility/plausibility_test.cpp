@@ -323,7 +323,7 @@ TEST(Plausibility, FindsTheWorstAxisOfTilting) {
   }
 }
 
-TEST(Plausibility, DetectsQuestionsThatMissTheMachine) {
+TEST(Plausibility, DetectsAnalysesThatMissTheMachine) {
   const std::string push =
       "[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\n[analyses]\n";
   EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"1 Hz\", \"20 Hz\"]}\n"}.text()), IsEmpty());

@@ -81,8 +81,8 @@ TEST(CopiedKeys, AreOverriddenByTheUsualQuantityToo) {
 TEST(CopiedKeys, GiveThePeaksTheirOwnUnit) {
   const project::Project project =
       test::project(std::string(machine) + response + "peaks = {quantity = \"displacement\"}\n");
-  const study::Answers answers = study::answers(project.base(), project.base().analyses);
-  const response::Peaks& peaks = answers.peaks->peaks;
+  const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
+  const response::Peaks& peaks = results.peaks->peaks;
   ASSERT_FALSE(peaks.list.empty());
   constexpr double zeta = 0.375, round_off = 1e-9;
   EXPECT_EQ(peaks.curves[peaks.list.front().curve].unit, "m");

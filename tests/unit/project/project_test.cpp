@@ -4,7 +4,7 @@
 #include "support/projects.h"
 #include "trivet/judging/read_project.h"
 #include "trivet/project/text/embedded_text.h"
-#include "trivet/results/format/written_answers.h"
+#include "trivet/results/format/written_results.h"
 
 namespace project_test {
 
@@ -82,19 +82,19 @@ TEST(Project, ADamperHasNoStiffnessAndActsAlongItsAxis) {
 TEST(Project, TheStarterFileRuns) {
   const auto project = test::project(project::starter_text);
   for (const auto& variant : project.cases) {
-    const auto answers = study::answers(variant, variant.analyses);
-    EXPECT_TRUE(answers.response && answers.peaks && answers.statics);
-    EXPECT_EQ(answers.limits.size(), 1u);
+    const auto results = study::case_results(variant, variant.analyses);
+    EXPECT_TRUE(results.response && results.peaks && results.statics);
+    EXPECT_EQ(results.limits.size(), 1u);
   }
 }
 
 TEST(Project, TheSameInputGivesTheSameBytes) {
   const auto a = test::project(project::starter_text), b = test::project(project::starter_text);
-  const auto answers_a = study::answers(a.base(), a.base().analyses),
-             answers_b = study::answers(b.base(), b.base().analyses);
-  EXPECT_EQ(results::answer_json("response", a.base(), answers_a),
-            results::answer_json("response", b.base(), answers_b));
-  EXPECT_EQ(results::answer_json("peaks", a.base(), answers_a), results::answer_json("peaks", b.base(), answers_b));
+  const auto results_a = study::case_results(a.base(), a.base().analyses),
+             results_b = study::case_results(b.base(), b.base().analyses);
+  EXPECT_EQ(results::result_json("response", a.base(), results_a),
+            results::result_json("response", b.base(), results_b));
+  EXPECT_EQ(results::result_json("peaks", a.base(), results_a), results::result_json("peaks", b.base(), results_b));
 }
 
 TEST(Project, ElementsAreCarriedBetweenTurnedBodies) {

@@ -49,10 +49,10 @@ struct Box {
 
 Box box_of(const std::string& text) {
   const project::Project project = test::project(text);
-  const std::vector<study::Answers> answers = study::run(project);
-  std::vector<const study::Answers*> pointers;
-  for (const study::Answers& one : answers) pointers.push_back(&one);
-  const std::vector<report::ShownCase> cases = report::shown_cases(project, answers);
+  const std::vector<study::CaseResults> results = study::run(project);
+  std::vector<const study::CaseResults*> pointers;
+  for (const study::CaseResults& one : results) pointers.push_back(&one);
+  const std::vector<report::ShownCase> cases = report::shown_cases(project, results);
   return {results::judgements(pointers), report::judgement_box(cases)};
 }
 

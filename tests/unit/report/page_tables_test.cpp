@@ -50,8 +50,8 @@ elements.spring.scale = 4
 
 std::string page_of(const std::string& text) {
   const project::Project project = test::project(text);
-  std::vector<study::Answers> all;
-  for (const auto& variant : project.cases) all.push_back(study::answers(variant, variant.analyses));
+  std::vector<study::CaseResults> all;
+  for (const auto& variant : project.cases) all.push_back(study::case_results(variant, variant.analyses));
   return report::report_page(project, all, results::page_json(project, all));
 }
 
@@ -97,7 +97,7 @@ TEST(Drawing, GivesTheChartsTheStrokesOfTheFigures) {
 }
 
 // ω = √(900/4) = 15 rad/s; with four times the stiffness 30 rad/s. λ = −ζω ± iω√(1 − ζ²) with ζ = 0.05 · 15/2.
-TEST(PageTables, ShowTheAnswersOfEachCase) {
+TEST(PageTables, ShowTheResultsOfEachCase) {
   const std::string page = page_of(machine);
   EXPECT_EQ(count(page, "<div data-case=\"1\" hidden>"), 3);
   EXPECT_THAT(page, HasSubstr("<td class=\"number\">15.0000</td><td class=\"number\">2.38732</td>"));

@@ -46,8 +46,8 @@ TEST(Ticks, AreRoundAndInside) {
 
 TEST(Report, ContainsItsDataAndNoExternalLinks) {
   const auto project = test::project(project::starter_text);
-  std::vector<study::Answers> all;
-  for (const auto& variant : project.cases) all.push_back(study::answers(variant, variant.analyses));
+  std::vector<study::CaseResults> all;
+  for (const auto& variant : project.cases) all.push_back(study::case_results(variant, variant.analyses));
   const std::string page = report::report_page(project, all, results::page_json(project, all));
   EXPECT_THAT(page, testing::HasSubstr(project.sha256));
   EXPECT_THAT(page, testing::HasSubstr(std::string("trivet ") + foundation::version()));
@@ -58,8 +58,8 @@ TEST(Report, ContainsItsDataAndNoExternalLinks) {
 
 TEST(Report, CarriesModelsOfItsCurvesInsteadOfTheirPoints) {
   const auto project = test::project(project::starter_text);
-  std::vector<study::Answers> all;
-  for (const auto& variant : project.cases) all.push_back(study::answers(variant, variant.analyses));
+  std::vector<study::CaseResults> all;
+  for (const auto& variant : project.cases) all.push_back(study::case_results(variant, variant.analyses));
   const std::string full = results::results_json(project, all), drawn = results::page_json(project, all);
   EXPECT_LT(3 * drawn.size(), full.size());
   EXPECT_THAT(drawn, testing::HasSubstr("\"pieces\""));
@@ -81,7 +81,7 @@ force = [1, 0, 0]
 [analyses]
 response = {band = [1, 2]}
 )");
-  std::vector<study::Answers> all = {study::answers(project.base(), project.base().analyses)};
+  std::vector<study::CaseResults> all = {study::case_results(project.base(), project.base().analyses)};
   const std::string page = report::report_page(project, all, results::page_json(project, all));
   EXPECT_THAT(page, testing::Not(testing::HasSubstr("</script><b>")));
   EXPECT_THAT(page, testing::Not(testing::HasSubstr("<i>")));
@@ -89,7 +89,7 @@ response = {band = [1, 2]}
 
 TEST(Figures, OnePerGroupOfCurves) {
   const auto project = test::project(project::starter_text);
-  const auto figures = report::characteristics(study::answers(project.base(), project.base().analyses));
+  const auto figures = report::characteristics(study::case_results(project.base(), project.base().analyses));
   ASSERT_EQ(figures.size(), 3u);  // machine, machine.seat, ground
   for (const auto& figure : figures) {
     EXPECT_THAT(figure.svg, testing::StartsWith("<svg"));
@@ -104,13 +104,13 @@ std::string overview_with(const std::string& the_case) {
                                                "{parameter = \"bodies.block.mass\", from = 5, to = 20}");
   const project::Project project =
       test::project(block + "[analyses.response]\nband = [0, 40]\n" + the_case, {"excitations.force.force=[1, 0, 1]"});
-  std::vector<study::Answers> answers;
+  std::vector<study::CaseResults> results;
   for (const project::Case& variant : project.cases) {
-    project::Analyses asked;
-    asked.response = variant.analyses.response;
-    answers.push_back(study::answers(variant, asked));
+    project::Analyses request;
+    request.response = variant.analyses.response;
+    results.push_back(study::case_results(variant, request));
   }
-  return report::overview("Block", answers).svg;
+  return report::overview("Block", results).svg;
 }
 
 TEST(Overview, NamesTheCaseThatEqualsTheBaseModel) {

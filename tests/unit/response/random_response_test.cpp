@@ -84,12 +84,12 @@ TEST(RandomHardCases, AnyDampingOfOneMassAgreesWithItsClosedForm) {
   // ∫₀^∞ S dω/|Z|² = π S/(2 k c), in velocity π S/(2 m c).
   for (const double ratio : {1e-8, 1e-5, 1e-3, 0.1, 0.7, 0.999999, 1.000001, 1.5, 300.0}) {
     const Case c = one_mass(100, dashpot(2 * ratio * 10));
-    const response::RandomAnswer answer = c.random(white(c, 0, 1e9)).answers[0];
+    const response::RandomChannel result = c.random(white(c, 0, 1e9)).channels[0];
     constexpr double quadrature_error = 2e-8;  // it integrates if two poles nearly coincide
     const double tolerance = std::abs(ratio - 1) < 1e-3 ? quadrature_error : round_off;
     const double beyond_band = 2 * ratio * 10 / 1e9;  // c/m over the end of the band
-    EXPECT_NEAR(*answer.rms * std::sqrt(2 * 100 * 2 * ratio * 10 / pi), 1, tolerance) << ratio;
-    EXPECT_NEAR(*answer.zero_crossings * 2 * pi / 10, 1, tolerance + beyond_band) << ratio;
+    EXPECT_NEAR(*result.rms * std::sqrt(2 * 100 * 2 * ratio * 10 / pi), 1, tolerance) << ratio;
+    EXPECT_NEAR(*result.zero_crossings * 2 * pi / 10, 1, tolerance + beyond_band) << ratio;
   }
 }
 
@@ -106,11 +106,11 @@ TEST(RandomHardCases, EqualMachinesSideBySideRespondLikeOne) {
                                  {"c", c.force(2), excitation::flat_spectrum(1, 0, 1e7)}},
                                 {}});
   EXPECT_EQ(random.method, response::RandomMethod::poles) << random.remark;
-  EXPECT_NEAR(*random.answers[2].rms, std::sqrt(pi / (2 * 100 * 0.2)), round_off);
-  EXPECT_NEAR(random.answers[2].variance_share[1], 1, round_off);
-  EXPECT_TRUE(random.answers[3].vanishes);
-  EXPECT_EQ(*random.answers[3].rms, 0);
-  EXPECT_FALSE(random.answers[3].zero_crossings);
+  EXPECT_NEAR(*random.channels[2].rms, std::sqrt(pi / (2 * 100 * 0.2)), round_off);
+  EXPECT_NEAR(random.channels[2].variance_share[1], 1, round_off);
+  EXPECT_TRUE(random.channels[3].vanishes);
+  EXPECT_EQ(*random.channels[3].rms, 0);
+  EXPECT_FALSE(random.channels[3].zero_crossings);
 }
 
 TEST(RandomHardCases, AFreeBodyDriftsWithinAFiniteBand) {
@@ -119,20 +119,20 @@ TEST(RandomHardCases, AFreeBodyDriftsWithinAFiniteBand) {
   const Case c{test::checked(d)};
   const response::RandomResponse random = c.random(white(c, 1, 10));
   EXPECT_EQ(random.method, response::RandomMethod::poles) << random.remark;
-  EXPECT_NEAR(*random.answers[0].rms, std::sqrt((1 - 1e-3) / 3) / 2, round_off);  // ∫₁¹⁰ dω/(m² ω⁴)
-  const response::RandomAnswer from_rest = c.random(white(c, 0, 10)).answers[0];
+  EXPECT_NEAR(*random.channels[0].rms, std::sqrt((1 - 1e-3) / 3) / 2, round_off);  // ∫₁¹⁰ dω/(m² ω⁴)
+  const response::RandomChannel from_rest = c.random(white(c, 0, 10)).channels[0];
   EXPECT_FALSE(from_rest.rms || from_rest.rms_of_derivative);
   EXPECT_THAT(from_rest.reason, testing::HasSubstr("begins at 0 Hz"));
 }
 
 TEST(RandomHardCases, ABodyOnADashpotAloneHasAFiniteVelocityOnly) {
   const Case c = one_mass(0, dashpot(3));
-  const response::RandomAnswer answer = c.random(white(c, 0, 1e8)).answers[0];
-  EXPECT_FALSE(answer.rms);
-  ASSERT_TRUE(answer.rms_of_derivative) << answer.reason;
+  const response::RandomChannel result = c.random(white(c, 0, 1e8)).channels[0];
+  EXPECT_FALSE(result.rms);
+  ASSERT_TRUE(result.rms_of_derivative) << result.reason;
   constexpr double beyond_band = 1e-7;  // c/m over the end of the band is 3e-8
-  EXPECT_NEAR(*answer.rms_of_derivative, std::sqrt(pi / (2 * 3)), beyond_band);
-  const response::RandomAnswer band = c.random(white(c, 1, 10)).answers[0];  // ∫ dω/(ω²(ω² + 9))
+  EXPECT_NEAR(*result.rms_of_derivative, std::sqrt(pi / (2 * 3)), beyond_band);
+  const response::RandomChannel band = c.random(white(c, 1, 10)).channels[0];  // ∫ dω/(ω²(ω² + 9))
   EXPECT_NEAR(*band.rms, std::sqrt(((1 - 0.1) - (std::atan(10.0 / 3) - std::atan(1.0 / 3)) / 3) / 9), round_off);
 }
 
@@ -147,7 +147,7 @@ TEST(RandomHardCases, AMaxwellBranchKeepsTheFormOfItsPoles) {
     const Complex stiffness = 100.0 * (1.0 + 0.6 * Complex(0, omega * 0.08) / (1.0 + Complex(0, omega * 0.08)));
     sum += 50.0 / steps / 3 * (i == 0 || i == steps ? 1 : i % 2 == 1 ? 4 : 2) / std::norm(stiffness - omega * omega);
   }
-  EXPECT_NEAR(*random.answers[0].rms / std::sqrt(sum), 1, round_off);
+  EXPECT_NEAR(*random.channels[0].rms / std::sqrt(sum), 1, round_off);
 }
 
 TEST(RandomHardCases, AGrowingMotionHasNoStationaryVibration) {
@@ -162,9 +162,9 @@ TEST(RandomHardCases, AGrowingMotionHasNoStationaryVibration) {
   element.law.nominal_stiffness = elements::from_moved_end(follower, Eigen::Vector3d::Zero());
   d.elements = {element};
   const Case c{test::checked(d)};
-  const response::RandomAnswer answer = c.random(white(c, 1, 10)).answers[0];
-  EXPECT_FALSE(answer.rms);
-  EXPECT_THAT(answer.reason, testing::HasSubstr("grows"));
+  const response::RandomChannel result = c.random(white(c, 1, 10)).channels[0];
+  EXPECT_FALSE(result.rms);
+  EXPECT_THAT(result.reason, testing::HasSubstr("grows"));
 }
 
 TEST(RandomHardCases, AVeryLongDelayIsIntegratedInPortions) {
@@ -185,9 +185,9 @@ TEST(RandomHardCases, AVeryLongDelayIsIntegratedInPortions) {
     return total;
   };
   const excitation::Spectrum spectrum = excitation::flat_spectrum(1, 5, 20);
-  const double in_phase = *c.random({{{"g", ground(0), spectrum}}, {}}).answers[0].rms;
+  const double in_phase = *c.random({{{"g", ground(0), spectrum}}, {}}).channels[0].rms;
   // With a long delay the two are as if uncorrelated, except for the ends of the band, which fall like 1/delay.
-  const double apart = *c.random({{{"g", ground(1e5), spectrum}}, {}}).answers[0].rms;
+  const double apart = *c.random({{{"g", ground(1e5), spectrum}}, {}}).channels[0].rms;
   constexpr double of_the_ends = 1e-5;  // 1/delay, over 1 rad/s
   EXPECT_NEAR(apart / in_phase, std::sqrt(0.5), of_the_ends);
 }

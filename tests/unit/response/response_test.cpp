@@ -39,20 +39,20 @@ TEST(Phase, IsContinuousFromRestAtAFewFrequencies) {
   // A transfer function of a chain of three: each resonance passed without a zero turns the phase of m3 by −π.
   const auto project =
       test::project(driven_chain("[analyses]\nresponse = {at = [0.1, 30], of = [\"m3\"], phase = \"continuous\"}\n"));
-  const auto answers = study::answers(project.base(), project.base().analyses);
+  const auto results = study::case_results(project.base(), project.base().analyses);
   constexpr double lag_below = 0.01, lead_above = 0.2;  // [rad] by the damping, far from the resonances
-  EXPECT_NEAR(answers.response->phase[0](0), 0, lag_below);
-  EXPECT_NEAR(answers.response->phase[0](1), -3 * pi, lead_above);
+  EXPECT_NEAR(results.response->phase[0](0), 0, lag_below);
+  EXPECT_NEAR(results.response->phase[0](1), -3 * pi, lead_above);
 }
 
 TEST(AutomaticGrid, ContainsEveryPeakAndResolvesTheCurve) {
   constexpr double peak_position = 1e-6;  // a maximum is flat: its place is known to the root of the round-off, 1e-8
   constexpr double chord_error = 0.004;   // the grid allows 7e-4 at three places of an interval
   const auto project = test::project(driven_chain("[analyses]\nresponse = {band = [0, 30]}\npeaks = {}\n"));
-  const auto answers = study::answers(project.base(), project.base().analyses);
-  const auto& omega = answers.response->curves.angular_frequency;
+  const auto results = study::case_results(project.base(), project.base().analyses);
+  const auto& omega = results.response->curves.angular_frequency;
   EXPECT_LT(omega.size(), 1500u);
-  for (const auto& peak : answers.peaks->peaks.list) {
+  for (const auto& peak : results.peaks->peaks.list) {
     const auto nearest = std::ranges::min(omega, [&](double a, double b) {
       return std::abs(a - peak.angular_frequency) < std::abs(b - peak.angular_frequency);
     });
@@ -60,15 +60,15 @@ TEST(AutomaticGrid, ContainsEveryPeakAndResolvesTheCurve) {
   }
   const auto dense =
       test::project(driven_chain("[analyses]\nresponse = {band = [0, 30], spacing = \"linear\", points = 20001}\n"));
-  const auto truth = study::answers(dense.base(), dense.base().analyses);
+  const auto truth = study::case_results(dense.base(), dense.base().analyses);
   for (std::size_t c = 0; c < 3; ++c) {
-    const double top = answers.response->curves.curves[c].value.cwiseAbs().maxCoeff();
+    const double top = results.response->curves.curves[c].value.cwiseAbs().maxCoeff();
     std::size_t k = 0;
     for (std::size_t i = 0; i < truth.response->curves.angular_frequency.size(); ++i) {
       const double w = truth.response->curves.angular_frequency[i];
       while (k + 2 < omega.size() && omega[k + 1] < w) ++k;
       const double share = (w - omega[k]) / (omega[k + 1] - omega[k]);
-      const auto at = [&](std::size_t j) { return std::abs(answers.response->curves.curves[c].value(to_index(j))); };
+      const auto at = [&](std::size_t j) { return std::abs(results.response->curves.curves[c].value(to_index(j))); };
       EXPECT_NEAR((1 - share) * at(k) + share * at(k + 1),
                   std::abs(truth.response->curves.curves[c].value(to_index(i))), chord_error * top);
     }
@@ -123,20 +123,20 @@ TEST(Peaks, AFreeBodyMovesAndHasNone) {
       "trivet = 1\n[bodies.b]\nmass = 10\nfree = [\"x\", \"y\"]\n[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat "
       "= [0, 0, 0]\nforce = [1, 0, 0]\n"
       "[analyses]\npeaks = {}\n");
-  const study::Answers answers = study::answers(project.base(), project.base().analyses);
-  ASSERT_EQ(answers.peaks->peaks.curves.size(), 2u);
-  EXPECT_FALSE(answers.peaks->peaks.curves[0].vanishes);
-  EXPECT_EQ(answers.peaks->peaks.curves[0].peaks, 0);
-  EXPECT_TRUE(answers.peaks->peaks.curves[1].vanishes);
+  const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
+  ASSERT_EQ(results.peaks->peaks.curves.size(), 2u);
+  EXPECT_FALSE(results.peaks->peaks.curves[0].vanishes);
+  EXPECT_EQ(results.peaks->peaks.curves[0].peaks, 0);
+  EXPECT_TRUE(results.peaks->peaks.curves[1].vanishes);
 }
 
 TEST(Static, RejectsAFreeSystemWithAReason) {
   const auto project = test::project(
       "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.b]\nmass = 1\nfree = [\"z\"]\n[analyses]\nstatic = {}\n");
-  const study::Answers answers = study::answers(project.base(), project.base().analyses);
-  EXPECT_FALSE(answers.statics.has_value());
-  ASSERT_EQ(answers.failures.size(), 1u);
-  EXPECT_THAT(answers.failures[0], testing::HasSubstr("slide along z"));
+  const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
+  EXPECT_FALSE(results.statics.has_value());
+  ASSERT_EQ(results.failures.size(), 1u);
+  EXPECT_THAT(results.failures[0], testing::HasSubstr("slide along z"));
 }
 
 TEST(Limits, AnUndampedResonanceAtTheEndOfTheBandExceedsThem) {
@@ -145,25 +145,25 @@ TEST(Limits, AnUndampedResonanceAtTheEndOfTheBandExceedsThem) {
         test::project(test::chain({2}, {1800}, {}) +
                       "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n" +
                       "[limits]\n\"m1.x\" = 1\n[analyses]\nresponse = {band = " + band + "}\n");
-    EXPECT_FALSE(study::answers(project.base(), project.base().analyses).limits[0].met) << band;
+    EXPECT_FALSE(study::case_results(project.base(), project.base().analyses).limits[0].met) << band;
   }
 }
 
 TEST(Limits, AreMetByAnAmplitudeEqualToThem) {
   const auto project = test::project(
       driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
-  project::Analyses asked = project.base().analyses;
-  const double largest = study::answers(project.base(), asked).limits[0].in_band;
+  project::Analyses request = project.base().analyses;
+  const double largest = study::case_results(project.base(), request).limits[0].in_band;
   for (const auto& [share, met] : {std::pair{1 - 1e-12, true}, {1 - 1e-6, false}}) {
-    asked.limits[0].amplitude = share * largest;
-    EXPECT_EQ(study::answers(project.base(), asked).limits[0].met, met) << share;
+    request.limits[0].amplitude = share * largest;
+    EXPECT_EQ(study::case_results(project.base(), request).limits[0].met, met) << share;
   }
 }
 
 TEST(Limits, AreJudgedAtTheExactPeakWithinTheBand) {
   const auto project = test::project(
       driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
-  const auto limits = study::answers(project.base(), project.base().analyses).limits;
+  const auto limits = study::case_results(project.base(), project.base().analyses).limits;
   ASSERT_EQ(limits.size(), 1u);
   EXPECT_TRUE(limits[0].met);
   EXPECT_GT(limits[0].anywhere, limits[0].in_band);

@@ -12,8 +12,8 @@
 
 #include "support/projects.h"
 #include "trivet/judging/read_project.h"
-#include "trivet/results/format/answer_writer.h"
-#include "trivet/results/format/written_answers.h"
+#include "trivet/results/format/result_writer.h"
+#include "trivet/results/format/written_results.h"
 #include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/whole_study.h"
 
@@ -26,8 +26,8 @@ using testing::ElementsAre;
 using testing::NanSensitiveDoubleEq;
 using testing::Pointwise;
 
-/// A machine with a question of every kind.
-const std::string asked = R"(trivet = 1
+/// A machine with an analysis of every kind.
+const std::string request = R"(trivet = 1
 gravity = [0, 0, -9.81]
 [bodies.machine]
 mass = 40
@@ -105,20 +105,20 @@ const std::string pairs_and_a_front = R"(optimize = {starts = 2, front = ["machi
 map = {pairs = [["stiffness", "mass"], ["mass", "damping"]], points = 3}
 )";
 
-struct Answered {
+struct Computed {
   project::Project project;
-  study::Answers answers;
+  study::CaseResults results;
 
-  explicit Answered(const std::string& designs) : project(test::project(asked + designs)) {
-    answers = study::run(project).front();
-    EXPECT_THAT(answers.failures, testing::IsEmpty());
+  explicit Computed(const std::string& designs) : project(test::project(request + designs)) {
+    results = study::run(project).front();
+    EXPECT_THAT(results.failures, testing::IsEmpty());
   }
-  LabelledArrays arrays(const std::string& question) const {
-    return results::answer_arrays(question, project.base(), answers);
+  LabelledArrays arrays(const std::string& analysis) const {
+    return results::result_arrays(analysis, project.base(), results);
   }
   /// A column of a table.
-  std::vector<double> csv(const std::string& question, const std::string& header) const {
-    std::istringstream lines(results::answer_csv(question, project.base(), answers));
+  std::vector<double> csv(const std::string& analysis, const std::string& header) const {
+    std::istringstream lines(results::result_csv(analysis, project.base(), results));
     std::string line, cell;
     std::vector<double> numbers;
     std::ptrdiff_t column = -1;
@@ -133,9 +133,9 @@ struct Answered {
   }
 };
 
-const Answered& with_optimum() {
-  static const Answered answered(one_map_and_an_optimum);
-  return answered;
+const Computed& with_optimum() {
+  static const Computed computed(one_map_and_an_optimum);
+  return computed;
 }
 
 std::vector<double> real(const LabelledArrays& arrays, const std::string& name) {
@@ -153,12 +153,12 @@ bool has_units_of_rows(const LabelledArray& array, const LabelledArrays& arrays)
   });
 }
 
-void expect_consistent(const LabelledArrays& arrays, const std::string& question) {
+void expect_consistent(const LabelledArrays& arrays, const std::string& analysis) {
   std::set<std::string> names;
   std::map<std::string, std::size_t> sizes;
-  EXPECT_FALSE(arrays.list().empty()) << question;
+  EXPECT_FALSE(arrays.list().empty()) << analysis;
   for (const LabelledArray& array : arrays.list()) {
-    const std::string where = question + ": " + array.name;
+    const std::string where = analysis + ": " + array.name;
     EXPECT_TRUE(names.insert(array.name).second) << where;
     ASSERT_EQ(array.shape.size(), array.axes.size()) << where;
     for (std::size_t i = 0; i < array.axes.size(); ++i)
@@ -173,33 +173,33 @@ void expect_consistent(const LabelledArrays& arrays, const std::string& question
   }
   for (const auto& [axis, size] : sizes) {
     const LabelledArray* coordinates = arrays.find(axis);
-    EXPECT_TRUE(!coordinates || coordinates->axes == std::vector<std::string>{axis}) << question << ": " << axis;
+    EXPECT_TRUE(!coordinates || coordinates->axes == std::vector<std::string>{axis}) << analysis << ": " << axis;
   }
 }
 
-TEST(LabelledArrays, HaveUniqueNamesAndOneSizePerAxisInEveryAnswer) {
-  const Answered with_front(pairs_and_a_front);
-  for (const Answered* answered : {&with_optimum(), &with_front})
-    for (const results::AnswerWriter& writer : results::answer_writers()) {
+TEST(LabelledArrays, HaveUniqueNamesAndOneSizePerAxisInEveryResult) {
+  const Computed with_front(pairs_and_a_front);
+  for (const Computed* computed : {&with_optimum(), &with_front})
+    for (const results::ResultWriter& writer : results::result_writers()) {
       if (std::string(writer.name) == "measurements") continue;  // below: they need a file
-      ASSERT_TRUE(writer.is_there(answered->project.base(), answered->answers)) << writer.name;
-      expect_consistent(answered->arrays(writer.name), writer.name);
+      ASSERT_TRUE(writer.is_there(computed->project.base(), computed->results)) << writer.name;
+      expect_consistent(computed->arrays(writer.name), writer.name);
     }
 }
 
 TEST(LabelledArrays, OfMeasurementsAreConsistentToo) {
   const auto read = judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/measured_response/machine.toml");
   ASSERT_TRUE(read);
-  const study::Answers answers = study::run(*read).front();
-  expect_consistent(results::answer_arrays("measurements", read->base(), answers), "measurements");
+  const study::CaseResults results = study::run(*read).front();
+  expect_consistent(results::result_arrays("measurements", read->base(), results), "measurements");
 }
 
 TEST(LabelledArrays, HaveTheNumbersOfTheTables) {
-  const Answered& a = with_optimum();
-  const auto expect_equal = [&](const std::string& question, const std::string& name, const std::string& header) {
-    const std::vector<double> column = a.csv(question, header);
-    EXPECT_FALSE(column.empty()) << question << ": " << header;
-    EXPECT_THAT(real(a.arrays(question), name), Pointwise(NanSensitiveDoubleEq(), column)) << question << ": " << name;
+  const Computed& a = with_optimum();
+  const auto expect_equal = [&](const std::string& analysis, const std::string& name, const std::string& header) {
+    const std::vector<double> column = a.csv(analysis, header);
+    EXPECT_FALSE(column.empty()) << analysis << ": " << header;
+    EXPECT_THAT(real(a.arrays(analysis), name), Pointwise(NanSensitiveDoubleEq(), column)) << analysis << ": " << name;
   };
   expect_equal("response", "machine.z phase", "machine.z phase [rad]");
   expect_equal("peaks", "angular_frequency", "angular_frequency [rad/s]");
@@ -234,12 +234,12 @@ TEST(LabelledArrays, HaveNoNumberForModesOutsideAnEarthquakeSpectrum) {
   EXPECT_THAT(accelerations, testing::Contains(testing::IsNan()));
 }
 
-TEST(LabelledArrays, ReferToTheCurvesOfTheAnswer) {
-  const Answered& a = with_optimum();
+TEST(LabelledArrays, ReferToTheCurvesOfTheResult) {
+  const Computed& a = with_optimum();
   const LabelledArrays response = a.arrays("response"), transient = a.arrays("transient");
-  for (const auto& curve : a.answers.response->curves.curves)
+  for (const auto& curve : a.results.response->curves.curves)
     EXPECT_EQ(std::get<const std::complex<double>*>(response.find(curve.name)->values), curve.value.data());
-  for (const auto& curve : a.answers.find<study::TransientResult>("transient")->response.curves)
+  for (const auto& curve : a.results.find<study::TransientResult>("transient")->response.curves)
     EXPECT_EQ(std::get<const double*>(transient.find(curve.name)->values), curve.values.data());
 }
 

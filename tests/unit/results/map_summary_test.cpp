@@ -49,12 +49,12 @@ TEST(FeasibleWords, StateHowManySteepNeighboursThereAre) {
               testing::HasSubstr("within 7 pairs of neighbouring designs"));
 }
 
-TEST(AskedWords, StateTheBandAndWhatCountsAsAPeak) {
-  EXPECT_EQ(results::asked_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [0, 40]")),
+TEST(CriteriaWords, StateTheBandAndWhatCountsAsAPeak) {
+  EXPECT_EQ(results::criteria_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [0, 40]")),
             "amplitudes over 0 … 40 rad/s");
-  EXPECT_EQ(results::asked_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [\"0 Hz\", \"40 Hz\"]")),
+  EXPECT_EQ(results::criteria_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [\"0 Hz\", \"40 Hz\"]")),
             "amplitudes over 0 … 40 Hz");
-  EXPECT_EQ(results::asked_words(map_of("no_peak = \"machine\", peak_tolerance = 0.02, min_prominence = 1e-4")),
+  EXPECT_EQ(results::criteria_words(map_of("no_peak = \"machine\", peak_tolerance = 0.02, min_prominence = 1e-4")),
             "resonance peaks at all frequencies, from 2 % above the adjacent minimum (rises below 0.0001 of the curve "
             "maximum are ignored)");
 }

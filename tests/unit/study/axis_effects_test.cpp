@@ -19,10 +19,10 @@ study::AxisEffects effects(const project::Project& project) {
 const char* const scale = "{parameter = \"elements.spring.scale\", from = 0.5, to = 2}";
 const char* const phase = "{parameter = \"excitations.force.phase\", from = 0, to = 3}";
 
-TEST(AxisEffects, NamesEachAnswerWithoutMotionOnce) {
+TEST(AxisEffects, NamesEachChannelWithoutMotionOnce) {
   EXPECT_THAT(
       effects(test::project(test::mapped_block(scale, "{parameter = \"bodies.block.mass\", from = 5, to = 20}")))
-          .zero_answers,
+          .zero_channels,
       testing::ElementsAre("block.y", "block.rz"));
 }
 
@@ -38,7 +38,7 @@ TEST(AxisEffects, NamesTheAxisThatChangesNothing) {
 TEST(AxisEffects, IsEmptyIfADesignHasNoModel) {
   const study::AxisEffects none =
       effects(test::project(test::mapped_block("{parameter = \"bodies.block.mass\", from = -5, to = 20}", phase)));
-  EXPECT_TRUE(none.zero_answers.empty() && none.by_x && none.by_y);
+  EXPECT_TRUE(none.zero_channels.empty() && none.by_x && none.by_y);
 }
 
 }  // namespace axis_effects_test

@@ -47,7 +47,7 @@ TEST(DesignMap, RejectsAParameterThatMakesEveryDesignImpossible) {
               testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("none of the 6 designs")));
 }
 
-TEST(DesignMap, IsSeparateForACaseThatChangesTheQuestion) {
+TEST(DesignMap, IsSeparateForACaseThatChangesTheAnalysis) {
   const project::Project project =
       test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n", R"(
 [cases.point]

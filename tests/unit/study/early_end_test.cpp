@@ -34,7 +34,7 @@ std::function<bool()> ends_after(int after, std::atomic<int>& calls) {
 
 TEST(EarlyEnd, KeepsTheBestNumberSoFar) {
   constexpr double mass = 40, sag = 2e-3, window = 2 * std::numbers::pi * 16;
-  const project::Project asked = test::project(machine + R"(
+  const project::Project request = test::project(machine + R"(
 [elements.s]
 type = "bushing"
 on = "m"
@@ -54,7 +54,7 @@ natural_frequencies = {avoid = [["16 Hz", "10000 Hz"]]}
   double last = 0;
   for (const int designs : {0, 1, 30, 300}) {
     std::atomic<int> calls = 0;
-    const study::Optimization found = study::optimization(asked, {}, ends_after(designs, calls));
+    const study::Optimization found = study::optimization(request, {}, ends_after(designs, calls));
     EXPECT_TRUE(found.cut_short) << designs;
     EXPECT_NEAR(found.objective_after / margin(found.parameters[0].best), 1, values) << designs;
     EXPECT_LE(found.objective_after, margin(best) * (1 + values));
@@ -64,7 +64,7 @@ natural_frequencies = {avoid = [["16 Hz", "10000 Hz"]]}
     last = found.objective_after;
   }
   EXPECT_GT(last / margin(best), 0.9) << "300 designs of one number";
-  const study::Optimization whole = study::optimization(asked);
+  const study::Optimization whole = study::optimization(request);
   EXPECT_FALSE(whole.cut_short);
   EXPECT_NEAR(whole.parameters[0].best / best, 1, place);
 }
@@ -72,7 +72,7 @@ natural_frequencies = {avoid = [["16 Hz", "10000 Hz"]]}
 TEST(EarlyEnd, KeepsTheBestMountsSoFar) {
   constexpr double sag = 2e-3, window = 2 * std::numbers::pi * 16;
   const double stiffness[] = {79.52e3, 119.3e3, 159e3, 198.8e3};
-  const project::Project asked = test::project(machine + R"(
+  const project::Project request = test::project(machine + R"(
 [elements.s]
 type = "catalogue:disc 20x10 40 ShA"
 on = "m"
@@ -95,13 +95,13 @@ starts = 2
   const auto margin = [&](double k, double m) { return std::min(sag * k / (m * gravity), window / std::sqrt(k / m)); };
   for (const int designs : {2, 40}) {
     std::atomic<int> calls = 0;
-    const study::Optimization found = study::optimization(asked, {}, ends_after(designs, calls));
+    const study::Optimization found = study::optimization(request, {}, ends_after(designs, calls));
     ASSERT_TRUE(found.mounts);
     EXPECT_TRUE(found.cut_short) << designs;
     const double k = stiffness[found.mounts->chosen.at(0)];
     EXPECT_NEAR(found.objective_after / margin(k, found.parameters[0].best), 1, values) << designs;
   }
-  EXPECT_FALSE(study::optimization(asked).cut_short);
+  EXPECT_FALSE(study::optimization(request).cut_short);
 }
 
 }  // namespace early_end_test

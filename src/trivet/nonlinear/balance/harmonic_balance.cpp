@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-DeflectionSizes sizes_of(const CondensedMachine& machine, const std::vector<Deflection>& deflections) {
+DeflectionScales sizes_of(const CondensedMachine& machine, const std::vector<Deflection>& deflections) {
   const MatrixXd& spread = machine.basis().spread;
   return {deflections, spread.transpose() * machine.static_receptance() * spread};
 }
@@ -89,21 +89,22 @@ VectorXd HarmonicBalance::linear_motion(const Driving& driving) const {
 namespace {
 
 /// Receptances at the harmonics of a frequency, and their derivatives by it.
-struct AnswersAndSlopes {
-  numerics::HarmonicAnswers answers, slopes;
+struct ReceptancesAndSlopes {
+  numerics::HarmonicReceptance receptances, slopes;
 };
 
-AnswersAndSlopes answers_at(const CondensedMachine& machine, Index harmonics, double omega) {
+ReceptancesAndSlopes receptances_at(const CondensedMachine& machine, Index harmonics, double omega) {
   const Index C = numerics::coefficient_count(harmonics), entries = machine.size() * machine.size();
-  AnswersAndSlopes found{{MatrixXd(C, entries), MatrixXd(C, entries)}, {MatrixXd(C, entries), MatrixXd(C, entries)}};
-  found.answers.on_own.row(0) = machine.static_receptance().reshaped().transpose();
-  found.answers.on_other.row(0).setZero();
+  ReceptancesAndSlopes found{{MatrixXd(C, entries), MatrixXd(C, entries)},
+                             {MatrixXd(C, entries), MatrixXd(C, entries)}};
+  found.receptances.on_own.row(0) = machine.static_receptance().reshaped().transpose();
+  found.receptances.on_other.row(0).setZero();
   found.slopes.on_own.row(0).setZero();
   found.slopes.on_other.row(0).setZero();
   Receptance linear;
   for (Index k = 1; k <= harmonics; ++k) {
     machine.set_receptance(static_cast<double>(k) * omega, linear);
-    const auto set = [&](const Eigen::MatrixXcd& values, double factor, numerics::HarmonicAnswers& of) {
+    const auto set = [&](const Eigen::MatrixXcd& values, double factor, numerics::HarmonicReceptance& of) {
       for (Index entry = 0; entry < entries; ++entry) {
         const std::complex<double> value = factor * values.data()[entry];
         of.on_own(2 * k - 1, entry) = of.on_own(2 * k, entry) = value.real();
@@ -111,7 +112,7 @@ AnswersAndSlopes answers_at(const CondensedMachine& machine, Index harmonics, do
         of.on_other(2 * k, entry) = -value.imag();
       }
     };
-    set(linear.receptance, 1, found.answers);
+    set(linear.receptance, 1, found.receptances);
     set(linear.slope, static_cast<double>(k), found.slopes);
   }
   return found;
@@ -138,17 +139,17 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   }
   remove_round_off_of_means(of_deflections.force);
   const CoupledForces forces = on_independent(std::move(of_deflections), machine_.basis());
-  const auto [answers, slopes] = answers_at(machine_, harmonics_, omega);
+  const auto [receptances, slopes] = receptances_at(machine_, harmonics_, omega);
   for (Index j = 0; j < m; ++j) {
-    numerics::add_answers(answers, j * m, m, forces.force.col(j), equations.value);
+    numerics::add_responses(receptances, j * m, m, forces.force.col(j), equations.value);
     if (!with_derivatives) continue;
-    numerics::add_answers(slopes, j * m, m, forces.force.col(j), equations.by_parameter);
-    numerics::add_answers(answers, j * m, m, forces.by_omega.col(j), equations.by_parameter);
+    numerics::add_responses(slopes, j * m, m, forces.force.col(j), equations.by_parameter);
+    numerics::add_responses(receptances, j * m, m, forces.by_omega.col(j), equations.by_parameter);
   }
   for (const CoupledForces::Tangent& tangent : forces.tangents)
     if (!tangent.matrix.isZero(0))  // else a stop that the motion does not touch
-      numerics::add_answers(answers, tangent.of * m, m, tangent.matrix,
-                            equations.by_unknowns.middleCols(tangent.by * C, C));
+      numerics::add_responses(receptances, tangent.of * m, m, tangent.matrix,
+                              equations.by_unknowns.middleCols(tangent.by * C, C));
   if (with_derivatives && parameter == Parameter::load_factor) equations.by_parameter.setZero();
   for (std::size_t e = 0; e < machine_.excited().size(); ++e) {
     const Index k = machine_.excited()[e];

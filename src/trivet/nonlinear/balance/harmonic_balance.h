@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "trivet/nonlinear/laws/machine_laws.h"
+#include "trivet/nonlinear/laws/law_set.h"
 #include "trivet/nonlinear/machine/condensed_machine.h"
 #include "trivet/numerics/periodic/branch.h"
 
@@ -34,14 +34,14 @@ class HarmonicBalance {
   [[nodiscard]] const std::vector<Eigen::Index>& excited() const { return machine_.excited(); }
   /// Coefficients of the linear motion, without the nonlinear forces.
   [[nodiscard]] Eigen::VectorXd linear_motion(const Driving& driving) const;
-  [[nodiscard]] const MachineLaws& laws() const { return laws_; }
+  [[nodiscard]] const LawSet& laws() const { return laws_; }
   /// Coefficients × all deflections: a motion, and the unknowns of one.
   [[nodiscard]] Eigen::MatrixXd motion(const Eigen::VectorXd& unknowns) const;
   [[nodiscard]] Eigen::VectorXd unknowns_of(const Eigen::MatrixXd& motion) const;
   /// Coefficients × all deflections: the forces over a motion.
   [[nodiscard]] Eigen::MatrixXd forces(const Eigen::VectorXd& unknowns, double omega) const;
-  /// Largest coefficient of the kind of each independent deflection (DeflectionSizes): of all, of the means, or without
-  /// them.
+  /// Largest coefficient of the kind of each independent deflection (DeflectionScales): of all, of the means, or
+  /// without them.
   [[nodiscard]] Eigen::VectorXd largest(const Eigen::VectorXd& unknowns) const;
   [[nodiscard]] Eigen::VectorXd largest_means(const Eigen::VectorXd& unknowns) const;
   [[nodiscard]] Eigen::VectorXd largest_harmonics(const Eigen::VectorXd& unknowns) const;
@@ -61,8 +61,8 @@ class HarmonicBalance {
 
   const CondensedMachine& machine_;
   Eigen::Index harmonics_;
-  MachineLaws laws_;
-  MachineLaws wider_;  ///< the same laws with 3H harmonics: those of a cube
+  LawSet laws_;
+  LawSet wider_;  ///< the same laws with 3H harmonics: those of a cube
 };
 
 }  // namespace trivet::nonlinear

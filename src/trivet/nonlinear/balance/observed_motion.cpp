@@ -21,7 +21,7 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 /// Names of results, and what they are of points.
-struct Asked {
+struct RequestedChannels {
   const std::vector<std::string>& of;
   assembly::MotionQuantity quantity;
   const std::vector<assembly::MotionQuantity>& quantities;
@@ -39,25 +39,26 @@ struct Asked {
 
 /// The machine at rest with a unit force in one nonlinear part, which a force of an element at rest contains.
 std::vector<double> forces_at_rest(const model::System& system, const assembly::Assembled& assembled,
-                                   const Asked& asked) {
+                                   const RequestedChannels& requested) {
   std::vector<double> values;
-  for (const assembly::Channel& channel : asked.channels(system, assembled)) values.push_back(channel.at_rest);
+  for (const assembly::Channel& channel : requested.channels(system, assembled)) values.push_back(channel.at_rest);
   return values;
 }
 
-MatrixXd direct_forces(const model::System& system, const assembly::Assembled& assembled, const Asked& asked) {
+MatrixXd direct_forces(const model::System& system, const assembly::Assembled& assembled,
+                       const RequestedChannels& requested) {
   Index parts = 0;
   for (const model::Element& element : system.elements())
     parts += to_index(element.nonlinear_parts.size()) + 3 * to_index(element.distance_parts.size()) +
         2 * to_index(element.rubbing_parts.size());
-  const std::vector<double> without = forces_at_rest(system, assembled, asked);
+  const std::vector<double> without = forces_at_rest(system, assembled, requested);
   MatrixXd direct(to_index(without.size()), parts);
   Index column = 0;
   const auto add = [&](std::size_t e, const elements::Vector12& on_ends) {
     model::Description description = system.description();
     description.elements[e].law.nonlinear->offset += on_ends;
     const model::System with_force = system.in_other_state(std::move(description));
-    const std::vector<double> with = forces_at_rest(with_force, assembled, asked);
+    const std::vector<double> with = forces_at_rest(with_force, assembled, requested);
     for (std::size_t c = 0; c < with.size(); ++c) direct(to_index(c), column) = with[c] - without[c];
     ++column;
   };
@@ -189,7 +190,7 @@ Observer::Observer(const model::System& system, const assembly::Assembled& assem
                    assembly::MotionQuantity quantity, const std::vector<assembly::MotionQuantity>& quantities)
     : assembled_(assembled),
       excitation_(std::move(excitation)),
-      channels_(Asked{of, quantity, quantities}.channels(system, assembled)),
+      channels_(RequestedChannels{of, quantity, quantities}.channels(system, assembled)),
       direct_(MatrixXd::Zero(to_index(channels_.size()), to_index(deflections.size()))),
       feedthrough_(MatrixXd::Zero(direct_.rows(), direct_.cols())) {
   // Undamped free motion has no friction of stops, whose columns are the last, and a displacement that is followed as a

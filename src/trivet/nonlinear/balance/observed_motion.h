@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
-#include "trivet/nonlinear/laws/machine_laws.h"
+#include "trivet/nonlinear/laws/law_set.h"
 #include "trivet/nonlinear/machine/periodic_excitation.h"
 
 namespace trivet::nonlinear {

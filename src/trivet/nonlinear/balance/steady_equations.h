@@ -61,7 +61,7 @@ class SteadyEquations {
   /// "12.5 rad/s"
   [[nodiscard]] std::string place(double parameter) const;
 
-  /// Harmonics are compared with the largest one of their kind (DeflectionSizes), means with the largest mean too: a
+  /// Harmonics are compared with the largest one of their kind (DeflectionScales), means with the largest mean too: a
   /// mean that changes little must not hide a resonance. What stays near zero is compared with a thousandth of the
   /// linear motion. Lengths on the branch count all deflections, also those that are no unknowns.
   [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& unknowns) const;

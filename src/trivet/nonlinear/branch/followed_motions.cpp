@@ -15,7 +15,7 @@ using numerics::BranchPoint;
 FollowedMotions::FollowedMotions(const Branch& branch, const std::vector<double>& wanted)
     : branch_(branch), wanted_(wanted) {}
 
-/// The pieces of the step, with the fold between them if the parameter turns, and the motions asked for.
+/// The pieces of the step, with the fold between them if the parameter turns, and the requested motions.
 void FollowedMotions::add(BranchPoint added, double length) {
   points_.push_back(std::move(added));
   lengths_.push_back(length);
@@ -33,12 +33,12 @@ void FollowedMotions::add(BranchPoint added, double length) {
   }
   for (const double wanted : wanted_)
     for (std::size_t i = first_new; i < pieces_.size(); ++i)
-      if (std::optional<BranchPoint> there = at(wanted, pieces_[i])) asked_for_.push_back(std::move(*there));
+      if (std::optional<BranchPoint> there = at(wanted, pieces_[i])) requested_.push_back(std::move(*there));
 }
 
 void FollowedMotions::clear() {
   points_.clear();
-  asked_for_.clear();
+  requested_.clear();
   lengths_.clear();
   corners_.clear();
   turns_.clear();
@@ -85,7 +85,7 @@ void FollowedMotions::reverse_and_append(const FollowedMotions& onward) {
 void FollowedMotions::cut_to(const Extent& end) {
   points_.erase(points_.begin() + to_index(end.points), points_.end());
   lengths_.resize(end.points - 1);
-  asked_for_.erase(asked_for_.begin() + to_index(end.asked_for), asked_for_.end());
+  requested_.erase(requested_.begin() + to_index(end.requested), requested_.end());
   turns_.erase(turns_.begin() + to_index(end.turns), turns_.end());
   pieces_.erase(pieces_.begin() + to_index(end.pieces), pieces_.end());
 }

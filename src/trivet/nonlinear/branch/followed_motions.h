@@ -33,9 +33,9 @@ class FollowedMotions {
 
   /// How much has been found, but for corners: one is noted where the motions after the last smooth point are cut.
   struct Extent {
-    std::size_t points, asked_for, turns, pieces;
+    std::size_t points, requested, turns, pieces;
   };
-  [[nodiscard]] Extent extent() const { return {points_.size(), asked_for_.size(), turns_.size(), pieces_.size()}; }
+  [[nodiscard]] Extent extent() const { return {points_.size(), requested_.size(), turns_.size(), pieces_.size()}; }
   void cut_to(const Extent& end);
 
   /// Where the parameter turns.
@@ -47,7 +47,7 @@ class FollowedMotions {
   [[nodiscard]] const std::vector<numerics::BranchPoint>& points() const { return points_; }
   [[nodiscard]] const std::vector<Turn>& turns() const { return turns_; }
   /// Motions at the wanted parameters, in the order of the curve.
-  [[nodiscard]] const std::vector<numerics::BranchPoint>& asked_for() const { return asked_for_; }
+  [[nodiscard]] const std::vector<numerics::BranchPoint>& requested() const { return requested_; }
   /// Parameters at which the direction of the curve changes at once.
   [[nodiscard]] const std::vector<double>& corners() const { return corners_; }
   [[nodiscard]] double step_length(std::size_t after) const { return lengths_[after]; }
@@ -77,7 +77,7 @@ class FollowedMotions {
 
   const numerics::Branch& branch_;
   const std::vector<double>& wanted_;
-  std::vector<numerics::BranchPoint> points_, asked_for_;
+  std::vector<numerics::BranchPoint> points_, requested_;
   std::vector<double> lengths_, corners_;
   std::vector<Turn> turns_;
   std::vector<Piece> pieces_;

@@ -34,7 +34,7 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
   add_points_between(found);
   if (observer_.has_winding() && (options_.deep || machine_.assembled.frequency_dependent()))
     judge_by_winding(found, progress);
-  for (const BranchPoint& point : motions.asked_for()) {
+  for (const BranchPoint& point : motions.requested()) {
     found.at.push_back(steady(point));
     if (observer_.has_winding() && options_.deep && !by_winding_) (void)contradicts(point, found.at.back());
   }
@@ -188,18 +188,18 @@ void ObservedPath::add_landings(const MotionsAt& known, SteadyBranch& branch) co
 }
 
 void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) const {
-  const MachineLaws& laws = path_.balance().laws();
+  const LawSet& laws = path_.balance().laws();
   const Eigen::MatrixXd motion = path_.balance().motion(point.unknowns);
   for (Index j = 0; j < motion.cols(); ++j) {
     const LawHarmonics& law = laws.single()[j];
     const std::string& name = machine_.deflections[j].name;
     if (law.law().hysteretic().empty() || std::ranges::find(found.sticking, name) != found.sticking.end()) continue;
-    const LawCourse course = laws.course(j, motion, path_.driving(point.parameter).omega);
+    const LawOverPeriod course = laws.course(j, motion, path_.driving(point.parameter).omega);
     if (std::ranges::any_of(course.loops(),
                             [](const HystereticLoop& loop) { return loop.sticks() || loop.just_reaches_slip(); }))
       found.sticking.push_back(name);
   }
-  for (const MachineLaws::Rubbing& one : laws.rubbings()) {
+  for (const LawSet::Rubbing& one : laws.rubbings()) {
     std::string name = machine_.deflections[one.on[1]].name;
     if (one.law.is_ring()) name = name.substr(0, name.find('.'));
     if (std::ranges::find(found.sticking, name) != found.sticking.end()) continue;

@@ -92,7 +92,7 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
 
 double PointObserver::contact(std::size_t stop, const HarmonicBalance& balance, const SteadyPoint& point) const {
   const auto first = to_index(stop);
-  for (const MachineLaws::Distance& one : balance.laws().distances())
+  for (const LawSet::Distance& one : balance.laws().distances())
     if (one.first == first) return contact_share(one.law, point.deflections.middleCols(first, 3));
   return contact_share(balance.laws().single()[stop], point.deflections.col(first),
                        point.angular_frequency * machine_.excitation.first_harmonic);

@@ -12,7 +12,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/balance/known_forces.h"
+#include "trivet/nonlinear/balance/force_domain.h"
 #include "trivet/nonlinear/balance/phase_equations.h"
 #include "trivet/nonlinear/branch/enough_harmonics.h"
 #include "trivet/nonlinear/branch/observed_path.h"
@@ -28,7 +28,7 @@ using numerics::BranchPoint;
 SteadyBranch followed(const ReferenceMachine& machine, const SteadyOptions& options, const PhaseEquations& at,
                       double most_left_out, const foundation::Progress& progress) {
   const PointObserver observer(machine, options);
-  const KnownForces known(machine.deflections);
+  const ForceDomain known(machine.deflections);
   SteadyBranch found;
   observer.describe(found);
   found.harmonics = at.balance().harmonics();

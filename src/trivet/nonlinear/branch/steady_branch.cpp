@@ -360,7 +360,7 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
           fmt::format("the curve returns to the lower end of the band; at {} places above it no other motion was found",
                       SteadyPath::places_above);
     found->lost_means = lost_means(machine.deflections);
-    found->asked_at = options.at;
+    found->requested_at = options.at;
     if (hold.holds && !found->results.empty()) add_linear(system, options, *found);
     return *std::move(found);
   }

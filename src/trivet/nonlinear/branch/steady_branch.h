@@ -65,7 +65,7 @@ struct SteadyBranch {
   std::vector<std::string> stops;        ///< names of the deflections that have any
   std::vector<std::string> results, units;
   std::vector<SteadyPoint> points;       ///< along the branch, from `from`
-  std::vector<double> asked_at;          ///< parameters at which the harmonics are reported
+  std::vector<double> requested_at;      ///< parameters at which the harmonics are reported
   std::vector<SteadyPoint> at;           ///< there, in the order of the branch
   std::vector<Fold> folds;               ///< in the order of the branch
   std::vector<StabilityChange> changes;  ///< in the order of the branch

@@ -11,7 +11,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/laws/ending_cause.h"
+#include "trivet/nonlinear/laws/end_reason.h"
 #include "trivet/numerics/periodic/branch.h"
 
 namespace trivet::nonlinear {
@@ -358,8 +358,8 @@ std::string SteadyPath::no_further(const BranchPoint& point) const {
   const VectorXd beyond = point.unknowns + ahead * point.tangent.head(size).cwiseProduct(point.scale.head(size));
   return fmt::format("no further motion beyond {}: the step of the branch became too short{}",
                      equations_.place(point.parameter),
-                     ending_cause(known_.deflections(), balance().laws(), balance().motion(point.unknowns),
-                                  balance().motion(beyond), equations_.driving(point.parameter).omega));
+                     end_reason(known_.deflections(), balance().laws(), balance().motion(point.unknowns),
+                                balance().motion(beyond), equations_.driving(point.parameter).omega));
 }
 
 /// On the way to an unbounded resonance: it grows and grows at one place.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
-#include "trivet/nonlinear/balance/known_forces.h"
+#include "trivet/nonlinear/balance/force_domain.h"
 #include "trivet/nonlinear/balance/steady_equations.h"
 #include "trivet/nonlinear/branch/followed_motions.h"
 #include "trivet/numerics/periodic/branch.h"
@@ -116,7 +116,7 @@ class SteadyPath {
   const SteadyOptions& options_;
   std::vector<double> resonances_;  ///< of the machine of references, ascending [rad/s]
   SteadyEquations equations_;
-  KnownForces known_;
+  ForceDomain known_;
   numerics::Branch branch_;
   FollowedMotions motions_;
   double left_out_ = 0, held_share_ = 0;

@@ -64,7 +64,7 @@ class BristleLoop::Grading {
   double first_, last_, faded_ = 0;
 };
 
-BristleLoop::BristleLoop(const LawAbout::Bristles& part, const VectorXd& deflection, double omega,
+BristleLoop::BristleLoop(const DeviationLaw::Bristles& part, const VectorXd& deflection, double omega,
                          const std::vector<double>& turns, double longest)
     : part_(part), deflection_(deflection), slope_(numerics::phase_derivative(deflection)), omega_(omega) {
   if (turns.empty() || !is_above_round_off(turns)) return;

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "trivet/nonlinear/laws/law_about.h"
+#include "trivet/nonlinear/laws/deviation_law.h"
 #include "trivet/numerics/periodic/radau_panel.h"
 
 namespace trivet::nonlinear {
@@ -19,7 +19,7 @@ class BristleLoop {
   /// @param omega       of the first harmonic [rad/s]; 0: slow motion
   /// @param turns       phases of its turning points, ascending in [0, 2π)
   /// @param longest     panel
-  BristleLoop(const LawAbout::Bristles& part, const Eigen::VectorXd& deflection, double omega,
+  BristleLoop(const DeviationLaw::Bristles& part, const Eigen::VectorXd& deflection, double omega,
               const std::vector<double>& turns, double longest);
 
   /// False if the deflection does not move, but for round-off: the bristles then bear no more force than at the state.
@@ -44,13 +44,13 @@ class BristleLoop {
   /// Closed variations of z at the nodes, nodes × columns, for variations of dδ/dφ there.
   [[nodiscard]] Eigen::MatrixXd variation(const Eigen::MatrixXd& slopes) const;
   /// The same of bristles whose variation is zero at the first turning point. The last row is also that one period
-  /// later. To them belongs `fading` times the variation at the first turning point.
+  /// later. The initial value decays as `fading` times the variation at the first turning point.
   [[nodiscard]] Eigen::MatrixXcd variation_from_zero(const Eigen::MatrixXcd& slopes) const;
   /// A variation of 1 at the first turning point, as it fades; and after a period.
   [[nodiscard]] const Eigen::VectorXd& fading() const { return fading_; }
   [[nodiscard]] double faded() const;
   [[nodiscard]] double first_turn() const { return ends_.front(); }  ///< phase
-  /// By ω at the same coefficients.
+  /// Derivative with respect to ω at the same coefficients.
   [[nodiscard]] Eigen::VectorXd variation_by_omega() const;
 
  private:
@@ -63,7 +63,7 @@ class BristleLoop {
   /// With the same z after each period.
   [[nodiscard]] Eigen::MatrixXd closed(const Eigen::MatrixXd& source) const;
 
-  LawAbout::Bristles part_;
+  DeviationLaw::Bristles part_;
   Eigen::VectorXd deflection_, slope_;  ///< coefficients, of δ and dδ/dφ
   double omega_;
   std::vector<numerics::DecayingPanel> panels_;
@@ -79,7 +79,7 @@ class BristleLoop {
 /// are doubled.
 struct BristleHarmonics {
   Eigen::VectorXd force;
-  Eigen::MatrixXd tangent;   ///< by the coefficients of the deflection; empty if not asked for
+  Eigen::MatrixXd tangent;   ///< by the coefficients of the deflection; empty if not requested
   Eigen::VectorXd by_omega;  ///< the same
 };
 /// @param deflection  that of the loop

@@ -30,7 +30,7 @@ double share_of_period(const std::vector<double>& corners, const Holds& holds) {
 
 double contact_share(const LawHarmonics& law, const Eigen::VectorXd& deflection, double omega) {
   const std::pair<double, double> untouched = law.law().untouched();
-  const LawCourse course = law.course(deflection, omega);
+  const LawOverPeriod course = law.course(deflection, omega);
   return share_of_period(course.corners(), [&](double phase) {
     const double here = course.deflection_at(phase);
     return here < untouched.first || here > untouched.second;

@@ -79,7 +79,7 @@ Eigen::Matrix3d positive_reference(const model::DistancePart& part) {
   return stiffness * along + across * (plane - along);
 }
 
-RubbingAbout rubbing_about(const model::Element& element, const model::RubbingPart& part) {
+ContactFriction contact_friction(const model::Element& element, const model::RubbingPart& part) {
   const model::NonlinearPart& along = element.nonlinear_parts[part.pressed_by];
   return {part.law, elements::only<elements::ElasticForce>(along.laws), along.at_rest};
 }
@@ -155,7 +155,7 @@ model::System with_references(const model::System& system, const References& ref
       sum.tangent += element.over_deflection->at(along.at_rest, force) - element.over_deflection->at(along.at_rest, 0);
     }
     for (const model::RubbingPart& part : element.rubbing_parts) {  // which bears no force at rest
-      const Eigen::Matrix3d sticks = rubbing_about(element, part).own_stiffness();
+      const Eigen::Matrix3d sticks = contact_friction(element, part).own_stiffness();
       const auto rows = rows_across(element.nonlinear_parts[part.pressed_by], span);
       for (std::size_t i = 0; i < 2; ++i) {
         const double stiffness = sticks(to_index(i) + 1, to_index(i) + 1);
@@ -171,7 +171,7 @@ model::System with_references(const model::System& system, const References& ref
       sum.damping += rows.transpose() * there.by_rate * rows;
       sum.offset += rows.transpose() * (there.force - reference * part.at_rest);
       if (!part.friction) continue;
-      const Eigen::Matrix3d sticks = RubbingAbout(*part.friction, part.law, part.at_rest).own_stiffness();
+      const Eigen::Matrix3d sticks = ContactFriction(*part.friction, part.law, part.at_rest).own_stiffness();
       sum.tangent += rows.transpose() * sticks * rows;
       sum.offset -= rows.transpose() * sticks * part.at_rest;
     }
@@ -191,7 +191,7 @@ namespace {
 Deflection without_law(const std::string& name, bool is_rotation, const assembly::Assembled& assembled,
                        const assembly::ElementMap& map, const Eigen::RowVectorXd& row) {
   Deflection deflection{name, is_rotation, Eigen::VectorXd::Zero(assembled.matrices.size()),
-                        Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout({})};
+                        Eigen::VectorXd::Zero(assembled.ground.size()), DeviationLaw({})};
   const Eigen::RowVectorXd on_free = row * map.ends, on_ground = row * map.ground_ends;
   for (Eigen::Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[c]) += on_free(c);
   for (Eigen::Index c = 0; c < on_ground.size(); ++c) deflection.on_ground(map.ground_rows[c]) += on_ground(c);
@@ -270,7 +270,7 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
           if (const double share = deflection.on_coordinates(c); share != 0)
             acceleration += share * deflection.accelerations(c);
       }
-      deflection.law = LawAbout(part.laws, part.at_rest, references.parts[found.size()], acceleration);
+      deflection.law = DeviationLaw(part.laws, part.at_rest, references.parts[found.size()], acceleration);
       found.push_back(std::move(deflection));
     }
   }
@@ -292,7 +292,7 @@ void add_rubbings(const model::System& system, const assembly::Assembled& assemb
         const int axis = (along.axis + 1 + static_cast<int>(i)) % 3;
         found.push_back(
             without_law(element.name + ".deflection." + model::coordinate_names[axis], false, assembled, map, row));
-        if (i == 0) found.back().rubbing = Deflection::Rubbing{next + part.pressed_by, rubbing_about(element, part)};
+        if (i == 0) found.back().rubbing = Deflection::Rubbing{next + part.pressed_by, contact_friction(element, part)};
       }
     }
     next += element.nonlinear_parts.size();
@@ -300,7 +300,7 @@ void add_rubbings(const model::System& system, const assembly::Assembled& assemb
   for (const model::Element& element : system.elements())  // distances follow the parts over one deflection
     for (const model::DistancePart& part : element.distance_parts) {
       if (part.friction)
-        found[next].rubbing = Deflection::Rubbing{next, RubbingAbout(*part.friction, part.law, part.at_rest)};
+        found[next].rubbing = Deflection::Rubbing{next, ContactFriction(*part.friction, part.law, part.at_rest)};
       next += 3;
     }
 }

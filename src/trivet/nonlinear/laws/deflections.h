@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
+#include "trivet/nonlinear/laws/contact_friction.h"
+#include "trivet/nonlinear/laws/deviation_law.h"
 #include "trivet/nonlinear/laws/distance_laws.h"
-#include "trivet/nonlinear/laws/law_about.h"
-#include "trivet/nonlinear/laws/rubbing_about.h"
 
 namespace trivet::nonlinear {
 
@@ -21,12 +21,12 @@ struct Deflection {
   bool is_rotation = false;
   Eigen::VectorXd on_coordinates;      ///< free coordinates: the deflection, and by virtual work the force on them
   Eigen::VectorXd on_ground;           ///< ground coordinates
-  LawAbout law;                        ///< beyond the tangents that the assembled machine contains
+  DeviationLaw law;                    ///< beyond the tangents that the assembled machine contains
   Eigen::VectorXd accelerations = {};  ///< of the coordinates per force on it; of friction without a spring only
   std::optional<DistanceAbout> distance = {};  ///< over this deflection and the next two
   struct Rubbing {
     std::size_t along = 0;  ///< the deflection that presses it across an axis
-    RubbingAbout law;
+    ContactFriction law;
   };
   std::optional<Rubbing> rubbing = {};  ///< over this deflection and the next one, or the next two of a ring
   bool is_followed = false;             ///< without a law, for its phase: always an unknown
@@ -76,10 +76,10 @@ void add_rubbings(const model::System& system, const assembly::Assembled& assemb
 /// the largest rotation. Metres and radians have no common measure, so that a large angle must not hide a travel that
 /// it has nothing to do with; only round-off is small in both: the largest of a kind counts as at least a hundredth of
 /// the one that needs the same energy as the largest of the other kind.
-class DeflectionSizes {
+class DeflectionScales {
  public:
   /// @param receptance  at ω = 0, deflections × deflections
-  DeflectionSizes(const std::vector<Deflection>& deflections, const Eigen::MatrixXd& receptance);
+  DeflectionScales(const std::vector<Deflection>& deflections, const Eigen::MatrixXd& receptance);
 
   /// @param of  of each deflection, ≥ 0
   [[nodiscard]] Eigen::VectorXd largest_of_kind(const Eigen::VectorXd& of) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/machine_laws.h"
+#include "trivet/nonlinear/laws/law_set.h"
 
 #include <algorithm>
 #include <cassert>
@@ -15,14 +15,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using foundation::two_pi;
 
-ForceRemainder::ForceRemainder(const MachineLaws& laws, const MatrixXd& course, const MatrixXd& harmonics, double omega)
+ForceRemainder::ForceRemainder(const LawSet& laws, const MatrixXd& course, const MatrixXd& harmonics, double omega)
     : course_(course), harmonics_(harmonics), omega_(omega), known_(to_size(course.cols()), false) {
   std::vector<double> corners;
   assert(course.cols() == to_index(laws.single().size()) && harmonics.cols() == course.cols());
   for (Index j = 0; j < course.cols(); ++j) {
     const LawHarmonics& law = laws.single()[j];
     if (law.law().is_empty()) continue;
-    LawCourse along = laws.course(j, course, omega);
+    LawOverPeriod along = laws.course(j, course, omega);
     // Bristles that rest are springs, and have the harmonics of the motion.
     if (std::ranges::any_of(along.bristles(), [](const BristleLoop& loop) { return !loop.moves(); })) continue;
     known_[j] = true;
@@ -30,13 +30,13 @@ ForceRemainder::ForceRemainder(const MachineLaws& laws, const MatrixXd& course, 
     corners.insert(corners.end(), own.begin(), own.end());
     singles_.push_back({j, std::move(along)});
   }
-  for (const MachineLaws::Distance& one : laws.distances()) {
+  for (const LawSet::Distance& one : laws.distances()) {
     distances_.push_back(&one);
     for (Index a = 0; a < 3; ++a) known_[one.first + a] = true;
     const std::vector<double> own = one.law.corners(course.middleCols(one.first, 3));
     corners.insert(corners.end(), own.begin(), own.end());
   }
-  for (const MachineLaws::Rubbing& one : laws.rubbings()) {
+  for (const LawSet::Rubbing& one : laws.rubbings()) {
     rubbings_.push_back({one.on, laws.loop(one, course, omega)});
     known_[one.on[1]] = known_[one.on[2]] = true;
     for (const RubbingLoop::Change& change : rubbings_.back().loop.changes()) corners.push_back(change.phase);
@@ -71,7 +71,7 @@ Eigen::RowVectorXd ForceRemainder::at(double phase) const {
       found(one.deflection) += loop.at(loop.branch_at(phase), deflections(one.deflection)).force;
     for (const BristleLoop& loop : one.course.bristles()) found(one.deflection) += loop.at(phase).force;
   }
-  for (const MachineLaws::Distance* one : distances_)
+  for (const LawSet::Distance* one : distances_)
     found.segment<3>(one->first) +=
         one->law.at_phase(course_.middleCols(one->first, 3), omega_, phase).force.transpose();
   for (const Rubbing& one : rubbings_)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/laws/law_course.h"
+#include "trivet/nonlinear/laws/law_over_period.h"
 
 #include <cassert>
 #include <cmath>
@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 using elements::ForceOnTravel;
 using foundation::two_pi;
 
-HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd& deflection,
+HystereticLoop::HystereticLoop(const DeviationLaw::Hysteretic& part, const VectorXd& deflection,
                                const std::vector<double>& turns, double turning_slope)
     : part_(part), turning_slope_(turning_slope) {
   if (turns.empty()) return;

@@ -32,7 +32,7 @@ Index sample_count(std::optional<int> degree, Index of_motion, Index wanted) {
 }
 
 /// Phases from corner to corner; the whole period without any.
-std::vector<std::pair<double, double>> pieces(const LawCourse& course) {
+std::vector<std::pair<double, double>> pieces(const LawOverPeriod& course) {
   const std::vector<double>& corners = course.corners();
   if (corners.empty()) return {{0, two_pi}};
   std::vector<std::pair<double, double>> found;
@@ -43,7 +43,7 @@ std::vector<std::pair<double, double>> pieces(const LawCourse& course) {
 
 }  // namespace
 
-LawHarmonics::LawHarmonics(LawAbout law, Index harmonics, std::optional<Index> of_motion)
+LawHarmonics::LawHarmonics(DeviationLaw law, Index harmonics, std::optional<Index> of_motion)
     : law_(std::move(law)), harmonics_(harmonics), of_motion_(of_motion.value_or(harmonics)) {
   const auto set_rows = [](Index count, Index of, Eigen::MatrixXd& rows) {
     rows.resize(count, numerics::coefficient_count(of));
@@ -56,7 +56,7 @@ LawHarmonics::LawHarmonics(LawAbout law, Index harmonics, std::optional<Index> o
     set_rows(sample_count(std::nullopt, of_motion_, of_motion_), of_motion_, of_course_);
 }
 
-LawCourse LawHarmonics::course(const VectorXd& deflection, double omega, double round_off) const {
+LawOverPeriod LawHarmonics::course(const VectorXd& deflection, double omega, double round_off) const {
   return {law_, deflection, of_motion_, omega, of_course_, round_off};
 }
 
@@ -93,7 +93,7 @@ LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double o
               VectorXd::Zero(law_.has_dampers() ? twice : 0),
               VectorXd::Zero(deflection.size()),
               {}};
-  const LawCourse along = course(deflection, omega, round_off);
+  const LawOverPeriod along = course(deflection, omega, round_off);
   add_line(along, deflection, omega, sum);
   if (!law_.smooth().is_empty()) add_sampled(law_.smooth(), deflection, omega, sum);
   if (!law_.quadratic().is_empty()) add_quadratic(along, deflection, omega, sum);
@@ -113,8 +113,8 @@ LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double o
   return sum;
 }
 
-void LawHarmonics::add_line(const LawCourse& course, const VectorXd& deflection, double omega, Spectra& sum) const {
-  LawAbout::Line line = law_.line();
+void LawHarmonics::add_line(const LawOverPeriod& course, const VectorXd& deflection, double omega, Spectra& sum) const {
+  DeviationLaw::Line line = law_.line();
   line.stiffness += course.resting_stiffness();
   sum.force += line.stiffness * deflection;
   if (law_.has_dampers()) sum.force += line.damping * omega * numerics::phase_derivative(deflection);
@@ -124,7 +124,7 @@ void LawHarmonics::add_line(const LawCourse& course, const VectorXd& deflection,
   if (law_.has_dampers()) sum.by_rate(0) += 2 * line.damping;
 }
 
-void LawHarmonics::add_sampled(const LawAbout::Parts& parts, const VectorXd& deflection, double omega,
+void LawHarmonics::add_sampled(const DeviationLaw::Parts& parts, const VectorXd& deflection, double omega,
                                Spectra& sum) const {
   const Index count = deflection.size(), samples = values_.rows();
   const bool damped = law_.has_dampers();
@@ -144,7 +144,7 @@ void LawHarmonics::add_sampled(const LawAbout::Parts& parts, const VectorXd& def
 
 /// On each piece f = c + g x + d v + m x v + p v²/2, with constants that are functions of the phase over the whole
 /// period: products of their spectra and those of x and v.
-void LawHarmonics::add_quadratic(const LawCourse& course, const VectorXd& deflection, double omega,
+void LawHarmonics::add_quadratic(const LawOverPeriod& course, const VectorXd& deflection, double omega,
                                  Spectra& sum) const {
   const Index twice = 2 * harmonics_, thrice = 3 * harmonics_;
   const auto zero = [](Index harmonics) { return VectorXd::Zero(numerics::coefficient_count(harmonics)).eval(); };
@@ -157,7 +157,7 @@ void LawHarmonics::add_quadratic(const LawCourse& course, const VectorXd& deflec
   for (const auto& [from, to] : pieces(course)) {
     const double middle = (from + to) / 2, x = course.deflection_at(middle),
                  v = course.is_damped() ? course.rate_at(middle) : 0;
-    const LawAbout::Force there = law_.quadratic().at(law_.state() + x, v);
+    const DeviationLaw::Force there = law_.quadratic().at(law_.state() + x, v);
     if (there.force == 0 && there.by_deviation == 0 && there.by_rate == 0) continue;  // an open gap
     const auto [m, p] = law_.quadratic().curvature(law_.state() + x, v);
     const double g = there.by_deviation - m * v, d = there.by_rate - m * x - p * v;
@@ -184,7 +184,7 @@ void LawHarmonics::add_quadratic(const LawCourse& course, const VectorXd& deflec
 
 double LawHarmonics::longest_piece() const { return two_pi / static_cast<double>(2 * std::max<Index>(harmonics_, 2)); }
 
-void LawHarmonics::add_between_corners(const LawCourse& course, Spectra& sum) const {
+void LawHarmonics::add_between_corners(const LawOverPeriod& course, Spectra& sum) const {
   const Index count = sum.force.size(), reach = sum.with_tangent ? 2 * harmonics_ : harmonics_;
   Eigen::RowVectorXd row;
   for (const auto& [from, to] : pieces(course)) {
@@ -192,11 +192,11 @@ void LawHarmonics::add_between_corners(const LawCourse& course, Spectra& sum) co
       return law_.others().at(law_.state() + course.deflection_at(place),
                               course.is_damped() ? course.rate_at(place) : 0);
     };
-    const LawAbout::Force there = at((from + to) / 2);
+    const DeviationLaw::Force there = at((from + to) / 2);
     if (there.force == 0 && there.by_deviation == 0 && there.by_rate == 0) continue;  // an open gap
     numerics::each_gauss_node(from, to, longest_piece(), [&](double phase, double length) {
       numerics::set_fourier_row(reach, phase, row);
-      const LawAbout::Force found = at(row);
+      const DeviationLaw::Force found = at(row);
       const double weight = length / (two_pi / 2);
       sum.force += (weight * found.force) * row.head(count).transpose();
       if (!sum.with_tangent) return;
@@ -206,7 +206,7 @@ void LawHarmonics::add_between_corners(const LawCourse& course, Spectra& sum) co
   }
 }
 
-void LawHarmonics::add_loop(const LawCourse& course, const HystereticLoop& loop, Spectra& sum) const {
+void LawHarmonics::add_loop(const LawOverPeriod& course, const HystereticLoop& loop, Spectra& sum) const {
   const Index count = sum.force.size(), reach = sum.with_tangent ? 2 * harmonics_ : harmonics_;
   if (sum.with_tangent && sum.by_memory.size() == 0) sum.by_memory = Eigen::MatrixXd::Zero(count, count);
   Eigen::RowVectorXd row;
@@ -249,7 +249,8 @@ void LawHarmonics::add_jumps(const VectorXd& deflection, double omega, const Hys
   }
 }
 
-void LawHarmonics::add_bristles(const LawCourse& course, const VectorXd& deflection, double omega, Spectra& sum) const {
+void LawHarmonics::add_bristles(const LawOverPeriod& course, const VectorXd& deflection, double omega,
+                                Spectra& sum) const {
   for (const BristleLoop& loop : course.bristles()) {
     const BristleHarmonics found = bristle_harmonics(loop, deflection, omega, sum.with_tangent);
     sum.force += found.force;
@@ -261,7 +262,7 @@ void LawHarmonics::add_bristles(const LawCourse& course, const VectorXd& deflect
 }
 
 /// Each harmonic times k' + i k'' at the amplitude of the whole motion; the mean times k'.
-void LawHarmonics::add_of_amplitude(const LawCourse& course, const VectorXd& deflection, Spectra& sum) const {
+void LawHarmonics::add_of_amplitude(const LawOverPeriod& course, const VectorXd& deflection, Spectra& sum) const {
   const Index count = deflection.size();
   const elements::StiffnessOfAmplitude& there = course.of_amplitude();
   assert(course.ahead().size() == count && "a quarter of a period ahead are as many harmonics");

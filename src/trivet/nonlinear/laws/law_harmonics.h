@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "trivet/model/system.h"
-#include "trivet/nonlinear/laws/law_course.h"
+#include "trivet/nonlinear/laws/law_over_period.h"
 
 namespace trivet::nonlinear {
 
@@ -26,10 +26,10 @@ struct ForceHarmonics {
 class LawHarmonics {
  public:
   /// @param of_motion  harmonics of the motions, if these are fewer and padded with zeros
-  LawHarmonics(LawAbout law, Eigen::Index harmonics, std::optional<Eigen::Index> of_motion = std::nullopt);
+  LawHarmonics(DeviationLaw law, Eigen::Index harmonics, std::optional<Eigen::Index> of_motion = std::nullopt);
 
   /// @param omega  of the first harmonic [rad/s]
-  /// @param round_off  as of LawCourse
+  /// @param round_off  as of LawOverPeriod
   [[nodiscard]] ForceHarmonics at(const Eigen::VectorXd& deflection, double omega, double round_off = 0) const;
   /// The force alone.
   [[nodiscard]] Eigen::VectorXd force_at(const Eigen::VectorXd& deflection, double omega, double round_off = 0) const;
@@ -42,8 +42,8 @@ class LawHarmonics {
   [[nodiscard]] TangentHarmonics tangents_at(const Eigen::VectorXd& deflection, double omega,
                                              double round_off = 0) const;
 
-  [[nodiscard]] LawCourse course(const Eigen::VectorXd& deflection, double omega, double round_off = 0) const;
-  [[nodiscard]] const LawAbout& law() const { return law_; }
+  [[nodiscard]] LawOverPeriod course(const Eigen::VectorXd& deflection, double omega, double round_off = 0) const;
+  [[nodiscard]] const DeviationLaw& law() const { return law_; }
 
  private:
   /// Fourier integrals over a period; those of the tangents to twice the harmonics.
@@ -57,17 +57,18 @@ class LawHarmonics {
   };
   [[nodiscard]] Spectra spectra(const Eigen::VectorXd& deflection, double omega, double round_off,
                                 bool with_tangent) const;
-  void add_line(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
-  void add_sampled(const LawAbout::Parts& parts, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
-  void add_quadratic(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
-  void add_between_corners(const LawCourse& course, Spectra& sum) const;
-  void add_bristles(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
-  void add_of_amplitude(const LawCourse& course, const Eigen::VectorXd& deflection, Spectra& sum) const;
+  void add_line(const LawOverPeriod& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
+  void add_sampled(const DeviationLaw::Parts& parts, const Eigen::VectorXd& deflection, double omega,
+                   Spectra& sum) const;
+  void add_quadratic(const LawOverPeriod& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
+  void add_between_corners(const LawOverPeriod& course, Spectra& sum) const;
+  void add_bristles(const LawOverPeriod& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
+  void add_of_amplitude(const LawOverPeriod& course, const Eigen::VectorXd& deflection, Spectra& sum) const;
   void add_jumps(const Eigen::VectorXd& deflection, double omega, const HystereticLoop& loop, Spectra& sum) const;
-  void add_loop(const LawCourse& course, const HystereticLoop& loop, Spectra& sum) const;
+  void add_loop(const LawOverPeriod& course, const HystereticLoop& loop, Spectra& sum) const;
   [[nodiscard]] double longest_piece() const;
 
-  LawAbout law_;
+  DeviationLaw law_;
   Eigen::Index harmonics_, of_motion_;
   Eigen::MatrixXd values_;     ///< samples × coefficients, to twice the harmonics; empty if no part is sampled
   Eigen::MatrixXd of_course_;  ///< the same of the motion, by which corners are sought; empty if there are none

@@ -55,7 +55,7 @@ LawLoop loop(const LawHarmonics& law, double at_rest, double force_at_rest, doub
   found.amplitude = amplitude;
   Eigen::VectorXd motion = Eigen::VectorXd::Zero(numerics::coefficient_count(20));
   motion(1) = amplitude;  // the largest deflection at phase 0
-  const LawCourse course = law.course(motion, 0);
+  const LawOverPeriod course = law.course(motion, 0);
   const Eigen::VectorXd harmonics = law.force_at(motion, 0);
   found.storage = harmonics(1) / amplitude;
   found.loss = -harmonics(2) / amplitude;
@@ -81,11 +81,11 @@ std::vector<LawLoop> law_loops(const model::NonlinearPart& part, double own_stif
     extent = std::max(extent, std::visit(Extent{own_stiffness, part.at_rest}, law));
     if (!std::holds_alternative<elements::DampingForce>(law)) slow.push_back(law);
   }
-  const auto [low, high] = LawAbout(slow).range();
+  const auto [low, high] = DeviationLaw(slow).range();
   extent = std::min({extent, part.at_rest - low, high - part.at_rest});
   std::vector<LawLoop> loops;
   if (slow.empty() || !(extent > 0)) return loops;
-  const LawHarmonics law(LawAbout(slow, part.at_rest), 20);
+  const LawHarmonics law(DeviationLaw(slow, part.at_rest), 20);
   for (const double share : {0.05, 0.1, 0.2, 0.5, 1.0})
     loops.push_back(loop(law, part.at_rest, elements::force_at_rest(slow, part.at_rest).force, share * extent));
   return loops;

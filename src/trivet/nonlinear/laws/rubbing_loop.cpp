@@ -25,7 +25,7 @@ constexpr double round_off = 1e-12;
 
 }  // namespace
 
-RubbingLoop::RubbingLoop(const RubbingAbout& law, const MatrixXd& course, const std::vector<double>& corners,
+RubbingLoop::RubbingLoop(const ContactFriction& law, const MatrixXd& course, const std::vector<double>& corners,
                          double omega, double longest, bool rough)
     : law_(law), motion_(course), omega_(omega), parts_(rough ? 1 : 2) {
   assert(course.cols() == 3 && std::ranges::is_sorted(corners));

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "trivet/nonlinear/laws/rubbing_about.h"
+#include "trivet/nonlinear/laws/contact_friction.h"
 #include "trivet/numerics/periodic/spatial_motion.h"
 
 namespace trivet::nonlinear {
@@ -19,8 +19,8 @@ struct Disc {
   double hoop = 1;  ///< of an ellipse: its first axis is the radius over this
 };
 
-/// The place that lies deepest within all discs, and its derivatives by the one to three discs that hold it. Within
-/// ellipses the discs through it: as deep as within each of them, but another place may be a little deeper.
+/// The place that lies deepest within all discs, and its derivatives by the one to three discs that hold it. For
+/// ellipses approximate: uses the circles through the point.
 struct DeepestPlace {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   double beyond = 0;  ///< the edge of the discs that hold it; > 0: they have no common point, or none was found
@@ -38,13 +38,13 @@ struct DeepestPlace {
 /// contact opens, sticks and slips are found; between them the force is stepped from node to node.
 class RubbingLoop {
  public:
-  /// @param course   Fourier coefficients × three deflections as RubbingAbout has them, deviations from rest
+  /// @param course   Fourier coefficients × three deflections as ContactFriction has them, deviations from rest
   /// @param corners  phases at which the force along the contact is not smooth, ascending in [0, 2π)
   /// @param omega    of the first harmonic [rad/s]
   /// @param longest  steps of nodes reach over at most this phase
   /// @param rough    every step is twice as long
-  RubbingLoop(const RubbingAbout& law, const Eigen::MatrixXd& course, const std::vector<double>& corners, double omega,
-              double longest, bool rough = false);
+  RubbingLoop(const ContactFriction& law, const Eigen::MatrixXd& course, const std::vector<double>& corners,
+              double omega, double longest, bool rough = false);
 
   enum class State { open, sticks, slips };
   struct Step : elements::Slip {
@@ -58,23 +58,23 @@ class RubbingLoop {
     double phase = 0, weight = 0;
     Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< over the travel on the wall
     State state = State::open;                        ///< since the point before
-    RubbingAbout::Limit limit = {};
+    ContactFriction::Limit limit = {};
     ContactFrame frame = {};
     Eigen::RowVector3d normal_slope = Eigen::RowVector3d::Zero();  ///< of the frame, by the phase
     Step step = {};                                                ///< from the point before
   };
   /// Empty if the contact never closes.
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
-  [[nodiscard]] const RubbingAbout& law() const { return law_; }
-  /// Does it stick all the time? Its mean then depends on what happened before; here the springs stick where
-  /// their forces stay farthest below their limits, so that slip begins without a jump.
+  [[nodiscard]] const ContactFriction& law() const { return law_; }
+  /// Does it stick all the time? Its mean is then undetermined; we choose the one with the largest reserve against
+  /// slip, so that slip begins without a jump.
   [[nodiscard]] bool always_sticks() const { return always_sticks_; }
 
   /// At a phase. A variation of the friction f is that of sticking; or under slip `direction` times that of the limit L
   /// and, square to it, y with y' = aside · (k δ(speed of the travel) − δ(ρ'/ρ) (f_t, 0)) − fading y − turning δL.
   struct Moment {
     State state = State::open;
-    RubbingAbout::Limit limit = {};
+    ContactFriction::Limit limit = {};
     ContactFrame frame = {};
     FrameRates rates = {};
     Eigen::Vector2d friction = Eigen::Vector2d::Zero();
@@ -86,7 +86,7 @@ class RubbingLoop {
   struct Change {
     double phase = 0;  ///< in [0, 2π)
     State before = State::open, after = State::open;
-    RubbingAbout::Limit limit = {};
+    ContactFriction::Limit limit = {};
     ContactFrame frame = {};
     FrameRates rates = {};
     Eigen::Vector2d friction = Eigen::Vector2d::Zero();
@@ -116,7 +116,7 @@ class RubbingLoop {
   struct Here {
     ContactFrame frame;
     FrameRates rates;
-    RubbingAbout::Limit limit;
+    ContactFriction::Limit limit;
     double limit_slope;  ///< by the phase
   };
   [[nodiscard]] Here at(double phase) const;
@@ -144,7 +144,7 @@ class RubbingLoop {
   void append(double phase, double weight, bool slips);
   [[nodiscard]] Eigen::Matrix2d kept() const;  ///< force after a period by that before it
 
-  RubbingAbout law_;
+  ContactFriction law_;
   numerics::SpatialMotion motion_;
   double omega_;
   int parts_;  ///< of each long step
@@ -158,7 +158,7 @@ extern template RubbingLoop::Forces<double> RubbingLoop::variation(const Variati
 extern template RubbingLoop::Forces<std::complex<double>> RubbingLoop::variation(
     const Variation<std::complex<double>>&, std::optional<std::complex<double>>) const;
 
-/// Forces × the three deflections of a contact (RubbingAbout); without any entry: none.
+/// Forces × the three deflections of a contact (ContactFriction); without any entry: none.
 template <typename Entry>
 using OfContact = std::array<std::array<Entry, 3>, 3>;
 

@@ -35,7 +35,7 @@ std::vector<Deflection> with_displacement(const std::string& name, const model::
   if (channels.size() != 1 || channels[0].derivative != 0 || is_force(channels[0]))
     throw foundation::InvalidInput("steady: phase.of: " + name + " is not one displacement or rotation");
   Deflection found{name, channels[0].unit == "rad", channels[0].on_displacement.real(),
-                   Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout({})};
+                   Eigen::VectorXd::Zero(assembled.ground.size()), DeviationLaw({})};
   found.is_followed = true;
   if (!channels[0].ground.empty()) found.on_ground = channels[0].ground.on_displacement.real();
   deflections.push_back(std::move(found));

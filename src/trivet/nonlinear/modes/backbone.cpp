@@ -10,7 +10,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/laws/deflections.h"
-#include "trivet/nonlinear/laws/ending_cause.h"
+#include "trivet/nonlinear/laws/end_reason.h"
 #include "trivet/nonlinear/laws/held_by_friction.h"
 #include "trivet/nonlinear/machine/reference_machine.h"
 #include "trivet/nonlinear/modes/free_motion.h"
@@ -46,7 +46,7 @@ std::vector<Deflection> laws_of(const model::System& system, const assembly::Ass
         law.loss = 0;
         elastic.emplace_back(law);
       }
-      found[next++].law = LawAbout(elastic, part.at_rest, elements::small_motion(elastic, part.at_rest));
+      found[next++].law = DeviationLaw(elastic, part.at_rest, elements::small_motion(elastic, part.at_rest));
     }
   for (const model::Element& element : system.elements())
     for (model::DistancePart part : element.distance_parts) {
@@ -69,7 +69,7 @@ std::vector<std::string> with_friction(const model::System& system, const assemb
   for (const Deflection& one : deflections)
     if (!one.law.bristles().empty() || (one.rubbing && one.rubbing->law.is_pressed_at_rest()) ||
         std::ranges::any_of(one.law.hysteretic(),
-                            [](const LawAbout::Hysteretic& part) { return !elements::jumps_at_turns(part.law); }))
+                            [](const DeviationLaw::Hysteretic& part) { return !elements::jumps_at_turns(part.law); }))
       names.push_back(one.name);
   return names;
 }
@@ -201,8 +201,8 @@ class FreeCourse {
     const VectorXd beyond = point.unknowns + ahead * point.tangent.head(size).cwiseProduct(point.scale.head(size));
     return fmt::format("no further motion beyond {:.6g} Hz and {:.4g} J: the step of the branch became too short{}",
                        point.parameter / foundation::two_pi, energy,
-                       ending_cause(deflections_, motion_.laws(), motion_.deflections(point.unknowns),
-                                    motion_.deflections(beyond), point.parameter));
+                       end_reason(deflections_, motion_.laws(), motion_.deflections(point.unknowns),
+                                  motion_.deflections(beyond), point.parameter));
   }
 
   /// The mode with a small amplitude, as cosines of the first harmonic.
@@ -310,7 +310,7 @@ class FreeCourse {
 
   struct Reached {
     double deflection = 0;  ///< largest deviation of any nonlinear deflection
-    double share = 0;       ///< of the end that was asked for
+    double share = 0;       ///< of the requested end
   };
   [[nodiscard]] Reached reached(const BranchPoint& point) const {
     Reached found{0, energy(point) / options_.up_to_energy};

@@ -33,7 +33,7 @@ struct BackbonePoint {
   double damping_ratio = 0;             ///< of the mode; 0 if the backbone is undamped
   Eigen::MatrixXcd coordinates;         ///< free coordinates × harmonics 0, 1, …: complex amplitudes
   double deflection = 0;                ///< largest deviation of any nonlinear deflection [m, rad]
-  double share = 0;                     ///< of the end that was asked for
+  double share = 0;                     ///< of the requested end
   std::vector<ObservedMotion> results;  ///< in the order of Backbone::results
 };
 
@@ -42,10 +42,10 @@ struct Backbone {
   double angular_frequency = 0;  ///< natural frequency about rest [rad/s]
   std::vector<std::string> results, units;
   std::vector<BackbonePoint> points;     ///< along the branch, from small motions
-  std::vector<BackbonePoint> at_energy;  ///< at the energies asked for, in the order of the branch
+  std::vector<BackbonePoint> at_energy;  ///< at the requested energies, in the order of the branch
   Eigen::Index harmonics = 0;
   double left_out = 0;            ///< largest share of the motion beyond the harmonics, at any point
-  std::string ended;              ///< why it ends before the end asked for; empty: it does not
+  std::string ended;              ///< why it ends before the requested end; empty: it does not
   std::vector<std::string> held;  ///< undamped: deflections in which friction sticks to the end
 };
 

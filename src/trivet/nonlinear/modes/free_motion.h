@@ -8,7 +8,7 @@
 #include "trivet/assembly/assembled.h"
 #include "trivet/model/system.h"
 #include "trivet/nonlinear/laws/deflections.h"
-#include "trivet/nonlinear/laws/machine_laws.h"
+#include "trivet/nonlinear/laws/law_set.h"
 #include "trivet/numerics/periodic/branch.h"
 
 namespace trivet::nonlinear {
@@ -47,7 +47,7 @@ class FreeMotion {
     return damped_ ? coordinates() * (2 * harmonics_ + 1) + 1 : coordinates() * (harmonics_ + 1);
   }
   [[nodiscard]] const Eigen::MatrixXd& across() const { return across_; }  ///< coordinates × deflections
-  [[nodiscard]] const MachineLaws& laws() const { return laws_; }
+  [[nodiscard]] const LawSet& laws() const { return laws_; }
 
   /// Row of the Fourier coefficient c (numerics/periodic/fourier_basis.h) of the first coordinate among the unknowns;
   /// negative if it is not one of them.
@@ -76,8 +76,8 @@ class FreeMotion {
   bool damped_;
   Eigen::Index harmonics_;
   Eigen::MatrixXd across_;
-  DeflectionSizes sizes_;
-  MachineLaws laws_, wider_;
+  DeflectionScales sizes_;
+  LawSet laws_, wider_;
   Eigen::VectorXd phase_;
   double ratio_scale_ = 1;
 };

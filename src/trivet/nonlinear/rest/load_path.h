@@ -102,7 +102,7 @@ class LoadPath {
   Eigen::VectorXd linear_, of_load_, references_;  ///< of_load_: without built-in forces
   /// Of load and built-in forces, each as if it were alone: what linear_ may be a small difference of.
   Eigen::VectorXd typical_;
-  std::optional<DeflectionSizes> sizes_;
+  std::optional<DeflectionScales> sizes_;
   bool loaded_ = false;
 };
 

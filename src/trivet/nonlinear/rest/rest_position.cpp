@@ -150,9 +150,9 @@ void each_gap_at_rest(Elements& all, const Visit& visit) {
 
 RestPosition rest_in(const model::System& undeformed);
 
-void require_known_forces(const model::Element& element) {
+void require_force_domain(const model::Element& element) {
   for (const model::NonlinearPart& part : element.nonlinear_parts)
-    if (const auto [low, high] = LawAbout(part.laws).range(); !(part.at_rest >= low && part.at_rest <= high))
+    if (const auto [low, high] = DeviationLaw(part.laws).range(); !(part.at_rest >= low && part.at_rest <= high))
       throw foundation::NotComputable(fmt::format(
           "static: {} rests at a deflection of {:.6g}, and its forces are known from {:.6g} to {:.6g} only; {}",
           element.name, part.at_rest, low, high,
@@ -251,7 +251,7 @@ RestPosition rest_position(const model::System& system) {
     const model::System moved = found.system.in_other_state(std::move(there));
     found.system = with_references(moved, tangents_at_rest(moved));
     if (change > accurate * largest) continue;
-    for (const model::Element& element : found.system.elements()) require_known_forces(element);
+    for (const model::Element& element : found.system.elements()) require_force_domain(element);
     found.stable = is_stable(found.system);
     return found;
   }
@@ -271,7 +271,7 @@ RestPosition rest_in(const model::System& undeformed) {
     const auto [deflections, turns] = only ? std::pair(*only, std::vector<double>()) : path.followed();
     limit_loads = turns;
     set_deflections_at_rest(deflections, description.elements);
-    for (const model::Element& element : description.elements) require_known_forces(element);
+    for (const model::Element& element : description.elements) require_force_domain(element);
   }
   const model::System there = undeformed.in_other_state(std::move(description));
   return {with_references(there, tangents_at_rest(there)), limit_loads,

@@ -10,7 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/laws/laws_along.h"
+#include "trivet/nonlinear/laws/periodic_laws.h"
 #include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/eigenvalues.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
@@ -89,21 +89,23 @@ PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const
     values_.row(j) = deflections[j].on_coordinates.transpose() * states.displacements().on_state;
     rates_.row(j) = deflections[j].on_coordinates.transpose() * velocities;
   }
-  answers_.rates = rates_ * force_;
-  answers_.drifts = without_round_off(values_ * force_, values_.cwiseAbs().maxCoeff() * force_.cwiseAbs().maxCoeff());
-  answers_.at_once = MatrixXd::Zero(values_.rows(), values_.rows());
+  deflection_response_.rates = rates_ * force_;
+  deflection_response_.drifts =
+      without_round_off(values_ * force_, values_.cwiseAbs().maxCoeff() * force_.cwiseAbs().maxCoeff());
+  deflection_response_.at_once = MatrixXd::Zero(values_.rows(), values_.rows());
   if (n + states.massive() > states.size()) {  // coordinates with stiffness only
     for (Index j = 0; j < force_.cols(); ++j)
       for (Index i = 0; i < values_.rows(); ++i)
-        answers_.at_once(i, j) = deflections[i].on_coordinates.dot(
+        deflection_response_.at_once(i, j) = deflections[i].on_coordinates.dot(
             states.displacements().on_input.col(j * response::input_derivatives + response::of_value));
-    answers_.at_once = without_round_off(answers_.at_once, answers_.at_once.cwiseAbs().maxCoeff());
+    deflection_response_.at_once =
+        without_round_off(deflection_response_.at_once, deflection_response_.at_once.cwiseAbs().maxCoeff());
   }
-  answers_.massless = !answers_.drifts.isZero(0) || !answers_.at_once.isZero(0);
+  deflection_response_.massless = !deflection_response_.drifts.isZero(0) || !deflection_response_.at_once.isZero(0);
   check_nodes(deflections);
-  accelerations_ = answers_.rates.diagonal();
+  accelerations_ = deflection_response_.rates.diagonal();
   const VectorXd size = accelerations_.cwiseAbs().cwiseSqrt().unaryExpr([](double one) { return one > 0 ? one : 1.0; });
-  alike_ = size.cwiseInverse().asDiagonal() * answers_.rates * size.asDiagonal();
+  alike_ = size.cwiseInverse().asDiagonal() * deflection_response_.rates * size.asDiagonal();
   flow_ = numerics::LinearFlow(F_);
   if (!flow_.is_diagonalizable()) return;
   kick_ = flow_.from_states() * force_;
@@ -119,13 +121,13 @@ PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const
   }
 }
 
-MatrixXd PeriodicStability::with_constant_tangents(const LawsAlong& motion, double from, double to) const {
+MatrixXd PeriodicStability::with_constant_tangents(const PeriodicLaws& motion, double from, double to) const {
   TangentsAlong tangent;
   set_tangents(motion, (from + to) / 2, tangent);
   const Index n = F_.rows();
   MatrixXd forces = tangent.forces(motion, values_, rates_);
-  if (answers_.massless) {
-    const MatrixXd left = answers_.left_side(tangent.stiffness(motion), tangent.damping(motion), 0);
+  if (deflection_response_.massless) {
+    const MatrixXd left = deflection_response_.left_side(tangent.stiffness(motion), tangent.damping(motion), 0);
     forces = numerics::PivotedLu<double>(left).solve(forces);
   }
   MatrixXd F = MatrixXd::Zero(forces.cols(), forces.cols());
@@ -142,15 +144,15 @@ void PeriodicStability::check_nodes(const std::vector<Deflection>& deflections) 
     const Deflection& one = deflections[j];
     const Index row = to_index(j);
     const auto is_massless = [&](Index i) {
-      return !answers_.drifts.row(i).isZero(0) || !answers_.at_once.row(i).isZero(0);
+      return !deflection_response_.drifts.row(i).isZero(0) || !deflection_response_.at_once.row(i).isZero(0);
     };
     const bool jumps =
         std::ranges::any_of(one.law.hysteretic(), [](const auto& part) { return elements::jumps_at_turns(part.law); });
     const bool rubs = one.rubbing && (is_massless(row) || is_massless(row + 1)),
                depends_on_rate = one.law.has_dampers() || !one.law.of_amplitude().empty() ||
         (one.distance && one.distance->has_dampers());
-    const bool follows =
-        !answers_.at_once.row(row).isZero(0) || (one.distance && !answers_.at_once.middleRows(row, 3).isZero(0));
+    const bool follows = !deflection_response_.at_once.row(row).isZero(0) ||
+        (one.distance && !deflection_response_.at_once.middleRows(row, 3).isZero(0));
     const char* what = (depends_on_rate && follows)                 ? "depends on its rate"
         : jumps && is_massless(row)                                 ? "is friction without a spring"
         : rubs || (!one.law.bristles().empty() && is_massless(row)) ? "is friction that turns or has bristles"
@@ -164,10 +166,10 @@ void PeriodicStability::check_nodes(const std::vector<Deflection>& deflections) 
 }
 
 /// Variation of a deflection at a phase, by the states and memories; that of a node follows by its balance of forces.
-Eigen::RowVectorXd PeriodicStability::deflection(const LawsAlong& motion, Index j, double phase,
+Eigen::RowVectorXd PeriodicStability::deflection(const PeriodicLaws& motion, Index j, double phase,
                                                  const MatrixXd& states) const {
   const Eigen::RowVectorXd by_states = values_.row(j) * states.topRows(F_.rows());
-  if (answers_.at_once.row(j).isZero(0)) return by_states;
+  if (deflection_response_.at_once.row(j).isZero(0)) return by_states;
   TangentsAlong tangent;
   set_tangents(motion, phase > 0 ? phase : phase + two_pi, tangent);
   const MatrixXd stiffness = tangent.stiffness(motion), damping = tangent.damping(motion);
@@ -178,14 +180,15 @@ Eigen::RowVectorXd PeriodicStability::deflection(const LawsAlong& motion, Index 
     forces.row(motion.loops[h].deflection) += tangent.by_start(to_index(h)) * states.row(row + 1);
   }
   return by_states +
-      answers_.at_once.row(j) * numerics::PivotedLu<double>(answers_.left_side(stiffness, damping, 0)).solve(forces);
+      deflection_response_.at_once.row(j) *
+      numerics::PivotedLu<double>(deflection_response_.left_side(stiffness, damping, 0)).solve(forces);
 }
 
 /// At a turning point the memory of a loop becomes its deflection and force there.
-void PeriodicStability::turn(const LawsAlong& motion, std::size_t loop, double phase, MatrixXd& states) const {
+void PeriodicStability::turn(const PeriodicLaws& motion, std::size_t loop, double phase, MatrixXd& states) const {
   const Index n = F_.rows(), row = n + 2 * to_index(loop);
   assert(loop < motion.loops.size() && states.rows() == n + motion.memories());
-  const LawsAlong::Loop& one = motion.loops[loop];
+  const PeriodicLaws::Loop& one = motion.loops[loop];
   const double deflection = motion.courses[one.deflection].deflection_at(phase);
   constexpr double before = 1e-9;
   const elements::ForceOnTravel end =
@@ -197,7 +200,7 @@ void PeriodicStability::turn(const LawsAlong& motion, std::size_t loop, double p
 }
 
 /// The instant at which a force jumps by J moves by dt: an impulse −J dt.
-void PeriodicStability::jump(const LawsAlong& motion, std::size_t loop, double phase, MatrixXd& states) const {
+void PeriodicStability::jump(const PeriodicLaws& motion, std::size_t loop, double phase, MatrixXd& states) const {
   const Index n = F_.rows(), row = n + 2 * to_index(loop), j = motion.loops[loop].deflection;
   for (const HystereticLoop::Jump& one : motion.loops[loop].jumps) {
     if (std::fmod(one.phase, two_pi) != phase) continue;
@@ -218,10 +221,10 @@ void PeriodicStability::jump(const LawsAlong& motion, std::size_t loop, double p
 
 /// Where a rubbing contact begins to stick, to slip or to open, the variation of its force is the same on both sides;
 /// where it closes and sticks, its springs begin at another place if it closes earlier.
-void PeriodicStability::change_rubbing(const LawsAlong& motion, std::size_t rubbing, double phase,
+void PeriodicStability::change_rubbing(const PeriodicLaws& motion, std::size_t rubbing, double phase,
                                        MatrixXd& states) const {
   assert(rubbing < motion.rubbings.size() && states.rows() == F_.rows() + motion.memories());
-  const LawsAlong::Rubbing& one = motion.rubbings[rubbing];
+  const PeriodicLaws::Rubbing& one = motion.rubbings[rubbing];
   const Index n = F_.rows(), kept = motion.first_kept(rubbing) + n, carried = motion.first_carried(rubbing) + n;
   const double k = one.loop.law().law().stiffness, unit = units_of_friction(motion, accelerations_)(to_index(rubbing));
   for (const RubbingLoop::Change& change : one.loop.changes()) {
@@ -253,28 +256,28 @@ void PeriodicStability::change_rubbing(const LawsAlong& motion, std::size_t rubb
 }
 
 /// Memories of rubbing contacts that are in use at the start of a period; others would have the multiplier 1.
-void PeriodicStability::forget_unused(const LawsAlong& motion, MatrixXd& states) const {
+void PeriodicStability::forget_unused(const PeriodicLaws& motion, MatrixXd& states) const {
   constexpr double soon = 1e-9;
   for (std::size_t r = 0; r < motion.rubbings.size(); ++r) {
-    const LawsAlong::Rubbing& one = motion.rubbings[r];
+    const PeriodicLaws::Rubbing& one = motion.rubbings[r];
     const RubbingLoop::State state = one.remembers() ? one.loop.state_at(soon) : RubbingLoop::State::open;
     if (state != RubbingLoop::State::sticks) states.middleRows(F_.rows() + motion.first_kept(r), 2).setZero();
     if (state != RubbingLoop::State::slips) states.row(F_.rows() + motion.first_carried(r)).setZero();
   }
 }
 
-PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws& laws, const VectorXd& deflections,
+PeriodicStability::Multipliers PeriodicStability::multipliers(const LawSet& laws, const VectorXd& deflections,
                                                               double omega, double accurate) const {
-  const LawsAlong motion(laws, deflections, omega);
+  const PeriodicLaws motion(laws, deflections, omega);
   // Undamped, all multipliers of stable motions are on the unit circle: they must not seem outside.
   constexpr double on_circle = 1e-9;
   if (is_undamped() && !motion.is_damped()) accurate = std::min(accurate, on_circle);
   std::vector<double> corners = {0, two_pi};
-  for (const LawCourse& course : motion.courses)
+  for (const LawOverPeriod& course : motion.courses)
     for (const double phase : course.all_corners()) corners.push_back(phase);
-  for (const LawsAlong::Distance& one : motion.distances)
+  for (const PeriodicLaws::Distance& one : motion.distances)
     for (const double phase : one.law->corners(one.course)) corners.push_back(phase);
-  for (const LawsAlong::Rubbing& one : motion.rubbings)
+  for (const PeriodicLaws::Rubbing& one : motion.rubbings)
     for (const RubbingLoop::Change& change : one.loop.changes()) corners.push_back(change.phase);
   std::ranges::sort(corners);
   assert(corners.front() == 0 && corners.back() == two_pi && "all phases are within one period");

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
-#include "trivet/nonlinear/laws/laws_along.h"
-#include "trivet/nonlinear/laws/machine_laws.h"
+#include "trivet/nonlinear/laws/law_set.h"
+#include "trivet/nonlinear/laws/periodic_laws.h"
 #include "trivet/nonlinear/machine/condensed_machine.h"
 #include "trivet/numerics/periodic/linear_flow.h"
 
 namespace trivet::nonlinear {
 
-struct LawsAlong;
+struct PeriodicLaws;
 
 /// Stability of periodic motions of a machine with finitely many states: the linear machine ẋ = F x with the tangent of
 /// every law along the motion, over one period, from corner to corner of the laws. Each moving loop adds two states,
@@ -51,7 +51,7 @@ class PeriodicStability {
   /// inside the unit circle.
   /// @param deflections  Fourier coefficients of one deflection after another
   /// @param accurate     at most this share of the transition changes by the last column of the extrapolation
-  [[nodiscard]] Multipliers multipliers(const MachineLaws& laws, const Eigen::VectorXd& deflections, double omega,
+  [[nodiscard]] Multipliers multipliers(const LawSet& laws, const Eigen::VectorXd& deflections, double omega,
                                         double accurate = 1e-7) const;
 
   /// Is the linear machine undamped? Exponents of motions that are stable then lie on the axis.
@@ -65,35 +65,36 @@ class PeriodicStability {
     double uncertainty = 0;  ///< as of the multipliers
   };
   /// State transition between two phases: of constant tangents; by splitting; by exponentials.
-  [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const LawsAlong& motion, double from, double to) const;
-  [[nodiscard]] Transition smooth(const LawsAlong& motion, double from, double to, double accurate) const;
-  [[nodiscard]] Transition split(const LawsAlong& motion, double from, double to, int fewest, double accurate) const;
-  [[nodiscard]] Eigen::MatrixXd split(const LawsAlong& motion, double from, double to, int steps) const;
-  [[nodiscard]] Transition stiff(const LawsAlong& motion, double from, double to, double accurate) const;
-  [[nodiscard]] Eigen::MatrixXd exponentials(const LawsAlong& motion, double from, double to, int steps) const;
-  [[nodiscard]] Eigen::MatrixXd collocated(const LawsAlong& motion, double from, double to, int steps) const;
-  [[nodiscard]] bool is_overdamped(const LawsAlong& motion, double from, double to) const;
+  [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const PeriodicLaws& motion, double from, double to) const;
+  [[nodiscard]] Transition smooth(const PeriodicLaws& motion, double from, double to, double accurate) const;
+  [[nodiscard]] Transition split(const PeriodicLaws& motion, double from, double to, int fewest, double accurate) const;
+  [[nodiscard]] Eigen::MatrixXd split(const PeriodicLaws& motion, double from, double to, int steps) const;
+  [[nodiscard]] Transition stiff(const PeriodicLaws& motion, double from, double to, double accurate) const;
+  [[nodiscard]] Eigen::MatrixXd exponentials(const PeriodicLaws& motion, double from, double to, int steps) const;
+  [[nodiscard]] Eigen::MatrixXd collocated(const PeriodicLaws& motion, double from, double to, int steps) const;
+  [[nodiscard]] bool is_overdamped(const PeriodicLaws& motion, double from, double to) const;
   [[nodiscard]] double fastest_kicked(const Eigen::MatrixXd& largest, double time) const;
-  [[nodiscard]] Eigen::MatrixXd rates_of_states(const LawsAlong& motion, double phase) const;
-  [[nodiscard]] double fastest(const LawsAlong& motion, double from, double to) const;
-  [[nodiscard]] double trace(const LawsAlong& motion, double from, double to) const;
-  [[nodiscard]] const Eigen::MatrixXd& rows_in_steps(const LawsAlong& motion, double from, double to, int steps,
+  [[nodiscard]] Eigen::MatrixXd rates_of_states(const PeriodicLaws& motion, double phase) const;
+  [[nodiscard]] double fastest(const PeriodicLaws& motion, double from, double to) const;
+  [[nodiscard]] double trace(const PeriodicLaws& motion, double from, double to) const;
+  [[nodiscard]] const Eigen::MatrixXd& rows_in_steps(const PeriodicLaws& motion, double from, double to, int steps,
                                                      Eigen::MatrixXd& of_piece) const;
-  [[nodiscard]] numerics::RowMatrix elastic_answers(const LawsAlong& motion, double from, double to, int steps) const;
+  [[nodiscard]] numerics::RowMatrix elastic_jacobians(const PeriodicLaws& motion, double from, double to,
+                                                      int steps) const;
   void check_nodes(const std::vector<Deflection>& deflections) const;
-  [[nodiscard]] Eigen::RowVectorXd deflection(const LawsAlong& motion, Eigen::Index j, double phase,
+  [[nodiscard]] Eigen::RowVectorXd deflection(const PeriodicLaws& motion, Eigen::Index j, double phase,
                                               const Eigen::MatrixXd& states) const;
-  void turn(const LawsAlong& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
-  void forget_unused(const LawsAlong& motion, Eigen::MatrixXd& states) const;
-  void change_rubbing(const LawsAlong& motion, std::size_t rubbing, double phase, Eigen::MatrixXd& states) const;
-  void jump(const LawsAlong& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
+  void turn(const PeriodicLaws& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
+  void forget_unused(const PeriodicLaws& motion, Eigen::MatrixXd& states) const;
+  void change_rubbing(const PeriodicLaws& motion, std::size_t rubbing, double phase, Eigen::MatrixXd& states) const;
+  void jump(const PeriodicLaws& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
 
   bool replaced_losses_;
   Eigen::MatrixXd F_;       ///< states × states
   Eigen::MatrixXd force_;   ///< states × deflections: ẋ per unit of each nonlinear force
   Eigen::MatrixXd values_;  ///< deflections × states
   Eigen::MatrixXd rates_;   ///< their rates
-  DeflectionAnswers answers_;
+  DeflectionResponse deflection_response_;
   Eigen::VectorXd accelerations_;  ///< of each deflection per unit of its force
   Eigen::MatrixXd alike_;          ///< accelerations by forces, deflections in units in which the diagonal is alike
   numerics::LinearFlow flow_;

@@ -7,7 +7,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/nonlinear/laws/laws_along.h"
+#include "trivet/nonlinear/laws/periodic_laws.h"
 #include "trivet/nonlinear/stability/periodic_stability.h"
 #include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/eigenvalues.h"
@@ -25,7 +25,7 @@ using Eigen::VectorXd;
 using foundation::two_pi;
 
 /// Rows of the Fourier basis in the middle of each step; those of whole periods are kept.
-const MatrixXd& PeriodicStability::rows_in_steps(const LawsAlong& motion, double from, double to, int steps,
+const MatrixXd& PeriodicStability::rows_in_steps(const PeriodicLaws& motion, double from, double to, int steps,
                                                  MatrixXd& of_piece) const {
   const bool whole = from == 0 && to == two_pi;
   constexpr std::size_t most_kept = 32;
@@ -38,9 +38,9 @@ const MatrixXd& PeriodicStability::rows_in_steps(const LawsAlong& motion, double
   return rows;
 }
 
-/// `answers_of_laws` without dampers and memory.
-numerics::RowMatrix PeriodicStability::elastic_answers(const LawsAlong& motion, double from, double to,
-                                                       int steps) const {
+/// `law_jacobians` without dampers and memory.
+numerics::RowMatrix PeriodicStability::elastic_jacobians(const PeriodicLaws& motion, double from, double to,
+                                                         int steps) const {
   const double step = (to - from) / steps / motion.omega;
   MatrixXd of_piece;
   const MatrixXd& rows = rows_in_steps(motion, from, to, steps, of_piece);
@@ -69,13 +69,13 @@ double PeriodicStability::fastest_kicked(const MatrixXd& largest, double time) c
 
 /// The highest frequency that the tangents bring about, at sampled phases, or half of the highest rate of decay
 /// [rad/s].
-double PeriodicStability::fastest(const LawsAlong& motion, double from, double to) const {
+double PeriodicStability::fastest(const PeriodicLaws& motion, double from, double to) const {
   constexpr int per_period = 16;
   const double share = (to - from) / two_pi, time = (to - from) / motion.omega;
   const int samples = std::max(
       2, static_cast<int>(std::ceil(share * static_cast<double>(std::max<Index>(per_period, motion.harmonics)))));
   const Index m = force_.cols();
-  if (motion.is_elastic() && !answers_.massless && motion.bristles.empty()) {
+  if (motion.is_elastic() && !deflection_response_.massless && motion.bristles.empty()) {
     MatrixXd of_piece;
     const MatrixXd& rows = rows_in_steps(motion, from, to, samples, of_piece);
     MatrixXd tangents(m, samples);
@@ -99,11 +99,11 @@ double PeriodicStability::fastest(const LawsAlong& motion, double from, double t
       const Index j = motion.bristles[b].deflection;
       stiffness(j, j) += tangent.bristles[b].by_bristle * tangent.bristles[b].gain;
     }
-    if (answers_.massless) {
-      const numerics::PivotedLu<double> left(answers_.left_side(stiffness, damping, 0));
+    if (deflection_response_.massless) {
+      const numerics::PivotedLu<double> left(deflection_response_.left_side(stiffness, damping, 0));
       stiffness = left.solve(stiffness);
       damping = left.solve(damping);
-      fastest = std::max(fastest, largest(answers_.drifts * stiffness) / 2);
+      fastest = std::max(fastest, largest(deflection_response_.drifts * stiffness) / 2);
     }
     largest_stiffness = largest_stiffness.cwiseMax(stiffness.cwiseAbs());
     fastest = std::max({fastest, std::sqrt(largest(alike_ * in_alike_units(stiffness))),
@@ -114,19 +114,19 @@ double PeriodicStability::fastest(const LawsAlong& motion, double from, double t
 
 /// ∫ of the trace of ẋ = F(t) x by time, of laws without memory: of the linear machine, and of those that depend on
 /// rates or act on nodes.
-double PeriodicStability::trace(const LawsAlong& motion, double from, double to) const {
+double PeriodicStability::trace(const PeriodicLaws& motion, double from, double to) const {
   const double of_machine = F_.trace() * (to - from) / motion.omega;
-  if (!answers_.massless && !motion.is_damped()) return of_machine;
+  if (!deflection_response_.massless && !motion.is_damped()) return of_machine;
   TangentsAlong tangent;
   const auto of_laws = [&](double phase) {
     set_tangents(motion, phase, tangent);
     const MatrixXd damping = tangent.damping(motion);
-    if (answers_.massless) {
+    if (deflection_response_.massless) {
       const MatrixXd stiffness = tangent.stiffness(motion),
-                     rates = stiffness * answers_.drifts + damping * answers_.rates;
-      return numerics::PivotedLu<double>(answers_.left_side(stiffness, damping, 0)).solve(rates).trace();
+                     rates = stiffness * deflection_response_.drifts + damping * deflection_response_.rates;
+      return numerics::PivotedLu<double>(deflection_response_.left_side(stiffness, damping, 0)).solve(rates).trace();
     }
-    return damping.cwiseProduct(answers_.rates.transpose()).sum();
+    return damping.cwiseProduct(deflection_response_.rates.transpose()).sum();
   };
   if (motion.is_piecewise_linear) return of_machine + of_laws((from + to) / 2) * (to - from) / motion.omega;
   constexpr double longest = two_pi / 4;
@@ -135,15 +135,16 @@ double PeriodicStability::trace(const LawsAlong& motion, double from, double to)
   return of_machine + sum / motion.omega;
 }
 
-MatrixXd PeriodicStability::split(const LawsAlong& motion, double from, double to, int steps) const {
+MatrixXd PeriodicStability::split(const PeriodicLaws& motion, double from, double to, int steps) const {
   const double step = (to - from) / steps / motion.omega;
   const Index n = F_.rows(), m = force_.cols(), memory = motion.memories(), all = n + memory,
               carried = motion.carried(), rates = motion.is_damped() ? m : 0;
   const bool in_modes = flow_.is_diagonalizable();
-  numerics::LinearFlow::Kicks kicks{
-      numerics::RowMatrix::Zero(all, m + carried), numerics::RowMatrix::Zero(m + rates + memory, all),
-      motion.is_elastic() && !answers_.massless ? elastic_answers(motion, from, to, steps)
-                                                : answers_of_laws(motion, answers_, from, to, steps)};
+  numerics::LinearFlow::Kicks kicks{numerics::RowMatrix::Zero(all, m + carried),
+                                    numerics::RowMatrix::Zero(m + rates + memory, all),
+                                    motion.is_elastic() && !deflection_response_.massless
+                                        ? elastic_jacobians(motion, from, to, steps)
+                                        : law_jacobians(motion, deflection_response_, from, to, steps)};
   kicks.kick.topLeftCorner(n, m) = in_modes ? kick_ : force_;
   kicks.kick.bottomRightCorner(carried, carried).setIdentity();
   kicks.seen.topLeftCorner(m, n) = in_modes ? seen_ : values_;
@@ -159,13 +160,13 @@ MatrixXd PeriodicStability::split(const LawsAlong& motion, double from, double t
   const MatrixXd half = response::ExponentialStep(F_, step / 2, 0).state(0);
   for (int i = 0; i < steps; ++i) {
     y.topRows(n) = (half * y.topRows(n)).eval();
-    y += (kicks.kick * (kicks.answers.middleRows(i * (m + carried), m + carried) * (kicks.seen * y))).eval();
+    y += (kicks.kick * (kicks.jacobians.middleRows(i * (m + carried), m + carried) * (kicks.seen * y))).eval();
     y.topRows(n) = (half * y.topRows(n)).eval();
   }
   return y;
 }
 
-PeriodicStability::Transition PeriodicStability::split(const LawsAlong& motion, double from, double to, int fewest,
+PeriodicStability::Transition PeriodicStability::split(const PeriodicLaws& motion, double from, double to, int fewest,
                                                        double accurate) const {
   constexpr int least_limit = 2048, of_fewest = 3;
   const int most = std::max(least_limit, of_fewest * fewest);
@@ -192,13 +193,13 @@ PeriodicStability::Transition PeriodicStability::split(const LawsAlong& motion, 
   }
 }
 
-/// F(t) of the states and memories at a phase: the answer of the laws in a step that is almost none.
-MatrixXd PeriodicStability::rates_of_states(const LawsAlong& motion, double phase) const {
+/// F(t) of the states and memories at a phase: the Jacobian of the laws in a step of almost no length.
+MatrixXd PeriodicStability::rates_of_states(const PeriodicLaws& motion, double phase) const {
   constexpr double almost_none = 1e-10;  // of a radian
   const Index n = F_.rows(), m = force_.cols(), memory = motion.memories(), all = n + memory,
               carried = motion.carried(), rates = motion.is_damped() ? m : 0;
-  const numerics::RowMatrix answers =
-      answers_of_laws(motion, answers_, phase - almost_none / 2, phase + almost_none / 2, 1) *
+  const numerics::RowMatrix jacobians =
+      law_jacobians(motion, deflection_response_, phase - almost_none / 2, phase + almost_none / 2, 1) *
       (motion.omega / almost_none);
   MatrixXd kick = MatrixXd::Zero(all, m + carried), seen = MatrixXd::Zero(m + rates + memory, all);
   kick.topLeftCorner(n, m) = force_;
@@ -206,13 +207,13 @@ MatrixXd PeriodicStability::rates_of_states(const LawsAlong& motion, double phas
   seen.topLeftCorner(m, n) = values_;
   if (rates > 0) seen.block(m, 0, m, n) = rates_;
   seen.bottomRightCorner(memory, memory).setIdentity();
-  MatrixXd F = kick * (answers * seen);
+  MatrixXd F = kick * (jacobians * seen);
   F.topLeftCorner(n, n) += F_;
   return F;
 }
 
 /// Two exponentials a step, of the tangents at Gauss's two places.
-MatrixXd PeriodicStability::exponentials(const LawsAlong& motion, double from, double to, int steps) const {
+MatrixXd PeriodicStability::exponentials(const PeriodicLaws& motion, double from, double to, int steps) const {
   const double third = std::sqrt(3.0), near = 0.25 + third / 6, far = 0.25 - third / 6, place = third / 6,
                length = (to - from) / steps, step = length / motion.omega;
   const Index all = F_.rows() + motion.memories();
@@ -228,7 +229,7 @@ MatrixXd PeriodicStability::exponentials(const LawsAlong& motion, double from, d
 }
 
 /// The same by Radau IIA: directions that decay within a step are at zero after it.
-MatrixXd PeriodicStability::collocated(const LawsAlong& motion, double from, double to, int steps) const {
+MatrixXd PeriodicStability::collocated(const PeriodicLaws& motion, double from, double to, int steps) const {
   const double r = std::sqrt(6.0), length = (to - from) / steps, step = length / motion.omega;
   const std::array<double, 3> places = {(4 - r) / 10, (4 + r) / 10, 1};
   const std::array<std::array<double, 3>, 3> weights = {
@@ -252,7 +253,7 @@ MatrixXd PeriodicStability::collocated(const LawsAlong& motion, double from, dou
 }
 
 /// Do all directions decay that are too quick for steps of a period?
-bool PeriodicStability::is_overdamped(const LawsAlong& motion, double from, double to) const {
+bool PeriodicStability::is_overdamped(const PeriodicLaws& motion, double from, double to) const {
   constexpr double quick = 300, decays = 0.2;
   const numerics::GeneralEigen found = numerics::general_eigenvalues(rates_of_states(motion, (from + to) / 2));
   const double time = two_pi / motion.omega;
@@ -261,7 +262,7 @@ bool PeriodicStability::is_overdamped(const LawsAlong& motion, double from, doub
          });
 }
 
-PeriodicStability::Transition PeriodicStability::stiff(const LawsAlong& motion, double from, double to,
+PeriodicStability::Transition PeriodicStability::stiff(const PeriodicLaws& motion, double from, double to,
                                                        double accurate) const {
   constexpr int per_period = 32, most = 512;
   const bool implicit = is_overdamped(motion, from, to);
@@ -281,7 +282,7 @@ PeriodicStability::Transition PeriodicStability::stiff(const LawsAlong& motion, 
   }
 }
 
-PeriodicStability::Transition PeriodicStability::smooth(const LawsAlong& motion, double from, double to,
+PeriodicStability::Transition PeriodicStability::smooth(const PeriodicLaws& motion, double from, double to,
                                                         double accurate) const {
   constexpr int per_period = 16, usual = 256, most = 2048;
   // The coarsest steps turn the mass that a law holds by its tangent alone by about a fifth of its period in the

@@ -8,7 +8,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/laws/bristle_loop.h"
-#include "trivet/nonlinear/laws/machine_laws.h"
+#include "trivet/nonlinear/laws/law_set.h"
 #include "trivet/nonlinear/laws/rubbing_loop.h"
 #include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
@@ -43,13 +43,13 @@ MatrixXcd variation(const VectorXd& by_deflection, const VectorXd& by_rate, doub
 /// The force that a variation e^{i(μ + l)φ} of one deflection causes, at the frequencies μ + k, k = −K … K.
 class LawVariation {
  public:
-  LawVariation(const LawAbout& law, const VectorXd& deflection, double omega, Index harmonics, double round_off)
+  LawVariation(const DeviationLaw& law, const VectorXd& deflection, double omega, Index harmonics, double round_off)
       : harmonics_(harmonics), omega_(omega) {
     const LawHarmonics wide(law, harmonics, (deflection.size() - 1) / 2);
     VectorXd padded = VectorXd::Zero(numerics::coefficient_count(harmonics));
     padded.head(deflection.size()) = deflection;
     tangents_ = wide.tangents_at(padded, omega, round_off);
-    const LawCourse course = wide.course(padded, omega, round_off);
+    const LawOverPeriod course = wide.course(padded, omega, round_off);
     for (const BristleLoop& loop : course.bristles()) bristles_.emplace_back(loop, omega, harmonics);
     const double longest = two_pi / static_cast<double>(4 * harmonics);
     for (const HystereticLoop& loop : course.loops()) {
@@ -159,12 +159,11 @@ class HillDeterminant {
       : machine_(machine), omega_(omega), harmonics_(harmonics) {
     const Index C = motion.rows();
     const MatrixXd& spread = machine.basis().spread;
-    const MachineLaws laws(deflections, {deflections, spread.transpose() * machine.static_receptance() * spread},
-                           harmonics, (C - 1) / 2);
+    const LawSet laws(deflections, {deflections, spread.transpose() * machine.static_receptance() * spread}, harmonics,
+                      (C - 1) / 2);
     MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(harmonics), motion.cols());
     padded.topRows(C) = motion;
-    for (const MachineLaws::Rubbing& one : laws.rubbings())
-      rubbings_.push_back({one.on, laws.loop(one, padded, omega)});
+    for (const LawSet::Rubbing& one : laws.rubbings()) rubbings_.push_back({one.on, laws.loop(one, padded, omega)});
     const VectorXd rests_below = laws.round_off(motion);
     for (Index j = 0; j < motion.cols(); ++j) {
       const Deflection& deflection = deflections[j];

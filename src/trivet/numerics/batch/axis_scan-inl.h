@@ -14,7 +14,7 @@
 #include <cassert>
 #include <cstdint>
 
-#include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/batch/peak_request.h"
 #include "trivet/numerics/batch/zones-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,8 +24,8 @@ namespace trivet::numerics::HWY_NAMESPACE {
 template <typename Size>
 struct ScannedPack {
   SquarePoles<Size> poles;
-  Pack from, to;   ///< range of x; both finite during the scan
-  LaneMask asked;  ///< lanes with good roots
+  Pack from, to;    ///< range of x; both finite during the scan
+  LaneMask wanted;  ///< lanes with good roots
   // if only the highest values are requested:
   Zones<Size> zones;
   LaneMask open[Size::most];  ///< zones in which some curve may exceed its best known value
@@ -316,7 +316,7 @@ HWY_NOINLINE LaneMask scan(const ScannedPack<Size>& pack, ScannedCurve<Size>* cu
                            const ScanOptions& options, FoundExtrema& found) {
   PanelPowers powers[Size::most];
   Pack x = pack.from, share = all(most_share);
-  LaneMask live = hn::And(pack.asked, hn::Lt(x, pack.to)), failed = hn::Ne(x, x);
+  LaneMask live = hn::And(pack.wanted, hn::Lt(x, pack.to)), failed = hn::Ne(x, x);
   for (int step = 0; step < most_steps; ++step) {
     if (!options.every_extremum) live = skip_ahead(pack, curves, channels, x, live);
     if (hn::AllFalse(Lanes(), live)) break;
@@ -345,7 +345,7 @@ HWY_NOINLINE LaneMask scan(const ScannedPack<Size>& pack, ScannedCurve<Size>* cu
     failed = hn::Or(failed, hn::And(live, hn::Lt(share, all(least_share))));
     live = hn::AndNot(failed, hn::And(live, hn::Lt(x, pack.to)));
   }
-  return hn::And(pack.asked, hn::AndNot(failed, hn::Not(live)));
+  return hn::And(pack.wanted, hn::AndNot(failed, hn::Not(live)));
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

@@ -14,7 +14,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/batch/axis_scan-inl.h"
-#include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/batch/peak_request.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -31,7 +31,7 @@ HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve<
   const auto channels = static_cast<int>(ends.size());
   ScannedPack<Size> inverted;
   inverted.poles = poles;
-  inverted.asked = pack.asked;
+  inverted.wanted = pack.wanted;
   Pack begins = hn::Add(pack.from, pack.from);
   PairPack weight[Size::most];
   for (int k = 0; k < poles.count; ++k) {
@@ -56,7 +56,7 @@ HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve<
       curve.f.constant = hn::Sub(curve.f.constant, half_sum(real, part));
     }
   }
-  LaneMask settled = hn::Not(pack.asked);
+  LaneMask settled = hn::Not(pack.wanted);
   for (int doubling = 0; doubling < most_doublings && !hn::AllTrue(Lanes(), settled); ++doubling) {
     if (doubling > 0) begins = hn::IfThenElse(settled, begins, hn::Add(begins, begins));
     PanelPowers powers[Size::most];

@@ -10,7 +10,7 @@
 
 #include <cassert>
 
-#include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/batch/peak_request.h"
 #include "trivet/numerics/batch/round_off-inl.h"
 #include "trivet/numerics/batch/tabled_roots-inl.h"
 

@@ -19,7 +19,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/batch/axis_tail-inl.h"
 #include "trivet/numerics/batch/highest_maximum-inl.h"
-#include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/batch/peak_request.h"
 #include "trivet/numerics/batch/refined_extrema-inl.h"
 #include "trivet/numerics/batch/round_off-inl.h"
 #include "trivet/numerics/peaks/peak_count.h"
@@ -32,7 +32,7 @@ template <typename Size>
 struct FormedCurves {
   explicit FormedCurves(std::vector<CurveEnds> of) : ends(std::move(of)), curves(new ScannedCurve<Size>[ends.size()]) {}
   std::vector<CurveEnds> ends;                   ///< one per channel
-  ScannedPack<Size> pack;                        ///< poles, asked
+  ScannedPack<Size> pack;                        ///< poles, wanted lanes
   std::unique_ptr<ScannedCurve<Size>[]> curves;  ///< their f
   Pack round_off;                                ///< of sums over the poles, relative to the sums of their moduli
   LaneMask complete;                             ///< lanes with accurate residues
@@ -60,7 +60,7 @@ HWY_NOINLINE void first_signs(const ScannedPack<Size>& pack, ScannedCurve<Size>*
   form_powers(pack.poles, pack.from, hn::Zero(Lanes()), powers);
   const ScanOptions options{false, 0};
   for (int c = 0; c < channels; ++c) {
-    bound_slope(pack, powers, pack.from, hn::Zero(Lanes()), options, hn::Not(pack.asked), curves[c]);
+    bound_slope(pack, powers, pack.from, hn::Zero(Lanes()), options, hn::Not(pack.wanted), curves[c]);
     curves[c].sign = curves[c].after;
     if (ends[c].zero_at_start) curves[c].sign = all(1.0);
   }
@@ -70,12 +70,12 @@ constexpr double accuracy_of_rise = 1e-6;  // relative; margins are kept in sing
 
 /// Possible error of a height, as a share of the required rise of a peak. Near the top, and if no peaks are counted,
 /// the refinement must converge to 1e-10; ∞ if it did not converge.
-inline double doubt(const FoundExtremum& e, double best, const SearchedBand& question) {
+inline double doubt(const FoundExtremum& e, double best, const SearchedBand& band) {
   constexpr double settled = 1e-10, near_top = 0.25, none = 0, all = std::numeric_limits<double>::infinity();
-  const double least = question.min_prominence * std::sqrt(best), highest = std::sqrt(std::abs(e.value) + e.missed);
+  const double least = band.min_prominence * std::sqrt(best), highest = std::sqrt(std::abs(e.value) + e.missed);
   // If the scan skipped a panel as too low, an extremum is next to it, or the curve continues as before.
   if (e.missed <= settled * e.value) return highest > 2 * low_share * least ? none : low_share;
-  if (!question.count_peaks || (e.maximum && e.value > near_top * best)) return all;
+  if (!band.count_peaks || (e.maximum && e.value > near_top * best)) return all;
   if (highest < most_doubt * least) return highest / least;
   const double off = e.missed / (least * std::sqrt(std::abs(e.value)));
   return off < low_share ? off : all;
@@ -129,7 +129,7 @@ class CurveSearch {
     refine(LaneStore<Size>(poles, curves_, ends_, round_off_), found_);
   }
 
-  void write_answers(TablePeaks& peaks) const {
+  void write_peaks(TablePeaks& peaks) const {
     assert(peaks.channels.size() == to_size(channels_ * table_lanes));
     const int lanes = lane_count();
     alignas(64) double numbers[5][table_lanes], highest[table_lanes], highest_at[table_lanes],
@@ -158,14 +158,14 @@ class CurveSearch {
         hn::StoreU(doubt_at(c, pack_.to, band_.to, at_end()[c]), Lanes(), end_doubts);
       }
       for (int i = 0; i < lanes; ++i) {
-        ChannelPeaks& answer = peaks.channels[c * table_lanes + lane_ + i];
-        answer = {amplitude(numbers[0][i]), band_.from, 0, 0};
+        ChannelPeaks& result = peaks.channels[c * table_lanes + lane_ + i];
+        result = {amplitude(numbers[0][i]), band_.from, 0, 0};
         const auto raise = [&](double height, double at) {
-          if (height > answer.highest) answer.highest = height, answer.highest_at = at;
+          if (height > result.highest) result.highest = height, result.highest_at = at;
         };
         if (!band_.count_peaks) raise(amplitude(numbers[3][i]), band_.omega(numbers[4][i]));
         double doubtful = 1e-6;  // round-off
-        heights.assign(1, answer.highest);
+        heights.assign(1, result.highest);
         doubts.assign(1, start_doubts[i]);
         for (int at = first[c * lanes + i]; at >= 0; at = next[at]) {
           const FoundExtremum& e = found_[at];
@@ -180,11 +180,11 @@ class CurveSearch {
         heights.push_back(amplitude(numbers[1][i]));
         doubts.push_back(end_doubts[i]);
         raise(heights.back(), band_.to);
-        highest[i] = answer.highest, highest_at[i] = answer.highest_at;
+        highest[i] = result.highest, highest_at[i] = result.highest_at;
         // No value found during the search may be higher.
-        if (std::isinf(doubtful) || answer.highest < amplitude(numbers[2][i]) * (1 - 1e-9))
+        if (std::isinf(doubtful) || result.highest < amplitude(numbers[2][i]) * (1 - 1e-9))
           peaks.complete[lane_ + i] = false;
-        if (band_.count_peaks && !count(heights, doubts, doubtful, answer)) peaks.complete[lane_ + i] = false;
+        if (band_.count_peaks && !count(heights, doubts, doubtful, result)) peaks.complete[lane_ + i] = false;
       }
       store_mask(has_digits_at(c, hn::LoadU(Lanes(), highest), hn::LoadU(Lanes(), highest_at)), known);
       for (int i = 0; i < lanes; ++i) peaks.complete[lane_ + i] = peaks.complete[lane_ + i] && known[i];
@@ -196,12 +196,12 @@ class CurveSearch {
   /// @param doubtful  possible error of a height, as a share of the required rise
   /// @return whether the count and the largest rise are certain
   [[nodiscard]] bool count(const std::vector<double>& heights, const std::vector<double>& doubts, double doubtful,
-                           ChannelPeaks& answer) const {
-    const double least = band_.min_prominence * answer.highest;
+                           ChannelPeaks& result) const {
+    const double least = band_.min_prominence * result.highest;
     assert(heights.size() == doubts.size() && heights.size() >= 2 && "both ends of the band, and what is between");
     const PeakCount found = prominent_peaks(heights, least);
-    answer.peaks = found.peaks;
-    answer.largest_rise = found.largest_rise;
+    result.peaks = found.peaks;
+    result.largest_rise = found.largest_rise;
     return found.closest >= 2 * doubtful && rise_is_known(heights, doubts, least, found.largest_rise, accuracy_of_rise);
   }
 

@@ -11,7 +11,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
-#include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/batch/peak_request.h"
 #include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/quadratic_roots.h"
@@ -58,23 +58,23 @@ std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& 
   return result;
 }
 
-ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const AxisSearch& search, const PeakQuestion& question) {
-  if (curve.largest_share <= vanishing_share) return {0, question.band.from, 0, 0};
-  const bool beside_free_motion = search.from > question.band.from;
+ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const AxisSearch& search, const PeakRequest& request) {
+  if (curve.largest_share <= vanishing_share) return {0, request.band.from, 0, 0};
+  const bool beside_free_motion = search.from > request.band.from;
   const CurveHeights heights = heights_of(curve, search.from, search.to, !beside_free_motion);
-  ChannelPeaks answer{heights.highest, heights.highest_at, 0, 0};
-  if (!question.band.count_peaks) return answer;
-  const PeakCount count = prominent_peaks(heights.along, question.band.min_prominence * heights.finite_top);
-  answer.peaks = count.peaks;
-  answer.largest_rise = count.largest_rise;
-  return answer;
+  ChannelPeaks of_channel{heights.highest, heights.highest_at, 0, 0};
+  if (!request.band.count_peaks) return of_channel;
+  const PeakCount count = prominent_peaks(heights.along, request.band.min_prominence * heights.finite_top);
+  of_channel.peaks = count.peaks;
+  of_channel.largest_rise = count.largest_rise;
+  return of_channel;
 }
 
 /// Solves the designs of one piece.
 class Piece {
  public:
-  Piece(const Designs& designs, const PeakQuestion& question, DesignPeaks& result)
-      : designs_(designs), question_(question), result_(result) {}
+  Piece(const Designs& designs, const PeakRequest& request, DesignPeaks& result)
+      : designs_(designs), request_(request), result_(result) {}
 
   void work_through(Eigen::Index first, Eigen::Index last) {
     std::vector<Eigen::Index> open =
@@ -94,22 +94,22 @@ class Piece {
   }
   DesignStatus& status(Eigen::Index d) { return result_.status[d]; }
 
-  void store(Eigen::Index d, std::size_t channel, const ChannelPeaks& answer) {
-    assert(channel < question_.rows.size() && d < designs_.count());
+  void store(Eigen::Index d, std::size_t channel, const ChannelPeaks& of_channel) {
+    assert(channel < request_.rows.size() && d < designs_.count());
     const auto c = to_index(channel);
-    result_.highest(d, c) = answer.highest;
-    result_.highest_at(d, c) = answer.highest_at;
-    if (!question_.band.count_peaks) return;
-    result_.peaks(d, c) = answer.peaks;
-    result_.largest_rise(d, c) = answer.largest_rise;
+    result_.highest(d, c) = of_channel.highest;
+    result_.highest_at(d, c) = of_channel.highest_at;
+    if (!request_.band.count_peaks) return;
+    result_.peaks(d, c) = of_channel.peaks;
+    result_.largest_rise(d, c) = of_channel.largest_rise;
   }
 
   /// Takes the results of one lane of a table if their proof is complete.
   bool accept(Eigen::Index d, int lane, DesignStatus as) {
-    if (!answers_.complete[lane]) return false;
-    assert(answers_.channels.size() == question_.rows.size() * table_lanes && lane < table_lanes);
-    for (std::size_t c = 0; c < question_.rows.size(); ++c)
-      store(d, c, answers_.channels[c * table_lanes + to_size(lane)]);
+    if (!table_peaks_.complete[lane]) return false;
+    assert(table_peaks_.channels.size() == request_.rows.size() * table_lanes && lane < table_lanes);
+    for (std::size_t c = 0; c < request_.rows.size(); ++c)
+      store(d, c, table_peaks_.channels[c * table_lanes + to_size(lane)]);
     status(d) = as;
     return true;
   }
@@ -118,7 +118,7 @@ class Piece {
     std::vector<Eigen::Index> open;
     for (; first < last; first += table_lanes) {
       roots_of_designs(designs_, first, table_);
-      peaks_from_roots(table_, question_, answers_);
+      peaks_from_roots(table_, request_, table_peaks_);
       for (int lane = 0; lane < table_lanes && first + lane < last; ++lane)
         if (table_.definite[lane] && !(table_.good[lane] && accept(first + lane, lane, DesignStatus::proven)))
           open.push_back(first + lane);
@@ -134,7 +134,7 @@ class Piece {
         table_.good[i] = i < count &&
             roots_of_states(matrices_of(designs_, designs[first + i]), load(designs[first + i]), table_,
                             static_cast<int>(i));
-      peaks_from_roots(table_, question_, answers_);
+      peaks_from_roots(table_, request_, table_peaks_);
       for (std::size_t i = 0; i < count; ++i)
         if (!(table_.good[i] && accept(designs[first + i], static_cast<int>(i), DesignStatus::fallback)))
           open.push_back(designs[first + i]);
@@ -151,29 +151,29 @@ class Piece {
 
   void by_discs(Eigen::Index d) {
     std::vector<ObservedCurve> rows;
-    std::ranges::transform(question_.rows, std::back_inserter(rows), observed_curve);
+    std::ranges::transform(request_.rows, std::back_inserter(rows), observed_curve);
     const DynamicMatrices m = matrices_of(designs_, d);
     const Load h(load(d).cast<Complex>()), nothing(Eigen::Index{0});
     AxisSearch search;
     try {
       search = search_by_discs({m, h, nothing}, rows, poles(system_roots(m)),
-                               {.from = question_.band.from, .to = question_.band.to});
+                               {.from = request_.band.from, .to = request_.band.to});
     } catch (const foundation::NotComputable&) {  // one failed design must not stop the others
       status(d) = DesignStatus::undecided;
       return;
     }
     status(d) = DesignStatus::fallback;
     for (std::size_t c = 0; c < search.curves.size(); ++c) {
-      store(d, c, peaks_of_curve(search.curves[c], search, question_));
+      store(d, c, peaks_of_curve(search.curves[c], search, request_));
       if (!search.curves[c].complete) status(d) = DesignStatus::undecided;
     }
   }
 
   const Designs& designs_;
-  const PeakQuestion& question_;
+  const PeakRequest& request_;
   DesignPeaks& result_;
   RootTable table_{};
-  TablePeaks answers_;
+  TablePeaks table_peaks_;
 };
 
 }  // namespace
@@ -181,9 +181,9 @@ class Piece {
 DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& options) {
   check(designs, options);
   const Eigen::Index n = designs.coordinates(), count = designs.count();
-  const PeakQuestion question{observed_rows(n, options),
-                              {options.from, options.to, options.count_peaks, options.min_prominence}};
-  const auto channels = to_index(question.rows.size());
+  const PeakRequest request{observed_rows(n, options),
+                            {options.from, options.to, options.count_peaks, options.min_prominence}};
+  const auto channels = to_index(request.rows.size());
   DesignPeaks result{Eigen::ArrayXXd::Zero(count, channels),
                      Eigen::ArrayXXd::Zero(count, channels),
                      {},
@@ -197,7 +197,7 @@ DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& option
       to_size(count),
       {.size = designs_per_piece, .threads = options.threads, .progress = options.progress, .task = "peaks of designs"},
       [&](std::size_t first, std::size_t last) {
-        Piece(designs, question, result).work_through(to_index(first), to_index(last));
+        Piece(designs, request, result).work_through(to_index(first), to_index(last));
       });
   return result;
 }

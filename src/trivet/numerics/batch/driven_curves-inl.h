@@ -129,7 +129,7 @@ class DrivenCurves {
   HWY_NOINLINE void form(FormedCurves<Poles>& formed) {
     assert(formed.ends.size() == designs_.curves.size() && first_ < designs_.count() + table_lanes);
     formed.round_off = all(round_off);
-    formed.pack.asked = find_poles();
+    formed.pack.wanted = find_poles();
     place_poles(formed.pack.poles);
     form_loads();
     formed.complete = hn::Eq(formed.round_off, formed.round_off);

@@ -18,13 +18,13 @@ HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
 template <typename Size, typename Poles>
-void answer_driven(Size n, Poles, const DrivenDesigns& designs, const std::vector<CurveEnds>& ends,
+void search_driven(Size n, Poles, const DrivenDesigns& designs, const std::vector<CurveEnds>& ends,
                    const SearchedBand& band, Eigen::Index first, int lane, TablePeaks& peaks) {
   FormedCurves<Poles> formed(ends);
   DrivenCurves<Size, Poles>(n, designs, first + lane).form(formed);
   CurveSearch<Poles> curves(formed, band, lane);
   curves.search();
-  curves.write_answers(peaks);
+  curves.write_peaks(peaks);
 }
 
 void driven_peaks_in_lanes(int n, const DrivenDesigns& designs, const std::vector<CurveEnds>& ends,
@@ -32,8 +32,8 @@ void driven_peaks_in_lanes(int n, const DrivenDesigns& designs, const std::vecto
   peaks.channels.resize(ends.size() * table_lanes);
   assert(n >= 1 && n <= most_driven_coordinates && ends.size() == designs.curves.size() && !band.squared);
   for (int lane = 0; lane < table_lanes; lane += lane_count())
-    n == 6 ? answer_driven(six_coordinates(), AtMost<12>{12}, designs, ends, band, first, lane, peaks)
-           : answer_driven(AtMostTwelve{n}, AtMost<24>{2 * n}, designs, ends, band, first, lane, peaks);
+    n == 6 ? search_driven(six_coordinates(), AtMost<12>{12}, designs, ends, band, first, lane, peaks)
+           : search_driven(AtMostTwelve{n}, AtMost<24>{2 * n}, designs, ends, band, first, lane, peaks);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

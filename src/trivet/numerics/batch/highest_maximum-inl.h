@@ -86,7 +86,7 @@ HWY_NOINLINE Top find_top(const ScannedPack<Size>& pack, const Pack* above_poles
   // Halley's steps on f'(x) = 0, kept within `off_centre` half widths of the resonance.
   for (int i = 0;; ++i) {
     converged = hn::Le(hn::Abs(hn::Mul(s.first, step)), hn::Mul(all(settled), s.value));
-    if (i == steps || hn::AllTrue(Lanes(), hn::Or(converged, hn::Not(pack.asked)))) break;
+    if (i == steps || hn::AllTrue(Lanes(), hn::Or(converged, hn::Not(pack.wanted)))) break;
     x = hn::Max(from, hn::Min(to, hn::Add(x, step)));
     s = slopes_at(pack.poles, f, x);
     step = step_to_extremum(s);

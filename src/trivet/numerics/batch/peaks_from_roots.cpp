@@ -13,10 +13,10 @@ HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
 template <typename Size>
-void form(Size n, const RootTable& table, const PeakQuestion& question, int lane, FormedCurves<Size>& formed) {
-  double asked[table_lanes];
-  for (int i = 0; i < lane_count(); ++i) asked[i] = table.good[lane + i];
-  formed.pack.asked = hn::Gt(hn::LoadU(Lanes(), asked), hn::Zero(Lanes()));
+void form(Size n, const RootTable& table, const PeakRequest& request, int lane, FormedCurves<Size>& formed) {
+  double wanted[table_lanes];
+  for (int i = 0; i < lane_count(); ++i) wanted[i] = table.good[lane + i];
+  formed.pack.wanted = hn::Gt(hn::LoadU(Lanes(), wanted), hn::Zero(Lanes()));
   PolePairs roots;
   roots_in_table(n, table, lane, roots, formed.pack.poles);
   formed.round_off = from_table(table.round_off, lane);
@@ -25,8 +25,8 @@ void form(Size n, const RootTable& table, const PeakQuestion& question, int lane
   PoleProducts products;
   form_products(roots, products);
   formed.complete = hn::Eq(formed.round_off, formed.round_off);
-  for (std::size_t c = 0; c < question.rows.size(); ++c) {
-    const ObservedRow& row = question.rows[c];
+  for (std::size_t c = 0; c < request.rows.size(); ++c) {
+    const ObservedRow& row = request.rows[c];
     PairPack r[most_pairs];
     formed.complete = hn::And(formed.complete, residues_of(n, residues, roots, row, r));
     form_squared_response(roots, products, r, row.derivative, row.on_velocity.size() == 0, formed.curves[c].f);
@@ -34,30 +34,30 @@ void form(Size n, const RootTable& table, const PeakQuestion& question, int lane
 }
 
 /// |y|² of a row falls like x^−2 or x^−1 towards x = ∞ unless it is differentiated, and starts like x^derivative.
-std::vector<CurveEnds> ends_of(const PeakQuestion& question) {
+std::vector<CurveEnds> ends_of(const PeakRequest& request) {
   std::vector<CurveEnds> ends;
-  for (const ObservedRow& row : question.rows)
-    ends.push_back({.zero_at_start = question.band.from == 0 && row.derivative > 0,
+  for (const ObservedRow& row : request.rows)
+    ends.push_back({.zero_at_start = request.band.from == 0 && row.derivative > 0,
                     .flat_at_infinity = row.derivative == 0 && row.on_velocity.size() == 0,
                     .powers_of_x = row.derivative});
   return ends;
 }
 
 template <typename Size>
-void answer(Size n, const RootTable& table, const PeakQuestion& question, int lane, TablePeaks& peaks) {
-  FormedCurves<Size> formed(ends_of(question));
-  form(n, table, question, lane, formed);
-  CurveSearch<Size> curves(formed, question.band, lane);
+void search_curves(Size n, const RootTable& table, const PeakRequest& request, int lane, TablePeaks& peaks) {
+  FormedCurves<Size> formed(ends_of(request));
+  form(n, table, request, lane, formed);
+  CurveSearch<Size> curves(formed, request.band, lane);
   curves.search();
-  curves.write_answers(peaks);
+  curves.write_peaks(peaks);
 }
 
-void peaks_in_lanes(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {
-  peaks.channels.resize(question.rows.size() * table_lanes);
-  assert(table.coordinates >= 1 && table.coordinates <= most_pairs && question.band.squared);
+void peaks_in_lanes(const RootTable& table, const PeakRequest& request, TablePeaks& peaks) {
+  peaks.channels.resize(request.rows.size() * table_lanes);
+  assert(table.coordinates >= 1 && table.coordinates <= most_pairs && request.band.squared);
   for (int lane = 0; lane < table_lanes; lane += lane_count())
-    table.coordinates == 6 ? answer(six_coordinates(), table, question, lane, peaks)
-                           : answer(AtMostTwelve{table.coordinates}, table, question, lane, peaks);
+    table.coordinates == 6 ? search_curves(six_coordinates(), table, request, lane, peaks)
+                           : search_curves(AtMostTwelve{table.coordinates}, table, request, lane, peaks);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE
@@ -70,8 +70,8 @@ namespace trivet::numerics {
 
 TRIVET_VARIANTS(peaks_in_lanes);
 
-void peaks_from_roots(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {
-  TRIVET_DISPATCH(peaks_in_lanes)(table, question, peaks);
+void peaks_from_roots(const RootTable& table, const PeakRequest& request, TablePeaks& peaks) {
+  TRIVET_DISPATCH(peaks_in_lanes)(table, request, peaks);
 }
 
 }  // namespace trivet::numerics

@@ -13,7 +13,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/batch/axis_scan-inl.h"
-#include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/batch/peak_request.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {

@@ -13,7 +13,7 @@ struct Equations {
   Eigen::VectorXd value;         ///< r
   Eigen::MatrixXd by_unknowns;   ///< ∂r/∂u
   Eigen::VectorXd by_parameter;  ///< ∂r/∂λ
-  bool value_only = false;       ///< set by who asks: the derivatives are not needed, and may have any values
+  bool value_only = false;       ///< set by the caller: the derivatives are not needed, and may have any values
 };
 /// A typical size of each unknown near a solution.
 using ScaleUnknowns = std::function<Eigen::VectorXd(const Eigen::VectorXd& unknowns)>;

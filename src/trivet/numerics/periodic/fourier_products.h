@@ -28,19 +28,19 @@ void add_stretch(double from, double to, double constant, Eigen::VectorXd& spect
 /// The coefficient of e^{inφ}, of real coefficients of which the first one is doubled.
 [[nodiscard]] std::complex<double> exponential_coefficient(const Eigen::VectorXd& of, Eigen::Index n);
 
-/// Answers g_r + i g_i of a linear system to unit forces at the harmonics of a motion, for its coefficients
-/// (fourier_basis.h). Coefficients a, b of a harmonic are the amplitude a − i b, which the answer turns into g_r a +
-/// g_i b and g_r b − g_i a: each coefficient times `on_own`, and the other one of its harmonic times `on_other`.
-struct HarmonicAnswers {
-  Eigen::MatrixXd on_own, on_other;  ///< coefficients × answers; no answer of the mean to another coefficient
+/// Receptances g_r + i g_i of a linear system under unit forces at the harmonics of a motion, for its coefficients
+/// (fourier_basis.h). Coefficients a, b of a harmonic are the amplitude a − i b, which the receptance turns into g_r a
+/// + g_i b and g_r b − g_i a: each coefficient times `on_own`, and the other one of its harmonic times `on_other`.
+struct HarmonicReceptance {
+  Eigen::MatrixXd on_own, on_other;  ///< coefficients × receptances; none of the mean to another coefficient
 };
 
-/// Adds the answers to courses, one per column: rows of all coefficients of one answer after another, as many as
-/// answers.
-/// @param first, count  columns of `answers`
+/// Adds the responses to courses, one per column: rows of all coefficients of one receptance after another, as many as
+/// receptances.
+/// @param first, count  columns of `receptances`
 /// @param courses       coefficients × courses
 /// @param sums          count times coefficients × courses
-void add_answers(const HarmonicAnswers& answers, Eigen::Index first, Eigen::Index count,
-                 const Eigen::Ref<const Eigen::MatrixXd>& courses, Eigen::Ref<Eigen::MatrixXd> sums);
+void add_responses(const HarmonicReceptance& receptances, Eigen::Index first, Eigen::Index count,
+                   const Eigen::Ref<const Eigen::MatrixXd>& courses, Eigen::Ref<Eigen::MatrixXd> sums);
 
 }  // namespace trivet::numerics

@@ -62,10 +62,10 @@ struct Packs {
   static void step_all(const KickedFlow& flow, double* y, std::ptrdiff_t stride, double* memory) {
     const PackColumns states{y, stride}, seen{memory, stride}, kicks{memory + flow.values * stride, stride};
     flow_on(flow, flow.half, states);
-    const double* answers = flow.answers;
-    for (std::ptrdiff_t s = 0; s < flow.steps; ++s, answers += flow.forces * flow.values) {
+    const double* jacobians = flow.jacobians;
+    for (std::ptrdiff_t s = 0; s < flow.steps; ++s, jacobians += flow.forces * flow.values) {
       multiply(flow.seen, flow.values, flow.states, states, seen, false);
-      multiply(answers, flow.forces, flow.values, seen, kicks, false);
+      multiply(jacobians, flow.forces, flow.values, seen, kicks, false);
       multiply(flow.kick, flow.states, flow.forces, kicks, states, true);
       flow_on(flow, s + 1 < flow.steps ? flow.whole : flow.half, states);
     }

@@ -92,13 +92,13 @@ void LinearFlow::apply_with_kicks(double step, const Kicks& kicks, RowMatrix& y)
   padded.setZero();
   padded.leftCols(y.cols()) = y;
   const Index forces = kicks.kick.cols();
-  assert(forces > 0 && kicks.answers.rows() % forces == 0);
+  assert(forces > 0 && kicks.jacobians.rows() % forces == 0);
   take_kicked_steps({.states = n,
                      .forces = forces,
                      .values = kicks.seen.rows(),
-                     .steps = kicks.answers.rows() / forces,
+                     .steps = kicks.jacobians.rows() / forces,
                      .seen = kicks.seen.data(),
-                     .answers = kicks.answers.data(),
+                     .jacobians = kicks.jacobians.data(),
                      .kick = kicks.kick.data(),
                      .leads = leads.data(),
                      .half = {half.diagonal.data(), half.beside.data()},

@@ -10,17 +10,17 @@
 
 namespace trivet::numerics {
 
-/// Steps of a linear flow in 2×2 blocks with a kick in the middle of each: y changes by kick · answer · seen · y.
+/// Steps of a linear flow in 2×2 blocks with a kick in the middle of each: y changes by kick · Jacobian · seen · y.
 struct KickedFlow {
   /// Row i becomes diagonal_i y_i + beside_i y_partner(i); the rows of a block follow each other.
   struct Step {
     const double *diagonal, *beside;
   };
   std::ptrdiff_t states = 0, forces = 0, values = 0, steps = 0;
-  const double* seen = nullptr;     ///< values × states, by rows
-  const double* answers = nullptr;  ///< forces × values of one step after another, by rows
-  const double* kick = nullptr;     ///< states × forces, by rows
-  const char* leads = nullptr;      ///< is this row the first of a block of two?
+  const double* seen = nullptr;       ///< values × states, by rows
+  const double* jacobians = nullptr;  ///< forces × values of one step after another, by rows
+  const double* kick = nullptr;       ///< states × forces, by rows
+  const char* leads = nullptr;        ///< is this row the first of a block of two?
   Step half{}, whole{};
 };
 
@@ -57,11 +57,11 @@ class LinearFlow {
   [[nodiscard]] Step step(double time) const;
   /// y → flow y for all columns.
   void apply(const Step& step, RowMatrix& y) const;
-  /// Steps of equal length, with y → y + kick answer seen y in the middle of each.
+  /// Steps of equal length, with y → y + kick J seen y in the middle of each.
   struct Kicks {
-    RowMatrix kick;     ///< rows of y × forces
-    RowMatrix seen;     ///< values × rows of y
-    RowMatrix answers;  ///< forces × values of one step below those of another
+    RowMatrix kick;       ///< rows of y × forces
+    RowMatrix seen;       ///< values × rows of y
+    RowMatrix jacobians;  ///< forces × values of one step below those of another
   };
   /// @param y  rows below those of the flow stay as they are between the kicks
   void apply_with_kicks(double step, const Kicks& kicks, RowMatrix& y) const;

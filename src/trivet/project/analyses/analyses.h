@@ -15,7 +15,7 @@
 #include "trivet/assembly/band.h"
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/limit_line.h"
-#include "trivet/project/analyses/question.h"
+#include "trivet/project/analyses/analysis.h"
 #include "trivet/project/analyses/requirements.h"
 #include "trivet/project/text/document.h"
 #include "trivet/project/text/units.h"
@@ -134,7 +134,7 @@ struct DesignAxis {
 enum class Spacing { automatic, linear, logarithmic };
 
 struct ResponseRequest {
-  AnswerSelection selection;
+  ChannelSelection selection;
   std::optional<assembly::Band> band;  ///< none: from 0 to 1.3 times the highest natural frequency
   Spacing spacing = Spacing::automatic;
   int points = 1001;       ///< of a linear or logarithmic grid
@@ -143,18 +143,18 @@ struct ResponseRequest {
 };
 
 struct PeaksRequest {
-  AnswerSelection selection;
+  ChannelSelection selection;
   double min_prominence = 1e-6;
   double peak_tolerance = 0.01;  ///< prominence over the adjacent minimum from which the design rule counts a peak
 };
 
-/// Largest allowed amplitude of one answer, SI.
+/// Largest allowed amplitude of one channel, SI.
 struct Limit {
   std::string name;
   double amplitude = 0;
 };
 
-/// An answer of the response with a user's limit line.
+/// A channel of the response with a user's limit line.
 struct LimitLineRequest {
   std::string of;
   assembly::LimitLine line;
@@ -170,7 +170,7 @@ struct MapRequest {
   std::optional<assembly::Band> band;                    ///< of the amplitudes; none: 0 ≤ ω < ∞
   std::vector<AmplitudeLimit> limits;
   bool limits_of_file = true;        ///< the map has none: take those of the file
-  std::vector<std::string> no_peak;  ///< answers that must have no resonance peak at any frequency
+  std::vector<std::string> no_peak;  ///< channels that must have no resonance peak at any frequency
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of these
   double min_prominence = 1e-6, peak_tolerance = 0.01;                         ///< as of `peaks`
   std::vector<std::string> excitations;                                        ///< empty: all
@@ -202,13 +202,13 @@ struct Analyses {
   std::vector<DesignAxis> parameters;  ///< [parameters.NAME]
   std::vector<MountChoice> choices;    ///< those that choose mounts
   std::optional<OptimizeRequest> optimize;
-  std::map<std::string, std::shared_ptr<const Question>> questions;  ///< those of question_table.h, by name
+  std::map<std::string, std::shared_ptr<const Analysis>> by_name;  ///< those of analysis_table.h, by name
 
-  /// A question by its name and type; none if it is not asked.
-  template <typename Asked>
-  [[nodiscard]] const Asked* find(const std::string& name) const {
-    const auto found = questions.find(name);
-    return found == questions.end() ? nullptr : dynamic_cast<const Asked*>(found->second.get());
+  /// An analysis by its name and type; none if it is not requested.
+  template <typename Request>
+  [[nodiscard]] const Request* find(const std::string& name) const {
+    const auto found = by_name.find(name);
+    return found == by_name.end() ? nullptr : dynamic_cast<const Request*>(found->second.get());
   }
 };
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/project/analyses/analysis_reader.h"
 #include "trivet/project/analyses/design_axis_reader.h"
 #include "trivet/project/analyses/map_reader.h"
 #include "trivet/project/analyses/map_requirements.h"
-#include "trivet/project/analyses/question_reader.h"
 
 namespace trivet::project {
 namespace {
@@ -17,17 +17,17 @@ namespace {
 constexpr int most_points = 2'000'000;
 
 /// Reports a steady response without a harmonic excitation.
-void check_driven(TableReader& analyses, const std::string& key, const NamesInFile& in_file) {
-  if (in_file.harmonic_excitations.empty())
+void check_driven(TableReader& analyses, const std::string& key, const SymbolTable& symbols) {
+  if (symbols.harmonic_excitations.empty())
     analyses.error(key, "no harmonic excitation in the model", "a response needs an excitation",
                    "add [excitations.NAME] with type = \"harmonic\"");
 }
 
-ResponseRequest read_response(const Node& node, const ResultNames& names, const NamesInFile& in_file,
+ResponseRequest read_response(const Node& node, const ResultNames& names, const SymbolTable& symbols,
                               foundation::Problems& problems) {
   TableReader reader(node, "analyses.response", problems);
   ResponseRequest request;
-  read_selection(reader, names, in_file.harmonic_excitations, "harmonic", request.selection);
+  read_selection(reader, names, symbols.harmonic_excitations, "harmonic", request.selection);
   request.band = read_band(reader, "band");
   const auto spacing = reader.choice("spacing", {"automatic", "linear", "logarithmic"});
   if (spacing == "linear") request.spacing = Spacing::linear;
@@ -61,12 +61,12 @@ ResponseRequest read_response(const Node& node, const ResultNames& names, const 
   return request;
 }
 
-PeaksRequest read_peaks(const Node& node, const ResultNames& names, const NamesInFile& in_file,
+PeaksRequest read_peaks(const Node& node, const ResultNames& names, const SymbolTable& symbols,
                         const std::optional<ResponseRequest>& response, foundation::Problems& problems) {
   TableReader reader(node, "analyses.peaks", problems);
   PeaksRequest request;
   if (response) request.selection = response->selection;  // by default the peaks of the same curves
-  read_selection(reader, names, in_file.harmonic_excitations, "harmonic", request.selection);
+  read_selection(reader, names, symbols.harmonic_excitations, "harmonic", request.selection);
   read_peak_shares(reader, request.min_prominence, request.peak_tolerance);
   reader.finish();
   return request;
@@ -115,11 +115,11 @@ int read_lowest(const Node& node, foundation::Problems& problems) {
   return lowest && good ? static_cast<int>(*lowest) : 0;
 }
 
-std::vector<std::string> read_static(const Node& node, const ResultNames& names, const NamesInFile& in_file,
+std::vector<std::string> read_static(const Node& node, const ResultNames& names, const SymbolTable& symbols,
                                      bool& all_states, foundation::Problems& problems) {
   TableReader reader(node, "analyses.static", problems);
   std::vector<std::string> of = {"coordinates"};
-  of.insert(of.end(), in_file.elements.begin(), in_file.elements.end());
+  of.insert(of.end(), symbols.elements.begin(), symbols.elements.end());
   of.push_back("ground");
   read_of(reader, names, of);
   const auto states = reader.choice("states", {"reached", "all"});
@@ -130,9 +130,9 @@ std::vector<std::string> read_static(const Node& node, const ResultNames& names,
 
 }  // namespace
 
-Analyses read_analyses(TableReader& root, const NamesInFile& in_file) {
+Analyses read_analyses(TableReader& root, const SymbolTable& symbols) {
   Analyses analyses;
-  const ResultNames names(in_file);
+  const ResultNames names(symbols);
   bool quantity_is_clear = true;
   analyses.parameters = read_parameters(root);
   if (const Node* table = root.table("analyses")) {
@@ -146,32 +146,32 @@ Analyses read_analyses(TableReader& root, const NamesInFile& in_file) {
       TableReader(*node, "analyses.roots", root.problems()).finish();
     }
     if (const Node* node = reader.table("response")) {
-      check_driven(reader, "response", in_file);
+      check_driven(reader, "response", symbols);
       const std::size_t before = root.problems().errors();
-      analyses.response = read_response(*node, names, in_file, root.problems());
+      analyses.response = read_response(*node, names, symbols, root.problems());
       quantity_is_clear = root.problems().errors() == before || !node->find("quantity");
     }
     if (const Node* node = reader.table("peaks")) {
-      if (!analyses.response) check_driven(reader, "peaks", in_file);
-      analyses.peaks = read_peaks(*node, names, in_file, analyses.response, root.problems());
+      if (!analyses.response) check_driven(reader, "peaks", symbols);
+      analyses.peaks = read_peaks(*node, names, symbols, analyses.response, root.problems());
     }
     if (const Node* node = reader.table("static")) {
-      analyses.static_of = read_static(*node, names, in_file, analyses.all_rest_states, root.problems());
-      if (!root.has("gravity") && in_file.constant_excitations.empty() && !analyses.all_rest_states)
+      analyses.static_of = read_static(*node, names, symbols, analyses.all_rest_states, root.problems());
+      if (!root.has("gravity") && symbols.constant_excitations.empty() && !analyses.all_rest_states)
         reader.error("static", "neither gravity nor a constant force", "a static analysis needs a load",
                      "give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
       analyses.load_sharing = root.has("gravity");
     }
-    read_questions(reader, names, in_file, analyses);
-    read_map(root, reader, names, in_file, analyses);
-    read_optimize(root, reader, names, in_file, analyses);
+    read_independent_analyses(reader, names, symbols, analyses);
+    read_map(root, reader, names, symbols, analyses);
+    read_optimize(root, reader, names, symbols, analyses);
     reader.finish();
   }
   read_limit_lines(root, names, analyses);
   analyses.limits = read_limits(root, names, analyses.response, quantity_is_clear,
                                 (analyses.map && analyses.map->limits_of_file) || root.has("requirements"));
   use_limits_of_file(analyses);
-  read_requirements(root, names, in_file, analyses);
+  read_requirements(root, names, symbols, analyses);
   use_requirements(analyses);
   return analyses;
 }

@@ -9,12 +9,12 @@
 #include "trivet/excitation/human_weighting.h"
 #include "trivet/excitation/shock_spectrum.h"
 #include "trivet/model/harmonic_force.h"
-#include "trivet/project/analyses/question.h"
+#include "trivet/project/analyses/analysis.h"
 
 namespace trivet::project {
 
 /// Nonlinear modes: free periodic motions over their amplitude.
-struct BackboneQuestion : Question {
+struct BackboneAnalysis : Analysis {
   std::vector<int> modes = {1};  ///< of the machine about rest, from 1
   /// Largest deflection of any nonlinear part, translations [m] and rotations [rad], and largest energy [J].
   double up_to = std::numeric_limits<double>::infinity(), up_to_angle = std::numeric_limits<double>::infinity(),
@@ -24,37 +24,37 @@ struct BackboneQuestion : Question {
   double tolerance = 1e-3;  ///< share of the deflections that harmonics beyond the last one may add
 };
 
-/// Largest answers to an earthquake by its response spectrum.
-struct EarthquakeQuestion : Question {
+/// Largest results of an earthquake by its response spectrum.
+struct EarthquakeAnalysis : Analysis {
   excitation::ResponseSpectrum spectrum;
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
 };
 
 /// Run-up: all orders over the speed of the shaft.
-struct OrdersQuestion : Question {
+struct OrdersAnalysis : Analysis {
   assembly::Band speed;  ///< [rad/s]
 };
 
 /// Root mean squares and spectral densities under the random excitations.
-struct RandomQuestion : Question {
+struct RandomAnalysis : Analysis {
   std::optional<excitation::Weighting> weighting;  ///< of the accelerations of all requested motions
   std::optional<excitation::ContactPoint>
       contact;  ///< instead: each axis as people feel it there, with the vibration total value
 };
 
 /// Operating deflection shapes at single frequencies.
-struct ShapesQuestion : Question {
+struct ShapesAnalysis : Analysis {
   std::vector<double> at;  ///< [rad/s]
 };
 
 /// Shock response spectra of time excitations.
-struct ShockSpectrumQuestion : Question {
+struct ShockSpectrumAnalysis : Analysis {
   double damping_ratio = 0.05;
   assembly::Band band;  ///< of natural frequencies [rad/s]
 };
 
 /// Periodic motions of a nonlinear machine under its harmonic excitations, over their frequency or their load factor.
-struct SteadyQuestion : BandQuestion {
+struct SteadyAnalysis : BandAnalysis {
   bool over_load_factor = false;
   double at = 0;  ///< over the load factor: the fixed ω [rad/s]
   double load_from = 0, load_to = 0;
@@ -68,7 +68,7 @@ struct SteadyQuestion : BandQuestion {
 };
 
 /// Time histories under the excitations of type time.
-struct TransientQuestion : Question {
+struct TransientAnalysis : Analysis {
   double from = 0;             ///< [s]
   std::optional<double> to;    ///< [s]
   std::optional<double> step;  ///< [s]
@@ -79,7 +79,7 @@ struct TransientQuestion : Question {
 
 /// Force on the ground over one force excitation, or motion of the wanted bodies and points over a unit motion of the
 /// whole ground.
-struct TransmissibilityQuestion : BandQuestion {
+struct TransmissibilityAnalysis : BandAnalysis {
   std::string force;           ///< the excitation; empty: a motion of the ground
   model::Direction direction;  ///< of a motion
 };

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "trivet/project/analyses/question_reader.h"
+#include "trivet/project/analyses/analysis_reader.h"
 
 namespace trivet::project {
 
-Drive drive_of(const std::string& question) {
-  for (const QuestionReader& reader : question_readers())
-    if (reader.name == question) return reader.drive;
+Drive drive_of(const std::string& analysis) {
+  for (const AnalysisReader& reader : analysis_readers())
+    if (reader.name == analysis) return reader.drive;
   return Drive::harmonic;
 }
 

@@ -7,11 +7,11 @@
 
 namespace trivet::project {
 
-/// Kind of excitations that act in an answer.
+/// Kind of excitations that act in a result.
 enum class Drive { none, harmonic, random, time, orders, harmonic_or_orders };
 
-/// Kind of excitations of a question; harmonic for response and peaks.
-[[nodiscard]] Drive drive_of(const std::string& question);
+/// Kind of excitations of an analysis; harmonic for response and peaks.
+[[nodiscard]] Drive drive_of(const std::string& analysis);
 
 [[nodiscard]] bool drives(const model::Excitation& excitation, Drive drive);
 

@@ -29,10 +29,10 @@ void read_harmonics(TableReader& reader, int& harmonics, double& tolerance) {
   }
 }
 
-void require_nonlinear(const char* question, const char* remedy, const model::System& system,
+void require_nonlinear(const char* analysis, const char* remedy, const model::System& system,
                        foundation::Problems& problems) {
   if (!model::is_nonlinear(system))
-    problems.error(question, "a linear machine", "its motions are those of machines with nonlinear parts", remedy);
+    problems.error(analysis, "a linear machine", "its motions are those of machines with nonlinear parts", remedy);
 }
 
 }  // namespace trivet::project

@@ -85,14 +85,14 @@ void check_place(TableReader& reader, const std::string& key, const std::string&
                guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
 }
 
-void read_base(TableReader& reader, const NamesInFile& in_file, Isolation& result) {
+void read_base(TableReader& reader, const SymbolTable& symbols, Isolation& result) {
   if (const auto base = reader.direction("base")) result.base.axis = *base;
   result.base.rotation = reader.boolean("rotation").value_or(false);
-  result.of = reader.texts("of", R"(["BODY"])").value_or(in_file.bodies);
-  std::vector<std::string> places = in_file.bodies;
-  places.insert(places.end(), in_file.points.begin(), in_file.points.end());
+  result.of = reader.texts("of", R"(["BODY"])").value_or(symbols.bodies);
+  std::vector<std::string> places = symbols.bodies;
+  places.insert(places.end(), symbols.points.begin(), symbols.points.end());
   for (const std::string& name : result.of)
-    if (!in_file.bodies_unknown) check_place(reader, "of", name, places, "`of` names bodies or BODY.POINT");
+    if (!symbols.bodies_unknown) check_place(reader, "of", name, places, "`of` names bodies or BODY.POINT");
   if (reader.has("force"))
     reader.error("base", "force and base",
                  "an isolation is that of a force from the ground or of a place from its motion",
@@ -101,7 +101,7 @@ void read_base(TableReader& reader, const NamesInFile& in_file, Isolation& resul
     reader.missing("at", std::string("give a speed or a band: ") + isolation_example);
 }
 
-void read_forces(TableReader& reader, const NamesInFile& in_file, Isolation& result) {
+void read_forces(TableReader& reader, const SymbolTable& symbols, Isolation& result) {
   for (const char* key : {"rotation", "of"})
     if (reader.has(key)) {
       static_cast<void>(reader.node(key));
@@ -113,21 +113,21 @@ void read_forces(TableReader& reader, const NamesInFile& in_file, Isolation& res
       reader.error("force", "an empty list", "at least one force is isolated",
                    "name a harmonic excitation, or remove it");
     for (const std::string& name : *forces)
-      check_place(reader, "force", name, in_file.harmonic_excitations, "no harmonic excitation has this name");
+      check_place(reader, "force", name, symbols.harmonic_excitations, "no harmonic excitation has this name");
     result.forces = *forces;
-  } else if (!reader.has("force") && in_file.harmonic_excitations.empty()) {
+  } else if (!reader.has("force") && symbols.harmonic_excitations.empty()) {
     reader.error(
         "", "no harmonic excitation in the model", "an isolation is that of a force from the ground",
         "add [excitations.NAME] with type = \"unbalance\" or \"harmonic\", or base = \"z\" for a motion of the ground");
   }
 }
 
-Isolation read_one_isolation(TableReader& reader, const NamesInFile& in_file) {
+Isolation read_one_isolation(TableReader& reader, const SymbolTable& symbols) {
   Isolation result;
   read_least_isolation(reader, result);
   read_frequencies(reader, result);
-  if (reader.has("base")) read_base(reader, in_file, result);
-  else read_forces(reader, in_file, result);
+  if (reader.has("base")) read_base(reader, symbols, result);
+  else read_forces(reader, symbols, result);
   if (reader.has("base")) static_cast<void>(reader.node("force"));
   reader.finish();
   return result;
@@ -141,7 +141,7 @@ const model::Excitation* excitation_named(const model::System& system, const std
 
 }  // namespace
 
-std::vector<Isolation> read_isolation(TableReader& requirements, const NamesInFile& in_file) {
+std::vector<Isolation> read_isolation(TableReader& requirements, const SymbolTable& symbols) {
   std::vector<Isolation> result;
   const Node* node = requirements.node("isolation");
   if (!node) return result;
@@ -155,7 +155,7 @@ std::vector<Isolation> read_isolation(TableReader& requirements, const NamesInFi
                        isolation_example);
   for (const auto& [table, where] : tables) {
     TableReader reader(*table, where, requirements.problems());
-    result.push_back(read_one_isolation(reader, in_file));
+    result.push_back(read_one_isolation(reader, symbols));
   }
   return result;
 }

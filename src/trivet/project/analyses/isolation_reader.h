@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "trivet/project/analyses/requirements.h"
-#include "trivet/project/text/names_in_file.h"
+#include "trivet/project/text/symbol_table.h"
 
 namespace trivet::project {
 
 /// `isolation` of [requirements]: one table, or a list of them.
-[[nodiscard]] std::vector<Isolation> read_isolation(TableReader& requirements, const NamesInFile& in_file);
+[[nodiscard]] std::vector<Isolation> read_isolation(TableReader& requirements, const SymbolTable& symbols);
 
 /// Forces of an entry: those named, or all harmonic ones on bodies. None of a motion of the ground.
 [[nodiscard]] std::vector<std::string> isolated_forces(const Isolation& isolation, const model::System& system);

@@ -11,23 +11,24 @@ namespace trivet::project {
 namespace {
 
 /// Names of results by the path of the analysis that requests them.
-std::vector<std::pair<std::string, std::vector<std::string>>> requested(const Analyses& asked) {
+std::vector<std::pair<std::string, std::vector<std::string>>> requested(const Analyses& request) {
   std::vector<std::pair<std::string, std::vector<std::string>>> all;
-  if (asked.response) all.emplace_back("analyses.response.of", asked.response->selection.of);
-  const bool of_response = asked.peaks && asked.response && asked.peaks->selection.of == asked.response->selection.of;
-  if (asked.peaks && !of_response) all.emplace_back("analyses.peaks.of", asked.peaks->selection.of);
-  if (asked.static_of) all.emplace_back("analyses.static.of", *asked.static_of);
-  for (const auto& [name, question] : asked.questions)
-    all.emplace_back("analyses." + name + ".of", question->selection.of);
-  if (asked.map) {
-    all.emplace_back("analyses.map.no_peak", asked.map->no_peak);
-    for (const AmplitudeLimit& limit : asked.map->limits)
+  if (request.response) all.emplace_back("analyses.response.of", request.response->selection.of);
+  const bool of_response =
+      request.peaks && request.response && request.peaks->selection.of == request.response->selection.of;
+  if (request.peaks && !of_response) all.emplace_back("analyses.peaks.of", request.peaks->selection.of);
+  if (request.static_of) all.emplace_back("analyses.static.of", *request.static_of);
+  for (const auto& [name, analysis] : request.by_name)
+    all.emplace_back("analyses." + name + ".of", analysis->selection.of);
+  if (request.map) {
+    all.emplace_back("analyses.map.no_peak", request.map->no_peak);
+    for (const AmplitudeLimit& limit : request.map->limits)
       all.emplace_back("analyses.map.limits", std::vector<std::string>{limit.name});
   }
-  for (const Limit& limit : asked.limits) all.emplace_back("limits", std::vector<std::string>{limit.name});
-  for (const LimitLineRequest& line : asked.limit_lines)
+  for (const Limit& limit : request.limits) all.emplace_back("limits", std::vector<std::string>{limit.name});
+  for (const LimitLineRequest& line : request.limit_lines)
     all.emplace_back("limit_lines." + line.line.name, std::vector<std::string>{line.of});
-  for (const auto& measurement : asked.measurements)
+  for (const auto& measurement : request.measurements)
     for (const MeasuredCurve& curve : measurement->curves)
       all.emplace_back("measurements." + measurement->name, std::vector<std::string>{curve.result});
   return all;
@@ -51,9 +52,9 @@ bool names_left_out(const std::string& word, const model::RelativeMotion& motion
 
 }  // namespace
 
-void refuse_left_out_results(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
+void refuse_left_out_results(const model::System& system, const Analyses& request, foundation::Problems& problems) {
   if (std::ranges::none_of(system.bodies(), [](const model::Body& b) { return model::turns_without_mass(b); })) return;
-  for (const auto& [path, words] : requested(asked))
+  for (const auto& [path, words] : requested(request))
     for (const std::string& word : words) {
       for (const model::RelativeMotion& motion : system.description().relative_motions)
         if (names_left_out(word, motion, system))

@@ -52,7 +52,7 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
 /// {limit = "4.5 mm/s", band = ["20 Hz", "26 Hz"], excitations = ["run"]}: a limit in a band, and under excitations, of
 /// its own.
 void read_scoped_limit(TableReader& reader, const std::string& name, const Node& table, const ResultNames& names,
-                       assembly::MotionQuantity usual, const NamesInFile& in_file,
+                       assembly::MotionQuantity usual, const SymbolTable& symbols,
                        std::vector<AmplitudeLimit>& limits) {
   TableReader inside(table, reader.path() + "." + name, reader.problems());
   const std::size_t before = limits.size();
@@ -65,12 +65,12 @@ void read_scoped_limit(TableReader& reader, const std::string& name, const Node&
     inside.error("speed", "band and speed",
                  "a limit is that of harmonic excitations in a band, or of orders over speeds",
                  "keep one; a list of limits has both");
-  if (inside.has("speed") && in_file.order_excitations.empty())
+  if (inside.has("speed") && symbols.order_excitations.empty())
     inside.error("speed", "no orders in the model", "this limit judges the motion under each order of a shaft",
                  "add [excitations.NAME] with type = \"orders\" or \"unbalance\", or give a band");
   if (inside.has("excitations"))
-    excitations = inside.has("speed") ? read_selected(inside, in_file.order_excitations, "orders")
-                                      : read_selected_harmonic(inside, in_file);
+    excitations = inside.has("speed") ? read_selected(inside, symbols.order_excitations, "orders")
+                                      : read_selected_harmonic(inside, symbols);
   inside.finish();
   for (std::size_t i = before; i < limits.size(); ++i) {
     limits[i].band = band;
@@ -95,7 +95,7 @@ void check_limits_differ(TableReader& reader, const std::string& name, const Nod
 }  // namespace
 
 std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std::string& key, const ResultNames& names,
-                                                  assembly::MotionQuantity usual, const NamesInFile* scoped) {
+                                                  assembly::MotionQuantity usual, const SymbolTable* scoped) {
   std::vector<AmplitudeLimit> limits;
   const Node* table = owner.table(key);
   if (!table) return limits;

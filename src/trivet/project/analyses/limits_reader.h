@@ -13,7 +13,7 @@ namespace trivet::project {
 [[nodiscard]] std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std::string& key,
                                                                 const ResultNames& names,
                                                                 assembly::MotionQuantity usual,
-                                                                const NamesInFile* scoped = nullptr);
+                                                                const SymbolTable* scoped = nullptr);
 
 /// `no_peak`: results that must have no resonance peak.
 [[nodiscard]] std::vector<std::string> read_no_peak(TableReader& owner, const ResultNames& names,

@@ -19,13 +19,13 @@ namespace trivet::project {
 namespace {
 
 /// Keys that select what no rule of this map uses.
-void warn_of_idle_keys(TableReader& reader, bool has_limits, bool asks_for_peaks) {
+void warn_of_idle_keys(TableReader& reader, bool has_limits, bool needs_peaks) {
   if (!has_limits && reader.has("band"))
     warn_of_idle_key(reader, "band", "a band without limits",
                      "the band applies to limits of amplitudes; resonance peaks count at all frequencies",
                      "add limits, or remove it");
   for (const char* key : {"min_prominence", "peak_tolerance"})
-    if (!asks_for_peaks && reader.has(key))
+    if (!needs_peaks && reader.has(key))
       warn_of_idle_key(reader, key, std::string(key) + " without no_peak", "it selects the peaks that count",
                        "add no_peak, or remove it");
 }
@@ -45,25 +45,25 @@ void read_marked_cases(TableReader& root, TableReader& reader, MapRequest& reque
 }
 
 /// Notes which rules the map has of its own, and reports a map without any.
-void read_presence_of_rules(TableReader& root, TableReader& analyses, TableReader& reader, const NamesInFile& in_file,
+void read_presence_of_rules(TableReader& root, TableReader& analyses, TableReader& reader, const SymbolTable& symbols,
                             MapRequest& request) {
   const Node* limits = reader.table("limits");
   const Node* no_peak = reader.node("no_peak");
   const Node* required = root.has("requirements") ? root.node("requirements") : nullptr;
-  const bool asks_for_peaks =
+  const bool needs_peaks =
       (no_peak && !(no_peak->kind == Node::Kind::array && no_peak->items.empty())) ||  // readable or not
       (required && required->find("no_peak"));
   const bool has_limits = reader.has("limits") ? limits && !limits->keys.empty()
                                                : root.has("limits") || (required && required->find("limits"));
-  const bool judges_more = required || !in_file.clearances.empty();
-  if (!asks_for_peaks && !has_limits && !judges_more)
+  const bool judges_more = required || !symbols.clearances.empty();
+  if (!needs_peaks && !has_limits && !judges_more)
     reader.error("", "neither limits nor no_peak", "a map needs rules that its designs must meet",
                  "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", [limits], [requirements] or "
                  "[clearances]");
-  if (in_file.harmonic_excitations.empty() && (asks_for_peaks || has_limits || !judges_more))
+  if (symbols.harmonic_excitations.empty() && (needs_peaks || has_limits || !judges_more))
     analyses.error("map",
                    "no harmonic excitation in the model" +
-                       (other_excitations(in_file).empty() ? "" : ": " + other_excitations(in_file)),
+                       (other_excitations(symbols).empty() ? "" : ": " + other_excitations(symbols)),
                    "a map checks amplitudes under harmonic forces (types harmonic, base, unbalance)",
                    "add [excitations.NAME] with type = \"harmonic\"");
   request.limits_of_file = !reader.has("limits");
@@ -71,12 +71,12 @@ void read_presence_of_rules(TableReader& root, TableReader& analyses, TableReade
   request.own_band = reader.has("band");
   request.own_excitations = reader.has("excitations");
   request.own_peak_shares = reader.has("peak_tolerance") || reader.has("min_prominence");
-  warn_of_idle_keys(reader, has_limits, asks_for_peaks);
+  warn_of_idle_keys(reader, has_limits, needs_peaks);
 }
 
 }  // namespace
 
-void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const NamesInFile& in_file,
+void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const SymbolTable& symbols,
               Analyses& result) {
   const Node* table = analyses.table("map");
   if (!table) return;
@@ -94,13 +94,13 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   if (reader.has("pairs")) read_pairs(root, reader, result.parameters, request);
   else read_axes(root, reader, result.parameters, request);
   if (reader.node("band")) request.band = read_band(reader, "band");
-  if (reader.node("excitations")) request.excitations = read_selected_harmonic(reader, in_file);
+  if (reader.node("excitations")) request.excitations = read_selected_harmonic(reader, symbols);
   if (const auto quantity = read_quantity(reader)) request.quantity = *quantity;
   request.limits = read_amplitude_limits(reader, "limits", names, request.quantity);
   request.no_peak = read_no_peak(reader, names, request.quantity);
   read_peak_shares(reader, request.min_prominence, request.peak_tolerance);
   read_marked_cases(root, reader, request);
-  read_presence_of_rules(root, analyses, reader, in_file, request);
+  read_presence_of_rules(root, analyses, reader, symbols, request);
   reader.finish();
   result.map = std::move(request);
 }

@@ -10,7 +10,7 @@
 namespace trivet::project {
 
 /// Reads `map` of the analyses, if there is one, with its own limits. Call it after all other analyses are read.
-void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const NamesInFile& in_file,
+void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const SymbolTable& symbols,
               Analyses& result);
 
 /// Gives a map without own limits those of the file, which are for the quantity of the response.

@@ -37,8 +37,8 @@ void check_names(TableReader& reader, const std::string& key, const std::vector<
 
 /// Amplitudes of the list under a key.
 void check_objectives(TableReader& reader, const std::string& key, const std::vector<std::string>& words,
-                      const ResultNames& names, const NamesInFile& in_file, assembly::MotionQuantity quantity) {
-  if (in_file.harmonic_excitations.empty())
+                      const ResultNames& names, const SymbolTable& symbols, assembly::MotionQuantity quantity) {
+  if (symbols.harmonic_excitations.empty())
     reader.error(key, "no harmonic excitation in the model", "these are amplitudes under harmonic forces",
                  "add [excitations.NAME] with type = \"harmonic\"");
   check_names(reader, key, words, names, quantity);
@@ -64,7 +64,7 @@ void read_isolation_objective(TableReader& root, TableReader& reader, OptimizeRe
 }
 
 /// Results to minimise; "margin" alone stands for none, as "price" does.
-void read_objective(TableReader& root, TableReader& reader, const ResultNames& names, const NamesInFile& in_file,
+void read_objective(TableReader& root, TableReader& reader, const ResultNames& names, const SymbolTable& symbols,
                     const std::vector<std::string>& choices, OptimizeRequest& request) {
   const auto words =
       reader.texts("minimize", R"("margin", "price", "isolation", or ["BODY.POINT.z", "ground.force.z"])");
@@ -74,12 +74,12 @@ void read_objective(TableReader& root, TableReader& reader, const ResultNames& n
   if (words->empty())
     reader.error("minimize", "an empty list", "at least one result is minimised",
                  "minimize = \"margin\", or a list of results");
-  check_objectives(reader, "minimize", *words, names, in_file, request.quantity);
+  check_objectives(reader, "minimize", *words, names, symbols, request.quantity);
   request.minimize = *words;
 }
 
 /// {"BODY.z" = 1, "ground.force.z" = 0.5}
-void read_weights(TableReader& table, const ResultNames& names, const NamesInFile& in_file, OptimizeRequest& request) {
+void read_weights(TableReader& table, const ResultNames& names, const SymbolTable& symbols, OptimizeRequest& request) {
   const Node* weighted = table.table("weighted");
   if (!weighted) return;
   TableReader weights(*weighted, table.path() + ".weighted", table.problems());
@@ -92,17 +92,17 @@ void read_weights(TableReader& table, const ResultNames& names, const NamesInFil
   }
   if (weighted->keys.empty())
     table.error("weighted", "no result", "at least one result is minimised", "weighted = {\"BODY.z\" = 1}");
-  check_objectives(table, "weighted", request.minimize, names, in_file, request.quantity);
+  check_objectives(table, "weighted", request.minimize, names, symbols, request.quantity);
 }
 
 /// {weighted = {…}}, {rms = […]} or {static = […]}
 void read_other_objective(TableReader& reader, const Node& minimize, const ResultNames& names,
-                          const NamesInFile& in_file, OptimizeRequest& request) {
+                          const SymbolTable& symbols, OptimizeRequest& request) {
   TableReader table(minimize, reader.path() + ".minimize", reader.problems());
   const std::vector<std::pair<const char*, Minimized>> kinds = {{"rms", Minimized::rms},
                                                                 {"static", Minimized::at_rest}};
   int found = table.has("weighted") ? 1 : 0;
-  read_weights(table, names, in_file, request);
+  read_weights(table, names, symbols, request);
   for (const auto& [key, kind] : kinds) {
     const auto words = table.texts(key, R"(["BODY.POINT.z"])");
     if (!words) continue;
@@ -131,7 +131,7 @@ std::optional<int> read_count(TableReader& reader, const std::string& key, doubl
 }
 
 /// The results of a front.
-void read_front(TableReader& reader, const ResultNames& names, const NamesInFile& in_file, OptimizeRequest& request) {
+void read_front(TableReader& reader, const ResultNames& names, const SymbolTable& symbols, OptimizeRequest& request) {
   const char* example = R"(["BODY.POINT.z", "ground.force.z"])";
   constexpr double fewest_points = 3, most_points = 101;
   constexpr std::size_t most_objectives = 3;
@@ -149,13 +149,13 @@ void read_front(TableReader& reader, const ResultNames& names, const NamesInFile
     reader.error("front", "front and minimize", "a front minimises each of its results", "keep one of them");
   if (reader.has("points") && words->size() == most_objectives)
     reader.error("points", "a front of three results", "its points are the 21 of an even triangle", "remove points");
-  check_objectives(reader, "front", *words, names, in_file, request.quantity);
+  check_objectives(reader, "front", *words, names, symbols, request.quantity);
   request.front = *words;
 }
 
 }  // namespace
 
-void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& names, const NamesInFile& in_file,
+void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& names, const SymbolTable& symbols,
                    Analyses& result) {
   const Node* table = analyses.table("optimize");
   if (!table) return;
@@ -180,9 +180,9 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
     reader.error("", "no parameters", "a design varies at least one number",
                  "write [parameters.NAME] with path, from and to");
   if (const Node* minimize = reader.node("minimize"); minimize && minimize->kind == Node::Kind::table)
-    read_other_objective(reader, *minimize, names, in_file, request);
-  else read_objective(root, reader, names, in_file, names_of_choices(root), request);
-  read_front(reader, names, in_file, request);
+    read_other_objective(reader, *minimize, names, symbols, request);
+  else read_objective(root, reader, names, symbols, names_of_choices(root), request);
+  read_front(reader, names, symbols, request);
   request.starts = read_count(reader, "starts", 1, most_starts, "32 is usual");
   request.combinations =
       read_count(reader, "combinations", 1, most_combinations, "1000 is usual").value_or(request.combinations);

@@ -4,34 +4,34 @@
 #include "trivet/model/system.h"
 #include "trivet/project/analyses/analyses.h"
 #include "trivet/project/analyses/selection_reader.h"
-#include "trivet/project/text/names_in_file.h"
+#include "trivet/project/text/symbol_table.h"
 #include "trivet/project/text/table_reader.h"
 
 namespace trivet::project {
 
 /// `analyses`, `limits` and `limit_lines` of the file.
-[[nodiscard]] Analyses read_analyses(TableReader& root, const NamesInFile& in_file);
+[[nodiscard]] Analyses read_analyses(TableReader& root, const SymbolTable& symbols);
 
 /// Reads [requirements], if the file has them. Call it after [analyses], [limits] and [limit_lines].
-void read_requirements(TableReader& root, const ResultNames& names, const NamesInFile& in_file, Analyses& result);
+void read_requirements(TableReader& root, const ResultNames& names, const SymbolTable& symbols, Analyses& result);
 
 /// Reports requirements that a valid model cannot be judged by.
-void check_requirements(const model::System& system, const Analyses& asked, foundation::Problems& problems);
+void check_requirements(const model::System& system, const Analyses& request, foundation::Problems& problems);
 
 /// Reads `optimize` of the analyses, if there is one. Call it after the parameters and the response.
-void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& names, const NamesInFile& in_file,
+void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& names, const SymbolTable& symbols,
                    Analyses& result);
 
 /// Reports requested results that do not exist because no element holds that direction of a node.
-void refuse_left_out_results(const model::System& system, const Analyses& asked, foundation::Problems& problems);
+void refuse_left_out_results(const model::System& system, const Analyses& request, foundation::Problems& problems);
 
-// What the questions about periodic motions of nonlinear machines share.
+// What the analyses of periodic motions of nonlinear machines share.
 
 /// `harmonics` or `tolerance`; 0 harmonics: as many as the tolerance needs.
 void read_harmonics(TableReader& reader, int& harmonics, double& tolerance);
 
-/// An error if the machine is linear. @param question  "analyses.steady"
-void require_nonlinear(const char* question, const char* remedy, const model::System& system,
+/// An error if the machine is linear. @param analysis  "analyses.steady"
+void require_nonlinear(const char* analysis, const char* remedy, const model::System& system,
                        foundation::Problems& problems);
 
 }  // namespace trivet::project

@@ -7,7 +7,7 @@
 
 #include "trivet/model/harmonic_force.h"
 #include "trivet/model/system.h"
-#include "trivet/project/analyses/question.h"
+#include "trivet/project/analyses/analysis.h"
 
 namespace trivet::project {
 

@@ -96,14 +96,14 @@ void read_natural_frequencies(TableReader& requirements, Requirements& result) {
   reader.finish();
 }
 
-void read_decoupling(TableReader& requirements, const NamesInFile& in_file, Requirements& result) {
+void read_decoupling(TableReader& requirements, const SymbolTable& symbols, Requirements& result) {
   const Node* table = requirements.table("decoupling");
   if (!table) return;
   TableReader reader(*table, requirements.path() + ".decoupling", requirements.problems());
   for (const std::string& body : table->keys) {
     const auto least = reader.number(body, Quantity::pure);
-    if (std::ranges::find(in_file.bodies, body) == in_file.bodies.end()) {
-      const std::string guess = foundation::nearest_name(body, in_file.bodies);
+    if (std::ranges::find(symbols.bodies, body) == symbols.bodies.end()) {
+      const std::string guess = foundation::nearest_name(body, symbols.bodies);
       reader.error(body, foundation::quoted(body), "no body has this name",
                    guess.empty() ? "name a body" : "did you mean \"" + guess + "\"?");
     } else if (least && !(*least > 0 && *least <= 1)) {
@@ -186,12 +186,12 @@ void check_price(const model::System& system, const std::string& currency, found
 
 }  // namespace
 
-void read_requirements(TableReader& root, const ResultNames& names, const NamesInFile& in_file, Analyses& result) {
+void read_requirements(TableReader& root, const ResultNames& names, const SymbolTable& symbols, Analyses& result) {
   const Node* table = root.table("requirements");
   if (!table) return;
   TableReader reader(*table, "requirements", root.problems());
   reader.also_known({"band", "excitations"});
-  if (table->keys.empty()) reader.error("", "an empty table", "a design has to meet something", example);
+  if (table->keys.empty()) reader.error("", "an empty table", "there is no requirement", example);
   Requirements found;
   if (result.response) {
     found.band = result.response->band;
@@ -203,22 +203,22 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
     found.peak_tolerance = result.peaks->peak_tolerance;
   }
   if (reader.has("band")) found.band = read_band(reader, "band");
-  if (reader.has("excitations")) found.excitations = read_selected_harmonic(reader, in_file);
+  if (reader.has("excitations")) found.excitations = read_selected_harmonic(reader, symbols);
   if (const auto quantity = read_quantity(reader)) found.quantity = *quantity;
-  const bool harmonic = !in_file.harmonic_excitations.empty();
+  const bool harmonic = !symbols.harmonic_excitations.empty();
   need(reader, "no_peak", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
   for (const char* key : {"no_jump", "no_contact", "steady"})
-    need(reader, key, harmonic || !in_file.order_excitations.empty(), "harmonic or order excitation",
+    need(reader, key, harmonic || !symbols.order_excitations.empty(), "harmonic or order excitation",
          "[excitations.NAME] with type = \"harmonic\" or \"orders\"");
-  need(reader, "rms", !in_file.random_excitations.empty(), "random excitation",
+  need(reader, "rms", !symbols.random_excitations.empty(), "random excitation",
        "[excitations.NAME] with type = \"random\"");
-  const bool moves_by_itself = result.questions.contains("transient");
-  need(reader, "largest", !in_file.time_excitations.empty() || moves_by_itself, "excitation over time",
+  const bool moves_by_itself = result.by_name.contains("transient");
+  need(reader, "largest", !symbols.time_excitations.empty() || moves_by_itself, "excitation over time",
        "[excitations.NAME] with type = \"time\"");
-  const bool loaded = root.has("gravity") || !in_file.constant_excitations.empty();
+  const bool loaded = root.has("gravity") || !symbols.constant_excitations.empty();
   for (const char* key : {"static", "mount_load"})
     need(reader, key, loaded, "gravity and no constant force", "gravity = [0, 0, -9.80665]");
-  found.limits = read_amplitude_limits(reader, "limits", names, found.quantity, &in_file);
+  found.limits = read_amplitude_limits(reader, "limits", names, found.quantity, &symbols);
   const auto by_orders = [](const AmplitudeLimit& limit) { return limit.speed.has_value(); };
   if (found.limits.empty() || !std::ranges::all_of(found.limits, by_orders))
     need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
@@ -230,7 +230,7 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   found.damping_ratio =
       read_least(reader, "damping_ratio", 0, 1, "a damping ratio of a vibration is above 0 and below 1",
                  "for instance damping_ratio = 0.03");
-  read_decoupling(reader, in_file, found);
+  read_decoupling(reader, symbols, found);
   found.rms = read_amplitude_limits(reader, "rms", names, assembly::MotionQuantity::displacement);
   found.largest = read_amplitude_limits(reader, "largest", names, assembly::MotionQuantity::displacement);
   found.no_jump = reader.boolean("no_jump").value_or(false);
@@ -241,7 +241,7 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
     if (limit.quantity != assembly::MotionQuantity::displacement)
       reader.error("static", foundation::quoted(limit.name) + " as a velocity or an acceleration",
                    "at rest a point has a displacement only", "give a length or an angle");
-  found.isolation = read_isolation(reader, in_file);
+  found.isolation = read_isolation(reader, symbols);
   found.mount_load = reader.choice("mount_load", {"catalogue"}).has_value();
   found.price = read_price(reader);
   if (const auto mass = reader.number("mass", Quantity::mass)) {
@@ -276,9 +276,9 @@ void check_stops(const Requirements& required, const model::System& system, foun
 
 }  // namespace
 
-void check_requirements(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
-  if (!asked.requirements) return;
-  const Requirements& required = *asked.requirements;
+void check_requirements(const model::System& system, const Analyses& request, foundation::Problems& problems) {
+  if (!request.requirements) return;
+  const Requirements& required = *request.requirements;
   check_isolation(required.isolation, system, problems);
   if (required.is_about_steady_motion()) check_stops(required, system, problems);
   if (required.is_about_steady_motion())

@@ -8,28 +8,28 @@
 #include <utility>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
 
-ResultNames::ResultNames(const NamesInFile& in_file)
-    : forces_(in_file.elements),
-      relatives_(in_file.relative_motions),
-      clearances_(in_file.clearances),
-      guided_(in_file.guided) {
+ResultNames::ResultNames(const SymbolTable& symbols)
+    : forces_(symbols.elements),
+      relatives_(symbols.relative_motions),
+      clearances_(symbols.clearances),
+      guided_(symbols.guided) {
   forces_.push_back("ground");
-  forces_.insert(forces_.end(), in_file.sections.begin(), in_file.sections.end());
-  motions_ = in_file.bodies;
-  motions_.insert(motions_.end(), in_file.nodes.begin(), in_file.nodes.end());
-  motions_.insert(motions_.end(), in_file.points.begin(), in_file.points.end());
+  forces_.insert(forces_.end(), symbols.sections.begin(), symbols.sections.end());
+  motions_ = symbols.bodies;
+  motions_.insert(motions_.end(), symbols.nodes.begin(), symbols.nodes.end());
+  motions_.insert(motions_.end(), symbols.points.begin(), symbols.points.end());
   groups_ = {"coordinates"};
   for (const auto* names : {&motions_, &forces_}) groups_.insert(groups_.end(), names->begin(), names->end());
   const std::size_t places = motions_.size();
   motions_.push_back("base");
   for (std::size_t i = 0; i < places; ++i) motions_.push_back(motions_[i] + ".relative");
-  for (const std::string& element : in_file.elements)
+  for (const std::string& element : symbols.elements)
     for (const char* end : {".deflection", ".foot"}) motions_.push_back(element + end);
   groups_.insert(groups_.end(), motions_.begin() + static_cast<std::ptrdiff_t>(places), motions_.end());
   for (const auto* names : {&relatives_, &clearances_}) groups_.insert(groups_.end(), names->begin(), names->end());
@@ -167,11 +167,11 @@ void refuse_limit(TableReader& reader, const ResultNames& names, const std::stri
 
 namespace {
 
-std::vector<std::pair<std::string, const std::vector<std::string>*>> by_other_types(const NamesInFile& in_file) {
-  return {{"orders", &in_file.order_excitations},
-          {"random", &in_file.random_excitations},
-          {"time", &in_file.time_excitations},
-          {"constant", &in_file.constant_excitations}};
+std::vector<std::pair<std::string, const std::vector<std::string>*>> by_other_types(const SymbolTable& symbols) {
+  return {{"orders", &symbols.order_excitations},
+          {"random", &symbols.random_excitations},
+          {"time", &symbols.time_excitations},
+          {"constant", &symbols.constant_excitations}};
 }
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
@@ -180,34 +180,34 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-std::string other_excitations(const NamesInFile& in_file) {
+std::string other_excitations(const SymbolTable& symbols) {
   std::string text;
-  for (const auto& [type, names] : by_other_types(in_file))
+  for (const auto& [type, names] : by_other_types(symbols))
     for (const std::string& name : *names)
-      if (!holds(in_file.harmonic_excitations, name))
+      if (!holds(symbols.harmonic_excitations, name))
         text += (text.empty() ? "" : ", ") + foundation::quoted(name) + " is of type " + type;
   return text;
 }
 
-std::vector<std::string> read_selected_harmonic(TableReader& reader, const NamesInFile& in_file) {
+std::vector<std::string> read_selected_harmonic(TableReader& reader, const SymbolTable& symbols) {
   const auto names = reader.texts("excitations", R"(["NAME"], or leave it out for all)");
   if (!names) return {};
   refuse_none(reader, *names);
   const auto type_of = [&](const std::string& name) -> std::string {
-    for (const auto& [type, others] : by_other_types(in_file))
-      if (holds(*others, name) && !holds(in_file.harmonic_excitations, name)) return type;
+    for (const auto& [type, others] : by_other_types(symbols))
+      if (holds(*others, name) && !holds(symbols.harmonic_excitations, name)) return type;
     return "";
   };
   for (const std::string& name : *names)
     if (const std::string type = type_of(name); !type.empty())
       reader.error("excitations", foundation::quoted(name) + ", of type " + type,
                    "only harmonic forces drive this analysis (types harmonic, base, unbalance)", "name one of these");
-    else if (!holds(in_file.harmonic_excitations, name))
-      refuse_excitation(reader, name, in_file.harmonic_excitations, "harmonic");
+    else if (!holds(symbols.harmonic_excitations, name))
+      refuse_excitation(reader, name, symbols.harmonic_excitations, "harmonic");
   return *names;
 }
 
-void read_results(TableReader& reader, const ResultNames& result_names, AnswerSelection& selection) {
+void read_results(TableReader& reader, const ResultNames& result_names, ChannelSelection& selection) {
   read_of(reader, result_names, selection.of);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   if (quantity)  // also "displacement": the selection may begin as a copy of another one
@@ -221,7 +221,7 @@ void read_results(TableReader& reader, const ResultNames& result_names, AnswerSe
 }
 
 void read_selection(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
-                    const std::string& kind, AnswerSelection& selection) {
+                    const std::string& kind, ChannelSelection& selection) {
   read_results(reader, result_names, selection);
   if (reader.has("excitations")) selection.excitations = read_selected(reader, known, kind);
 }

@@ -6,15 +6,15 @@
 #include <vector>
 
 #include "trivet/project/analyses/analyses.h"
-#include "trivet/project/text/names_in_file.h"
 #include "trivet/project/text/shared_keys.h"
+#include "trivet/project/text/symbol_table.h"
 
 namespace trivet::project {
 
 /// Names of results: motions of bodies, points and ends of elements, forces of elements and on the ground.
 class ResultNames {
  public:
-  explicit ResultNames(const NamesInFile& in_file);
+  explicit ResultNames(const SymbolTable& symbols);
 
   [[nodiscard]] const std::vector<std::string>& groups() const { return groups_; }
   [[nodiscard]] bool is_group(const std::string& name) const;
@@ -43,11 +43,11 @@ class ResultNames {
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of);
 
 /// `of` and `quantity`.
-void read_results(TableReader& reader, const ResultNames& result_names, AnswerSelection& selection);
+void read_results(TableReader& reader, const ResultNames& result_names, ChannelSelection& selection);
 
 /// `of`, `quantity` and `excitations`, the latter out of the known names; `kind` is their type, for messages.
 void read_selection(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
-                    const std::string& kind, AnswerSelection& selection);
+                    const std::string& kind, ChannelSelection& selection);
 
 /// Reads `min_prominence`, a share of the whole curve's height, and `peak_tolerance`, a share of the minimum next to a
 /// peak, which may exceed 1.
@@ -61,12 +61,12 @@ void refuse_limit(TableReader& reader, const ResultNames& names, const std::stri
                                                      const std::string& kind);
 
 /// Reads `excitations`, harmonic ones only; those of other types are rejected with their type.
-[[nodiscard]] std::vector<std::string> read_selected_harmonic(TableReader& reader, const NamesInFile& in_file);
+[[nodiscard]] std::vector<std::string> read_selected_harmonic(TableReader& reader, const SymbolTable& symbols);
 
 /// Lists the excitations that are not harmonic, for messages: "engine" is of type orders, …; empty if there are none.
-[[nodiscard]] std::string other_excitations(const NamesInFile& in_file);
+[[nodiscard]] std::string other_excitations(const SymbolTable& symbols);
 
-/// Reads `limit_lines` of the file: each is an answer of the response and a line over frequency.
+/// Reads `limit_lines` of the file: each is a channel of the response and a line over frequency.
 void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result);
 
 }  // namespace trivet::project

@@ -35,15 +35,15 @@ Eigen::Vector3d read_shift(TableReader& reader, const std::string& key) {
 
 /// Adds a change of the element of that name, if that could be read.
 template <typename Change>
-void change_element(NamesInFile& in_file, const std::string& name, const Change& change) {
-  in_file.adjustments.push_back([name, change](model::Description& description) {
+void change_element(SymbolTable& symbols, const std::string& name, const Change& change) {
+  symbols.adjustments.push_back([name, change](model::Description& description) {
     const auto& elements = description.elements;
     const auto found = std::ranges::find(elements, name, &model::Element::name);
     if (found != elements.end()) change(description, to_size(found - elements.begin()));
   });
 }
 
-void read_stiffness_factor(TableReader& reader, const model::Element& element, bool complete, NamesInFile& in_file) {
+void read_stiffness_factor(TableReader& reader, const model::Element& element, bool complete, SymbolTable& symbols) {
   const Node* table = reader.table("stiffness_factor");
   if (!table) return;
   TableReader inside(*table, reader.path() + ".stiffness_factor", reader.problems());
@@ -60,39 +60,39 @@ void read_stiffness_factor(TableReader& reader, const model::Element& element, b
   }
   inside.finish();
   if (all != 1)
-    change_element(in_file, element.name, [gain = all - 1](model::Description& d, std::size_t e) {
+    change_element(symbols, element.name, [gain = all - 1](model::Description& d, std::size_t e) {
       model::add_deformation_stiffness(d, e, gain);
     });
   if (!factors.isOnes(0))
-    change_element(in_file, element.name, [factors](model::Description& d, std::size_t e) {
+    change_element(symbols, element.name, [factors](model::Description& d, std::size_t e) {
       model::scale_stiffness_by_direction(d, e, factors);
     });
 }
 
 }  // namespace
 
-void read_element_adjustments(TableReader& reader, const model::Element& element, bool complete, NamesInFile& in_file) {
-  read_stiffness_factor(reader, element, complete, in_file);
+void read_element_adjustments(TableReader& reader, const model::Element& element, bool complete, SymbolTable& symbols) {
+  read_stiffness_factor(reader, element, complete, symbols);
   const double damping = read_factor(reader, "damping_factor");
   if (complete && reader.has("damping_factor") && !model::has_damping(element))
     reader.error("damping_factor", "an element without damping", "there is nothing to scale",
                  "give it a damping, or remove the factor");
   if (damping != 1)
-    change_element(in_file, element.name,
+    change_element(symbols, element.name,
                    [damping](model::Description& d, std::size_t e) { model::scale_damping(d, e, damping); });
   const Eigen::Vector3d by = read_shift(reader, "moved");
   if (!by.isZero(0))
-    change_element(in_file, element.name,
+    change_element(symbols, element.name,
                    [by](model::Description& d, std::size_t e) { model::move_element(d, e, by); });
 }
 
-void read_body_adjustments(TableReader& reader, const model::Body& body, std::size_t index, NamesInFile& in_file) {
+void read_body_adjustments(TableReader& reader, const model::Body& body, std::size_t index, SymbolTable& symbols) {
   const double mass = read_factor(reader, "mass_about_center");
   if (mass != 1)
-    in_file.adjustments.push_back([index, mass](model::Description& d) { model::scale_mass(d, index, mass); });
+    symbols.adjustments.push_back([index, mass](model::Description& d) { model::scale_mass(d, index, mass); });
   const Eigen::Vector3d by = read_shift(reader, "center_moved");
   if (!by.isZero(0))
-    in_file.adjustments.push_back([index, by](model::Description& d) { model::move_center_of_mass(d, index, by); });
+    symbols.adjustments.push_back([index, by](model::Description& d) { model::move_center_of_mass(d, index, by); });
   const Node* table = reader.table("inertia_about_center");
   if (!table) return;
   TableReader inside(*table, reader.path() + ".inertia_about_center", reader.problems());
@@ -103,19 +103,19 @@ void read_body_adjustments(TableReader& reader, const model::Body& body, std::si
     const std::string key = {"xyz"[i], "xyz"[j]};
     const double share = i == j ? read_factor(inside, key) - 1 : inside.number(key, Quantity::pure).value_or(0);
     if (share != 0)
-      in_file.adjustments.push_back(
+      symbols.adjustments.push_back(
           [index, i = i, j = j, share](model::Description& d) { model::change_inertia(d, index, i, j, share); });
   }
   inside.finish();
 }
 
-void read_damping_adjustment(TableReader& reader, NamesInFile& in_file) {
+void read_damping_adjustment(TableReader& reader, SymbolTable& symbols) {
   const double factor = read_factor(reader, "modal_factor");
   if (reader.has("modal_factor") && !reader.has("modal"))
     reader.error("modal_factor", "a factor without modal damping", "there is nothing to scale",
                  "give modal = …, or remove the factor");
   if (factor != 1)
-    in_file.adjustments.push_back([factor](model::Description& d) { model::scale_modal_damping(d, factor); });
+    symbols.adjustments.push_back([factor](model::Description& d) { model::scale_modal_damping(d, factor); });
 }
 
 }  // namespace trivet::project

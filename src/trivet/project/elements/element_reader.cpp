@@ -11,9 +11,9 @@
 #include "trivet/project/elements/adjustments_reader.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
-#include "trivet/project/text/names_in_file.h"
-#include "trivet/project/text/outside_features.h"
+#include "trivet/project/text/symbol_table.h"
 #include "trivet/project/text/table_reader.h"
+#include "trivet/project/text/unsupported_keys.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::project {
@@ -62,18 +62,18 @@ namespace {
 
 constexpr std::size_t most_elements = 5000;
 
-std::vector<std::string> all_types(const NamesInFile& in_file) {
+std::vector<std::string> all_types(const SymbolTable& symbols) {
   std::vector<std::string> types = element_law_names();
-  types.insert(types.end(), in_file.element_types.begin(), in_file.element_types.end());
+  types.insert(types.end(), symbols.element_types.begin(), symbols.element_types.end());
   return types;
 }
 
 /// Reads one element: the places of its ends, then its law in their axes.
 class ElementReader {
  public:
-  ElementReader(const Node& node, const std::string& name, const model::Description& description, NamesInFile& in_file,
+  ElementReader(const Node& node, const std::string& name, const model::Description& description, SymbolTable& symbols,
                 foundation::Problems& problems)
-      : node_(node), reader_(node, "elements." + name, problems), bodies_(description), in_file_(in_file) {
+      : node_(node), reader_(node, "elements." + name, problems), bodies_(description), in_file_(symbols) {
     element_.name = name;
   }
 
@@ -114,7 +114,7 @@ class ElementReader {
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
       const bool ours = node.keys[i] == "damping" || node.keys[i] == "stiffness_factor" || node.keys[i] == "moved" ||
           node.keys[i].ends_with("orientation");
-      if (node.items[i].kind == Node::Kind::table && !ours && !outside_feature(reader_.path(), node.keys[i]))
+      if (node.items[i].kind == Node::Kind::table && !ours && !unsupported_key(reader_.path(), node.keys[i]))
         reader_.error(node.keys[i], "unknown key", "no element has a table of this name",
                       "names have no dots; write names with blanks in quotes: [elements.\"front left\"]");
     }
@@ -185,7 +185,7 @@ class ElementReader {
 
   /// Reports a type that is not a law: a misspelling, or a feature outside this version.
   void refuse_type() {
-    if (const auto outside = outside_type(element_.type))
+    if (const auto outside = unsupported_type(element_.type))
       reader_.error("type", "\"" + element_.type + "\"", outside->rule, outside->remedy);
     else if (reader_.has("type")) static_cast<void>(reader_.choice("type", all_types(in_file_)));
   }
@@ -193,7 +193,7 @@ class ElementReader {
   const Node& node_;
   TableReader reader_;
   const model::Description& bodies_;
-  NamesInFile& in_file_;
+  SymbolTable& in_file_;
   model::Element element_;
   const ElementLaw* law_ = nullptr;  ///< null if the type is not known
   Placement ends_{{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()}};
@@ -219,10 +219,10 @@ const model::Element* known_element(const KnownModel& known, const std::string& 
 
 }  // namespace
 
-void read_elements(TableReader& root, model::Description& description, NamesInFile& in_file, const KnownModel* known) {
+void read_elements(TableReader& root, model::Description& description, SymbolTable& symbols, const KnownModel* known) {
   const Node* table = root.table("elements");
   if (!table) return;
-  in_file.elements = table->keys;
+  symbols.elements = table->keys;
   if (table->keys.size() > most_elements)
     root.error("elements", fmt::format("{} elements", table->keys.size()),
                fmt::format("this version takes at most {}", most_elements), "split the model");
@@ -238,7 +238,7 @@ void read_elements(TableReader& root, model::Description& description, NamesInFi
           .origin = table->items[i].origin;
     } else {
       const auto completed = with_length_between_ends(table->items[i], table->keys[i], description);
-      if (auto element = ElementReader(completed ? *completed : table->items[i], table->keys[i], description, in_file,
+      if (auto element = ElementReader(completed ? *completed : table->items[i], table->keys[i], description, symbols,
                                        root.problems())
                              .read())
         description.elements.push_back(std::move(*element));
@@ -252,7 +252,7 @@ std::vector<std::string> element_law_names() {
   return types;
 }
 
-void read_system_damping(TableReader& root, model::Description& description, NamesInFile& in_file) {
+void read_system_damping(TableReader& root, model::Description& description, SymbolTable& symbols) {
   const Node* table = root.table("damping");
   if (!table) return;
   TableReader reader(*table, "damping", root.problems());
@@ -274,7 +274,7 @@ void read_system_damping(TableReader& root, model::Description& description, Nam
       description.damping = model::ModalDamping{{*ratio}};
     }
   }
-  read_damping_adjustment(reader, in_file);
+  read_damping_adjustment(reader, symbols);
   reader.finish();
 }
 

@@ -6,7 +6,7 @@
 #include "trivet/model/system.h"
 #include "trivet/project/text/document.h"
 #include "trivet/project/text/known_model.h"
-#include "trivet/project/text/names_in_file.h"
+#include "trivet/project/text/symbol_table.h"
 
 namespace trivet::project {
 
@@ -18,13 +18,13 @@ namespace trivet::project {
 
 /// Reads the table `elements` into the description and reports its problems.
 /// @param known  a model read earlier; unchanged elements between unchanged bodies are copied from it
-void read_elements(TableReader& root, model::Description& description, NamesInFile& in_file,
+void read_elements(TableReader& root, model::Description& description, SymbolTable& symbols,
                    const KnownModel* known = nullptr);
 
 /// Built-in types of elements; "catalogue:NAME" stands for all mounts of catalogues.
 [[nodiscard]] std::vector<std::string> element_law_names();
 
 /// `damping` of the whole system.
-void read_system_damping(TableReader& root, model::Description& description, NamesInFile& in_file);
+void read_system_damping(TableReader& root, model::Description& description, SymbolTable& symbols);
 
 }  // namespace trivet::project

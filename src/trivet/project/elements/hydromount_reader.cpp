@@ -86,7 +86,7 @@ void read_hydromount(TableReader& reader, Placement& ends, model::Element& eleme
           decoupler.has("centring") ? "decoupler.centring" : "lower",
           fmt::format("{:.6g} Pa/m³", decoupler.has("centring") ? centring : lower),
           fmt::format("the centring of the decoupler, {:.6g} Pa/m³, is at least 1e-14 of upper + lower, {:.6g} "
-                      "Pa/m³: below, nothing but round-off brings circulating fluid back",
+                      "Pa/m³: below, the fluid has no defined rest position",
                       centring, least),
           "correct the stiffnesses of the chambers, or give a stiffer centring");
   }

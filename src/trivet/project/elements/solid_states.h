@@ -23,7 +23,7 @@ struct Solid {
   std::vector<fem::Material> materials;
   fem::ElementFrame frame;
 };
-/// Meshes it when it is first asked.
+/// Meshes it when it is first needed.
 using MeshedSolid = std::function<const Solid&()>;
 
 /// Key of a solid in the cache: from its description and the contents of its files.

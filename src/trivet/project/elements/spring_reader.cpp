@@ -129,10 +129,10 @@ void read_level(TableReader& reader, const std::optional<elements::SeatedCoil>& 
 /// preload = {compression = …} or {force = …}: the state about which the spring vibrates.
 std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, const CoilSpring& spring) {
   const std::size_t before = reader.errors();
-  const auto asked = read_compression(reader);
-  if (!asked || reader.errors() > before) return std::nullopt;
+  const auto request = read_compression(reader);
+  if (!request || reader.errors() > before) return std::nullopt;
   TableReader preload(*reader.table("preload"), reader.path() + ".preload", reader.problems());
-  const char* key = asked->is_force ? "force" : "compression";
+  const char* key = request->is_force ? "force" : "compression";
   if (spring.seat_n == elements::Seat::pivoted || spring.seat_k == elements::Seat::pivoted) {
     reader.error("ends", "\"pivoted\" with a preload",
                  "a pivot cannot carry the moment that keeps a compressed spring from tilting",
@@ -140,8 +140,8 @@ std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, con
     return std::nullopt;
   }
   try {
-    elements::CompressedCoil state = asked->is_force ? elements::compressed_with(spring, asked->value)
-                                                     : elements::compressed_by(spring, asked->value);
+    elements::CompressedCoil state = request->is_force ? elements::compressed_with(spring, request->value)
+                                                       : elements::compressed_by(spring, request->value);
     foundation::Problems findings = elements::check_compression(spring, state.compression);
     for (foundation::Problem& problem : findings.list()) problem.subject = key;
     preload.add(findings);

@@ -5,7 +5,7 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/excitations/excitation_reader.h"
-#include "trivet/project/text/names_in_file.h"
+#include "trivet/project/text/symbol_table.h"
 
 namespace trivet::project {
 namespace {
@@ -52,7 +52,7 @@ std::optional<std::size_t> standing_on_ground(const model::Description& descript
   return std::nullopt;
 }
 
-void read_moving_elements(TableReader& reader, const model::Description& description, const NamesInFile& in_file,
+void read_moving_elements(TableReader& reader, const model::Description& description, const SymbolTable& symbols,
                           model::Action& action) {
   const auto names = reader.texts("elements", R"(["front left", "front right"])");
   if (!names) return;
@@ -66,9 +66,9 @@ void read_moving_elements(TableReader& reader, const model::Description& descrip
     }
     const bool read =
         std::ranges::any_of(description.elements, [&](const model::Element& e) { return e.name == name; });
-    const bool known = std::ranges::find(in_file.elements, name) != in_file.elements.end();
+    const bool known = std::ranges::find(symbols.elements, name) != symbols.elements.end();
     if (known && !read) continue;  // its own problem is reported elsewhere
-    const std::string guess = foundation::nearest_name(name, in_file.elements);
+    const std::string guess = foundation::nearest_name(name, symbols.elements);
     if (read)
       reader.error("elements", foundation::quoted(name),
                    "it has no end on moving ground: it is on a body, or on the modes of a foundation",
@@ -96,10 +96,10 @@ void read_wave(TableReader& reader, model::Action& action) {
 }  // namespace
 
 std::optional<model::Action> read_place(TableReader& reader, const model::Description& description,
-                                        const NamesInFile& in_file) {
+                                        const SymbolTable& symbols) {
   if (!reader.has("on")) reader.missing("on", "name the body: on = \"BODY\"");
   model::Action action;
-  action.body = body_named(reader, "on", description, in_file);
+  action.body = body_named(reader, "on", description, symbols);
   action.at = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
   const bool on_node = action.body && description.bodies[*action.body].is_node;
   if (!reader.has("at") && !on_node) reader.missing("at", "give the point of action on the body: at = [x, y, z]");
@@ -107,8 +107,8 @@ std::optional<model::Action> read_place(TableReader& reader, const model::Descri
 }
 
 std::optional<model::Action> read_force(TableReader& reader, const model::Description& description,
-                                        const NamesInFile& in_file, ActionNumbers numbers) {
-  std::optional<model::Action> placed = read_place(reader, description, in_file);
+                                        const SymbolTable& symbols, ActionNumbers numbers) {
+  std::optional<model::Action> placed = read_place(reader, description, symbols);
   model::Action action = placed.value_or(model::Action{});
   const std::string remedy =
       numbers == ActionNumbers::factors ? "give the direction: force = [0, 0, 1]" : "give force = [Fx, Fy, Fz] in N";
@@ -118,7 +118,7 @@ std::optional<model::Action> read_force(TableReader& reader, const model::Descri
 }
 
 std::optional<model::Action> read_ground_motion(TableReader& reader, const model::Description& description,
-                                                const NamesInFile& in_file, ActionNumbers numbers) {
+                                                const SymbolTable& symbols, ActionNumbers numbers) {
   model::Action action;
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   action.derivative = quantity == "velocity" ? 1 : quantity == "acceleration" ? 2 : 0;
@@ -130,7 +130,7 @@ std::optional<model::Action> read_ground_motion(TableReader& reader, const model
            numbers, action);
   action.at = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
   action.delay = reader.number("delay", Quantity::time).value_or(0);
-  read_moving_elements(reader, description, in_file, action);
+  read_moving_elements(reader, description, symbols, action);
   read_wave(reader, action);
   if (reader.has("at") && (!action.elements.empty() || action.wave))
     reader.error("at", "a centre of rotation together with elements or a wave",
@@ -144,7 +144,7 @@ std::optional<model::Action> read_ground_motion(TableReader& reader, const model
       std::ranges::none_of(
           description.elements,
           [](const model::Element& e) { return e.n.on_ground() || e.k.on_ground() || e.n.foundation; }) &&
-      description.elements.size() == in_file.elements.size())
+      description.elements.size() == symbols.elements.size())
     reader.error("", "no element is on the ground", "a moving ground acts through the elements that are on it",
                  "add one, or excite a body");
   return action;

@@ -15,15 +15,15 @@ const std::vector<std::string> types = {"harmonic", "base", "unbalance", "orders
 
 /// A force on a body, or with `base = true` a motion of the ground; its numbers are factors.
 std::optional<model::Action> read_directed(TableReader& reader, const model::Description& description,
-                                           const NamesInFile& in_file) {
+                                           const SymbolTable& symbols) {
   return reader.boolean("base").value_or(false)
-      ? read_ground_motion(reader, description, in_file, ActionNumbers::factors)
-      : read_force(reader, description, in_file, ActionNumbers::factors);
+      ? read_ground_motion(reader, description, symbols, ActionNumbers::factors)
+      : read_force(reader, description, symbols, ActionNumbers::factors);
 }
 
 void read_constant(TableReader& reader, const std::string& name, model::Description& description,
-                   const NamesInFile& in_file) {
-  const auto action = read_force(reader, description, in_file, ActionNumbers::amplitudes);
+                   const SymbolTable& symbols) {
+  const auto action = read_force(reader, description, symbols, ActionNumbers::amplitudes);
   for (const char* key : {"phase", "delay"})
     if (reader.has(key))
       reader.error(key, std::string("a ") + key, "a constant force has no phase or delay", "remove it");
@@ -75,40 +75,40 @@ const char* key_of_factors(const TableReader& reader) {
   return "force";
 }
 
-void read_excitation(const Node& node, const std::string& name, model::Description& description, NamesInFile& in_file,
+void read_excitation(const Node& node, const std::string& name, model::Description& description, SymbolTable& symbols,
                      foundation::Problems& problems) {
   TableReader reader(node, "excitations." + name, problems);
   reader.required_text("type");
   const auto type = reader.choice("type", types);
-  if (type == "constant") in_file.constant_excitations.push_back(name);
-  else if (type == "random") in_file.random_excitations.push_back(name);
-  else if (type == "time") in_file.time_excitations.push_back(name);
-  else if (type == "orders") in_file.order_excitations.push_back(name);
-  else in_file.harmonic_excitations.push_back(name);  // an unreadable type too: selecting it is not a second problem
-  if (type == "unbalance") in_file.order_excitations.push_back(name);
+  if (type == "constant") symbols.constant_excitations.push_back(name);
+  else if (type == "random") symbols.random_excitations.push_back(name);
+  else if (type == "time") symbols.time_excitations.push_back(name);
+  else if (type == "orders") symbols.order_excitations.push_back(name);
+  else symbols.harmonic_excitations.push_back(name);  // an unreadable type too: selecting it is not a second problem
+  if (type == "unbalance") symbols.order_excitations.push_back(name);
   const auto add = [&](const std::optional<model::Action>& action, model::Course course, double service_speed = 0) {
     if (action) description.excitations.push_back({name, *action, std::move(course), service_speed});
   };
   if (!type) {  // the valid keys depend on the type
-    static_cast<void>(read_place(reader, description, in_file));
+    static_cast<void>(read_place(reader, description, symbols));
     return;
   }
-  if (type == "harmonic") add(read_force(reader, description, in_file, ActionNumbers::amplitudes), model::Harmonic{});
+  if (type == "harmonic") add(read_force(reader, description, symbols, ActionNumbers::amplitudes), model::Harmonic{});
   if (type == "base")
-    add(read_ground_motion(reader, description, in_file, ActionNumbers::amplitudes), model::Harmonic{});
-  if (type == "constant") read_constant(reader, name, description, in_file);
+    add(read_ground_motion(reader, description, symbols, ActionNumbers::amplitudes), model::Harmonic{});
+  if (type == "constant") read_constant(reader, name, description, symbols);
   if (type == "unbalance") {
-    auto action = read_place(reader, description, in_file);
+    auto action = read_place(reader, description, symbols);
     model::Action numbers = action.value_or(model::Action{});
     const double service_speed = read_unbalance(reader, numbers);
     if (action) add(numbers, model::Harmonic{2}, service_speed);
   }
   if (type == "orders") {
-    const auto action = read_place(reader, description, in_file);
+    const auto action = read_place(reader, description, symbols);
     if (auto orders = read_orders(reader)) add(action, std::move(*orders));
   }
   if (type == "random") {
-    const auto action = read_directed(reader, description, in_file);
+    const auto action = read_directed(reader, description, symbols);
     if (action && action->amplitude.isZero(0))
       reader.error(key_of_factors(reader), zero_factors, rule_of_factors, remedy_of_factors);
     auto spectrum = read_spectrum(reader, "psd", action.value_or(model::Action{}));
@@ -116,7 +116,7 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
     if (spectrum) add(action, model::Random{std::move(*spectrum), std::move(partners)});
   }
   if (type == "time") {
-    const auto action = read_directed(reader, description, in_file);
+    const auto action = read_directed(reader, description, symbols);
     if (action && action->amplitude.isZero(0))
       warn_of_idle_key(reader, key_of_factors(reader), zero_factors, rule_of_factors,
                        remedy_of_factors);  // a case may set it to 0
@@ -128,7 +128,7 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
 
 }  // namespace
 
-void read_excitations(TableReader& root, model::Description& description, NamesInFile& in_file) {
+void read_excitations(TableReader& root, model::Description& description, SymbolTable& symbols) {
   description.gravity = root.vector("gravity", Quantity::acceleration);
   description.second_order = root.boolean("second_order").value_or(true);
   if (!description.second_order && !description.gravity && !root.has("cases"))
@@ -138,9 +138,9 @@ void read_excitations(TableReader& root, model::Description& description, NamesI
   const Node* table = root.table("excitations");
   if (!table) return;
   for (std::size_t i = 0; i < table->keys.size(); ++i) {
-    if (table->items[i].kind != Node::Kind::table) in_file.harmonic_excitations.push_back(table->keys[i]);
+    if (table->items[i].kind != Node::Kind::table) symbols.harmonic_excitations.push_back(table->keys[i]);
     if (table->items[i].kind == Node::Kind::table)
-      read_excitation(table->items[i], table->keys[i], description, in_file, root.problems());
+      read_excitation(table->items[i], table->keys[i], description, symbols, root.problems());
     else
       root.problems()
           .error("excitations." + table->keys[i], kind_name(table->items[i].kind), "an excitation is a table",

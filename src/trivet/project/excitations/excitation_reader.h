@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "trivet/project/text/names_in_file.h"
+#include "trivet/project/text/symbol_table.h"
 
 namespace trivet::project {
 
@@ -15,16 +15,16 @@ enum class ActionNumbers { amplitudes, factors };
 
 /// `on`, `at`, `force`, `moment` and `phase` of a force on a body.
 [[nodiscard]] std::optional<model::Action> read_force(TableReader& reader, const model::Description& description,
-                                                      const NamesInFile& in_file, ActionNumbers numbers);
+                                                      const SymbolTable& symbols, ActionNumbers numbers);
 
 /// Only `on` and `at`, of excitations with their own directions.
 [[nodiscard]] std::optional<model::Action> read_place(TableReader& reader, const model::Description& description,
-                                                      const NamesInFile& in_file);
+                                                      const SymbolTable& symbols);
 
 /// `at`, `translation`, `rotation`, `phase`, `delay`, `elements`, `wave` and `quantity` of a moving ground.
 [[nodiscard]] std::optional<model::Action> read_ground_motion(TableReader& reader,
                                                               const model::Description& description,
-                                                              const NamesInFile& in_file, ActionNumbers numbers);
+                                                              const SymbolTable& symbols, ActionNumbers numbers);
 
 /// Quantity of the course of an action with factors: a force, a moment, or a motion.
 [[nodiscard]] Quantity course_quantity(const model::Action& action);
@@ -45,6 +45,6 @@ enum class ActionNumbers { amplitudes, factors };
 double read_unbalance(TableReader& reader, model::Action& action);
 
 /// Reads the table `excitations` into the description and reports its problems.
-void read_excitations(TableReader& root, model::Description& description, NamesInFile& in_file);
+void read_excitations(TableReader& root, model::Description& description, SymbolTable& symbols);
 
 }  // namespace trivet::project

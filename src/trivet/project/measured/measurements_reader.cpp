@@ -33,9 +33,9 @@ struct MatchedFunction {
 /// Reads one table of [measurements].
 class MeasurementTable {
  public:
-  MeasurementTable(TableReader& reader, const model::Description& description, const NamesInFile& in_file,
+  MeasurementTable(TableReader& reader, const model::Description& description, const SymbolTable& symbols,
                    const ResponseRequest& response)
-      : reader_(reader), description_(description), in_file_(in_file), names_(in_file), response_(response) {}
+      : reader_(reader), description_(description), in_file_(symbols), names_(symbols), response_(response) {}
 
   std::optional<Measurement> read(const std::string& name) {
     const std::size_t before = reader_.errors();
@@ -324,27 +324,27 @@ class MeasurementTable {
   }
 
   void check_band(const Measurement& measurement) {
-    const auto asked = band();
-    if (!asked || measurement.curves.empty()) return;
+    const auto request = band();
+    if (!request || measurement.curves.empty()) return;
     double low = foundation::infinity, high = 0;
     for (const MeasuredCurve& curve : measurement.curves)
       for (const double omega : curve.angular_frequency) {
         low = std::min(low, omega), high = std::max(high, omega);
-        if (covers(*asked, omega)) return;
+        if (covers(*request, omega)) return;
       }
     const double hertz = 1 / foundation::two_pi;
-    reader_.error(
-        "file", fmt::format("measured from {:.6g} to {:.6g} Hz", low * hertz, high * hertz),
-        fmt::format("the response has no frequency there: {:.6g} to {:.6g} Hz", asked->from * hertz, asked->to * hertz),
-        "widen the band of analyses.response");
+    reader_.error("file", fmt::format("measured from {:.6g} to {:.6g} Hz", low * hertz, high * hertz),
+                  fmt::format("the response has no frequency there: {:.6g} to {:.6g} Hz", request->from * hertz,
+                              request->to * hertz),
+                  "widen the band of analyses.response");
   }
 
   void check_coherence(const MeasuredCurve& curve) {
     constexpr double poor = 0.5, share = 0.5;
     std::size_t lines = 0, poor_lines = 0;
-    const auto asked = band();
+    const auto request = band();
     for (Eigen::Index i = 0; i < curve.coherence.size(); ++i) {
-      if (asked && !covers(*asked, curve.angular_frequency[i])) continue;
+      if (request && !covers(*request, curve.angular_frequency[i])) continue;
       ++lines;
       poor_lines += curve.coherence(i) < poor;
     }
@@ -392,7 +392,7 @@ class MeasurementTable {
 
   TableReader& reader_;
   const model::Description& description_;
-  const NamesInFile& in_file_;
+  const SymbolTable& in_file_;
   const ResultNames names_;
   const ResponseRequest& response_;
   GivenUnits units_;
@@ -400,7 +400,7 @@ class MeasurementTable {
 
 }  // namespace
 
-void read_measurements(TableReader& root, const model::Description& description, const NamesInFile& in_file,
+void read_measurements(TableReader& root, const model::Description& description, const SymbolTable& symbols,
                        Analyses& analyses) {
   const Node* table = root.table("measurements");
   if (!table) return;
@@ -421,7 +421,7 @@ void read_measurements(TableReader& root, const model::Description& description,
     const Node* node = all.table(name);
     if (!node) continue;
     TableReader reader(*node, "measurements." + name, root.problems());
-    auto measurement = MeasurementTable(reader, description, in_file, *analyses.response).read(name);
+    auto measurement = MeasurementTable(reader, description, symbols, *analyses.response).read(name);
     reader.finish();
     if (measurement) analyses.measurements.push_back(std::make_shared<const Measurement>(std::move(*measurement)));
   }

@@ -96,7 +96,7 @@ std::optional<std::string> outside_range(double value, Quantity quantity) {
 }
 
 std::optional<std::string> wrong_band(double from, double to) {
-  constexpr double narrowest = 1e-9;  // of its upper end: below it, answers do not differ and grids repeat their points
+  constexpr double narrowest = 1e-9;  // of its upper end: below it, results do not differ and grids repeat their points
   constexpr double lowest = 1e-9;     // [rad/s] a turn in 200 years
   if (!(from >= 0 && to > from)) return "[from, to] with 0 ≤ from < to";
   if (to - from < narrowest * to) return fmt::format("its ends differ by {:.0e} of the upper one or more", narrowest);

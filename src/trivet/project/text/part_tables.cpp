@@ -11,8 +11,8 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/model_path.h"
-#include "trivet/project/text/names_in_file.h"
 #include "trivet/project/text/source_file.h"
+#include "trivet/project/text/symbol_table.h"
 #include "trivet/project/text/table_reader.h"
 
 namespace trivet::project {

@@ -10,7 +10,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/accepting_tables.h"
 #include "trivet/project/text/admissible_range.h"
-#include "trivet/project/text/outside_features.h"
+#include "trivet/project/text/unsupported_keys.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::project {
@@ -90,7 +90,7 @@ void TableReader::missing(const std::string& key, const std::string& remedy) {
 }
 
 bool TableReader::has(const std::string& key) const {
-  if (std::ranges::find(asked_, key) == asked_.end()) asked_.push_back(key);
+  if (std::ranges::find(queried_, key) == queried_.end()) queried_.push_back(key);
   return table_.find(key) != nullptr;
 }
 
@@ -318,7 +318,7 @@ std::optional<std::string> TableReader::choice(const std::string& key, const std
 
 void TableReader::finish() {
   std::vector<std::string> named = known_;
-  for (const std::string& key : asked_)
+  for (const std::string& key : queried_)
     if (std::ranges::find(known_, key) == known_.end()) named.push_back(key);
   for (std::size_t i = 0; i < table_.keys.size(); ++i) {
     const std::string& key = table_.keys[i];
@@ -326,7 +326,7 @@ void TableReader::finish() {
     const std::string guess = foundation::nearest_name(key, named);
     const std::string short_key = foundation::shortened(key);
     const std::string where = path_.empty() ? short_key : path_ + "." + short_key;
-    if (const auto outside = outside_feature(path_, key)) {
+    if (const auto outside = unsupported_key(path_, key)) {
       error_at(table_.items[i], where, value_text(table_.items[i]), outside->rule, outside->remedy);
       continue;
     }

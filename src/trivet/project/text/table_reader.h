@@ -80,7 +80,7 @@ class TableReader {
   std::string path_;
   foundation::Problems& problems_;
   std::vector<std::string> known_;
-  mutable std::vector<std::string> asked_;  ///< those of `has`, for messages: some are read only where they are given
+  mutable std::vector<std::string> queried_;  ///< those of `has`, for messages: some are read only where they are given
 };
 
 }  // namespace trivet::project

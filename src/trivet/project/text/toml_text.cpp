@@ -8,7 +8,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "trivet/project/text/names_in_file.h"
+#include "trivet/project/text/symbol_table.h"
 
 namespace trivet::project {
 namespace {

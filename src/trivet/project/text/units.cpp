@@ -391,7 +391,7 @@ std::string printed_si_unit(Quantity quantity) {
 namespace {
 
 /// Factor of a usual unit, the same as that of the database; 0 for others. Reading the database takes longer than all
-/// else that a small question needs.
+/// else that a small analysis needs.
 double usual_factor(std::string_view unit, std::string_view si) {
   struct Usual {
     std::string_view unit, si;
@@ -438,7 +438,7 @@ tl::expected<double, std::string> converted(std::string_view text, const std::st
   if (unit_text.starts_with(',')) return tl::make_unexpected("write a decimal point, not a comma");
   if (!is_plain_unit(unit_text)) return tl::make_unexpected(foundation::quoted(unit_text) + " is not a unit");
   if (unit_text == "g" && expected == si_unit(Quantity::acceleration)) return value * standard_gravity;
-  if (unit_text == expected) return value;  // SI needs no database; reading it takes longer than a small question
+  if (unit_text == expected) return value;  // SI needs no database; reading it takes longer than a small analysis
   if (const double factor = usual_factor(unit_text, expected); factor > 0) return value * factor;
   const Conversion found = conversion(std::string(unit_text), expected);
   if (!found.converter) return tl::make_unexpected(found.reason);

@@ -40,11 +40,11 @@ struct Extent {
   }
 };
 
-Extent extent(const study::ResponseAnswer& answer, const std::vector<GroupedCurve>& series) {
+Extent extent(const study::ResponseResult& result, const std::vector<GroupedCurve>& series) {
   constexpr double invisible = 1e-5;  // of the largest amplitude
   std::vector<double> all;
   for (const GroupedCurve& s : series)
-    for (const auto& value : answer.curves.curves[s.curve].value)
+    for (const auto& value : result.curves.curves[s.curve].value)
       if (std::isfinite(std::abs(value))) all.push_back(std::abs(value));
   if (all.empty()) return {};
   std::ranges::sort(all);
@@ -68,7 +68,7 @@ std::vector<Tick> amplitude_ticks(const Panel& panel, int wanted) {
 /// Frame and ticks. The frequency axis has the unit of the display; the panel has rad/s.
 /// @param with_x_label  name the frequency axis
 void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks,
-                      const project::ShownUnits& display, bool with_x_label, const std::string& y_label) {
+                      const project::DisplayUnits& display, bool with_x_label, const std::string& y_label) {
   const double unit = results::shown_frequency(display, 1, "rad/s");
   const std::string x_label = with_x_label ? results::frequency_heading(display, "rad/s") : "";
   const int wanted = std::max(3, static_cast<int>(p.width / 70));
@@ -121,26 +121,26 @@ std::vector<std::vector<PixelPoint>> pieces_of_curve(const Panel& p, const std::
   return pieces;
 }
 
-void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& answers,
+void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::CaseResults& results,
                      const std::vector<GroupedCurve>& series, double factor) {
-  const auto& omega = answers.response->curves.angular_frequency;
+  const auto& omega = results.response->curves.angular_frequency;
   for (std::size_t i = 0; i < series.size(); ++i) {
-    const auto& values = answers.response->curves.curves[series[i].curve].value;
+    const auto& values = results.response->curves.curves[series[i].curve].value;
     for (const auto& piece : pieces_of_curve(p, omega, factor * values.cwiseAbs()))
       canvas.polyline(piece, series_stroke(i));
-    if (!answers.peaks) continue;
-    for (const response::Peak& peak : answers.peaks->peaks.list) {
+    if (!results.peaks) continue;
+    for (const response::Peak& peak : results.peaks->peaks.list) {
       const bool mine =
-          answers.peaks->peaks.curves[peak.curve].name == answers.response->curves.curves[series[i].curve].name;
+          results.peaks->peaks.curves[peak.curve].name == results.response->curves.curves[series[i].curve].name;
       if (mine && peak.angular_frequency >= p.x_from && peak.angular_frequency <= p.x_to &&
           factor * peak.amplitude <= p.y_to && factor * peak.amplitude >= p.y_from)
         canvas.circle(p.at(peak.angular_frequency, factor * peak.amplitude), 3,
                       fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", series_colour(i)));
     }
   }
-  for (const study::LimitAnswer& limit : answers.limits)
+  for (const study::LimitResult& limit : results.limits)
     for (std::size_t i = 0; i < series.size(); ++i)
-      if (limit.name == answers.response->curves.curves[series[i].curve].name && factor * limit.limit <= p.y_to &&
+      if (limit.name == results.response->curves.curves[series[i].curve].name && factor * limit.limit <= p.y_to &&
           factor * limit.limit >= p.y_from) {
         canvas.line(p.at(p.x_from, factor * limit.limit), p.at(p.x_to, factor * limit.limit),
                     "stroke=\"#b00020\" stroke-width=\"1.2\" stroke-dasharray=\"10,4\"");
@@ -150,11 +150,11 @@ void draw_amplitudes(SvgCanvas& canvas, const Panel& p, const study::Answers& an
       }
 }
 
-void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answers,
+void draw_phases(SvgCanvas& canvas, const Panel& p, const study::CaseResults& results,
                  const std::vector<GroupedCurve>& series) {
-  const auto& omega = answers.response->curves.angular_frequency;
+  const auto& omega = results.response->curves.angular_frequency;
   for (std::size_t i = 0; i < series.size(); ++i) {
-    const Eigen::VectorXd& phase = answers.response->phase[series[i].curve];
+    const Eigen::VectorXd& phase = results.response->phase[series[i].curve];
     std::vector<PixelPoint> points;
     double last = 0;
     for (std::size_t k = 0; k < omega.size(); ++k) {
@@ -171,10 +171,10 @@ void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answer
   }
 }
 
-std::pair<double, double> phase_range(const study::Answers& answers, const std::vector<GroupedCurve>& series) {
+std::pair<double, double> phase_range(const study::CaseResults& results, const std::vector<GroupedCurve>& series) {
   double low = -180, high = 180;
   for (const GroupedCurve& s : series)
-    for (const double phase : answers.response->phase[s.curve])
+    for (const double phase : results.response->phase[s.curve])
       if (std::isfinite(phase)) {
         low = std::min(low, std::floor(phase * 180 / std::numbers::pi / 90 + 1e-9) * 90);
         high = std::max(high, std::ceil(phase * 180 / std::numbers::pi / 90 - 1e-9) * 90);
@@ -182,29 +182,30 @@ std::pair<double, double> phase_range(const study::Answers& answers, const std::
   return {low, high};
 }
 
-std::string quantity_of(const study::ResponseAnswer& answer, const std::vector<GroupedCurve>& series) {
-  return quantity_name(answer.curves.curves[series.front().curve].unit);
+std::string quantity_of(const study::ResponseResult& result, const std::vector<GroupedCurve>& series) {
+  return quantity_name(result.curves.curves[series.front().curve].unit);
 }
 
-UnitPrefix amplitude_prefix(double largest, const study::Answers& answers, const std::vector<GroupedCurve>& series) {
-  const std::string& unit = answers.response->curves.curves[series.front().curve].unit;
-  return unit_prefix(largest, results::amplitude_unit(answers.display, unit));
+UnitPrefix amplitude_prefix(double largest, const study::CaseResults& results,
+                            const std::vector<GroupedCurve>& series) {
+  const std::string& unit = results.response->curves.curves[series.front().curve].unit;
+  return unit_prefix(largest, results::amplitude_unit(results.display, unit));
 }
 
-bool is_drawable(const study::Answers& answers) {
-  return answers.response && answers.response->curves.angular_frequency.size() >= 2;
+bool is_drawable(const study::CaseResults& results) {
+  return results.response && results.response->curves.angular_frequency.size() >= 2;
 }
 
 /// The case with the same curves as the base model (for example the first of a series), if there is one.
-const study::Answers* repeating_case(const std::vector<study::Answers>& cases) {
+const study::CaseResults* repeating_case(const std::vector<study::CaseResults>& cases) {
   const auto base = std::ranges::find_if(
-      cases, [](const study::Answers& answers) { return answers.case_name.empty() && is_drawable(answers); });
+      cases, [](const study::CaseResults& results) { return results.case_name.empty() && is_drawable(results); });
   if (base == cases.end()) return nullptr;
   const auto same = [](const response::Curve& a, const response::Curve& b) {
     return a.name == b.name && a.value.size() == b.value.size() && a.value == b.value;
   };
   const auto& curves = base->response->curves.curves;
-  const auto found = std::ranges::find_if(cases, [&](const study::Answers& other) {
+  const auto found = std::ranges::find_if(cases, [&](const study::CaseResults& other) {
     if (&other == &*base || !is_drawable(other) ||
         other.response->curves.angular_frequency != base->response->curves.angular_frequency)
       return false;
@@ -214,32 +215,32 @@ const study::Answers* repeating_case(const std::vector<study::Answers>& cases) {
   return found == cases.end() ? nullptr : &*found;
 }
 
-Figure group_figure(const study::Answers& answers, const CurveGroup& group) {
-  const study::ResponseAnswer& answer = *answers.response;
+Figure group_figure(const study::CaseResults& results, const CurveGroup& group) {
+  const study::ResponseResult& result = *results.response;
   const double row_height = 200, panel_width = 400;
   std::vector<const std::vector<GroupedCurve>*> rows;
   for (const auto* series : {&group.upper, &group.lower})
     if (!series->empty()) rows.push_back(series);
   const double height = 46 + static_cast<double>(rows.size()) * (row_height + 52);
   SvgCanvas canvas(980, height);
-  const std::string title = group.name + (answers.case_name.empty() ? "" : ", " + answers.case_name);
+  const std::string title = group.name + (results.case_name.empty() ? "" : ", " + results.case_name);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const std::vector<GroupedCurve>& series = *rows[r];
     const double top = 40 + static_cast<double>(r) * (row_height + 52);
-    const Extent range = extent(answer, series);
-    const UnitPrefix unit = amplitude_prefix(range.largest, answers, series);
-    Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, 1};
+    const Extent range = extent(result, series);
+    const UnitPrefix unit = amplitude_prefix(range.largest, results, series);
+    Panel amplitude{66, top, panel_width, row_height, result.band.from, result.band.to, 0, 1};
     set_amplitude_axis(amplitude, range, unit.factor);
     draw_curve_frame(
-        canvas, amplitude, amplitude_ticks(amplitude, 5), answers.display, true,
-        fmt::format("{} [{}]{}", quantity_of(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
-    draw_amplitudes(canvas, amplitude, answers, series, unit.factor);
+        canvas, amplitude, amplitude_ticks(amplitude, 5), results.display, true,
+        fmt::format("{} [{}]{}", quantity_of(result, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
+    draw_amplitudes(canvas, amplitude, results, series, unit.factor);
     draw_legend(canvas, amplitude, series);
-    const auto [low, high] = phase_range(answers, series);
-    const Panel phase{556, top, panel_width, row_height, answer.band.from, answer.band.to, low, high};
-    draw_curve_frame(canvas, phase, angle_ticks(low, high), answers.display, true, "phase [°]");
-    draw_phases(canvas, phase, answers, series);
+    const auto [low, high] = phase_range(results, series);
+    const Panel phase{556, top, panel_width, row_height, result.band.from, result.band.to, low, high};
+    draw_curve_frame(canvas, phase, angle_ticks(low, high), results.display, true, "phase [°]");
+    draw_phases(canvas, phase, results, series);
   }
   return {title, file_part(group.name) + ".svg", canvas.svg("Amplitude and phase of " + title)};
 }
@@ -250,65 +251,65 @@ std::string Figure::html() const {
   return strips.empty() ? svg : std::accumulate(strips.begin(), strips.end(), std::string());
 }
 
-std::vector<Figure> characteristics(const study::Answers& answers) {
+std::vector<Figure> characteristics(const study::CaseResults& results) {
   std::vector<Figure> result;
-  if (!is_drawable(answers)) return result;
-  for (const CurveGroup& group : curve_groups(curve_names(answers.response->curves.curves))) {
-    result.push_back(group_figure(answers, group));
+  if (!is_drawable(results)) return result;
+  for (const CurveGroup& group : curve_groups(curve_names(results.response->curves.curves))) {
+    result.push_back(group_figure(results, group));
     // Numbered, because different names may give the same safe file name.
     result.back().file_name = fmt::format("{:02}-{}", result.size(), result.back().file_name);
   }
   return result;
 }
 
-Figure overview(const std::string& title, const std::vector<study::Answers>& cases) {
+Figure overview(const std::string& title, const std::vector<study::CaseResults>& cases) {
   constexpr std::size_t columns = 3, most_cases = 12;
   const double width = 270, height = 120, column_pitch = 335, pitch_of_two_panels = 2 * height + 110;
-  const study::Answers* const as_base = repeating_case(cases);
-  std::vector<const study::Answers*> shown;
-  for (const study::Answers& answers : cases)
-    if (is_drawable(answers) && shown.size() < most_cases && !(answers.case_name.empty() && as_base))
-      shown.push_back(&answers);
+  const study::CaseResults* const as_base = repeating_case(cases);
+  std::vector<const study::CaseResults*> shown;
+  for (const study::CaseResults& results : cases)
+    if (is_drawable(results) && shown.size() < most_cases && !(results.case_name.empty() && as_base))
+      shown.push_back(&results);
   const std::size_t used_columns = std::max<std::size_t>(1, std::min(columns, shown.size()));
   const std::size_t rows = (shown.size() + columns - 1) / columns;
   const double canvas_width =
       std::max(30 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
-  const bool one_panel_each = std::ranges::all_of(shown, [](const study::Answers* answers) {
-    return curve_groups(curve_names(answers->response->curves.curves)).front().lower.empty();
+  const bool one_panel_each = std::ranges::all_of(shown, [](const study::CaseResults* results) {
+    return curve_groups(curve_names(results->response->curves.curves)).front().lower.empty();
   });
   const double row_pitch = one_panel_each ? pitch_of_two_panels - (height + 28) : pitch_of_two_panels;
   SvgCanvas canvas(canvas_width, 44 + row_pitch * static_cast<double>(rows));
   canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
   // One scale for all, so that the cases can be compared.
   std::array<Extent, 2> ranges;
-  for (const study::Answers* answers : shown) {
-    const CurveGroup group = curve_groups(curve_names(answers->response->curves.curves)).front();
-    ranges[0].include(extent(*answers->response, group.upper));
-    ranges[1].include(extent(*answers->response, group.lower));
+  for (const study::CaseResults* results : shown) {
+    const CurveGroup group = curve_groups(curve_names(results->response->curves.curves)).front();
+    ranges[0].include(extent(*results->response, group.upper));
+    ranges[1].include(extent(*results->response, group.lower));
   }
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    const study::Answers& answers = *shown[i];
-    const CurveGroup group = curve_groups(curve_names(answers.response->curves.curves)).front();
+    const study::CaseResults& results = *shown[i];
+    const CurveGroup group = curve_groups(curve_names(results.response->curves.curves)).front();
     const std::size_t row = i / columns, column = i % columns;
     if (row > 0 && column == 0) canvas.permit_break(44 + row_pitch * static_cast<double>(row));
     const double left = 68 + column_pitch * static_cast<double>(column),
                  top = 66 + row_pitch * static_cast<double>(row);
     canvas.text({left + width / 2, top - 8},
-                (answers.case_name.empty() ? "Base model" : answers.case_name) +
-                    (&answers == as_base ? " = base model: " : ": ") + group.name,
+                (results.case_name.empty() ? "Base model" : results.case_name) +
+                    (&results == as_base ? " = base model: " : ": ") + group.name,
                 "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
       const Extent& range = ranges[part];
-      const UnitPrefix unit = amplitude_prefix(range.largest, answers, *series);
+      const UnitPrefix unit = amplitude_prefix(range.largest, results, *series);
       Panel panel{
-          left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0,
+          left, top + part * (height + 28), width, height, results.response->band.from, results.response->band.to, 0,
           1};
       set_amplitude_axis(panel, range, unit.factor);
-      draw_curve_frame(canvas, panel, amplitude_ticks(panel, 4), answers.display, part == 1 || group.lower.empty(),
-                       fmt::format("{} [{}]{}", quantity_of(*answers.response, *series), unit.unit,
+      draw_curve_frame(canvas, panel, amplitude_ticks(panel, 4), results.display, part == 1 || group.lower.empty(),
+                       fmt::format("{} [{}]{}", quantity_of(*results.response, *series), unit.unit,
                                    panel.logarithmic ? ", log" : ""));
-      draw_amplitudes(canvas, panel, answers, *series, unit.factor);
+      draw_amplitudes(canvas, panel, results, *series, unit.factor);
       draw_legend(canvas, panel, *series);
     }
   }

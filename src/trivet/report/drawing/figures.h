@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::report {
 
@@ -21,9 +21,9 @@ struct Figure {
 
 /// Characteristics of one case, one figure per body, point or element: translations (or forces) above, rotations (or
 /// moments) below, amplitude left and phase right, peaks marked, limits as lines.
-[[nodiscard]] std::vector<Figure> characteristics(const study::Answers& answers);
+[[nodiscard]] std::vector<Figure> characteristics(const study::CaseResults& results);
 
 /// All cases in small panels side by side: translations above, rotations below, for the first group of curves.
-[[nodiscard]] Figure overview(const std::string& title, const std::vector<study::Answers>& cases);
+[[nodiscard]] Figure overview(const std::string& title, const std::vector<study::CaseResults>& cases);
 
 }  // namespace trivet::report

@@ -6,10 +6,10 @@
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/modes/backbone.h"
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/in_documents.h"
+#include "trivet/report/drawing/result_figures.h"
 
 /// Nonlinear modes.
 namespace trivet::report {
@@ -20,8 +20,8 @@ using nonlinear::BackbonePoint;
 
 constexpr std::size_t most_mode_figures = 24;
 
-const std::vector<Backbone>* modes_in(const study::Answers& answers) {
-  const auto* modes = answers.find<std::vector<Backbone>>("backbone");
+const std::vector<Backbone>* modes_in(const study::CaseResults& results) {
+  const auto* modes = results.find<std::vector<Backbone>>("backbone");
   return modes && !modes->empty() ? modes : nullptr;
 }
 
@@ -29,7 +29,7 @@ double half_of_range(const BackbonePoint& point, std::size_t result) { return po
 
 /// Rows of one result: its range over frequency and, if there is one, the damping ratio over its range.
 std::vector<PanelRow> mode_rows(const std::vector<Backbone>& modes, std::size_t result,
-                                const project::ShownUnits& display, double largest) {
+                                const project::DisplayUnits& display, double largest) {
   const UnitPrefix unit = unit_prefix(largest, results::display_unit(display, modes.front().units[result]));
   PanelRow ranges, damping;
   double low = 0, high = 0, highest_ratio = 0;
@@ -63,8 +63,8 @@ std::vector<PanelRow> mode_rows(const std::vector<Backbone>& modes, std::size_t 
 
 }  // namespace
 
-std::vector<Figure> backbone_figures(const study::Answers& answers) {
-  const std::vector<Backbone>* modes = modes_in(answers);
+std::vector<Figure> backbone_figures(const study::CaseResults& results) {
+  const std::vector<Backbone>* modes = modes_in(results);
   if (!modes) return {};
   std::vector<Figure> figures;
   const Backbone& first = modes->front();
@@ -78,9 +78,9 @@ std::vector<Figure> backbone_figures(const study::Answers& answers) {
       }
     constexpr double invisible = 1e-6;  // of the largest of its unit
     if (!(largest > invisible * of_unit)) continue;
-    figures.push_back(stacked_rows(case_title("Nonlinear modes in " + first.results[c], answers),
+    figures.push_back(stacked_rows(case_title("Nonlinear modes in " + first.results[c], results),
                                    "backbone-" + file_part(first.results[c]) + ".svg",
-                                   mode_rows(*modes, c, answers.display, largest)));
+                                   mode_rows(*modes, c, results.display, largest)));
   }
   return figures;
 }

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/plot_panel.h"
+#include "trivet/report/drawing/result_figures.h"
 #include "trivet/study/analyses/analysis_results.h"
 
 namespace trivet::report {
@@ -88,8 +88,8 @@ void draw_campbell_key(SvgCanvas& canvas, PixelPoint at) {
 
 }  // namespace
 
-std::vector<Figure> campbell_figures(const study::Answers& answers) {
-  const auto* orders = answers.find<study::OrdersResult>("orders");
+std::vector<Figure> campbell_figures(const study::CaseResults& results) {
+  const auto* orders = results.find<study::OrdersResult>("orders");
   if (!orders || orders->campbell.orders.empty()) return {};
   const response::Campbell& campbell = orders->campbell;
   const PlotPanel panel{
@@ -98,7 +98,7 @@ std::vector<Figure> campbell_figures(const study::Answers& answers) {
       420,
       {campbell.speed.from * rpm_per_rad_s, campbell.speed.to * rpm_per_rad_s, false, "shaft speed [rpm]"},
       {0, top_hertz(campbell), false, "frequency [Hz]"}};
-  const std::string title = case_title("Campbell diagram", answers);
+  const std::string title = case_title("Campbell diagram", results);
   SvgCanvas canvas(980, 564);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   draw_frame(canvas, panel);

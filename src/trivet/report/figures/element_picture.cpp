@@ -21,7 +21,7 @@ namespace trivet::report {
 using nonlinear::AmplitudeStiffness;
 
 void draw_amplitude_stiffness(SvgCanvas& canvas, PixelPoint corner, const std::vector<AmplitudeStiffness>& curves,
-                              const project::ShownUnits& display) {
+                              const project::DisplayUnits& display) {
   constexpr double left = 90, top = 40, width = 640, height = 210, between = 60;
   double largest = 0, from = foundation::infinity, to = 0;
   for (const AmplitudeStiffness& one : curves) {
@@ -64,7 +64,7 @@ void draw_amplitude_stiffness(SvgCanvas& canvas, PixelPoint corner, const std::v
 }
 
 void draw_law_loops(SvgCanvas& canvas, PixelPoint corner, const study::ElementLaws& laws,
-                    const project::ShownUnits& display) {
+                    const project::DisplayUnits& display) {
   constexpr double left = 90, top = 40, width = 640, height = 230;
   const bool turns = laws.turns;
   double low_x = 0, high_x = 0, low_y = 0, high_y = 0;

@@ -8,7 +8,7 @@
 #include "trivet/model/system.h"
 #include "trivet/nonlinear/branch/stiffness_over_amplitude.h"
 #include "trivet/project/project.h"
-#include "trivet/project/text/shown_units.h"
+#include "trivet/project/text/display_units.h"
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/study/explain/element_summary.h"
 
@@ -19,13 +19,13 @@ inline constexpr double amplitude_stiffness_plot_height = 600;  ///< [pixels], w
 /// Draws magnitude and loss angle of the dynamic stiffness over the frequency, one colour for each amplitude.
 void draw_amplitude_stiffness(SvgCanvas& canvas, PixelPoint corner,
                               const std::vector<nonlinear::AmplitudeStiffness>& curves,
-                              const project::ShownUnits& display);
+                              const project::DisplayUnits& display);
 
 inline constexpr double law_loop_plot_height = 330;  ///< [pixels], width 980
 
 /// Draws closed loops of force over deflection at several amplitudes, one colour each.
 void draw_law_loops(SvgCanvas& canvas, PixelPoint corner, const study::ElementLaws& laws,
-                    const project::ShownUnits& display);
+                    const project::DisplayUnits& display);
 
 /// Height [pixels], with width 980; outliers are listed below the plot.
 [[nodiscard]] double residual_plot_height(const std::vector<model::Residual>& residuals);

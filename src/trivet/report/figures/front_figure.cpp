@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/axis_ticks.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/result_figures.h"
 
 namespace trivet::report {
 namespace {
@@ -74,9 +74,9 @@ Figure front_figure(const study::DesignFront& front, const std::string& title) {
   return {title, "front.svg", canvas.svg("front between two results")};
 }
 
-std::vector<Figure> front_figures(const study::Answers& answers) {
-  if (!answers.front || answers.front->objectives.size() != 2) return {};
-  return {front_figure(*answers.front, case_title("Front", answers))};
+std::vector<Figure> front_figures(const study::CaseResults& results) {
+  if (!results.front || results.front->objectives.size() != 2) return {};
+  return {front_figure(*results.front, case_title("Front", results))};
 }
 
 }  // namespace trivet::report

@@ -7,10 +7,10 @@
 #include <numbers>
 
 #include "trivet/documents/shown_numbers.h"
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/in_documents.h"
+#include "trivet/report/drawing/result_figures.h"
 
 /// Measured curves over the computed ones.
 namespace trivet::report {
@@ -25,12 +25,12 @@ constexpr const char* measured_stroke =
     "stroke-dasharray=\"0.1,4\"";
 
 /// The computed curve as the response draws it, or at the measured frequencies.
-response::Curve computed_curve(const study::Answers& answers, const MeasurementComparison& measurement,
+response::Curve computed_curve(const study::CaseResults& results, const MeasurementComparison& measurement,
                                const ChannelComparison& channel, std::vector<double>& omega) {
   if (measurement.of_response)
-    for (const response::Curve& curve : answers.response->curves.curves)
+    for (const response::Curve& curve : results.response->curves.curves)
       if (curve.name == channel.result && curve.unit == channel.unit) {
-        omega = answers.response->curves.angular_frequency;
+        omega = results.response->curves.angular_frequency;
         return curve;
       }
   omega = channel.angular_frequency;
@@ -58,19 +58,19 @@ PanelCurve phases(std::string key, std::string stroke, const std::vector<double>
   return curve;
 }
 
-Figure channel_figure(const study::Answers& answers, const MeasurementComparison& measurement,
+Figure channel_figure(const study::CaseResults& results, const MeasurementComparison& measurement,
                       const ChannelComparison& channel) {
   constexpr double invisible = 1e-4;  // of the highest value
   std::vector<double> computed_at;
-  const response::Curve computed = computed_curve(answers, measurement, channel, computed_at);
+  const response::Curve computed = computed_curve(results, measurement, channel, computed_at);
   const auto shown = [&](const std::vector<double>& omega) {
     std::vector<double> list;
-    for (const double w : omega) list.push_back(results::shown_frequency(answers.display, w));
+    for (const double w : omega) list.push_back(results::shown_frequency(results.display, w));
     return list;
   };
   const std::vector<double> x = shown(channel.angular_frequency), computed_x = shown(computed_at);
   const UnitPrefix unit =
-      unit_prefix(channel.measured.cwiseAbs().maxCoeff(), results::amplitude_unit(answers.display, channel.unit));
+      unit_prefix(channel.measured.cwiseAbs().maxCoeff(), results::amplitude_unit(results.display, channel.unit));
   const std::string measured_key = "measured " + measurement.name, computed_key = "computed " + channel.result;
   PanelRow amplitude, phase;
   amplitude.curves = {amplitudes(computed_key, series_stroke(0), computed_x, computed.value, unit.factor),
@@ -78,26 +78,26 @@ Figure channel_figure(const study::Answers& answers, const MeasurementComparison
   amplitude.curves[1].key.push_back(fmt::format("FRAC {:.3f}, {:.2f} dB rms", channel.assurance, channel.rms_db));
   for (const PeakDifference& peak : channel.peaks)
     amplitude.marks.push_back(
-        {results::shown_frequency(answers.display, peak.angular_frequency), unit.factor * peak.amplitude, "#222",
+        {results::shown_frequency(results.display, peak.angular_frequency), unit.factor * peak.amplitude, "#222",
          peak.computed ? fmt::format("{:+.1f} %", 100 * peak.frequency_difference()) : "– (no computed peak)"});
   phase.curves = {phases(computed_key, series_stroke(0), computed_x, computed.value),
                   phases(measured_key, measured_stroke, x, channel.measured)};
-  amplitude.x = phase.x = {x.front(), x.back(), false, results::frequency_heading(answers.display)};
+  amplitude.x = phase.x = {x.front(), x.back(), false, results::frequency_heading(results.display)};
   amplitude.y =
       logarithmic_axis(amplitude.curves, invisible, fmt::format("{} [{}]", quantity_name(channel.unit), unit.unit));
   phase.y = {-180, 180, false, "phase [°]"};
-  const std::string title = case_title(channel.result + " and measurement " + measurement.name, answers);
+  const std::string title = case_title(channel.result + " and measurement " + measurement.name, results);
   return stacked_rows(title, "measured-" + file_part(channel.result) + ".svg", {amplitude, phase});
 }
 
 }  // namespace
 
-std::vector<Figure> measurement_figures(const study::Answers& answers) {
+std::vector<Figure> measurement_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
-  for (const MeasurementComparison& measurement : answers.measurements)
+  for (const MeasurementComparison& measurement : results.measurements)
     for (const ChannelComparison& channel : measurement.channels)
       if (channel.angular_frequency.size() >= 2 && !channel.vanishes)
-        figures.push_back(channel_figure(answers, measurement, channel));
+        figures.push_back(channel_figure(results, measurement, channel));
   return figures;
 }
 

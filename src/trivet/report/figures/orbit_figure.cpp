@@ -8,10 +8,10 @@
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/in_documents.h"
+#include "trivet/report/drawing/result_figures.h"
 #include "trivet/results/format/axis_words.h"
 
 /// Paths of bodies and points over one period.
@@ -53,7 +53,7 @@ double half_of_range(const SteadyPoint& point, const CurveGroup& group) {
 /// The stable motion of the period of the excitation with the largest range of the group, and those before and after
 /// the jumps of the connected curve.
 std::vector<ShownMotion> shown_motions(const SteadyBranch& branch, const CurveGroup& group,
-                                       const project::ShownUnits& display) {
+                                       const project::DisplayUnits& display) {
   constexpr std::size_t most = 7;
   std::vector<ShownMotion> shown;
   const auto show = [&](const SteadyPoint& point, const char* words) {
@@ -120,14 +120,14 @@ void draw_plane(SvgCanvas& canvas, double left, const Axis& x_axis, const Axis& 
 }
 
 /// Two or three translations: their planes, all to one scale. One alone: its rate over it.
-Figure orbit_figure(const CurveGroup& group, const std::vector<ShownMotion>& shown, const study::Answers& answers) {
+Figure orbit_figure(const CurveGroup& group, const std::vector<ShownMotion>& shown, const study::CaseResults& results) {
   double largest = 0;
   for (const GroupedCurve& one : group.upper)
     for (const ShownMotion& motion : shown) {
       const ObservedMotion& there = motion.point->results[one.curve];
       largest = std::max({largest, there.largest, -there.smallest});
     }
-  const UnitPrefix unit = unit_prefix(largest, results::display_unit(answers.display, "m"));
+  const UnitPrefix unit = unit_prefix(largest, results::display_unit(results.display, "m"));
   std::vector<Coordinate> coordinates;
   for (const GroupedCurve& one : group.upper) {
     std::vector<std::vector<double>> courses;
@@ -150,7 +150,7 @@ Figure orbit_figure(const CurveGroup& group, const std::vector<ShownMotion>& sho
   const double height =
       panel_top + panel_size + below_orbits + (has_one_panel ? 0 : orbit_key_line * static_cast<double>(shown.size()));
   SvgCanvas canvas(figure_width, height);
-  const std::string title = case_title((alone ? "Motion of " : "Path of ") + group.name + " over one period", answers);
+  const std::string title = case_title((alone ? "Motion of " : "Path of ") + group.name + " over one period", results);
   canvas.text({figure_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   double left = first_left;
   for (const auto& [x, y] : {std::array<std::size_t, 2>{0, 1}, {0, 2}, {1, 2}}) {
@@ -170,10 +170,10 @@ Figure orbit_figure(const CurveGroup& group, const std::vector<ShownMotion>& sho
 
 }  // namespace
 
-std::vector<Figure> orbit_figures(const study::Answers& answers) {
+std::vector<Figure> orbit_figures(const study::CaseResults& results) {
   constexpr std::size_t most = 12;
   constexpr double round_off = 1e-9;  // of the largest motion: such a body rests
-  const auto* branch = answers.find<SteadyBranch>("steady");
+  const auto* branch = results.find<SteadyBranch>("steady");
   std::vector<Figure> figures;
   if (!branch) return figures;
   double largest_of_all = 0;
@@ -185,10 +185,10 @@ std::vector<Figure> orbit_figures(const study::Answers& answers) {
   for (const CurveGroup& group : curve_groups(names)) {
     const auto is_motion = [&](const GroupedCurve& one) { return branch->units[one.curve] == "m"; };
     if (figures.size() == most || group.upper.empty() || !std::ranges::all_of(group.upper, is_motion)) continue;
-    const std::vector<ShownMotion> shown = shown_motions(*branch, group, answers.display);
+    const std::vector<ShownMotion> shown = shown_motions(*branch, group, results.display);
     double largest = 0;
     for (const ShownMotion& motion : shown) largest = std::max(largest, half_of_range(*motion.point, group));
-    if (largest > round_off * largest_of_all) figures.push_back(orbit_figure(group, shown, answers));
+    if (largest > round_off * largest_of_all) figures.push_back(orbit_figure(group, shown, results));
   }
   return figures;
 }

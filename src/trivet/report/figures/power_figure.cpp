@@ -6,8 +6,8 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/result_figures.h"
 #include "trivet/response/machinery/power.h"
 
 namespace trivet::report {
@@ -74,20 +74,20 @@ PanelRow mount_row(const response::PowerFlow& power, const std::vector<std::size
 
 }  // namespace
 
-std::vector<Figure> power_figures(const study::Answers& answers) {
-  const auto* found = answers.find<response::PowerFlow>("power");
+std::vector<Figure> power_figures(const study::CaseResults& results) {
+  const auto* found = results.find<response::PowerFlow>("power");
   if (!found || found->angular_frequency.size() < 3 || found->mounts.empty() || !flows(*found)) return {};
   const response::PowerFlow& power = *found;
   std::vector<double> hertz;
-  for (const double omega : power.angular_frequency) hertz.push_back(results::shown_frequency(answers.display, omega));
+  for (const double omega : power.angular_frequency) hertz.push_back(results::shown_frequency(results.display, omega));
   const UnitPrefix unit = unit_prefix(highest_finite(power.into_ground_in_total.cwiseAbs()), "W");
   const std::vector<std::size_t> mounts = mounts_with_power(power);
   std::vector<PanelRow> rows = {total_row(power, hertz, unit)};
   if (mounts.size() == 1) rows.front().curves.front().key = {"all through " + power.mounts[mounts.front()]};
   else rows.push_back(mount_row(power, mounts, hertz, unit));
   const double lowest = hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back());
-  for (PanelRow& row : rows) row.x = {lowest, hertz.back(), true, results::frequency_heading(answers.display)};
-  const std::string title = case_title("Power into the ground", answers);
+  for (PanelRow& row : rows) row.x = {lowest, hertz.back(), true, results::frequency_heading(results.display)};
+  const std::string title = case_title("Power into the ground", results);
   return {stacked_rows(title, "power-ground.svg", rows)};
 }
 

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/result_figures.h"
 #include "trivet/study/analyses/analysis_results.h"
 
 namespace trivet::report {
@@ -53,7 +53,7 @@ Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
 }
 
 PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, std::size_t curve,
-                       const project::ShownUnits& display) {
+                       const project::DisplayUnits& display) {
   const response::Overall& overall = run_up.overall[curve];
   const UnitPrefix unit = unit_prefix(highest_finite(overall.rms), results::display_unit(display, overall.unit));
   const double to_level = project::level_factor(display.level);
@@ -89,7 +89,7 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
 
 /// Panels for the amplitudes of a group, except those below 1e-6 of the largest of the same unit.
 std::vector<PanelRow> amplitude_rows(const response::RunUp& run_up, const std::vector<GroupedCurve>& series,
-                                     const project::ShownUnits& display) {
+                                     const project::DisplayUnits& display) {
   constexpr double negligible = 1e-6;
   const auto height = [&](const GroupedCurve& s) { return highest_finite(run_up.overall[s.curve].rms); };
   double largest = 0;
@@ -102,16 +102,16 @@ std::vector<PanelRow> amplitude_rows(const response::RunUp& run_up, const std::v
 
 }  // namespace
 
-std::vector<Figure> run_up_figures(const study::Answers& answers) {
+std::vector<Figure> run_up_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
-  const auto* orders = answers.find<study::OrdersResult>("orders");
+  const auto* orders = results.find<study::OrdersResult>("orders");
   if (!orders || orders->run_up.speed.size() < 2) return figures;
   const response::RunUp& run_up = orders->run_up;
   for (const CurveGroup& group : curve_groups(curve_names(run_up.overall))) {
-    std::vector<PanelRow> rows = amplitude_rows(run_up, group.upper, answers.display);
-    for (PanelRow& row : amplitude_rows(run_up, group.lower, answers.display)) rows.push_back(std::move(row));
+    std::vector<PanelRow> rows = amplitude_rows(run_up, group.upper, results.display);
+    for (PanelRow& row : amplitude_rows(run_up, group.lower, results.display)) rows.push_back(std::move(row));
     if (rows.empty()) continue;
-    const std::string title = case_title("Run-up: " + group.name, answers);
+    const std::string title = case_title("Run-up: " + group.name, results);
     figures.push_back(stacked_rows(title, "orders-" + file_part(group.name) + ".svg", rows));
   }
   return figures;

@@ -7,10 +7,10 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/axis_ticks.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/plot_panel.h"
+#include "trivet/report/drawing/result_figures.h"
 #include "trivet/response/machinery/deflection_shape.h"
 
 namespace trivet::report {
@@ -160,14 +160,14 @@ std::string three_digits(double value) {
   return fmt::format("{:.0f}", std::round(value / step) * step);
 }
 
-Figure shape_figure(const study::Answers& answers, const response::DeflectionShape& shape) {
+Figure shape_figure(const study::CaseResults& results, const response::DeflectionShape& shape) {
   const Frame size = frame(shape);
   const FarthestPlace most = farthest_place(shape);
   const double scale = most.excursion > 0 ? drawn_excursion * size.size / most.excursion : 0;
   const std::string title = case_title(fmt::format("Operating deflection shape at {:.4g} {}",
-                                                   results::shown_frequency(answers.display, shape.angular_frequency),
-                                                   results::frequency_unit(answers.display)),
-                                       answers);
+                                                   results::shown_frequency(results.display, shape.angular_frequency),
+                                                   results::frequency_unit(results.display)),
+                                       results);
   SvgCanvas canvas(980, 740);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   const Skeleton rest = skeleton(shape, 0, 0), moved = skeleton(shape, most.phase, scale);
@@ -184,7 +184,7 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
     drawing.draw(moved, series_colour(0), 1.8);
     draw_axes(canvas, all[v], {corner.x + 40, corner.y + 280});
   }
-  const UnitPrefix unit = unit_prefix(most.excursion, results::amplitude_unit(answers.display, "m"));
+  const UnitPrefix unit = unit_prefix(most.excursion, results::amplitude_unit(results.display, "m"));
   canvas.text(
       {490, 708},
       fmt::format(
@@ -202,12 +202,12 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
 
 }  // namespace
 
-std::vector<Figure> shape_figures(const study::Answers& answers) {
+std::vector<Figure> shape_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
-  const auto* shapes = answers.find<std::vector<response::DeflectionShape>>("shapes");
+  const auto* shapes = results.find<std::vector<response::DeflectionShape>>("shapes");
   if (!shapes) return figures;
   for (const response::DeflectionShape& shape : *shapes)
-    if (!shape.bodies.empty()) figures.push_back(shape_figure(answers, shape));
+    if (!shape.bodies.empty()) figures.push_back(shape_figure(results, shape));
   return figures;
 }
 

@@ -13,11 +13,11 @@
 #include "trivet/nonlinear/branch/stable_motions.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/nonlinear/modes/backbone.h"
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/in_documents.h"
-#include "trivet/report/tables/answer_tables.h"
+#include "trivet/report/drawing/result_figures.h"
+#include "trivet/report/tables/analysis_tables.h"
 #include "trivet/results/analyses/steady_changes_text.h"
 #include "trivet/results/analyses/steady_kinds.h"
 #include "trivet/results/format/axis_words.h"
@@ -34,7 +34,7 @@ using nonlinear::SteadyPoint;
 constexpr std::size_t most_figures = 24;
 constexpr Eigen::Index most_harmonics = 4;
 
-double place(const SteadyBranch& branch, const SteadyPoint& point, const project::ShownUnits& display) {
+double place(const SteadyBranch& branch, const SteadyPoint& point, const project::DisplayUnits& display) {
   return results::shown_varied(branch, branch.parameter(point), display);
 }
 
@@ -57,7 +57,7 @@ std::string word_of_others(const SteadyBranch& branch) {
 
 /// One result over frequency: pieces in which frequency rises or falls, stable ones solid, unstable ones dashed.
 template <typename Value>
-std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownUnits& display, const Value& value,
+std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::DisplayUnits& display, const Value& value,
                                const std::string& colour, const std::string& name) {
   std::vector<PanelCurve> curves;
   const std::vector<const SteadyPoint*> course = course_of(branch);
@@ -97,7 +97,7 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
 }
 
 /// Dotted lines from the folds to where the motion lands.
-void add_jumps(const SteadyBranch& branch, std::size_t result, const project::ShownUnits& display,
+void add_jumps(const SteadyBranch& branch, std::size_t result, const project::DisplayUnits& display,
                const UnitPrefix& unit, PanelRow& row) {
   bool key = true;
   const std::string unit_of_place =
@@ -116,10 +116,10 @@ void add_jumps(const SteadyBranch& branch, std::size_t result, const project::Sh
 }
 
 /// Free motions of the same result, within the band and the height of the forced ones.
-std::vector<PanelCurve> nonlinear_modes(const SteadyBranch& branch, std::size_t result, const study::Answers& answers,
-                                        const UnitPrefix& unit, double highest) {
+std::vector<PanelCurve> nonlinear_modes(const SteadyBranch& branch, std::size_t result,
+                                        const study::CaseResults& results, const UnitPrefix& unit, double highest) {
   std::vector<PanelCurve> found;
-  const auto* modes = answers.find<std::vector<nonlinear::Backbone>>("backbone");
+  const auto* modes = results.find<std::vector<nonlinear::Backbone>>("backbone");
   if (!modes || branch.over != nonlinear::Parameter::frequency || branch.of_shaft) return found;
   const auto [low, high] = std::ranges::minmax_element(branch.points, [](const SteadyPoint& a, const SteadyPoint& b) {
     return a.angular_frequency < b.angular_frequency;
@@ -143,7 +143,7 @@ std::vector<PanelCurve> nonlinear_modes(const SteadyBranch& branch, std::size_t 
           end_piece();
           continue;
         }
-        x.push_back(results::shown_varied(branch, point.angular_frequency, answers.display));
+        x.push_back(results::shown_varied(branch, point.angular_frequency, results.display));
         y.push_back(height);
       }
       end_piece();
@@ -151,9 +151,9 @@ std::vector<PanelCurve> nonlinear_modes(const SteadyBranch& branch, std::size_t 
   return found;
 }
 
-PanelRow range_row(const SteadyBranch& branch, std::size_t result, const study::Answers& answers,
+PanelRow range_row(const SteadyBranch& branch, std::size_t result, const study::CaseResults& results,
                    const UnitPrefix& unit) {
-  const project::ShownUnits& display = answers.display;
+  const project::DisplayUnits& display = results.display;
   PanelRow row;
   if (!branch.linear_at.empty()) {
     PanelCurve linear{{"linear about rest"}, {}, {}, "stroke=\"#999999\" stroke-width=\"1\""};
@@ -183,7 +183,7 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const study::
     }
   }
   constexpr double beyond = 1.1;
-  for (PanelCurve& piece : nonlinear_modes(branch, result, answers, unit, beyond * largest))
+  for (PanelCurve& piece : nonlinear_modes(branch, result, results, unit, beyond * largest))
     row.curves.push_back(std::move(piece));
   add_jumps(branch, result, display, unit, row);
   std::set<std::string> named;  // once each: names beside each other would overlap
@@ -197,7 +197,7 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const study::
   return row;
 }
 
-PanelRow harmonics_row(const SteadyBranch& branch, std::size_t result, const project::ShownUnits& display,
+PanelRow harmonics_row(const SteadyBranch& branch, std::size_t result, const project::DisplayUnits& display,
                        const UnitPrefix& unit) {
   PanelRow row;
   for (Eigen::Index k = 0; k <= std::min(most_harmonics, branch.harmonics); ++k) {
@@ -223,8 +223,8 @@ PanelRow harmonics_row(const SteadyBranch& branch, std::size_t result, const pro
 
 }  // namespace
 
-std::vector<Figure> steady_figures(const study::Answers& answers) {
-  const auto* branch = answers.find<SteadyBranch>("steady");
+std::vector<Figure> steady_figures(const study::CaseResults& results) {
+  const auto* branch = results.find<SteadyBranch>("steady");
   if (!branch || branch->points.size() < 3) return {};
   std::vector<double> largest;
   for (std::size_t c = 0; c < branch->results.size(); ++c) {
@@ -241,9 +241,9 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
     for (std::size_t i = 0; i < largest.size(); ++i)
       if (branch->units[i] == branch->units[c]) of_unit = std::max(of_unit, largest[i]);
     if (!(largest[c] > invisible * of_unit)) continue;
-    const UnitPrefix unit = unit_prefix(largest[c], results::display_unit(answers.display, branch->units[c]));
-    std::vector<PanelRow> rows = {range_row(*branch, c, answers, unit),
-                                  harmonics_row(*branch, c, answers.display, unit)};
+    const UnitPrefix unit = unit_prefix(largest[c], results::display_unit(results.display, branch->units[c]));
+    std::vector<PanelRow> rows = {range_row(*branch, c, results, unit),
+                                  harmonics_row(*branch, c, results.display, unit)};
     double from = foundation::infinity, to = 0;
     for (const PanelRow& row : rows)
       for (const PanelCurve& curve : row.curves)
@@ -251,8 +251,8 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
           from = std::min(from, x);
           to = std::max(to, x);
         }
-    for (PanelRow& row : rows) row.x = {from, to, false, results::varied_heading(*branch, answers.display)};
-    figures.push_back(stacked_rows(case_title("Steady motion of " + branch->results[c], answers),
+    for (PanelRow& row : rows) row.x = {from, to, false, results::varied_heading(*branch, results.display)};
+    figures.push_back(stacked_rows(case_title("Steady motion of " + branch->results[c], results),
                                    "steady-" + file_part(branch->results[c]) + ".svg", rows));
   }
   return figures;
@@ -260,7 +260,7 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
 
 namespace {
 
-std::string stable_table(const SteadyBranch& branch, const project::ShownUnits& display) {
+std::string stable_table(const SteadyBranch& branch, const project::DisplayUnits& display) {
   std::vector<std::vector<Cell>> rows;
   const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
   for (std::size_t c = 0; c < extremes.size(); ++c) {
@@ -285,15 +285,15 @@ std::string stable_table(const SteadyBranch& branch, const project::ShownUnits& 
 }
 
 /// Detached curves, changes of stability and stretches without stable motion.
-std::string stability_block(const SteadyBranch& branch, const project::ShownUnits& display) {
+std::string stability_block(const SteadyBranch& branch, const project::DisplayUnits& display) {
   const std::string text = results::detached_text(branch, display) + results::changes_text(branch, display);
   return text.empty() ? "" : "<pre>" + escaped(text) + "</pre>\n";
 }
 
 }  // namespace
 
-std::string steady_tables(const study::Answers& answers) {
-  const auto* branch = answers.find<SteadyBranch>("steady");
+std::string steady_tables(const study::CaseResults& results) {
+  const auto* branch = results.find<SteadyBranch>("steady");
   if (!branch) return "";
   std::vector<std::vector<Cell>> rows;
   const auto add_fold = [&](const Fold& fold, const std::string& of) {
@@ -302,7 +302,7 @@ std::string steady_tables(const study::Answers& answers) {
       if (!(from > 0)) continue;
       rows.push_back(
           {{std::string(fold.upper ? "rising " : "falling ") + results::varied_word(*branch) + of},
-           right(fmt::format("{:.6g}", place(*branch, fold.point, answers.display))),
+           right(fmt::format("{:.6g}", place(*branch, fold.point, results.display))),
            {branch->results[c]},
            quantity_cell(from, branch->units[c]),
            fold.lands ? quantity_cell(fold.lands->results[c].half_of_range(), branch->units[c]) : right("–")});
@@ -315,7 +315,7 @@ std::string steady_tables(const study::Answers& answers) {
   const std::string about = hint(fmt::format(
       "Periodic motions connected with {}; {}. {} {} at most "
       "{:.2g} of the deflections. Motions are deviations from rest.{}{}",
-      results::begun_words(*branch, answers.display),
+      results::begun_words(*branch, results.display),
       branch->search ? fmt::format("{} detached curves were found by a search",
                                    branch->further_ones(SteadyBranch::Found::detached).size())
                      : "detached ones are not sought",
@@ -325,14 +325,14 @@ std::string steady_tables(const study::Answers& answers) {
                                      360 / foundation::two_pi * branch->at_phase->lag)
                        : "",
       branch->ended.empty() ? "" : " " + branch->ended + "."));
-  const std::string stability = stable_table(*branch, answers.display) + stability_block(*branch, answers.display);
+  const std::string stability = stable_table(*branch, results.display) + stability_block(*branch, results.display);
   if (rows.empty())
     return stability + about +
         hint(branch->changes.empty() && branch->further.empty()
                  ? "No folds: one motion at each place of this branch, no jumps."
                  : "No folds on this branch.");
   return html_table({{"jump of a"},
-                     right("at [" + results::varied_unit(*branch, answers.display) + "]"),
+                     right("at [" + results::varied_unit(*branch, results.display) + "]"),
                      {"half of the range of"},
                      right("before"),
                      right("after")},

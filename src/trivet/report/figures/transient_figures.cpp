@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/result_figures.h"
 #include "trivet/study/analyses/analysis_results.h"
 
 namespace trivet::report {
@@ -26,7 +26,7 @@ double absolute(const response::TimeCurve& c) {
 }
 
 PanelRow history_row(const response::TransientResponse& transient, const std::vector<GroupedCurve>& series,
-                     const project::ShownUnits& display) {
+                     const project::DisplayUnits& display) {
   const response::TimeCurve* tallest = &transient.curves[series.front().curve];
   double low = 0, high = 0;
   for (const GroupedCurve& s : series) {
@@ -76,16 +76,16 @@ bool is_round_off(const response::TransientResponse& transient, const response::
   return absolute(curve) <= share * largest;
 }
 
-std::vector<Figure> transient_figures(const study::Answers& answers) {
+std::vector<Figure> transient_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
-  const auto* found = answers.find<study::TransientResult>("transient");
+  const auto* found = results.find<study::TransientResult>("transient");
   if (!found || found->response.time.size() < 2) return figures;
   const response::TransientResponse& transient = found->response;
   for (const CurveGroup& group : curve_groups(curve_names(transient.curves))) {
     std::vector<PanelRow> rows;
     for (const auto* series : {&group.upper, &group.lower})
-      if (!series->empty()) rows.push_back(history_row(transient, *series, answers.display));
-    const std::string title = case_title("Time history: " + group.name, answers);
+      if (!series->empty()) rows.push_back(history_row(transient, *series, results.display));
+    const std::string title = case_title("Time history: " + group.name, results);
     figures.push_back(stacked_rows(title, "transient-" + file_part(group.name) + ".svg", rows));
   }
   return figures;

@@ -7,8 +7,8 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/result_figures.h"
 #include "trivet/study/analyses/analysis_results.h"
 
 namespace trivet::report {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double deepest = -80;  // dB
 
-std::string isolation_words(const response::Crossover& crossover, const project::ShownUnits& display) {
+std::string isolation_words(const response::Crossover& crossover, const project::DisplayUnits& display) {
   if (!crossover.angular_frequency) return "does not isolate";
   return *crossover.angular_frequency == 0
       ? "isolates everywhere"
@@ -26,19 +26,19 @@ std::string isolation_words(const response::Crossover& crossover, const project:
 
 }  // namespace
 
-std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
-  const auto* found = answers.find<study::TransmissibilityResult>("transmissibility");
+std::vector<Figure> transmissibility_figures(const study::CaseResults& results) {
+  const auto* found = results.find<study::TransmissibilityResult>("transmissibility");
   if (!found || found->curves.angular_frequency.size() < 3) return {};
-  const study::TransmissibilityResult& answer = *found;
+  const study::TransmissibilityResult& result = *found;
   PanelRow row;
-  const auto in_unit = [&](double omega) { return results::shown_frequency(answers.display, omega); };
+  const auto in_unit = [&](double omega) { return results::shown_frequency(results.display, omega); };
   std::vector<double> hertz;
-  for (const double omega : answer.curves.angular_frequency) hertz.push_back(in_unit(omega));
+  for (const double omega : result.curves.angular_frequency) hertz.push_back(in_unit(omega));
   row.x = {hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back()), hertz.back(), true,
-           results::frequency_heading(answers.display)};
+           results::frequency_heading(results.display)};
   double low = 0, high = 0;
-  for (std::size_t i = 0; i < answer.curves.curves.size(); ++i) {
-    const response::Curve& c = answer.curves.curves[i];
+  for (std::size_t i = 0; i < result.curves.curves.size(); ++i) {
+    const response::Curve& c = result.curves.curves[i];
     PanelCurve curve{{c.name}, hertz, {}, series_stroke(i)};
     for (std::size_t k = 0; k < hertz.size(); ++k) {
       const double level = response::transmissibility_level(std::abs(c.value(to_index(k))));
@@ -47,9 +47,9 @@ std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
       low = std::min(low, level);
       high = std::max(high, level);
     }
-    for (const response::Crossover& crossover : answer.crossovers) {
-      if (crossover.name != c.name || answer.is_share(i)) continue;
-      curve.key.push_back(isolation_words(crossover, answers.display));
+    for (const response::Crossover& crossover : result.crossovers) {
+      if (crossover.name != c.name || result.is_share(i)) continue;
+      curve.key.push_back(isolation_words(crossover, results.display));
       if (crossover.angular_frequency && in_unit(*crossover.angular_frequency) > row.x.from &&
           in_unit(*crossover.angular_frequency) < row.x.to)
         row.marks.push_back({in_unit(*crossover.angular_frequency), 0, series_colour(i), ""});
@@ -59,7 +59,7 @@ std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
   row.y = {std::max(deepest, 10 * std::floor(low / 10 - 0.2)), 10 * std::ceil(high / 10 + 0.2), false,
            "transmissibility [dB]"};
   row.levels = {0};
-  const std::string title = case_title("Transmissibility: " + answer.words, answers);
+  const std::string title = case_title("Transmissibility: " + result.words, results);
   return {stacked_rows(title, "transmissibility-level.svg", {row})};
 }
 

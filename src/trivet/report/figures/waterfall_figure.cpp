@@ -9,9 +9,9 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/report/drawing/answer_figures.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/plot_panel.h"
+#include "trivet/report/drawing/result_figures.h"
 #include "trivet/study/analyses/analysis_results.h"
 
 namespace trivet::report {
@@ -101,8 +101,8 @@ void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response:
 
 }  // namespace
 
-std::vector<Figure> waterfall_figures(const study::Answers& answers) {
-  const auto* found = answers.find<study::OrdersResult>("orders");
+std::vector<Figure> waterfall_figures(const study::CaseResults& results) {
+  const auto* found = results.find<study::OrdersResult>("orders");
   if (!found || found->run_up.speed.size() < 2) return {};
   const response::RunUp& run_up = found->run_up;
   const std::optional<std::size_t> curve = tallest_curve(run_up);
@@ -119,7 +119,7 @@ std::vector<Figure> waterfall_figures(const study::Answers& answers) {
   std::vector<double> orders;
   for (const auto& [order, amplitude] : by_order)
     if (amplitude > 1e-3 * largest) orders.push_back(order);
-  const UnitPrefix unit = unit_prefix(largest, results::amplitude_unit(answers.display, run_up.overall[*curve].unit));
+  const UnitPrefix unit = unit_prefix(largest, results::amplitude_unit(results.display, run_up.overall[*curve].unit));
   Space space;
   space.rpm_from = run_up.speed.front() * rpm_per_rad_s;
   space.rpm_to = run_up.speed.back() * rpm_per_rad_s;
@@ -132,7 +132,7 @@ std::vector<Figure> waterfall_figures(const study::Answers& answers) {
   std::ranges::copy_if(lines, std::back_inserter(visible),
                        [&](const auto& line) { return by_order[line.order] > 1e-3 * largest; });
 
-  const std::string title = case_title("Waterfall: " + run_up.overall[*curve].name, answers);
+  const std::string title = case_title("Waterfall: " + run_up.overall[*curve].name, results);
   SvgCanvas canvas(980, 556);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   draw_axes(canvas, space, fmt::format("{} amplitude [{}]", quantity_name(run_up.overall[*curve].unit), unit.unit));

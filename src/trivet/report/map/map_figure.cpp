@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "trivet/report/drawing/answer_figures.h"
+#include "trivet/report/drawing/result_figures.h"
 #include "trivet/report/map/map_picture.h"
 #include "trivet/report/map/map_regions.h"
 #include "trivet/results/design/map_summary.h"
@@ -131,7 +131,7 @@ void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
 }  // namespace
 
 Figure map_figure(const study::DesignMap& map, const std::string& title) {
-  std::vector<std::string> notes = {"Criteria: " + results::asked_words(map) + "."};
+  std::vector<std::string> notes = {"Criteria: " + results::criteria_words(map) + "."};
   for (std::string& sentence : doubts(map)) notes.push_back(std::move(sentence));
   for (std::string& sentence : undrawn_cases(map)) notes.push_back(std::move(sentence));
   const double width = 998, height = 628 + 16 * static_cast<double>(notes.size());
@@ -155,10 +155,10 @@ Figure map_figure(const study::DesignMap& map, const std::string& title) {
   return {heading, "map.svg", picture.canvas.svg(heading)};
 }
 
-std::vector<Figure> map_figures(const study::Answers& answers) {
-  if (!answers.map_pairs.empty()) return {map_matrix_figure(answers.map_pairs, case_title("Maps of designs", answers))};
-  if (!answers.map) return {};
-  return {map_figure(*answers.map, case_title("Map of designs", answers))};
+std::vector<Figure> map_figures(const study::CaseResults& results) {
+  if (!results.map_pairs.empty()) return {map_matrix_figure(results.map_pairs, case_title("Maps of designs", results))};
+  if (!results.map) return {};
+  return {map_figure(*results.map, case_title("Map of designs", results))};
 }
 
 }  // namespace trivet::report

@@ -152,7 +152,7 @@ void explain_points(const std::vector<std::vector<PlacedMark>>& placed, const st
 }
 
 std::vector<std::string> notes_of(const std::vector<study::DesignMap>& maps) {
-  std::vector<std::string> notes = {"Criteria: " + results::asked_words(maps.front()) + ".",
+  std::vector<std::string> notes = {"Criteria: " + results::criteria_words(maps.front()) + ".",
                                     "In each map all other parameters have the values of the file."};
   for (const study::DesignMap& map : maps)
     for (const std::string& doubt : doubts(map))

@@ -4,7 +4,7 @@
 #include "trivet/documents/html_table.h"
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/report/map/map_picture.h"
-#include "trivet/report/tables/answer_tables.h"
+#include "trivet/report/tables/analysis_tables.h"
 #include "trivet/results/design/map_summary.h"
 #include "trivet/results/format/axis_words.h"
 
@@ -62,7 +62,7 @@ std::string marks_table(const study::DesignMap& map) {
 namespace {
 
 std::string tables_of(const study::DesignMap& map) {
-  std::string text = "Criteria: " + results::asked_words(map) + ". " + results::feasible_words(map) + ".";
+  std::string text = "Criteria: " + results::criteria_words(map) + ". " + results::feasible_words(map) + ".";
   if (map.best) text += " " + results::best_words(map) + ".";
   for (const design::MissingReason& reason : map.report.missing)
     text += fmt::format(" {} designs not computed, for instance: {}.", reason.designs, reason.words);
@@ -73,10 +73,10 @@ std::string tables_of(const study::DesignMap& map) {
 
 }  // namespace
 
-std::string map_tables(const study::Answers& answers) {
-  if (answers.map) return tables_of(*answers.map);
+std::string map_tables(const study::CaseResults& results) {
+  if (results.map) return tables_of(*results.map);
   std::string all;
-  for (const study::DesignMap& map : answers.map_pairs)
+  for (const study::DesignMap& map : results.map_pairs)
     all += folded(results::axis_name(map.request.x) + " and " + results::axis_name(map.request.y), tables_of(map));
   return all;
 }

@@ -38,9 +38,9 @@ std::string judgement_part(const std::string& style, const std::string& title, c
 }  // namespace
 
 std::string judgement_box(const std::vector<ShownCase>& cases) {
-  std::vector<const study::Answers*> answers;
-  for (const ShownCase& one : cases) answers.push_back(&one.answers);
-  const std::vector<Judgement> list = results::judgements(answers);
+  std::vector<const study::CaseResults*> results;
+  for (const ShownCase& one : cases) results.push_back(&one.results);
+  const std::vector<Judgement> list = results::judgements(results);
   const std::size_t violated = number_with(list, Outcome::violated), missing = number_with(list, Outcome::not_judged),
                     no_need = number_with(list, Outcome::violated_no_need), met = number_with(list, Outcome::met);
   const bool bad_data = std::ranges::any_of(cases, [](const ShownCase& c) { return !c.failed_checks().empty(); });

@@ -48,10 +48,10 @@ Json row(const std::vector<GroupedCurve>& curves) {
 
 }  // namespace
 
-std::string drawing_json(const std::vector<study::Answers>& answers) {
-  const project::ShownUnits display = answers.empty() ? project::ShownUnits() : answers.front().display;
+std::string drawing_json(const std::vector<study::CaseResults>& results) {
+  const project::DisplayUnits display = results.empty() ? project::DisplayUnits() : results.front().display;
   Json units = Json::object(), groups = Json::array();
-  for (const study::Answers& of_case : answers) {
+  for (const study::CaseResults& of_case : results) {
     groups.push_back(Json::array());
     if (!of_case.response) continue;
     const auto& curves = of_case.response->curves.curves;

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::report {
 
 /// What the page's charts share with the figures for print: {"strokes": [{"colour", "dash"}], "units": {unit:
 /// {"quantity", "multiples": [[size, name]]}}, "groups": per case [{"name", "rows": [[{"label", "curve"}]]}]}.
-[[nodiscard]] std::string drawing_json(const std::vector<study::Answers>& answers);
+[[nodiscard]] std::string drawing_json(const std::vector<study::CaseResults>& results);
 
 }  // namespace trivet::report

@@ -33,9 +33,9 @@ std::string undefined_words(const std::vector<double>& undefined_at) {
   return words.empty() ? "none" : words + " rad/s";
 }
 
-std::vector<Row> solution_rows(const study::ResponseAnswer& answer) {
-  const response::SolutionCheck& check = answer.curves.check;
-  const response::DeepCheck& deep = answer.deep;
+std::vector<Row> solution_rows(const study::ResponseResult& result) {
+  const response::SolutionCheck& check = result.curves.check;
+  const response::DeepCheck& deep = result.deep;
   std::vector<Row> rows = {
       information_row(
           "worst backward error of the solution",
@@ -48,9 +48,9 @@ std::vector<Row> solution_rows(const study::ResponseAnswer& answer) {
                 deep.passed),
       information_row("frequencies that needed the pivoted solver", std::to_string(check.fallbacks)),
       information_row("frequencies at which the response is not defined", undefined_words(check.undefined_at))};
-  if (answer.model) {
+  if (result.model) {
     constexpr double allowed = 1e-3;  // of a plot, see response::CurveModelOptions
-    const response::CurveModel& model = *answer.model;
+    const response::CurveModel& model = *result.model;
     rows.push_back(check_row(
         "response", "curves of this page compared with independent solves and extrema",
         fmt::format("drawn from {} {}; largest difference {:.2g} % at ω = {:.5g} rad/s, {} compared", model.solves,
@@ -66,8 +66,8 @@ std::string checks_table(const ShownCase& shown) {
   std::vector<Row> rows;
   for (const study::CheckLine& line : shown.checks)
     rows.push_back(check_row(line.subject, line.what, line.value, line.passed));
-  if (shown.answers.response)
-    for (Row& row : solution_rows(*shown.answers.response)) rows.push_back(std::move(row));
+  if (shown.results.response)
+    for (Row& row : solution_rows(*shown.results.response)) rows.push_back(std::move(row));
   const std::size_t failed = shown.failed_checks().size();
   return paragraph(failed ? fmt::format("✗ {} failed.", failed) : "✓ All passed.", failed ? "bad" : "good") +
       html_table({{"subject"}, {"check"}, {"value"}, {"verdict"}}, rows);
@@ -122,10 +122,10 @@ std::string page_notices(const std::vector<ShownCase>& cases) {
   std::vector<Notice> warnings, failed, rigid, notes;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     for (const foundation::Problem& problem : cases[i].warnings())
-      add(warnings, warning_words(problem, cases[i].answers.case_name), foundation::place(problem.origin), i);
+      add(warnings, warning_words(problem, cases[i].results.case_name), foundation::place(problem.origin), i);
     for (const std::string& text : cases[i].failed_checks()) add(failed, text, "", i);
-    for (const std::string& text : cases[i].answers.free_motions) add(rigid, text, "", i);
-    for (const std::string& text : cases[i].answers.notes) add(notes, text, "", i);
+    for (const std::string& text : cases[i].results.free_motions) add(rigid, text, "", i);
+    for (const std::string& text : cases[i].results.notes) add(notes, text, "", i);
   }
   std::string html = judgement_box(cases) +
       box("alert", "⚠ " + count_words(warnings.size(), "warning"), warnings, cases) +
@@ -141,12 +141,12 @@ namespace {
 
 /// Verdict on a case from its own map, or else from the first map of the report.
 const study::MapMark* map_mark(const ShownCase& shown, const std::vector<ShownCase>& cases) {
-  const auto with_map = std::find_if(cases.begin(), cases.end(), [](const ShownCase& c) { return c.answers.map; });
-  const study::DesignMap* map = shown.answers.map ? &*shown.answers.map
-      : with_map != cases.end()                   ? &*with_map->answers.map
+  const auto with_map = std::find_if(cases.begin(), cases.end(), [](const ShownCase& c) { return c.results.map; });
+  const study::DesignMap* map = shown.results.map ? &*shown.results.map
+      : with_map != cases.end()                   ? &*with_map->results.map
                                                   : nullptr;
   if (!map) return nullptr;
-  const auto mark = std::ranges::find(map->marks, shown.answers.case_name, &study::MapMark::name);
+  const auto mark = std::ranges::find(map->marks, shown.results.case_name, &study::MapMark::name);
   return mark == map->marks.end() ? nullptr : &*mark;
 }
 
@@ -154,7 +154,7 @@ Cell map_cell(const ShownCase& shown, const std::vector<ShownCase>& cases) {
   const study::MapMark* mark = map_mark(shown, cases);
   if (!mark) return {"–"};
   if (!mark->judged) return missing_verdict_cell("not computed");
-  const std::string whose = shown.answers.map && !shown.answers.case_name.empty() ? " (own map)" : "";
+  const std::string whose = shown.results.map && !shown.results.case_name.empty() ? " (own map)" : "";
   return verdict_cell(mark->judged->governing.feasible(), "met" + whose, "VIOLATED" + whose);
 }
 
@@ -169,14 +169,14 @@ Cell requirements_cell(const study::CaseVerdict& judged) {
 
 Cell motion_cell(const ShownCase& shown) {
   if (shown.grows()) return {"▲ unstable", false, Tone::bad};
-  return {shown.answers.free_motions.empty() ? "stable" : "rigid-body mode"};
+  return {shown.results.free_motions.empty() ? "stable" : "rigid-body mode"};
 }
 
 /// Lowest and highest natural frequency above 0, or NaN.
 std::pair<double, double> natural_range(const ShownCase& shown) {
   double lowest = std::numeric_limits<double>::quiet_NaN(), highest = lowest;
   if (!shown.variant.analyses.modes) return {lowest, highest};
-  for (const modal::Mode& m : shown.answers.modes.list) {
+  for (const modal::Mode& m : shown.results.modes.list) {
     if (m.angular_frequency.value_or(0) <= 0) continue;
     lowest = std::fmin(lowest, *m.angular_frequency);
     highest = std::fmax(highest, *m.angular_frequency);
@@ -189,10 +189,10 @@ std::pair<double, double> natural_range(const ShownCase& shown) {
 std::string glance_table(const std::vector<ShownCase>& cases) {
   const bool has_map = std::ranges::any_of(cases, [&](const ShownCase& c) { return map_mark(c, cases) != nullptr; });
   std::vector<Cell> headings = {{"case"}, right("changes"), {"warnings"}, {"checks"}, {"limits"}};
-  const bool has_verdict = std::ranges::any_of(cases, [](const ShownCase& c) { return c.answers.verdict.has_value(); });
+  const bool has_verdict = std::ranges::any_of(cases, [](const ShownCase& c) { return c.results.verdict.has_value(); });
   if (has_verdict) headings.push_back({"requirements"});
   if (has_map) headings.push_back({"rules of the map"});
-  const project::ShownUnits display = cases.empty() ? project::ShownUnits() : cases.front().variant.display;
+  const project::DisplayUnits display = cases.empty() ? project::DisplayUnits() : cases.front().variant.display;
   headings.push_back({"motion"});
   for (const char* which : {"lowest mode ", "highest mode "})
     for (const std::string& unit : results::frequency_units(display))
@@ -204,12 +204,12 @@ std::string glance_table(const std::vector<ShownCase>& cases) {
     std::vector<Cell> row = {
         html_cell(
             fmt::format("<button type=\"button\" class=\"link\" data-select=\"{}\">{}</button>", i, escaped(c.name()))),
-        right(c.answers.changes.empty() ? "–" : std::to_string(c.answers.changes.size())),
+        right(c.results.changes.empty() ? "–" : std::to_string(c.results.changes.size())),
         warnings ? Cell{fmt::format("⚠ {}", warnings), false, Tone::bad} : Cell{"none"},
         verdict_cell(!failed, "ok", fmt::format("{} FAILED", failed)),
         c.limits() ? verdict_cell(!exceeded, "met", fmt::format("{} of {} EXCEEDED", exceeded, c.limits()))
                    : Cell{"–"}};
-    if (has_verdict) row.push_back(c.answers.verdict ? requirements_cell(*c.answers.verdict) : Cell{"–"});
+    if (has_verdict) row.push_back(c.results.verdict ? requirements_cell(*c.results.verdict) : Cell{"–"});
     if (has_map) row.push_back(map_cell(c, cases));
     row.push_back(motion_cell(c));
     const auto [lowest, highest] = natural_range(c);
@@ -227,7 +227,7 @@ std::string case_head(const ShownCase& shown, std::size_t cases) {
   if (const std::size_t count = shown.failed_checks().size()) add_fault(count_words(count, "failed check"));
   if (shown.grows()) add_fault("unstable motion");
   std::string changes;
-  for (const std::string& text : shown.answers.changes) changes += "<li><code>" + escaped(text) + "</code></li>";
+  for (const std::string& text : shown.results.changes) changes += "<li><code>" + escaped(text) + "</code></li>";
   return fmt::format(
       "<section class=\"case-head\"><h2>{}{}</h2>\n{}{}</section>\n", cases > 1 ? "Case: " : "", escaped(shown.name()),
       faults.empty() ? "" : paragraph("⚠ Check the results: " + faults + "; see the top of the page.", "bad"),

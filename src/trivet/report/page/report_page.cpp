@@ -10,12 +10,12 @@
 #include "trivet/foundation/version.h"
 #include "trivet/report/drawing/figures.h"
 #include "trivet/report/drawing/svg_canvas.h"
-#include "trivet/report/page/answer_sections.h"
 #include "trivet/report/page/drawing_json.h"
 #include "trivet/report/page/page_notices.h"
+#include "trivet/report/page/result_sections.h"
 #include "trivet/report/tables/input_tables.h"
 #include "trivet/report/tables/result_tables.h"
-#include "trivet/results/format/written_answers.h"
+#include "trivet/results/format/written_results.h"
 
 namespace trivet::report {
 
@@ -72,15 +72,15 @@ std::string case_options(const std::vector<ShownCase>& cases) {
 }
 
 /// Sentence about the units of the page.
-std::string units_note(const project::ShownUnits& display) {
-  project::ShownUnits only_level;
+std::string units_note(const project::DisplayUnits& display) {
+  project::DisplayUnits only_level;
   only_level.level = display.level;
   if (display == only_level) return "Everything is in SI units.";
   return "Results are in the units that their axis, column or value shows: those of [display] in the project file. "
          "Inputs, maps and best designs are in SI units.";
 }
 
-std::string level_note(const project::ShownUnits& display) {
+std::string level_note(const project::DisplayUnits& display) {
   const std::string words = results::level_words(display.level);
   if (display.level == project::Level::amplitude) return words;
   return words + (display.level == project::Level::peak_to_peak ? " (p-p)" : "") +
@@ -88,31 +88,31 @@ std::string level_note(const project::ShownUnits& display) {
 }
 
 std::string above_pictures(const ShownCase& shown, std::size_t cases) {
-  return case_head(shown, cases) + section("requirements", "Requirements", requirements_table(shown.answers)) +
-      section("limits", "Limits", results::limits_html(shown.answers));
+  return case_head(shown, cases) + section("requirements", "Requirements", requirements_table(shown.results)) +
+      section("limits", "Limits", results::limits_html(shown.results));
 }
 
 std::string below_pictures(const ShownCase& shown) {
-  return section("response", "Response", results::answer_html("response", shown.variant, shown.answers)) +
-      section("peaks", "Resonance peaks", results::answer_html("peaks", shown.variant, shown.answers)) +
-      answer_sections(shown.variant, shown.answers);
+  return section("response", "Response", results::result_html("response", shown.variant, shown.results)) +
+      section("peaks", "Resonance peaks", results::result_html("peaks", shown.variant, shown.results)) +
+      result_sections(shown.variant, shown.results);
 }
 
 std::string below_comparison(const ShownCase& shown) {
   const project::Case& variant = shown.variant;
-  return section("modes", "Undamped modes", results::answer_html("modes", variant, shown.answers)) +
-      section("roots", "Damped roots", results::answer_html("roots", variant, shown.answers)) +
-      section("static", "Static results", static_tables(variant, shown.answers)) +
+  return section("modes", "Undamped modes", results::result_html("modes", variant, shown.results)) +
+      section("roots", "Damped roots", results::result_html("roots", variant, shown.results)) +
+      section("static", "Static results", static_tables(variant, shown.results)) +
       section("inputs", "Inputs", input_tables(variant)) + section("checks", "Checks", checks_table(shown));
 }
 
 }  // namespace
 
-std::string report_page(const project::Project& project, const std::vector<study::Answers>& answers,
+std::string report_page(const project::Project& project, const std::vector<study::CaseResults>& case_results,
                         const std::string& results) {
   const std::string title = project.title.empty() ? project.source : project.title;
   const std::string input = std::filesystem::path(project.source).filename().string();
-  const std::vector<ShownCase> cases = shown_cases(project, answers);
+  const std::vector<ShownCase> cases = shown_cases(project, case_results);
   std::string page = page_html;
   // From the end to the start, so that inserted text that looks like a placeholder is not replaced.
   replace(page, "{{script}}", page_js);
@@ -121,19 +121,19 @@ std::string report_page(const project::Project& project, const std::vector<study
   replace(page, "{{curves}}", curves_js);
   replace(page, "{{chart_script}}", chart_script);
   replace(page, "{{chart_licence}}", chart_licence);
-  const project::ShownUnits display = project.base().display;
-  replace(page, "{{drawing}}", inside_script(drawing_json(answers)));
+  const project::DisplayUnits display = project.base().display;
+  replace(page, "{{drawing}}", inside_script(drawing_json(case_results)));
   replace(page, "{{results}}", inside_script(results));
   replace(page, "{{level}}", level_note(display));
   replace(page, "{{units}}", units_note(display));
   replace(page, "{{tables}}", case_blocks(cases, below_comparison));
-  replace(page, "{{answers}}", case_blocks(cases, below_pictures));
+  replace(page, "{{analyses}}", case_blocks(cases, below_pictures));
   replace(page, "{{heads}}", case_blocks(cases, [&](const ShownCase& c) { return above_pictures(c, cases.size()); }));
   replace(page, "{{cases}}", case_options(cases));
-  replace(page, "{{overview}}", overview(title, answers).html());
+  replace(page, "{{overview}}", overview(title, case_results).html());
   replace(page, "{{glance}}",
           section("glance", "At a glance", glance_table(cases)) +
-              section("envelope", "Load cases", envelope_table(study::envelope_of(answers))));
+              section("envelope", "Load cases", envelope_table(study::envelope_of(case_results))));
   replace(page, "{{notices}}", page_notices(cases));
   replace(page, "{{sha256}}", escaped(project.sha256));
   replace(page, "{{input}}", escaped(input));

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::report {
 
 /// A self-contained HTML page that works from a file without network. `results` is the text of results::page_json,
 /// from which the script of the page draws its charts; without scripts the page shows all else of the first case.
-[[nodiscard]] std::string report_page(const project::Project& project, const std::vector<study::Answers>& answers,
-                                      const std::string& results);
+[[nodiscard]] std::string report_page(const project::Project& project,
+                                      const std::vector<study::CaseResults>& case_results, const std::string& results);
 
 }  // namespace trivet::report

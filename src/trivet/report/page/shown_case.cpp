@@ -7,13 +7,13 @@
 
 namespace trivet::report {
 
-std::string ShownCase::name() const { return answers.case_name.empty() ? "Base model" : answers.case_name; }
+std::string ShownCase::name() const { return results.case_name.empty() ? "Base model" : results.case_name; }
 
-std::vector<std::string> ShownCase::failed_checks() const { return results::failed_checks(checks, answers); }
+std::vector<std::string> ShownCase::failed_checks() const { return results::failed_checks(checks, results); }
 
 std::vector<foundation::Problem> ShownCase::warnings() const {
   foundation::Problems found;
-  for (const foundation::Problem& problem : answers.warnings.list())
+  for (const foundation::Problem& problem : results.warnings.list())
     if (problem.severity == foundation::Severity::warning) found.add(problem);
   std::vector<foundation::Problem> list = foundation::listed(found).list();
   if (const std::string rest = foundation::rest_of_list(found); !rest.empty())
@@ -21,27 +21,27 @@ std::vector<foundation::Problem> ShownCase::warnings() const {
   return list;
 }
 
-std::size_t ShownCase::limits() const { return answers.limits.size() + answers.limit_lines.size(); }
+std::size_t ShownCase::limits() const { return results.limits.size() + results.limit_lines.size(); }
 
 std::size_t ShownCase::exceeded_limits() const {
-  const auto& limits = answers.limits;
-  const auto& lines = answers.limit_lines;
+  const auto& limits = results.limits;
+  const auto& lines = results.limit_lines;
   return static_cast<std::size_t>(std::ranges::count_if(limits, [](const auto& l) { return !l.met; }) +
                                   std::ranges::count_if(lines, [](const auto& l) { return !l.comparison.met(); }));
 }
 
 bool ShownCase::grows() const {
-  const auto& modes = answers.modes.list;
-  const auto& roots = answers.roots.list;
+  const auto& modes = results.modes.list;
+  const auto& roots = results.roots.list;
   return (variant.analyses.modes && std::ranges::any_of(modes, [](const auto& m) { return !m.angular_frequency; })) ||
       (variant.analyses.roots &&
        std::ranges::any_of(roots, [](const auto& r) { return r.kind == modal::RootKind::growing; }));
 }
 
-std::vector<ShownCase> shown_cases(const project::Project& project, const std::vector<study::Answers>& answers) {
+std::vector<ShownCase> shown_cases(const project::Project& project, const std::vector<study::CaseResults>& results) {
   std::vector<ShownCase> shown;
-  for (std::size_t i = 0; i < answers.size(); ++i)
-    shown.push_back({project.cases[i], answers[i], study::check_lines(project.cases[i])});
+  for (std::size_t i = 0; i < results.size(); ++i)
+    shown.push_back({project.cases[i], results[i], study::check_lines(project.cases[i])});
   return shown;
 }
 

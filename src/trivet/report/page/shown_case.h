@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "trivet/results/design/judgements.h"
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 #include "trivet/study/whole_study.h"
 
 namespace trivet::report {
 
-/// A case with its answers and what the page states about it in several places.
+/// A case with its results and what the page states about it in several places.
 struct ShownCase {
   const project::Case& variant;
-  const study::Answers& answers;
+  const study::CaseResults& results;
   std::vector<study::CheckLine> checks;
 
   [[nodiscard]] std::string name() const;
@@ -27,7 +27,7 @@ struct ShownCase {
 };
 
 [[nodiscard]] std::vector<ShownCase> shown_cases(const project::Project& project,
-                                                 const std::vector<study::Answers>& answers);
+                                                 const std::vector<study::CaseResults>& results);
 
 using results::count_words;
 

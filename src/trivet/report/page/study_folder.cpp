@@ -8,11 +8,11 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/figures.h"
-#include "trivet/report/page/answer_sections.h"
 #include "trivet/report/page/report_page.h"
+#include "trivet/report/page/result_sections.h"
 #include "trivet/results/design/verdict_results.h"
 #include "trivet/results/files/result_folder.h"
-#include "trivet/results/format/written_answers.h"
+#include "trivet/results/format/written_results.h"
 #include "trivet/results/model/project_json.h"
 
 namespace trivet::report {
@@ -36,12 +36,12 @@ std::vector<std::string> case_folders(const project::Project& project) {
 }
 
 void write_case(results::ResultFolder& folder, const std::string& stem, const project::Case& variant,
-                const study::Answers& answers) {
-  for (const results::AnswerFile& file : results::answer_files(variant, answers))
+                const study::CaseResults& results) {
+  for (const results::ResultFile& file : results::result_files(variant, results))
     folder.write(stem + "/" + file.name, file.content);
-  if (answers.response)
-    for (const Figure& figure : characteristics(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
-  for (const Figure& figure : answer_figures(answers)) folder.write(stem + "/" + figure.file_name, figure.svg);
+  if (results.response)
+    for (const Figure& figure : characteristics(results)) folder.write(stem + "/" + figure.file_name, figure.svg);
+  for (const Figure& figure : result_figures(results)) folder.write(stem + "/" + figure.file_name, figure.svg);
 }
 
 }  // namespace
@@ -51,13 +51,13 @@ WrittenStudy write_study(const project::Project& project, const std::string& fol
   const std::vector<std::string> names = case_folders(project);
   results::ResultFolder folder(folder_name, names);
   WrittenStudy study;
-  study.answers = study::run(project, progress, [&](std::size_t i, const study::Answers& answers) {
-    write_case(folder, names[i], project.cases[i], answers);
+  study.results = study::run(project, progress, [&](std::size_t i, const study::CaseResults& results) {
+    write_case(folder, names[i], project.cases[i], results);
   });
-  study.envelope = study::envelope_of(study.answers);
+  study.envelope = study::envelope_of(study.results);
   if (!study.envelope.rows.empty()) folder.write("envelope.csv", results::envelope_csv(study.envelope));
-  folder.write("results.json", results::results_json(project, study.answers));
-  folder.write("report.html", report_page(project, study.answers, results::page_json(project, study.answers)));
+  folder.write("results.json", results::results_json(project, study.results));
+  folder.write("report.html", report_page(project, study.results, results::page_json(project, study.results)));
   foundation::report_progress(progress, "done", 1);
   study.notes = folder.publish();
   return study;

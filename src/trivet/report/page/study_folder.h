@@ -9,9 +9,9 @@
 namespace trivet::report {
 
 struct WrittenStudy {
-  std::vector<study::Answers> answers;  ///< of every case
-  study::Envelope envelope;             ///< of the static results; without rows for a single case
-  std::vector<std::string> notes;       ///< on what was in the folder before
+  std::vector<study::CaseResults> results;  ///< of every case
+  study::Envelope envelope;                 ///< of the static results; without rows for a single case
+  std::vector<std::string> notes;           ///< on what was in the folder before
 };
 
 /// Computes all analyses of a project in all its cases and writes tables, pictures, results.json and report.html. The

@@ -7,7 +7,7 @@
 #include "trivet/documents/html_table.h"
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/report/tables/answer_tables.h"
+#include "trivet/report/tables/analysis_tables.h"
 #include "trivet/report/tables/result_tables.h"
 #include "trivet/results/design/optimization_results.h"
 #include "trivet/results/format/axis_words.h"
@@ -84,7 +84,7 @@ std::string optimum_requirements_table(const Optimization& found) {
 }
 
 /// Natural frequencies and decoupling of the given design and of the optimum.
-std::string optimum_frequencies_table(const Optimization& found, const project::ShownUnits& display) {
+std::string optimum_frequencies_table(const Optimization& found, const project::DisplayUnits& display) {
   constexpr std::size_t most_modes = 12, most_bodies = 12;
   std::vector<Row> frequencies, decoupling;
   for (std::size_t c = 0; c < found.after.size(); ++c) {
@@ -115,7 +115,7 @@ std::string optimum_frequencies_table(const Optimization& found, const project::
 }
 
 /// Why peaks are gone, if the search went on to a design without them.
-std::string gone_peaks_table(const Optimization& found, const project::ShownUnits& display) {
+std::string gone_peaks_table(const Optimization& found, const project::DisplayUnits& display) {
   if (found.gone_peaks.empty()) return "";
   std::vector<Row> rows;
   for (const study::GonePeak& one : found.gone_peaks)
@@ -142,7 +142,7 @@ std::string optimum_conflicts_table(const Optimization& found) {
       rows);
 }
 
-std::string optimum_conditions(const Optimization& found, const project::ShownUnits& display) {
+std::string optimum_conditions(const Optimization& found, const project::DisplayUnits& display) {
   if (!found.no_slopes.empty())
     return hint("What holds the optimum is not known: there are no slopes next to it (" + found.no_slopes + ").");
   if (found.active.empty())
@@ -170,18 +170,18 @@ std::string remarks(const std::string& text) {
 
 }  // namespace
 
-std::string optimum_tables(const study::Answers& answers) {
-  if (!answers.optimization) return "";
-  const Optimization& found = *answers.optimization;
+std::string optimum_tables(const study::CaseResults& results) {
+  if (!results.optimization) return "";
+  const Optimization& found = *results.optimization;
   return paragraph(results::optimization_headline(found) + ".") + remarks(results::optimization_mounts(found)) +
       optimum_parameters_table(found) + optimum_amplitudes_table(found) + optimum_requirements_table(found) +
-      optimum_frequencies_table(found, answers.display) + optimum_conditions(found, answers.display) +
+      optimum_frequencies_table(found, results.display) + optimum_conditions(found, results.display) +
       remarks(results::optimization_search(found));
 }
 
-std::string front_tables(const study::Answers& answers) {
-  if (!answers.front) return "";
-  const study::DesignFront& front = *answers.front;
+std::string front_tables(const study::CaseResults& results) {
+  if (!results.front) return "";
+  const study::DesignFront& front = *results.front;
   std::vector<Cell> headings = {right("point")};
   for (const study::FrontObjective& one : front.objectives) headings.push_back(right(one.name));
   for (const project::DesignAxis& axis : front.parameters) headings.push_back(right(results::axis_name(axis)));

@@ -14,15 +14,15 @@ const char* requirement_style(const study::RequirementResult& result) {
   return !result.value ? "unjudged" : result.met() ? "" : "failed";
 }
 
-std::string requirements_table(const study::Answers& answers) {
-  if (!answers.verdict) return "";
+std::string requirements_table(const study::CaseResults& results) {
+  if (!results.verdict) return "";
   std::vector<Row> rows;
-  for (const results::RequirementRow& row : results::requirement_rows(*answers.verdict))
+  for (const results::RequirementRow& row : results::requirement_rows(*results.verdict))
     rows.push_back({{{row.words}, right(row.value), {row.place}, right(row.margin), requirement_cell(*row.result)},
                     requirement_style(*row.result)});
-  std::string html = paragraph(results::verdict_summary(*answers.verdict));
+  std::string html = paragraph(results::verdict_summary(*results.verdict));
   html += html_table({{"requirement"}, right("value"), {"at"}, right("margin"), {"verdict"}}, rows);
-  for (const std::string& reason : results::reasons_words(*answers.verdict)) html += hint("Not judged: " + reason);
+  for (const std::string& reason : results::reasons_words(*results.verdict)) html += hint("Not judged: " + reason);
   return html + hint("Margin: limit over value, or value over limit where more is better; 1 on the limit.");
 }
 

@@ -5,9 +5,9 @@
 
 #include "trivet/documents/html_table.h"
 #include "trivet/report/drawing/in_documents.h"
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
-/// Tables of the answers to constant and harmonic excitations as HTML; empty if the case did
+/// Tables of the results to constant and harmonic excitations as HTML; empty if the case did
 /// not request them.
 namespace trivet::report {
 
@@ -16,12 +16,12 @@ namespace trivet::report {
 [[nodiscard]] const char* requirement_style(const study::RequirementResult& result);
 
 /// Every requirement with its margin, the least first.
-[[nodiscard]] std::string requirements_table(const study::Answers& answers);
+[[nodiscard]] std::string requirements_table(const study::CaseResults& results);
 
 /// Least and largest static values over all cases.
 [[nodiscard]] std::string envelope_table(const study::Envelope& envelope);
 
 /// Static motions and forces, one row for each place.
-[[nodiscard]] std::string static_tables(const project::Case& variant, const study::Answers& answers);
+[[nodiscard]] std::string static_tables(const project::Case& variant, const study::CaseResults& results);
 
 }  // namespace trivet::report

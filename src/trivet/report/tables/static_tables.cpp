@@ -36,7 +36,7 @@ bool belongs_to(const Columns& columns, const CurveGroup& group) {
 }
 
 std::string static_table(const std::vector<response::StaticValue>& values, const std::vector<CurveGroup>& groups,
-                         const Columns& columns, const project::ShownUnits& display,
+                         const Columns& columns, const project::DisplayUnits& display,
                          const results::LargestOfKind& kinds) {
   std::array<double, 2> largest = {0, 0};
   const auto shown = [&](const GroupedCurve& c) { return kinds.shown(values[c.curve].unit, values[c.curve].value); };
@@ -68,9 +68,9 @@ std::string static_table(const std::vector<response::StaticValue>& values, const
 
 }  // namespace
 
-std::string static_tables(const project::Case&, const study::Answers& answers) {
-  if (!answers.statics) return "";
-  const std::vector<response::StaticValue>& values = answers.statics->values;
+std::string static_tables(const project::Case&, const study::CaseResults& results) {
+  if (!results.statics) return "";
+  const std::vector<response::StaticValue>& values = results.statics->values;
   const std::vector<CurveGroup> all = curve_groups(curve_names(values));
   results::LargestOfKind kinds;
   for (const response::StaticValue& value : values) kinds.add(value.unit, value.value);
@@ -80,12 +80,12 @@ std::string static_tables(const project::Case&, const study::Answers& answers) {
     std::ranges::copy_if(all, std::back_inserter(groups),
                          [&](const CurveGroup& group) { return belongs_to(columns, group); });
     if (!groups.empty())
-      html += (html.empty() ? "" : "<p></p>") + static_table(values, groups, columns, answers.display, kinds);
+      html += (html.empty() ? "" : "<p></p>") + static_table(values, groups, columns, results.display, kinds);
   }
   return html +
       hint(fmt::format("Under gravity and the constant forces. Round-off is shown as 0. Backward error of the "
                        "solution: {:.3g}.",
-                       answers.statics->backward_error));
+                       results.statics->backward_error));
 }
 
 }  // namespace trivet::report

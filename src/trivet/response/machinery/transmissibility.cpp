@@ -177,9 +177,9 @@ ExcitationTransmission excitation_transmission(const model::System& system, cons
 
 Transmission displacement_transmission(const model::System& system, const assembly::Assembled& assembled,
                                        const std::vector<std::string>& of, const model::Direction& moved,
-                                       const std::optional<model::Direction>& answered,
+                                       const std::optional<model::Direction>& moved_direction,
                                        const Eigen::Vector3d& base_at) {
-  const model::Direction out = checked_direction(moved, answered, "translation", "rotation");
+  const model::Direction out = checked_direction(moved, moved_direction, "translation", "rotation");
   model::Action action;
   action.at = base_at;
   action.amplitude = unit_six(moved, Eigen::Matrix3d::Identity()).cast<Complex>();

@@ -44,7 +44,7 @@ struct ExcitationTransmission : Transmission {
 /// @throws foundation::InvalidInput for a direction of length 0, for different units, or for an unknown body or point
 [[nodiscard]] Transmission displacement_transmission(const model::System& system, const assembly::Assembled& assembled,
                                                      const std::vector<std::string>& of, const model::Direction& moved,
-                                                     const std::optional<model::Direction>& answered = {},
+                                                     const std::optional<model::Direction>& moved_direction = {},
                                                      const Eigen::Vector3d& base_at = Eigen::Vector3d::Zero());
 
 /// Frequency above which a curve isolates.

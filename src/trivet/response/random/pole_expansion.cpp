@@ -149,8 +149,7 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
   PoleExpansions result;
   result.real = !assembled.matrices.lossy();
   for (std::size_t i = 0; i < loads.size(); ++i) {
-    const std::vector<assembly::AnsweredTogether> groups =
-        assembly::by_coordinates(assembled.ground, channels, *loads[i]);
+    const std::vector<assembly::ChannelGroup> groups = assembly::by_coordinates(assembled.ground, channels, *loads[i]);
     for (std::size_t g = 0; g < groups.size(); ++g) {
       for (const std::size_t c : groups[g].which) group_of[i][c] = g;
       const numerics::Load side = assembly::right_side(assembled, groups[g].loading);

@@ -127,7 +127,7 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
     const RandomInput& input = loading.inputs[i];
     const BasisIntegrals basis(expansions, check_nodes(expansions.poles, nodes_within(input.spectrum, all_nodes)));
     const std::vector<double> omega(basis.omega().begin(), basis.omega().end());
-    const AnswerSamples direct = answer_samples(assembled, channels, input.loading, omega);
+    const ChannelSamples direct = channel_samples(assembled, channels, input.loading, omega);
     std::vector<std::pair<double, Eigen::MatrixXcd>> parts;  // delay and values
     for (const PoleExpansion& part : expansions.parts)
       if (part.load == i) parts.emplace_back(part.delay, basis.values(part));
@@ -150,7 +150,7 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
   for (Eigen::Index c = 0; c < count; ++c) {
     const auto& reason = result.reason[c];
     if (std::ranges::none_of(reason, [](const std::string& r) { return r.empty(); })) continue;
-    const bool vanishes = !(largest(c) > vanishing_answer * possible(c));
+    const bool vanishes = !(largest(c) > vanishing_channel * possible(c));
     result.vanishes[c] = vanishes;
     if (vanishes) continue;
     result.error(c) = 1e-12 + 2 * miss(c) / largest(c);

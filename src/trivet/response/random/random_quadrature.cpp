@@ -55,9 +55,9 @@ class Solver {
     const double centre = 0.5 * (panel.from + panel.to), h = 0.5 * (panel.to - panel.from);
     const Eigen::VectorXd omega = centre + h * rule_.node;
     const std::vector<double> points(omega.begin(), omega.end());
-    std::vector<AnswerSamples> samples;
+    std::vector<ChannelSamples> samples;
     for (const RandomInput& input : loading_.inputs)
-      samples.push_back(answer_samples(assembled_, channels_, input.loading, points));
+      samples.push_back(channel_samples(assembled_, channels_, input.loading, points));
     solutions_ += static_cast<int>(points.size() * loading_.inputs.size());
     const auto count = to_index(channels_.size()), inputs = to_index(samples.size());
     panel.mean_square = panel.difference = Eigen::MatrixXd::Zero(count, to_index(moments_.size()));
@@ -105,10 +105,10 @@ void mark_growth(const assembly::Assembled& assembled, const std::vector<assembl
                  const RandomInput& input, double nearer, double farther, const std::string& reason,
                  const Infinite& infinite, RandomVariances& result) {
   assert(nearer > 0 && nearer != farther && "growth is the ratio of two distances");
-  const AnswerSamples samples = answer_samples(assembled, channels, input.loading, {nearer, farther});
+  const ChannelSamples samples = channel_samples(assembled, channels, input.loading, {nearer, farther});
   for (Eigen::Index c = 0; c < samples.value.rows(); ++c) {
     const double a = std::abs(samples.value(c, 0)), b = std::abs(samples.value(c, 1));
-    if (!(b > vanishing_answer * samples.possible(c, 1))) continue;
+    if (!(b > vanishing_channel * samples.possible(c, 1))) continue;
     auto& reasons = result.reason[c];
     for (std::size_t m = 0; m < reasons.size(); ++m)
       if (reasons[m].empty() && infinite(a, b, m)) reasons[m] = reason;
@@ -218,7 +218,7 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled,
         for (std::size_t m = 0; m < moments.size() && !rough; ++m) {
           const auto i = to_index(m);
           const double noise =
-              std::pow(vanishing_answer, 2) * solver.possible()(c) * std::pow(panel.to, 2 * moments[m].derivative);
+              std::pow(vanishing_channel, 2) * solver.possible()(c) * std::pow(panel.to, 2 * moments[m].derivative);
           rough = result.reason[c][m].empty() &&
               panel.difference(c, i) > options.accuracy * result.mean_square(c, i) / all + noise;
         }
@@ -238,7 +238,7 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled,
   result.mean_square.setZero();
   for (const Panel& panel : settled) result.mean_square += panel.mean_square;
   for (Eigen::Index c = 0; c < count; ++c) {
-    const bool vanishes = !(result.mean_square(c, 0) > std::pow(vanishing_answer, 2) * solver.possible()(c));
+    const bool vanishes = !(result.mean_square(c, 0) > std::pow(vanishing_channel, 2) * solver.possible()(c));
     result.vanishes[c] = vanishes;
     if (vanishes) continue;
     for (std::size_t m = 0; m < moments.size(); ++m) {

@@ -55,9 +55,9 @@ bool grows(const assembly::Assembled& assembled, const Eigen::VectorXcd& poles) 
   });
 }
 
-RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& found,
-                    const std::vector<RandomMoment>& moments, Eigen::Index c) {
-  RandomAnswer result;
+RandomChannel channel_result(const assembly::Channel& channel, const RandomVariances& found,
+                             const std::vector<RandomMoment>& moments, Eigen::Index c) {
+  RandomChannel result;
   result.name = channel.name;
   result.unit = channel.unit;
   result.estimated_error = found.error(c);
@@ -150,11 +150,11 @@ RandomResponse random_response(const assembly::Assembled& assembled, const std::
   }
   if (grows(assembled, expansions.poles)) {
     for (const assembly::Channel& channel : channels) {
-      RandomAnswer none;
+      RandomChannel none;
       none.name = channel.name;
       none.unit = channel.unit;
       none.reason = "the free motion grows: no stationary vibration exists";
-      result.answers.push_back(std::move(none));
+      result.channels.push_back(std::move(none));
     }
     return result;
   }
@@ -179,7 +179,7 @@ RandomResponse random_response(const assembly::Assembled& assembled, const std::
     result.solutions += found.solutions;
   }
   for (std::size_t c = 0; c < channels.size(); ++c)
-    result.answers.push_back(answer(channels[c], found, moments, to_index(c)));
+    result.channels.push_back(channel_result(channels[c], found, moments, to_index(c)));
   return result;
 }
 

@@ -54,7 +54,7 @@ struct RandomOptions {
 };
 
 /// The mean square of one result y over the band of the spectra, and what follows from it.
-struct RandomAnswer {
+struct RandomChannel {
   std::string name;
   std::string unit;
   bool vanishes = false;                    ///< below round-off of its terms: all numbers are 0 or missing
@@ -81,7 +81,7 @@ enum class RandomMethod {
 [[nodiscard]] const char* name(RandomMethod method);
 
 struct RandomResponse {
-  std::vector<RandomAnswer> answers;  ///< one per channel
+  std::vector<RandomChannel> channels;  ///< one per channel
   RandomMethod method = RandomMethod::poles;
   std::string remark;       ///< why the quadrature was used, else empty
   int solutions = 0;        ///< direct solutions Z q = h, for the check or the quadrature

@@ -56,7 +56,7 @@ struct RandomMoment {
                                                                const RandomLoading& loading);
 
 /// Below this share of the magnitudes of its terms, a result is only round-off.
-inline constexpr double vanishing_answer = 1e-12;
+inline constexpr double vanishing_channel = 1e-12;
 
 struct RandomVariances {
   Eigen::MatrixXd mean_square;                   ///< channels × moments

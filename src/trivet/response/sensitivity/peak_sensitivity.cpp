@@ -25,11 +25,11 @@ struct DrivenModel {
   std::vector<assembly::Channel> channels;
   assembly::Loading load;
 
-  DrivenModel(const model::System& given, const Question& question)
+  DrivenModel(const model::System& given, const SensitivityRequest& request)
       : system(given),
         assembled(assembly::assemble(given)),
-        channels(assembly::channels(given, assembled, question.channels, question.quantity)),
-        load(question.load(given, assembled)) {}
+        channels(assembly::channels(given, assembled, request.channels, request.quantity)),
+        load(request.load(given, assembled)) {}
 
   [[nodiscard]] Dynamics at(const PeakPlace& peak, const ElementJets& jets) const {
     return body_dynamics(dynamics(assembled, channels[peak.channel], load, peak.angular_frequency, jets),
@@ -139,7 +139,7 @@ ElementJets changed_jets(const DrivenModel& driven, const PeakOfModel& peak, con
 
 /// Derivative (8(f(h) − f(−h)) − (f(2h) − f(−2h)))/12h of every peak's dynamics: exact for polynomials up to the fourth
 /// degree.
-std::vector<Dynamics> derivatives(const model::System& system, const Question& question,
+std::vector<Dynamics> derivatives(const model::System& system, const SensitivityRequest& request,
                                   const std::vector<PeakOfModel>& peaks, const Parameter& parameter) {
   constexpr std::array<std::pair<double, double>, 4> nodes = {
       {{1, 8.0 / 12}, {-1, -8.0 / 12}, {2, -1.0 / 12}, {-2, 1.0 / 12}}};
@@ -149,8 +149,8 @@ std::vector<Dynamics> derivatives(const model::System& system, const Question& q
     result.back().add(-1, peak.dynamics());
   }
   for (const auto& [node, weight] : nodes) {
-    const model::System other = question.changed(system, parameter, node * parameter.step);
-    const DrivenModel driven(other, question);
+    const model::System other = request.changed(system, parameter, node * parameter.step);
+    const DrivenModel driven(other, request);
     for (std::size_t i = 0; i < peaks.size(); ++i)
       result[i].add(weight / parameter.step, driven.at(peaks[i].place(), changed_jets(driven, peaks[i], parameter)));
   }
@@ -160,7 +160,7 @@ std::vector<Dynamics> derivatives(const model::System& system, const Question& q
 }  // namespace
 
 SensitivityTable peak_sensitivities(const model::System& system, const assembly::Assembled& assembled,
-                                    const Question& question, const std::vector<PeakPlace>& places,
+                                    const SensitivityRequest& request, const std::vector<PeakPlace>& places,
                                     const foundation::Progress& progress) {
   for (const PeakPlace& place : places)
     if (!(place.angular_frequency > 0) || !std::isfinite(place.angular_frequency))
@@ -171,14 +171,14 @@ SensitivityTable peak_sensitivities(const model::System& system, const assembly:
   const bool any_mode =
       std::ranges::any_of(places, [](const PeakPlace& place) { return place.unbounded_mode.has_value(); });
   const modal::Modes modes = any_mode ? modal::modes(system, assembled) : modal::Modes{};
-  const DrivenModel driven(system, question);
+  const DrivenModel driven(system, request);
   std::vector<PeakOfModel> peaks;
   for (std::size_t i = 0; i < places.size(); ++i) peaks.emplace_back(driven, places[i], modes, table.peaks[i].notes);
   for (std::size_t p = 0; p < table.parameters.size(); ++p) {
     foundation::report_progress(progress, "sensitivities",
                                 static_cast<double>(p) / static_cast<double>(table.parameters.size()));
     try {
-      const std::vector<Dynamics> change = derivatives(system, question, peaks, table.parameters[p]);
+      const std::vector<Dynamics> change = derivatives(system, request, peaks, table.parameters[p]);
       for (std::size_t i = 0; i < peaks.size(); ++i) table.peaks[i].list.push_back(peaks[i].sensitivity(change[i]));
     } catch (const foundation::NotComputable& reason) {
       for (PeakSensitivities& peak : table.peaks) {

@@ -21,7 +21,7 @@ using LoadOf = std::function<assembly::Loading(const model::System&, const assem
 using ChangedModel = std::function<model::System(const model::System&, const Parameter&, double amount)>;
 
 /// The results and the load to examine.
-struct Question {
+struct SensitivityRequest {
   std::vector<std::string> channels;  ///< full channel names
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   LoadOf load;
@@ -30,7 +30,7 @@ struct Question {
 
 /// A maximum of |y(ω)|.
 struct PeakPlace {
-  std::size_t channel = 0;            ///< index in Question::channels
+  std::size_t channel = 0;            ///< index in SensitivityRequest::channels
   double angular_frequency = 0;       ///< [rad/s], > 0
   std::optional<int> unbounded_mode;  ///< the undamped mode at this frequency, if |y| is infinite there
 };
@@ -59,7 +59,8 @@ struct SensitivityTable {
 /// parameters except system damping, the mass of elements, and tangents that follow the position of rest. Only the
 /// first derivative of the model is numerical, never that of the resonance, so light damping costs no accuracy.
 [[nodiscard]] SensitivityTable peak_sensitivities(const model::System& system, const assembly::Assembled& assembled,
-                                                  const Question& question, const std::vector<PeakPlace>& peaks,
+                                                  const SensitivityRequest& request,
+                                                  const std::vector<PeakPlace>& peaks,
                                                   const foundation::Progress& progress = {});
 
 }  // namespace trivet::response

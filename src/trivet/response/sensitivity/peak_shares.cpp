@@ -142,12 +142,12 @@ double system_damping_power(const model::System& system, const assembly::Assembl
 }
 
 /// q in all rows of `dynamics`, and y; if y is unbounded, the mode and 0.
-struct Answer {
+struct PeakMotion {
   VectorXcd coordinates;
   Complex value;
 };
 
-Answer moved(const assembly::Assembled& assembled, const Dynamics& dynamics, const PeakPlace& place) {
+PeakMotion moved(const assembly::Assembled& assembled, const Dynamics& dynamics, const PeakPlace& place) {
   if (place.unbounded_mode)
     return {all_modes(assembled).shapes.col(*place.unbounded_mode - 1).head(dynamics.load[0].size()).cast<Complex>(),
             0};
@@ -155,37 +155,37 @@ Answer moved(const assembly::Assembled& assembled, const Dynamics& dynamics, con
   return {found.coordinates[0], found.value[0]};
 }
 
-Dynamics looked_at(const model::System& system, const assembly::Assembled& assembled, const Question& question,
+Dynamics looked_at(const model::System& system, const assembly::Assembled& assembled, const SensitivityRequest& request,
                    const PeakPlace& place, const ElementJets& jets) {
   if (!(place.angular_frequency > 0)) throw foundation::InvalidInput("peak_shares: the angular frequency must be > 0");
   const std::vector<assembly::Channel> channels =
-      assembly::channels(system, assembled, question.channels, question.quantity);
-  return dynamics(assembled, channels.at(place.channel), question.load(system, assembled), place.angular_frequency,
+      assembly::channels(system, assembled, request.channels, request.quantity);
+  return dynamics(assembled, channels.at(place.channel), request.load(system, assembled), place.angular_frequency,
                   jets);
 }
 
 }  // namespace
 
-double alignment(const model::System& system, const assembly::Assembled& assembled, const Question& question,
+double alignment(const model::System& system, const assembly::Assembled& assembled, const SensitivityRequest& request,
                  const PeakPlace& place) {
-  const Dynamics at = looked_at(system, assembled, question, place, element_jets(assembled, place.angular_frequency));
+  const Dynamics at = looked_at(system, assembled, request, place, element_jets(assembled, place.angular_frequency));
   const VectorXcd q = moved(assembled, at, place).coordinates;
   const Eigen::VectorXd unit = numerics::unit_scale(assembled.matrices).head(q.size());
   const double most = (unit.asDiagonal() * at.channel[0]).norm() * (unit.cwiseInverse().asDiagonal() * q).norm();
   return most > 0 ? std::abs(at.channel[0].cwiseProduct(q).sum()) / most : 0;
 }
 
-PeakShares peak_shares(const model::System& system, const assembly::Assembled& assembled, const Question& question,
-                       const PeakPlace& place) {
+PeakShares peak_shares(const model::System& system, const assembly::Assembled& assembled,
+                       const SensitivityRequest& request, const PeakPlace& place) {
   const double omega = place.angular_frequency;
   const ElementJets jets = element_jets(assembled, omega);
-  const Dynamics at = looked_at(system, assembled, question, place, jets);
+  const Dynamics at = looked_at(system, assembled, request, place, jets);
   PeakShares result;
   const auto [q, value] = moved(assembled, at, place);
   result.value = value;
   share_among_modes(assembled, at, q, omega, result);
 
-  const assembly::Loading loading = question.load(system, assembled);
+  const assembly::Loading loading = request.load(system, assembled);
   const VectorXcd ground = place.unbounded_mode || loading.motion.vanishes() ? VectorXcd() : loading.motion.at(omega);
   std::vector<ElementEnergy> energies;
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {

@@ -50,11 +50,11 @@ struct PeakShares {
 /// Shares at any ω > 0; for an unbounded peak, those of its mode.
 /// @throws NotComputable on an undamped resonance that `place` does not mark as unbounded
 [[nodiscard]] PeakShares peak_shares(const model::System& system, const assembly::Assembled& assembled,
-                                     const Question& question, const PeakPlace& place);
+                                     const SensitivityRequest& request, const PeakPlace& place);
 
 /// |y| divided by the largest |y| that a motion of this size can cause in this channel, both weighted with the masses
 /// of the coordinates: 0 … 1. Far below 1e-9, the result vanishes by symmetry, and the computed value is round-off.
 [[nodiscard]] double alignment(const model::System& system, const assembly::Assembled& assembled,
-                               const Question& question, const PeakPlace& place);
+                               const SensitivityRequest& request, const PeakPlace& place);
 
 }  // namespace trivet::response

@@ -30,8 +30,8 @@ std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, 
   return terms;
 }
 
-/// Round-off of each answer: this share of its value if all coordinates moved as much as the largest. Needed because an
-/// result that vanishes by symmetry is as small as its own terms.
+/// Round-off of each channel: this share of its value if all coordinates moved as much as the largest. Needed because
+/// an result that vanishes by symmetry is as small as its own terms.
 Eigen::MatrixXd round_off(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                           const Eigen::MatrixXcd& q, const Eigen::RowVectorXd& omega) {
   const Eigen::VectorXd unit =
@@ -43,10 +43,10 @@ Eigen::MatrixXd round_off(const assembly::Assembled& assembled, const std::vecto
   return result;
 }
 
-AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                            const assembly::Loading& loading, const std::vector<double>& omega) {
+ChannelSamples exact_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                             const assembly::Loading& loading, const std::vector<double>& omega) {
   const auto count = to_index(channels.size()), points = to_index(omega.size());
-  AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
+  ChannelSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
   const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
   for (Eigen::Index i = 0; i < points; ++i) {
     const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), omega[i]);
@@ -59,11 +59,11 @@ AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vec
 }
 
 /// Samples of all channels in the coordinates of the loading.
-AnswerSamples samples_in(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                         const assembly::Loading& loading, const std::vector<double>& omega) {
+ChannelSamples samples_in(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                          const assembly::Loading& loading, const std::vector<double>& omega) {
   if (assembled.frequency_dependent()) return exact_samples(assembled, channels, loading, omega);
   const auto count = to_index(channels.size()), points = to_index(omega.size());
-  AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
+  ChannelSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
   const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
   const assembly::GivenCurves given = assembly::given_curves(channels, loading.motion);
   const Eigen::MatrixXcd ground = given.given.at(omega);
@@ -89,15 +89,15 @@ std::vector<ChannelTerms> channel_terms(const std::vector<assembly::Channel>& ch
   return result;
 }
 
-AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                             const assembly::Loading& loading, const std::vector<double>& omega) {
-  const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
+ChannelSamples channel_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                               const assembly::Loading& loading, const std::vector<double>& omega) {
+  const std::vector<assembly::ChannelGroup> groups = assembly::by_coordinates(assembled.ground, channels, loading);
   if (groups.size() == 1) return samples_in(assembled, channels, groups[0].loading, omega);
   assert(groups.size() == 2 && groups[0].which.size() + groups[1].which.size() == channels.size());
-  AnswerSamples result{Eigen::MatrixXcd(std::ssize(channels), std::ssize(omega)),
-                       Eigen::MatrixXd(std::ssize(channels), std::ssize(omega))};
-  for (const assembly::AnsweredTogether& group : groups) {
-    const AnswerSamples part = samples_in(assembled, group.channels, group.loading, omega);
+  ChannelSamples result{Eigen::MatrixXcd(std::ssize(channels), std::ssize(omega)),
+                        Eigen::MatrixXd(std::ssize(channels), std::ssize(omega))};
+  for (const assembly::ChannelGroup& group : groups) {
+    const ChannelSamples part = samples_in(assembled, group.channels, group.loading, omega);
     for (Eigen::Index k = 0; k < std::ssize(group.which); ++k) {
       const auto row = to_index(group.which[k]);
       result.value.row(row) = part.value.row(k);

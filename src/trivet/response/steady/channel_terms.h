@@ -27,16 +27,16 @@ struct ChannelTerms {
 [[nodiscard]] std::vector<ChannelTerms> channel_terms(const std::vector<assembly::Channel>& channels);
 
 /// All results at some frequencies, from direct solutions.
-struct AnswerSamples {
+struct ChannelSamples {
   Eigen::MatrixXcd value;    ///< channels × frequencies; NaN if Z is singular
   Eigen::MatrixXd possible;  ///< sums of the magnitudes of the terms: a value far below is round-off
 };
 
 /// Samples at ω > 0 [rad/s], also with frequency-dependent elements.
-[[nodiscard]] AnswerSamples answer_samples(const assembly::Assembled& assembled,
-                                           const std::vector<assembly::Channel>& channels,
-                                           const assembly::Loading& loading,
-                                           const std::vector<double>& angular_frequency);
+[[nodiscard]] ChannelSamples channel_samples(const assembly::Assembled& assembled,
+                                             const std::vector<assembly::Channel>& channels,
+                                             const assembly::Loading& loading,
+                                             const std::vector<double>& angular_frequency);
 
 /// All delays in a loading [s], ascending; only 0 without a load.
 [[nodiscard]] std::vector<double> delays_of(const assembly::Loading& loading);

@@ -34,8 +34,8 @@ Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::v
 }
 
 /// Response of all channels in the coordinates of the loading.
-FrequencyResponse answered(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                           const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
+FrequencyResponse group_response(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                 const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
   const numerics::SweepResult solved = steady_solution(assembled, loading, angular_frequency);
   const Eigen::RowVectorXd omega =
       Eigen::Map<const Eigen::RowVectorXd>(angular_frequency.data(), to_index(angular_frequency.size()));
@@ -75,14 +75,14 @@ void add(const SolutionCheck& part, SolutionCheck& whole) {
 FrequencyResponse frequency_response(const assembly::Assembled& assembled,
                                      const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
                                      const std::vector<double>& angular_frequency) {
-  const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
-  if (groups.size() == 1) return answered(assembled, channels, groups[0].loading, angular_frequency);
+  const std::vector<assembly::ChannelGroup> groups = assembly::by_coordinates(assembled.ground, channels, loading);
+  if (groups.size() == 1) return group_response(assembled, channels, groups[0].loading, angular_frequency);
   FrequencyResponse result;
   result.angular_frequency = angular_frequency;
   result.solves = static_cast<int>(angular_frequency.size());
   result.curves.resize(channels.size());
-  for (const assembly::AnsweredTogether& group : groups) {
-    FrequencyResponse part = answered(assembled, group.channels, group.loading, angular_frequency);
+  for (const assembly::ChannelGroup& group : groups) {
+    FrequencyResponse part = group_response(assembled, group.channels, group.loading, angular_frequency);
     for (std::size_t k = 0; k < group.which.size(); ++k) result.curves[group.which[k]] = std::move(part.curves[k]);
     add(part.check, result.check);
   }

@@ -24,9 +24,9 @@ bool defined_at_rest(const assembly::Assembled& assembled) {
   return std::ranges::all_of(assembled.elements, [](const assembly::ElementMap& map) { return map.defined_from == 0; });
 }
 
-/// End of the search. Frequency-dependent elements have no last pole: it is where the caller asks, but well above the
-/// natural frequencies. Tables (a mobility with its own resonances) are searched to their end, unless that is far
-/// above.
+/// End of the search. Frequency-dependent elements have no last pole: it is where the caller requests it, but well
+/// above the natural frequencies. Tables (a mobility with its own resonances) are searched to their end, unless that is
+/// far above.
 double search_end(const assembly::Assembled& assembled, const modal::Modes& modes, const modal::Roots& roots,
                   const PeakOptions& options) {
   constexpr double well_above = 2, far_above = 30;
@@ -173,12 +173,12 @@ double relative_prominence(const Peak& peak) {
 Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
             const assembly::Loading& loading, const modal::Modes& modes, const modal::Roots& roots,
             const PeakOptions& options, const foundation::Progress& progress) {
-  const std::vector<assembly::AnsweredTogether> groups = assembly::by_coordinates(assembled.ground, channels, loading);
+  const std::vector<assembly::ChannelGroup> groups = assembly::by_coordinates(assembled.ground, channels, loading);
   if (groups.size() == 1) return searched(assembled, channels, groups[0].loading, modes, roots, options, progress);
   Peaks result;
   result.curves.resize(channels.size());
   result.turnings.resize(channels.size());
-  for (const assembly::AnsweredTogether& group : groups) {
+  for (const assembly::ChannelGroup& group : groups) {
     Peaks part = searched(assembled, group.channels, group.loading, modes, roots, options, progress);
     result.searched_from = std::max(result.searched_from, part.searched_from);
     result.searched_to = std::min(result.searched_to, part.searched_to);

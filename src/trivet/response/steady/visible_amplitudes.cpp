@@ -43,7 +43,7 @@ Eigen::VectorXd visible_in(const assembly::Assembled& assembled, const std::vect
 Eigen::VectorXd visible_amplitudes(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                    const assembly::Loading& loading, double omega) {
   Eigen::VectorXd result(std::ssize(channels));
-  for (const assembly::AnsweredTogether& group : assembly::by_coordinates(assembled.ground, channels, loading)) {
+  for (const assembly::ChannelGroup& group : assembly::by_coordinates(assembled.ground, channels, loading)) {
     const Eigen::VectorXd part = visible_in(assembled, group.channels, group.loading, omega);
     for (Eigen::Index k = 0; k < part.size(); ++k) result(to_index(group.which[k])) = part(k);
   }

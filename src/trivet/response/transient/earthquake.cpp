@@ -140,17 +140,19 @@ EarthquakeResponse earthquake_response(const assembly::Assembled& given, const s
     if (channel.on_displacement.isZero(0) && !channel.ground.empty())
       throw foundation::NotComputable(fmt::format(
           "earthquake: \"{}\" is a motion of the ground alone, which a response spectrum does not give", channel.name));
-    CombinedAnswer answer{channel.name, channel.unit, Eigen::VectorXd(count), 0, 0};
+    CombinedChannel channel_result{channel.name, channel.unit, Eigen::VectorXd(count), 0, 0};
     for (Eigen::Index k = 0; k < count; ++k) {
       const ModalShare& mode = result.modes[reached[k]];
       const Eigen::VectorXd shape = modes.shapes.col(reached[k]);
       const double squared = omega(k) * omega(k), motion = mode.participation * mode.spectral_acceleration / squared;
-      answer.modal_maxima(k) = std::pow(omega(k), channel.derivative) * motion *
+      channel_result.modal_maxima(k) = std::pow(omega(k), channel.derivative) * motion *
           (channel.on_displacement.real().dot(shape) - squared * channel.on_acceleration.dot(shape));
     }
-    answer.square_root_of_sum_of_squares = excitation::square_root_of_sum_of_squares(answer.modal_maxima);
-    answer.complete_quadratic = excitation::complete_quadratic_combination(answer.modal_maxima, omega, zeta);
-    result.answers.push_back(std::move(answer));
+    channel_result.square_root_of_sum_of_squares =
+        excitation::square_root_of_sum_of_squares(channel_result.modal_maxima);
+    channel_result.complete_quadratic =
+        excitation::complete_quadratic_combination(channel_result.modal_maxima, omega, zeta);
+    result.channels.push_back(std::move(channel_result));
   }
   return result;
 }

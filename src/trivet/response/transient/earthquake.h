@@ -24,7 +24,7 @@ struct ModalShare {
 };
 
 /// Largest value of one result over time, estimated from its modal maxima.
-struct CombinedAnswer {
+struct CombinedChannel {
   std::string name;
   std::string unit;
   Eigen::VectorXd modal_maxima;              ///< per mode within the spectrum, with the sign for +S_a
@@ -35,7 +35,7 @@ struct CombinedAnswer {
 struct EarthquakeResponse {
   std::vector<ModalShare> modes;    ///< all with ω > 0, ascending
   double effective_mass_share = 0;  ///< of the modes within the spectrum, over all modes with ω > 0
-  std::vector<CombinedAnswer> answers;
+  std::vector<CombinedChannel> channels;
   foundation::Problems warnings;
 };
 

@@ -150,14 +150,14 @@ double root_mean_square(const TimeCurve& curve, const std::vector<numerics::RowB
 }
 
 /// The stored values grow with points × results, and their file is about three times as large.
-void require_room(const TimeGrid& grid, std::size_t answers) {
+void require_enough_memory(const TimeGrid& grid, std::size_t channels) {
   constexpr double most_bytes = 2e9;
-  const double bytes = static_cast<double>(grid.points) * static_cast<double>(answers + 1) * sizeof(double);
+  const double bytes = static_cast<double>(grid.points) * static_cast<double>(channels + 1) * sizeof(double);
   if (bytes > most_bytes)
     throw foundation::NotComputable(
         fmt::format("transient: {} points × {} results and the time need {:.3g} GB; at most {:.3g} GB are allowed: "
                     "take a longer step, a shorter time or fewer results",
-                    grid.points, answers, bytes / 1e9, most_bytes / 1e9));
+                    grid.points, channels, bytes / 1e9, most_bytes / 1e9));
 }
 
 TransientResponse response_of(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
@@ -171,10 +171,10 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
   const StateSpace space = modal.decoupled();
   StepperState state = first_state(space, inputs, options);
   const TimeGrid grid = time_grid(options, modes, inputs.courses, inputs.names, result.warnings);
-  require_room(grid, channels.size());
+  require_enough_memory(grid, channels.size());
   const double end = grid.time(grid.points - 1);
   warn_of_growth(space, end - grid.start, result.warnings);
-  const LinearRows rows = answer_rows(space, channels, inputs.drives);
+  const LinearRows rows = channel_rows(space, channels, inputs.drives);
   warn_of_impulses(rows, channels, inputs.courses, inputs.names, result.warnings);
 
   TimeStepper stepper(space, inputs.courses, grid.step, grid.resolution);
@@ -195,11 +195,11 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
           fmt::format("transient: \"{}\" exceeds the range of numbers before {:.4g} s", curve.name, end));
     const LinearRows here{rows.on_state.row(row),
                           rows.on_input.cols() > 0 ? Eigen::MatrixXd(rows.on_input.row(row)) : Eigen::MatrixXd(1, 0)};
-    const foundation::Progress of_answer = [&](std::string_view task, double fraction) {
+    const foundation::Progress of_channel = [&](std::string_view task, double fraction) {
       foundation::report_progress(progress, task,
                                   (static_cast<double>(k) + fraction) / static_cast<double>(channels.size()));
     };
-    search_between_points(stepper, space, here, k, grid, record.blocks(), of_answer, curve);
+    search_between_points(stepper, space, here, k, grid, record.blocks(), of_channel, curve);
   }
   return result;
 }

@@ -21,8 +21,8 @@ constexpr double sum_round_off = 1e-12;
 
 }  // namespace
 
-LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Channel>& channels,
-                       const std::vector<Drive>& courses) {
+LinearRows channel_rows(const StateSpace& space, const std::vector<assembly::Channel>& channels,
+                        const std::vector<Drive>& courses) {
   const LinearRows& q = space.displacements();
   const LinearRows velocity = space.derivative(q), acceleration = space.derivative(velocity);
   const auto count = to_index(channels.size());
@@ -183,7 +183,7 @@ void TransientRecord::to_next_point(StepperState& state, double to) {
   for (double corner = stepper_.next_corner(state); corner <= to + stepper_.resolution();
        corner = stepper_.next_corner(state)) {
     stepper_.advance_to_corner(state, std::min(corner, to));
-    const bool jump = answers_jump(state, corner);
+    const bool jump = channels_jump(state, corner);
     if (jump) note(state);
     stepper_.apply_corners(state);
     if (jump) note(state);
@@ -191,7 +191,7 @@ void TransientRecord::to_next_point(StepperState& state, double to) {
   if (state.time != to) stepper_.advance_to_corner(state, to);
 }
 
-bool TransientRecord::answers_jump(const StepperState& state, double corner) const {
+bool TransientRecord::channels_jump(const StepperState& state, double corner) const {
   for (std::size_t c = 0; c < courses_.size(); ++c)
     for (int m = 0; m < 3; ++m)
       if ((held_[c] >> m & 1) != 0 && courses_[c].next_corner(state.places[c]) <= corner + stepper_.resolution() &&

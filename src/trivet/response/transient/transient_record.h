@@ -35,8 +35,8 @@ void search_between_points(TimeStepper& stepper, const StateSpace& space, const 
                            TimeCurve& curve);
 
 /// Results, one row each, as linear functions of the state and of the inputs.
-[[nodiscard]] LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Channel>& channels,
-                                     const std::vector<Drive>& courses);
+[[nodiscard]] LinearRows channel_rows(const StateSpace& space, const std::vector<assembly::Channel>& channels,
+                                      const std::vector<Drive>& courses);
 
 /// Columns of `on_input` that are not zero.
 [[nodiscard]] std::vector<Eigen::Index> used_inputs(const LinearRows& rows);
@@ -47,7 +47,7 @@ void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channe
                       const std::vector<InputCourse>& courses, const std::vector<std::string>& names,
                       foundation::Problems& warnings);
 
-/// Steps over the grid and stores the answers: values at its points, extremes at the points and on both sides of every
+/// Steps over the grid and stores the channels: values at its points, extremes at the points and on both sides of every
 /// jump.
 class TransientRecord {
  public:
@@ -71,7 +71,7 @@ class TransientRecord {
   void add_block(StepperState& state, Eigen::Index first, TimeSamples& samples);
   void add_inputs(Eigen::Index begin, Eigen::Index count, TimeSamples& samples) const;
   void to_next_point(StepperState& state, double to);
-  [[nodiscard]] bool answers_jump(const StepperState& state, double corner) const;
+  [[nodiscard]] bool channels_jump(const StepperState& state, double corner) const;
   void note(const StepperState& state);
   void keep(const numerics::RowsOverTime& values, Eigen::Index first, Eigen::Index count);
   void add_extremes_at_points();

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "trivet/nonlinear/modes/backbone.h"
-#include "trivet/results/format/answer_writer.h"
 #include "trivet/results/format/motion_numbers.h"
+#include "trivet/results/format/result_writer.h"
 
 /// Nonlinear modes.
 namespace trivet::results {
@@ -171,8 +171,8 @@ void add_remarks(const Backbone& mode, Document& document) {
     add("without dampers; damped = true shows the damping ratio over the amplitude");
 }
 
-Document backbone_document(const project::Case&, const study::Answers& answers) {
-  const auto& modes = *answers.find<std::vector<Backbone>>("backbone");
+Document backbone_document(const project::Case&, const study::CaseResults& results) {
+  const auto& modes = *results.find<std::vector<Backbone>>("backbone");
   Document document;
   document.add(nonlinear_modes(modes));
   document.add(backbone_points(modes));
@@ -182,12 +182,12 @@ Document backbone_document(const project::Case&, const study::Answers& answers) 
                          "out: largest share of the deflections beyond the harmonics."},
                .place = Sentence::Place::note});
   for (const Backbone& mode : modes) document.add(points_of_mode(mode));
-  document.add(warnings_part(answers));
+  document.add(warnings_part(results));
   return document;
 }
 
 }  // namespace
 
-const AnswerWriter backbone_results = {.document = backbone_document, .files = {"backbone.csv"}};
+const ResultWriter backbone_results = {.document = backbone_document, .files = {"backbone.csv"}};
 
 }  // namespace trivet::results

@@ -5,17 +5,17 @@
 
 #include "trivet/documents/text_table.h"
 #include "trivet/response/transient/earthquake.h"
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
 /// Largest response to an earthquake.
 namespace trivet::results {
 namespace {
 
-using response::CombinedAnswer;
+using response::CombinedChannel;
 using response::EarthquakeResponse;
 
 /// Modal maxima for all modes; NaN for a mode outside the spectrum.
-std::vector<double> maxima_of_all_modes(const EarthquakeResponse& e, const CombinedAnswer& a) {
+std::vector<double> maxima_of_all_modes(const EarthquakeResponse& e, const CombinedChannel& a) {
   std::vector<double> maxima;
   Eigen::Index counted = 0;
   for (const response::ModalShare& m : e.modes)
@@ -24,7 +24,7 @@ std::vector<double> maxima_of_all_modes(const EarthquakeResponse& e, const Combi
 }
 
 Table combined_table(const EarthquakeResponse& e) {
-  const Rows row(e.answers);
+  const Rows row(e.channels);
   std::vector<std::string> modes;
   for (const response::ModalShare& m : e.modes) modes.push_back(fmt::format("{:.6g} Hz", hertz(m.angular_frequency)));
   return {.key = "results",
@@ -33,13 +33,13 @@ Table combined_table(const EarthquakeResponse& e) {
           .file = "earthquake.csv",
           .title = "Earthquake response from the spectrum (motions relative to the ground, accelerations absolute)",
           .rows = row.size(),
-          .columns = {row("name", Kind::words, "result", &CombinedAnswer::name),
-                      row("unit", Kind::words, "", &CombinedAnswer::unit),
-                      row("srss", Kind::quantity, "SRSS", &CombinedAnswer::square_root_of_sum_of_squares),
-                      row("cqc", Kind::quantity, "CQC", &CombinedAnswer::complete_quadratic),
-                      row.lists("modal_maxima", "", "", {}, &CombinedAnswer::modal_maxima, {.forms = in_json}),
+          .columns = {row("name", Kind::words, "result", &CombinedChannel::name),
+                      row("unit", Kind::words, "", &CombinedChannel::unit),
+                      row("srss", Kind::quantity, "SRSS", &CombinedChannel::square_root_of_sum_of_squares),
+                      row("cqc", Kind::quantity, "CQC", &CombinedChannel::complete_quadratic),
+                      row.lists("modal_maxima", "", "", {}, &CombinedChannel::modal_maxima, {.forms = in_json}),
                       row.lists("modal_maxima", "", "mode", modes,
-                                [&e](const CombinedAnswer& a) { return maxima_of_all_modes(e, a); },
+                                [&e](const CombinedChannel& a) { return maxima_of_all_modes(e, a); },
                                 {.unit = unit_of_the_row, .forms = in_csv | in_arrays})},
           .csv = {"name", "unit", "cqc", "srss", {"largest in mode at {}", "modal_maxima"}},
           .arrays = {{"result", "name"}, "unit", "cqc", "srss", "modal_maxima"}};
@@ -63,19 +63,19 @@ Table mode_shares(const EarthquakeResponse& e) {
           .folded = true};
 }
 
-Document earthquake_document(const project::Case&, const study::Answers& answers) {
-  const EarthquakeResponse& e = *answers.find<EarthquakeResponse>("earthquake");
+Document earthquake_document(const project::Case&, const study::CaseResults& results) {
+  const EarthquakeResponse& e = *results.find<EarthquakeResponse>("earthquake");
   return {{{combined_table(e)},
            {mode_shares(e)},
            {Single{.name = "effective_mass_share", .value = e.effective_mass_share, .forms = in_json | in_arrays}},
            {Sentence{.parts = {"The spectrum covers modes with ", Quantity{e.effective_mass_share, "1", Kind::share},
                                " of the effective mass."},
                      .place = Sentence::Place::note}},
-           {warnings_part(answers)}}};
+           {warnings_part(results)}}};
 }
 
 }  // namespace
 
-const AnswerWriter earthquake_results = {.document = earthquake_document, .files = {"earthquake.csv"}};
+const ResultWriter earthquake_results = {.document = earthquake_document, .files = {"earthquake.csv"}};
 
 }  // namespace trivet::results

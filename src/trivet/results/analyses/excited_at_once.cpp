@@ -3,26 +3,26 @@
 #include <fmt/ranges.h>
 
 #include "trivet/project/analyses/drive.h"
-#include "trivet/results/format/written_answers.h"
+#include "trivet/results/format/written_results.h"
 
 namespace trivet::results {
 namespace {
 
-/// The excitations that the case selects for a question; empty: all.
-std::vector<std::string> selected(const project::Analyses& asked, const std::string& question) {
-  if (question == "peaks" && asked.peaks) return asked.peaks->selection.excitations;
-  if (const auto* own = asked.find<project::Question>(question)) return own->selection.excitations;
-  return (question == "peaks" || question == "response") && asked.response ? asked.response->selection.excitations
-                                                                           : std::vector<std::string>();
+/// The excitations that the case selects for an analysis; empty: all.
+std::vector<std::string> selected(const project::Analyses& request, const std::string& analysis) {
+  if (analysis == "peaks" && request.peaks) return request.peaks->selection.excitations;
+  if (const auto* own = request.find<project::Analysis>(analysis)) return own->selection.excitations;
+  return (analysis == "peaks" || analysis == "response") && request.response ? request.response->selection.excitations
+                                                                             : std::vector<std::string>();
 }
 
 }  // namespace
 
-std::string excited_at_once(const project::Case& variant, const std::string& question) {
-  const std::vector<std::string> chosen = selected(variant.analyses, question);
+std::string excited_at_once(const project::Case& variant, const std::string& analysis) {
+  const std::vector<std::string> chosen = selected(variant.analyses, analysis);
   std::vector<std::string> names;
   for (const model::Excitation& excitation : variant.system.description().excitations) {
-    if (model::is_selected(excitation, chosen) && project::drives(excitation, project::drive_of(question)))
+    if (model::is_selected(excitation, chosen) && project::drives(excitation, project::drive_of(analysis)))
       names.push_back(excitation.name);
   }
   return excited_at_once(names);

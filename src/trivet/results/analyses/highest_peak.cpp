@@ -24,8 +24,8 @@ void keep_higher(std::optional<HighestPeak>& highest, double amplitude, const st
   if (!highest || amplitude > highest->amplitude) highest = {amplitude, of, at};
 }
 
-std::string peak_frequency(const study::Answers& answers, double omega) {
-  return fmt::format("{:.5g} {}", shown_frequency(answers.display, omega), frequency_unit(answers.display));
+std::string peak_frequency(const study::CaseResults& results, double omega) {
+  return fmt::format("{:.5g} {}", shown_frequency(results.display, omega), frequency_unit(results.display));
 }
 
 std::string peak_text(const std::optional<HighestPeak>& highest, const DisplayUnit& unit) {
@@ -34,43 +34,43 @@ std::string peak_text(const std::optional<HighestPeak>& highest, const DisplayUn
   return fmt::format("{} {} at {}", amplitude, highest->of, highest->at);
 }
 
-std::string highest_resonance(const study::Answers& answers, const response::Peaks& peaks) {
+std::string highest_resonance(const study::CaseResults& results, const response::Peaks& peaks) {
   const std::string& kind = peaks.curves.front().unit;
   std::optional<HighestPeak> highest;
   for (const response::Peak& peak : peaks.list)
     if (const response::CurveSummary& curve = peaks.curves[peak.curve]; curve.unit == kind)
-      keep_higher(highest, peak.amplitude, curve.name, peak_frequency(answers, peak.angular_frequency));
-  return peak_text(highest, amplitude_unit(answers.display, kind));
+      keep_higher(highest, peak.amplitude, curve.name, peak_frequency(results, peak.angular_frequency));
+  return peak_text(highest, amplitude_unit(results.display, kind));
 }
 
-std::string highest_maximum(const study::Answers& answers, const study::ResponseAnswer& response) {
+std::string highest_maximum(const study::CaseResults& results, const study::ResponseResult& response) {
   const std::string& kind = response.curves.curves.front().unit;
   std::optional<HighestPeak> highest;
   for (std::size_t c = 0; c < response.extrema.size(); ++c)
     for (const response::Extremum& extremum : response.extrema[c])
       if (const response::Curve& curve = response.curves.curves[c]; extremum.maximum && curve.unit == kind)
-        keep_higher(highest, extremum.amplitude, curve.name, peak_frequency(answers, extremum.angular_frequency));
-  return peak_text(highest, amplitude_unit(answers.display, kind));
+        keep_higher(highest, extremum.amplitude, curve.name, peak_frequency(results, extremum.angular_frequency));
+  return peak_text(highest, amplitude_unit(results.display, kind));
 }
 
-std::string farthest_motion(const study::Answers& answers, const nonlinear::SteadyBranch& branch) {
+std::string farthest_motion(const study::CaseResults& results, const nonlinear::SteadyBranch& branch) {
   std::optional<HighestPeak> highest;
   const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
   for (std::size_t r = 0; r < extremes.size(); ++r)
     if (branch.units[r] == branch.units.front())
       keep_higher(highest, std::fmax(std::abs(extremes[r].largest), std::abs(extremes[r].smallest)), branch.results[r],
-                  place_text(branch, *extremes[r].at, answers.display, 5) + " " + varied_unit(branch, answers.display));
-  return peak_text(highest, display_unit(answers.display, branch.units.front()));
+                  place_text(branch, *extremes[r].at, results.display, 5) + " " + varied_unit(branch, results.display));
+  return peak_text(highest, display_unit(results.display, branch.units.front()));
 }
 
 }  // namespace
 
-std::string highest_peak(const study::Answers& answers) {
-  const auto* branch = answers.find<nonlinear::SteadyBranch>("steady");
-  if (branch && !branch->results.empty()) return farthest_motion(answers, *branch);
-  if (answers.peaks && !answers.peaks->peaks.curves.empty()) return highest_resonance(answers, answers.peaks->peaks);
-  const bool has_curves = answers.response && answers.response->model && !answers.response->curves.curves.empty();
-  return has_curves ? highest_maximum(answers, *answers.response) : "";
+std::string highest_peak(const study::CaseResults& results) {
+  const auto* branch = results.find<nonlinear::SteadyBranch>("steady");
+  if (branch && !branch->results.empty()) return farthest_motion(results, *branch);
+  if (results.peaks && !results.peaks->peaks.curves.empty()) return highest_resonance(results, results.peaks->peaks);
+  const bool has_curves = results.response && results.response->model && !results.response->curves.curves.empty();
+  return has_curves ? highest_maximum(results, *results.response) : "";
 }
 
 }  // namespace trivet::results

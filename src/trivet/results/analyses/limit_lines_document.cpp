@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "trivet/documents/shown_numbers.h"
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
-/// Answers of the response compared with limit lines of the user.
+/// Channels of the response compared with limit lines of the user.
 namespace trivet::results {
 namespace {
 
@@ -20,10 +20,10 @@ std::string band_words(const std::vector<Band>& bands, const char* separator, co
 
 }  // namespace
 
-Table limit_line_table(const study::Answers& answers) {
-  const Rows row(answers.limit_lines);
+Table limit_line_table(const study::CaseResults& results) {
+  const Rows row(results.limit_lines);
   const auto in_hertz = [](const Band& band) { return fmt::format("{} to {}", hertz(band.from), hertz(band.to)); };
-  const auto shown = [&display = answers.display](const Band& band) {
+  const auto shown = [&display = results.display](const Band& band) {
     return fmt::format("{:.4g} … {:.4g}", shown_frequency(display, band.from), shown_frequency(display, band.to));
   };
   const auto exceeded_json = [](const LimitLineResult& l) {
@@ -34,7 +34,7 @@ Table limit_line_table(const study::Answers& answers) {
   const auto exceeded_shown = [shown](const LimitLineResult& l) {
     return l.comparison.met() ? std::string("–") : band_words(l.comparison.exceeded, ", ", shown);
   };
-  const std::string unit = " [" + frequency_unit(answers.display) + "]";
+  const std::string unit = " [" + frequency_unit(results.display) + "]";
   return {
       .key = whole_json,
       .axis = "limit_line",
@@ -92,7 +92,7 @@ Table limit_line_table(const study::Answers& answers) {
                  "least_margin_db",
                  "at",
                  "kept"},
-      .mark = [&answers](std::size_t i) { return answers.limit_lines[i].comparison.met() ? Mark::plain : Mark::bad; }};
+      .mark = [&results](std::size_t i) { return results.limit_lines[i].comparison.met() ? Mark::plain : Mark::bad; }};
 }
 
 namespace {
@@ -116,24 +116,24 @@ Table exceeded_bands(const std::vector<LimitLineResult>& lines) {
           .forms = in_arrays};
 }
 
-Document limit_lines_document(const project::Case&, const study::Answers& answers) {
+Document limit_lines_document(const project::Case&, const study::CaseResults& results) {
   Document document;
-  document.add(limit_line_table(answers));
-  for (const LimitLineResult& l : answers.limit_lines)
+  document.add(limit_line_table(results));
+  for (const LimitLineResult& l : results.limit_lines)
     document.add(Curves{
         .axis = l.line.name + " angular_frequency",
         .unit = "rad/s",
         .points = l.comparison.angular_frequency,
         .list = {{.name = l.line.name + " margin", .unit = "1", .values = l.comparison.margin, .forms = in_arrays}},
         .forms = in_arrays});
-  document.add(exceeded_bands(answers.limit_lines));
+  document.add(exceeded_bands(results.limit_lines));
   return document;
 }
 
 }  // namespace
 
-const AnswerWriter limit_lines_results = {
-    .has_answer = [](const project::Case&, const study::Answers& answers) { return !answers.limit_lines.empty(); },
+const ResultWriter limit_lines_results = {
+    .has_result = [](const project::Case&, const study::CaseResults& results) { return !results.limit_lines.empty(); },
     .document = limit_lines_document,
     .files = {"limit_lines.csv"}};
 

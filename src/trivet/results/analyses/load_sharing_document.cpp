@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
 /// The load on each mount at rest.
 namespace trivet::results {
 namespace {
 
-Table load_table(const study::Answers& answers) {
+Table load_table(const study::CaseResults& results) {
   using response::MountLoad;
-  const std::vector<MountLoad>& mounts = answers.load_sharing->mounts;
+  const std::vector<MountLoad>& mounts = results.load_sharing->mounts;
   const Rows row(mounts);
   const auto deflection = [](int component) {
     return [component](const MountLoad& m) { return m.deflection(component); };
@@ -37,22 +37,22 @@ Table load_table(const study::Answers& answers) {
       .forms = for_programs | on_screen | on_page};
 }
 
-Sentence load_note(const study::Answers& answers) {
-  return {.parts = {"In total ", Quantity{answers.load_sharing->bearing_in_total, "N"},
+Sentence load_note(const study::CaseResults& results) {
+  return {.parts = {"In total ", Quantity{results.load_sharing->bearing_in_total, "N"},
                     "; a mount with a negative share pulls down. Deflections of end K relative to N in the element's "
                     "axes."},
           .place = Sentence::Place::note,
           .forms = on_screen | on_page};
 }
 
-Document load_sharing_document(const project::Case&, const study::Answers& answers) {
+Document load_sharing_document(const project::Case&, const study::CaseResults& results) {
   Document document;
   document.add(Words{.axis = "direction", .list = {"x", "y", "z"}});
   add_motion_coordinates(document);
-  document.add(load_table(answers));
-  document.add(load_note(answers));
+  document.add(load_table(results));
+  document.add(load_note(results));
   document.add(Single{.name = "bearing_in_total",
-                      .value = answers.load_sharing->bearing_in_total,
+                      .value = results.load_sharing->bearing_in_total,
                       .unit = "N",
                       .forms = in_json | in_arrays});
   return document;
@@ -60,12 +60,13 @@ Document load_sharing_document(const project::Case&, const study::Answers& answe
 
 }  // namespace
 
-std::string load_sharing_text(const study::Answers& answers) {
-  return as_text({{{load_table(answers)}, {load_note(answers)}}}, answers.display);
+std::string load_sharing_text(const study::CaseResults& results) {
+  return as_text({{{load_table(results)}, {load_note(results)}}}, results.display);
 }
 
-const AnswerWriter load_sharing_results = {
-    .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.load_sharing.has_value(); },
+const ResultWriter load_sharing_results = {
+    .has_result = [](const project::Case&,
+                     const study::CaseResults& results) { return results.load_sharing.has_value(); },
     .document = load_sharing_document,
     .files = {"load_sharing.csv"}};
 

@@ -6,7 +6,7 @@
 #include <complex>
 #include <optional>
 
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
 /// Measured curves and mode shapes compared with computed ones.
 namespace trivet::results {
@@ -292,11 +292,11 @@ Table measurement_table(const std::vector<MeasurementComparison>& measurements) 
       .forms = in_json};
 }
 
-Document measurements_document(const project::Case&, const study::Answers& answers) {
+Document measurements_document(const project::Case&, const study::CaseResults& results) {
   std::vector<const MeasurementComparison*> all;
-  for (const MeasurementComparison& one : answers.measurements) all.push_back(&one);
+  for (const MeasurementComparison& one : results.measurements) all.push_back(&one);
   Document document;
-  document.add(measurement_table(answers.measurements));
+  document.add(measurement_table(results.measurements));
   document.add(channel_table(all, in_csv | in_arrays));
   document.add(measured_lines(all));
   for (const ComparedChannel& one : channels_of(all)) document.add(channel_curves(one));
@@ -317,8 +317,8 @@ Document measurements_document(const project::Case&, const study::Answers& answe
 
 }  // namespace
 
-const AnswerWriter measurements_results = {
-    .has_answer = [](const project::Case&, const study::Answers& answers) { return !answers.measurements.empty(); },
+const ResultWriter measurements_results = {
+    .has_result = [](const project::Case&, const study::CaseResults& results) { return !results.measurements.empty(); },
     .document = measurements_document,
     .files = {"measurements.csv", "measured_curves.csv", "measured_peaks.csv", "measured_modes.csv"}};
 

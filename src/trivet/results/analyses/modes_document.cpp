@@ -7,7 +7,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/modes.h"
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
 /// Undamped modes.
 namespace trivet::results {
@@ -77,9 +77,9 @@ Table coordinate_table(const Rows<Mode>& row, const char* title, Column numbers)
           .forms = on_page};
 }
 
-Table mode_table(const project::Case& variant, const study::Answers& answers, const Column& shape,
+Table mode_table(const project::Case& variant, const study::CaseResults& results, const Column& shape,
                  const Column& kinetic_energy) {
-  const Rows row(answers.modes.list);
+  const Rows row(results.modes.list);
   const std::vector<std::string> elements = names_of(variant.system.elements());
   const auto of_coordinates = [&](const char* name, auto list, unsigned forms, const char* unit = "1") {
     return row.lists(name, "", "coordinate", shape.entries, list, {.unit = unit, .forms = forms});
@@ -149,13 +149,13 @@ Table mode_table(const project::Case& variant, const study::Answers& answers, co
                  "kinetic_energy_share",
                  "element_kinetic_energy_share",
                  "strain_energy_share"},
-      .mark = [&answers](std::size_t i) { return answers.modes.list[i].angular_frequency ? Mark::plain : Mark::bad; }};
+      .mark = [&results](std::size_t i) { return results.modes.list[i].angular_frequency ? Mark::plain : Mark::bad; }};
   std::ranges::move(kinetic_columns(variant, row), std::back_inserter(table.columns));
   return table;
 }
 
-Document modes_document(const project::Case& variant, const study::Answers& answers) {
-  const Rows row(answers.modes.list);
+Document modes_document(const project::Case& variant, const study::CaseResults& results) {
+  const Rows row(results.modes.list);
   const std::vector<std::string> coordinates = shape_coordinates(variant);
   const Column shape = row.lists("shape", "shape", "coordinate", coordinates, &Mode::shape,
                                  {.unit = unit_of_the_row, .forms = for_programs});
@@ -167,16 +167,16 @@ Document modes_document(const project::Case& variant, const study::Answers& answ
   add_shape_coordinates(variant, {"1/√kg", "rad/(m √kg)"}, document);
   document.add(Sentence{
       .parts = {"Undamped modes" +
-                (answers.lowest_modes > 0 ? fmt::format(", the lowest {}", answers.lowest_modes) : std::string())},
+                (results.lowest_modes > 0 ? fmt::format(", the lowest {}", results.lowest_modes) : std::string())},
       .forms = on_screen | in_summary});
-  document.add(mode_table(variant, answers, shape, kinetic));
+  document.add(mode_table(variant, results, shape, kinetic));
   document.add(
       coordinate_table(row, "Mode shapes at the poles: x, y, z [m], θx, θy, θz [rad], unit modal mass", shape));
   document.add(coordinate_table(
       row, "Shares of kinetic energy by coordinate at the poles (they sum to 1; single ones may be outside 0 … 1)",
       kinetic));
-  document.add(Single{.name = "free_motions", .value = answers.free_motions});
-  document.add(warnings_part(answers));
+  document.add(Single{.name = "free_motions", .value = results.free_motions});
+  document.add(warnings_part(results));
   return document;
 }
 
@@ -197,8 +197,8 @@ void add_shape_coordinates(const project::Case& variant, const ShapeUnits& shape
   document.add(Words{.axis = "coordinate", .list = std::move(units), .name = "coordinate.unit"});
 }
 
-const AnswerWriter modes_results = {
-    .has_answer = [](const project::Case& variant, const study::Answers&) { return variant.analyses.modes; },
+const ResultWriter modes_results = {
+    .has_result = [](const project::Case& variant, const study::CaseResults&) { return variant.analyses.modes; },
     .document = modes_document,
     .files = {"modes.csv"}};
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 #include "trivet/study/analyses/analysis_results.h"
 
 /// Run-up and Campbell diagram.
@@ -122,18 +122,18 @@ Group campbell_diagram(const response::Campbell& campbell) {
                        .folded = true}}}};
 }
 
-Document orders_document(const project::Case&, const study::Answers& answers) {
-  const study::OrdersResult& found = *answers.find<study::OrdersResult>("orders");
+Document orders_document(const project::Case&, const study::CaseResults& results) {
+  const study::OrdersResult& found = *results.find<study::OrdersResult>("orders");
   return {{{run_up_curves(found.run_up)},
            {order_table(found.run_up)},
            {overall_table(found.run_up)},
            {critical_speeds(found.run_up)},
            {campbell_diagram(found.campbell)},
-           {warnings_part(answers)}}};
+           {warnings_part(results)}}};
 }
 
 }  // namespace
 
-const AnswerWriter orders_results = {.document = orders_document, .files = {"orders.csv", "critical_speeds.csv"}};
+const ResultWriter orders_results = {.document = orders_document, .files = {"orders.csv", "critical_speeds.csv"}};
 
 }  // namespace trivet::results

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
 /// Exact resonance peaks.
 namespace trivet::results {
@@ -20,28 +20,28 @@ bool counts(const Peak& peak, double tolerance) {
   return std::isinf(peak.amplitude) || !std::isfinite(prominence) || prominence >= tolerance;
 }
 
-std::string remarks(const study::Answers& answers, const Peak& peak) {
-  const double tolerance = answers.peaks->peak_tolerance;
+std::string remarks(const study::CaseResults& results, const Peak& peak) {
+  const double tolerance = results.peaks->peak_tolerance;
   std::string words;
   const auto remark = [&](bool applies, const std::string& one) {
     if (applies) words += (words.empty() ? "" : "; ") + one;
   };
   remark(std::isinf(peak.amplitude), "unbounded: no damping");
   remark(!counts(peak, tolerance), fmt::format("prominence under {:.6g} %", 100 * tolerance));
-  if (answers.response && answers.response->band.from < answers.response->band.to) {
-    const assembly::Band& band = answers.response->band;
+  if (results.response && results.response->band.from < results.response->band.to) {
+    const assembly::Band& band = results.response->band;
     remark(peak.angular_frequency < band.from || peak.angular_frequency > band.to, "outside the band");
   }
   remark(!peak.refined, "very flat, less exact");
   return words;
 }
 
-Table peak_table(const study::Answers& answers) {
-  const response::Peaks& found = answers.peaks->peaks;
+Table peak_table(const study::CaseResults& results) {
+  const response::Peaks& found = results.peaks->peaks;
   const Rows row(found.list);
   const auto curve = [&found](const Peak& peak) -> const response::CurveSummary& { return found.curves[peak.curve]; };
   const bool has_remarks =
-      std::ranges::any_of(found.list, [&](const Peak& peak) { return !remarks(answers, peak).empty(); });
+      std::ranges::any_of(found.list, [&](const Peak& peak) { return !remarks(results, peak).empty(); });
   return {
       .key = "peaks",
       .axis = "peak",
@@ -62,13 +62,13 @@ Table peak_table(const study::Answers& answers) {
                   row("amplitude_uncertainty", Kind::amplitude, "", &Peak::amplitude_uncertainty),
                   row("method", Kind::words, "", [&found](const Peak& peak) { return response::method(found, peak); }),
                   row("remark", Kind::words, has_remarks ? "remark" : "",
-                      [&answers](const Peak& peak) { return remarks(answers, peak); }, {.forms = for_people})},
+                      [&results](const Peak& peak) { return remarks(results, peak); }, {.forms = for_people})},
       .csv = {"name", "unit", "angular_frequency [rad/s]", "amplitude", "prominence", "relative_prominence",
               "ratio_to_static", "nearest_mode", "angular_frequency_uncertainty [rad/s]", "amplitude_uncertainty",
               "method"},
       .mark =
-          [&answers](std::size_t i) {
-            return counts(answers.peaks->peaks.list[i], answers.peaks->peak_tolerance) ? Mark::plain : Mark::minor;
+          [&results](std::size_t i) {
+            return counts(results.peaks->peaks.list[i], results.peaks->peak_tolerance) ? Mark::plain : Mark::minor;
           },
   };
 }
@@ -102,8 +102,8 @@ Sentence without_peak(const response::CurveSummary& curve) {
 }
 
 /// Where peaks were searched, and what is not in the table.
-void add_search_notes(const study::Answers& answers, Document& document) {
-  const response::Peaks& found = answers.peaks->peaks;
+void add_search_notes(const study::CaseResults& results, Document& document) {
+  const response::Peaks& found = results.peaks->peaks;
   const auto omega = [](double value) { return Quantity{value, "rad/s", Kind::angular_frequency, 4}; };
   Sentence note{.parts = {"All peaks at "}, .place = Sentence::Place::note};
   if (std::isfinite(found.searched_to))
@@ -113,43 +113,43 @@ void add_search_notes(const study::Answers& answers, Document& document) {
                       {"ω > ", omega(found.searched_from), " (below it the rigid-body mode dominates)"});
   else note.parts.emplace_back("0 < ω < ∞");
   note.parts.emplace_back(fmt::format(", except those lower than {:.6g} of the largest amplitude of their curve.",
-                                      answers.peaks->min_prominence));
+                                      results.peaks->min_prominence));
   document.add(std::move(note));
   if (std::isfinite(found.searched_to))
     document.add(Sentence{.parts = {"searched so far: with frequency-dependent elements or delays there is no last "
                                     "resonance; a `response.band` with a higher end extends the search, up to the end "
                                     "of the tables"},
                           .place = Sentence::Place::note});
-  const auto is_minor = [&](const Peak& peak) { return !counts(peak, answers.peaks->peak_tolerance); };
+  const auto is_minor = [&](const Peak& peak) { return !counts(peak, results.peaks->peak_tolerance); };
   if (std::ranges::any_of(found.list, is_minor))
     document.add(Sentence{.parts = {fmt::format("Minor ones rise less than {:.6g} % above the adjacent minimum.",
-                                                100 * answers.peaks->peak_tolerance)},
+                                                100 * results.peaks->peak_tolerance)},
                           .place = Sentence::Place::note});
 }
 
-Document peaks_document(const project::Case& variant, const study::Answers& answers) {
-  const response::Peaks& found = answers.peaks->peaks;
+Document peaks_document(const project::Case& variant, const study::CaseResults& results) {
+  const response::Peaks& found = results.peaks->peaks;
   Document document;
   document.add(excited_part(variant, "peaks"));
   document.add(Sentence{.parts = {"Resonance peaks"}, .forms = on_screen | in_summary});
-  document.add(peak_table(answers));
+  document.add(peak_table(results));
   document.add(curve_table(found));
   for (const response::CurveSummary& curve : found.curves)
     if (curve.peaks == 0) document.add(without_peak(curve));
-  add_search_notes(answers, document);
+  add_search_notes(results, document);
   document.add(Single{.name = "searched", .value = {found.searched_from, json::number(found.searched_to)}});
   document.add(Single{.name = "searched_from", .value = found.searched_from, .unit = "rad/s", .forms = in_arrays});
   document.add(Single{.name = "searched_to", .value = found.searched_to, .unit = "rad/s", .forms = in_arrays});
-  document.add(Single{.name = "min_prominence", .value = answers.peaks->min_prominence});
-  document.add(Single{.name = "peak_tolerance", .value = answers.peaks->peak_tolerance});
-  document.add(warnings_part(answers));
+  document.add(Single{.name = "min_prominence", .value = results.peaks->min_prominence});
+  document.add(Single{.name = "peak_tolerance", .value = results.peaks->peak_tolerance});
+  document.add(warnings_part(results));
   return document;
 }
 
 }  // namespace
 
-const AnswerWriter peaks_results = {
-    .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.peaks.has_value(); },
+const ResultWriter peaks_results = {
+    .has_result = [](const project::Case&, const study::CaseResults& results) { return results.peaks.has_value(); },
     .document = peaks_document,
     .files = {"peaks.csv"}};
 

@@ -5,7 +5,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/index.h"
 #include "trivet/response/machinery/power.h"
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
 /// Mean power into the ground.
 namespace trivet::results {
@@ -67,8 +67,8 @@ Table power_rows(const char* key, const char* axis, const char* name, const std:
           .forms = for_programs};
 }
 
-Document power_document(const project::Case& variant, const study::Answers& answers) {
-  const PowerFlow& p = *answers.find<PowerFlow>("power");
+Document power_document(const project::Case& variant, const study::CaseResults& results) {
+  const PowerFlow& p = *results.find<PowerFlow>("power");
   Curves curves{.axis = "angular_frequency",
                 .unit = "rad/s",
                 .points = p.angular_frequency,
@@ -101,11 +101,11 @@ Document power_document(const project::Case& variant, const study::Answers& answ
        {Sentence{.parts = {"Only a flexible foundation or moving ground takes power; rigid ground at rest does not."},
                  .place = Sentence::Place::note,
                  .forms = on_page}},
-       {warnings_part(answers)}}};
+       {warnings_part(results)}}};
 }
 
 }  // namespace
 
-const AnswerWriter power_results = {.document = power_document, .files = {"power.csv"}};
+const ResultWriter power_results = {.document = power_document, .files = {"power.csv"}};
 
 }  // namespace trivet::results

@@ -8,14 +8,14 @@
 
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 #include "trivet/study/analyses/analysis_results.h"
 
 /// Root mean squares and spectral densities.
 namespace trivet::results {
 namespace {
 
-using response::RandomAnswer;
+using response::RandomChannel;
 using study::RandomResult;
 
 /// ∞ for an unbounded number, NaN if there is none.
@@ -31,8 +31,8 @@ Curves densities(const RandomResult& random) {
                 .points = random.curves.angular_frequency,
                 .file = "densities.csv",
                 .axis_columns = {"frequency [Hz]"}};
-  for (std::size_t i = 0; i < random.response.answers.size(); ++i) {
-    const RandomAnswer& a = random.response.answers[i];
+  for (std::size_t i = 0; i < random.response.channels.size(); ++i) {
+    const RandomChannel& a = random.response.channels[i];
     curves.list.push_back({.name = a.name + " density",
                            .unit = "(" + a.unit + ")²/(rad/s)",
                            .values = random.curves.density[i],
@@ -41,7 +41,7 @@ Curves densities(const RandomResult& random) {
   return curves;
 }
 
-Json infinite_numbers(const RandomAnswer& a) {
+Json infinite_numbers(const RandomChannel& a) {
   Json list = Json::array();
   if (a.infinite_rms) list.push_back("rms");
   if (a.infinite_rms_of_derivative) list.push_back("rms_of_derivative");
@@ -50,15 +50,15 @@ Json infinite_numbers(const RandomAnswer& a) {
 }
 
 Table random_table(const RandomResult& random) {
-  const Rows row(random.response.answers);
+  const Rows row(random.response.channels);
   const bool weighted = std::ranges::any_of(
-      random.response.answers, [](const RandomAnswer& a) { return a.weighted_rms || a.infinite_weighted_rms; });
+      random.response.channels, [](const RandomChannel& a) { return a.weighted_rms || a.infinite_weighted_rms; });
   const auto density = [&random](std::size_t i) {
     std::vector<double> list;
     for (const double s : random.curves.density[i]) list.push_back(per_hertz(s));
     return Numbers(std::move(list));
   };
-  const auto remark = [](const RandomAnswer& a) { return a.vanishes ? "below round-off" : a.reason; };
+  const auto remark = [](const RandomChannel& a) { return a.vanishes ? "below round-off" : a.reason; };
   Table table{
       .key = "results",
       .axis = "result",
@@ -66,33 +66,33 @@ Table random_table(const RandomResult& random) {
       .file = "random.csv",
       .rows = row.size(),
       .columns =
-          {row("name", Kind::words, "result", &RandomAnswer::name), row("unit", Kind::words, "", &RandomAnswer::unit),
+          {row("name", Kind::words, "result", &RandomChannel::name), row("unit", Kind::words, "", &RandomChannel::unit),
            row("rms", Kind::quantity, "rms",
-               [](const RandomAnswer& a) { return bounded_number(a.rms, a.infinite_rms); }),
+               [](const RandomChannel& a) { return bounded_number(a.rms, a.infinite_rms); }),
            row("three_sigma", Kind::quantity, "3σ",
-               [](const RandomAnswer& a) { return bounded_number(a.three_sigma, a.infinite_rms); }),
+               [](const RandomChannel& a) { return bounded_number(a.three_sigma, a.infinite_rms); }),
            row("rms_of_derivative", Kind::quantity, "",
-               [](const RandomAnswer& a) { return bounded_number(a.rms_of_derivative, a.infinite_rms_of_derivative); },
+               [](const RandomChannel& a) { return bounded_number(a.rms_of_derivative, a.infinite_rms_of_derivative); },
                {.unit = std::string(unit_of_the_row) + "/s"}),
-           row("zero_crossings", Kind::number, "upward zero crossings", &RandomAnswer::zero_crossings,
+           row("zero_crossings", Kind::number, "upward zero crossings", &RandomChannel::zero_crossings,
                {.unit = "1/s", .digits = 4}),
            row("weighted_rms", Kind::quantity, "",
-               [](const RandomAnswer& a) { return bounded_number(a.weighted_rms, a.infinite_weighted_rms); },
+               [](const RandomChannel& a) { return bounded_number(a.weighted_rms, a.infinite_weighted_rms); },
                {.unit = "m/s², rad/s²"}),
            row("weighted", Kind::quantity, weighted ? "weighted rms" : "",
-               [](const RandomAnswer& a) { return bounded_number(a.weighted_rms, a.infinite_weighted_rms); },
+               [](const RandomChannel& a) { return bounded_number(a.weighted_rms, a.infinite_weighted_rms); },
                {.unit = "@acceleration", .forms = for_people}),
            row("acceleration", Kind::words, "",
-               [](const RandomAnswer& a) { return a.unit.starts_with("rad") ? "rad/s²" : "m/s²"; },
+               [](const RandomChannel& a) { return a.unit.starts_with("rad") ? "rad/s²" : "m/s²"; },
                {.forms = for_people}),
            row("infinite", Kind::words, "", infinite_numbers, {.forms = in_json}),
-           row("variance_share", Kind::words, "", [](const RandomAnswer& a) -> Json { return a.variance_share; },
+           row("variance_share", Kind::words, "", [](const RandomChannel& a) -> Json { return a.variance_share; },
                {.forms = in_json}),
-           row("vanishes", Kind::yes_no, "", &RandomAnswer::vanishes, {.forms = in_json | in_arrays}),
-           row("estimated_error", Kind::number, "", &RandomAnswer::estimated_error, {.forms = in_json | in_arrays}),
-           row("reason", Kind::words, "", &RandomAnswer::reason, {.forms = in_json | in_arrays}),
+           row("vanishes", Kind::yes_no, "", &RandomChannel::vanishes, {.forms = in_json | in_arrays}),
+           row("estimated_error", Kind::number, "", &RandomChannel::estimated_error, {.forms = in_json | in_arrays}),
+           row("reason", Kind::words, "", &RandomChannel::reason, {.forms = in_json | in_arrays}),
            row.lists("density_per_hz", "", "", {}, density, {.forms = in_json}),
-           row.lists("variance_share", "", "input", random.inputs, &RandomAnswer::variance_share,
+           row.lists("variance_share", "", "input", random.inputs, &RandomChannel::variance_share,
                      {.forms = in_csv | in_arrays})},
       .csv = {"name",
               "unit",
@@ -115,12 +115,12 @@ Table random_table(const RandomResult& random) {
                  "reason"}};
   for (std::size_t i = 0; i < random.inputs.size() && random.inputs.size() > 1; ++i)
     table.columns.push_back(row("share " + random.inputs[i], Kind::share, "variance from " + random.inputs[i],
-                                [i](const RandomAnswer& a) {
+                                [i](const RandomChannel& a) {
                                   return i < a.variance_share.size() && !a.vanishes ? a.variance_share[i] : nothing;
                                 },
                                 {.forms = for_people}));
-  const bool has_remarks = std::ranges::any_of(random.response.answers,
-                                               [&](const RandomAnswer& a) { return !std::string(remark(a)).empty(); });
+  const bool has_remarks = std::ranges::any_of(random.response.channels,
+                                               [&](const RandomChannel& a) { return !std::string(remark(a)).empty(); });
   if (has_remarks) table.columns.push_back(row("remark", Kind::words, "remark", remark, {.forms = for_people}));
   return table;
 }
@@ -128,13 +128,13 @@ Table random_table(const RandomResult& random) {
 /// Method and error of the variances, if any is finite.
 std::string accuracy_words(const response::RandomResponse& random) {
   std::vector<double> errors;
-  for (const RandomAnswer& a : random.answers)
+  for (const RandomChannel& a : random.channels)
     if (!std::isnan(a.estimated_error)) errors.push_back(a.estimated_error);
   if (errors.empty()) return "no variance is finite";
   return fmt::format("{}, relative error of the {} about {:.1e}{}",
                      random.method == response::RandomMethod::poles ? "exact integration over the poles"
                                                                     : "adaptive quadrature over the poles",
-                     errors.size() == random.answers.size() ? "variances" : "finite variances",
+                     errors.size() == random.channels.size() ? "variances" : "finite variances",
                      *std::ranges::max_element(errors), random.remark.empty() ? "" : "; " + random.remark);
 }
 
@@ -162,8 +162,8 @@ void add_total_values(const std::vector<study::TotalValue>& totals, Document& do
             .arrays = {{"vibration_total", "name"}, "value"}});
 }
 
-Document random_document(const project::Case&, const study::Answers& answers) {
-  const RandomResult& random = *answers.find<RandomResult>("random");
+Document random_document(const project::Case&, const study::CaseResults& results) {
+  const RandomResult& random = *results.find<RandomResult>("random");
   const response::RandomResponse& found = random.response;
   const auto frequency = [](double omega) { return Quantity{omega, "rad/s", Kind::frequency, 4}; };
   Document document;
@@ -175,13 +175,13 @@ Document random_document(const project::Case&, const study::Answers& answers) {
   document.add(Words{.key = "inputs", .axis = "input", .list = random.inputs});
   document.add(Single{.name = "band", .value = {found.from, json::number(found.to)}});
   document.add(densities(random));
-  document.add(warnings_part(answers));
+  document.add(warnings_part(results));
   add_total_values(random.total_values, document);
   return document;
 }
 
 }  // namespace
 
-const AnswerWriter random_results = {.document = random_document, .files = {"random.csv", "densities.csv"}};
+const ResultWriter random_results = {.document = random_document, .files = {"random.csv", "densities.csv"}};
 
 }  // namespace trivet::results

@@ -7,26 +7,26 @@
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
 /// Amplitude- and phase-frequency characteristics, and the limits on them.
 namespace trivet::results {
 namespace {
 
-using study::ResponseAnswer;
+using study::ResponseResult;
 
 double real_of(const std::complex<double>& value) { return value.real(); }
 double imaginary_of(const std::complex<double>& value) { return value.imag(); }
 double amplitude_of(const std::complex<double>& value) { return std::abs(value); }
 
-Json solution_checks(const ResponseAnswer& answer) {
-  const auto& check = answer.curves.check;
-  const auto& deep = answer.deep;
+Json solution_checks(const ResponseResult& result) {
+  const auto& check = result.curves.check;
+  const auto& deep = result.deep;
   return {{"worst_backward_error", check.worst_backward_error},
           {"at_angular_frequency", check.at_angular_frequency},
           {"pivoted_fallbacks", check.fallbacks},
-          {"solves", answer.curves.solves},
-          {"interpolation_error", answer.curves.interpolation_error},
+          {"solves", result.curves.solves},
+          {"interpolation_error", result.curves.interpolation_error},
           {"undefined_at", check.undefined_at},
           {"second_solver",
            {{"frequencies", deep.frequencies},
@@ -37,13 +37,13 @@ Json solution_checks(const ResponseAnswer& answer) {
             {"passed", deep.passed}}}};
 }
 
-Curves response_curves(const ResponseAnswer& answer) {
+Curves response_curves(const ResponseResult& result) {
   Curves curves{.axis = "angular_frequency",
                 .unit = "rad/s",
-                .points = answer.curves.angular_frequency,
+                .points = result.curves.angular_frequency,
                 .file = "response.csv",
                 .axis_columns = {"angular_frequency [rad/s]"}};
-  for (const response::Curve& c : answer.curves.curves) {
+  for (const response::Curve& c : result.curves.curves) {
     const auto heading = [&c](const char* part) { return fmt::format("{} {} [{}]", c.name, part, c.unit); };
     curves.list.push_back(
         {.name = c.name,
@@ -52,19 +52,19 @@ Curves response_curves(const ResponseAnswer& answer) {
          .harmonic = true,
          .csv = {{heading("re"), real_of}, {heading("im"), imaginary_of}, {heading("amplitude"), amplitude_of}}});
   }
-  for (std::size_t c = 0; c < answer.curves.curves.size(); ++c)
-    curves.list.push_back({.name = answer.curves.curves[c].name + " phase", .unit = "rad", .values = answer.phase[c]});
+  for (std::size_t c = 0; c < result.curves.curves.size(); ++c)
+    curves.list.push_back({.name = result.curves.curves[c].name + " phase", .unit = "rad", .values = result.phase[c]});
   return curves;
 }
 
-Table response_rows(const ResponseAnswer& answer) {
+Table response_rows(const ResponseResult& result) {
   using response::Curve;
-  const Rows row(answer.curves.curves);
+  const Rows row(result.curves.curves);
   return {.key = "results",
           .rows = row.size(),
           .columns = {row("name", Kind::words, "", &Curve::name), row("unit", Kind::words, "", &Curve::unit),
                       row.lists("complex", "", "", {}, &Curve::value),
-                      row.lists("phase", "", "", {}, [&answer](std::size_t c) { return Numbers(answer.phase[c]); })},
+                      row.lists("phase", "", "", {}, [&result](std::size_t c) { return Numbers(result.phase[c]); })},
           .forms = in_json};
 }
 
@@ -74,9 +74,9 @@ struct Sample {
   double omega = 0;
 };
 
-std::vector<Sample> samples(const ResponseAnswer& answer) {
+std::vector<Sample> samples(const ResponseResult& result) {
   constexpr std::size_t most_rows = 60;
-  const std::vector<double>& frequencies = answer.curves.angular_frequency;
+  const std::vector<double>& frequencies = result.curves.angular_frequency;
   const std::size_t step = (frequencies.size() + most_rows - 1) / most_rows;
   std::vector<Sample> list;
   for (std::size_t i = 0; i < frequencies.size(); i += step) list.push_back({i, frequencies[i]});
@@ -84,20 +84,20 @@ std::vector<Sample> samples(const ResponseAnswer& answer) {
 }
 
 /// Amplitudes and phases; on the page if there are few.
-Table characteristics(const ResponseAnswer& answer, const project::ShownUnits& display) {
+Table characteristics(const ResponseResult& result, const project::DisplayUnits& display) {
   constexpr std::size_t few_points = 24;
-  const std::size_t count = answer.curves.angular_frequency.size();
-  const Rows row(samples(answer));
+  const std::size_t count = result.curves.angular_frequency.size();
+  const Rows row(samples(result));
   Table table{.title = fmt::format("Amplitude and phase ({}; a lag is negative)", level_words(display.level)),
               .rows = row.size(),
               .columns = {row("angular_frequency", Kind::angular_frequency, "ω", &Sample::omega)},
               .together = 2,
               .folded = count > 1,
-              .forms = count > few_points || answer.model ? on_screen : on_screen | on_page};
-  for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
-    const response::Curve& curve = answer.curves.curves[c];
+              .forms = count > few_points || result.model ? on_screen : on_screen | on_page};
+  for (std::size_t c = 0; c < result.curves.curves.size(); ++c) {
+    const response::Curve& curve = result.curves.curves[c];
     const auto amplitude = [&curve](const Sample& at) { return std::abs(curve.value(to_index(at.index))); };
-    const auto degrees = [&phase = answer.phase[c]](const Sample& at) {
+    const auto degrees = [&phase = result.phase[c]](const Sample& at) {
       const double angle = phase(to_index(at.index)) * 360 / foundation::two_pi;
       return std::isnan(angle) ? "–" : fmt::format("{:.1f}°", angle);
     };
@@ -107,41 +107,41 @@ Table characteristics(const ResponseAnswer& answer, const project::ShownUnits& d
   return table;
 }
 
-Table limit_table(const study::Answers& answers) {
-  using study::LimitAnswer;
-  const Rows row(answers.limits);
-  const bool one = answers.response && answers.response->band.from == answers.response->band.to;
+Table limit_table(const study::CaseResults& results) {
+  using study::LimitResult;
+  const Rows row(results.limits);
+  const bool one = results.response && results.response->band.from == results.response->band.to;
   return {
-      .axis = answers.limits.empty() ? "" : "limit",
+      .axis = results.limits.empty() ? "" : "limit",
       .title = "Limits",
       .rows = row.size(),
-      .columns = {row("name", Kind::words, "limit on", &LimitAnswer::name),
-                  row("unit", Kind::words, "", &LimitAnswer::unit),
-                  row("allowed", Kind::amplitude, "allowed", &LimitAnswer::limit),
-                  row("in_band", Kind::amplitude, one ? "at this ω alone" : "largest in band", &LimitAnswer::in_band),
+      .columns = {row("name", Kind::words, "limit on", &LimitResult::name),
+                  row("unit", Kind::words, "", &LimitResult::unit),
+                  row("allowed", Kind::amplitude, "allowed", &LimitResult::limit),
+                  row("in_band", Kind::amplitude, one ? "at this ω alone" : "largest in band", &LimitResult::in_band),
                   row("share", Kind::share, "share of the limit",
-                      [](const LimitAnswer& l) { return l.in_band / l.limit; }, {.forms = for_people}),
-                  row("in_band_at", Kind::both_frequencies, "at", &LimitAnswer::in_band_at),
-                  row("anywhere", Kind::amplitude, "largest at any ω", &LimitAnswer::anywhere),
-                  row("met", Kind::yes_no, "", &LimitAnswer::met),
+                      [](const LimitResult& l) { return l.in_band / l.limit; }, {.forms = for_people}),
+                  row("in_band_at", Kind::both_frequencies, "at", &LimitResult::in_band_at),
+                  row("anywhere", Kind::amplitude, "largest at any ω", &LimitResult::anywhere),
+                  row("met", Kind::yes_no, "", &LimitResult::met),
                   row("verdict", Kind::words, "verdict",
-                      [one](const LimitAnswer& l) { return !l.met ? "✗ EXCEEDED"
+                      [one](const LimitResult& l) { return !l.met ? "✗ EXCEEDED"
                                                         : one     ? "✓ met at this ω"
                                                                   : "✓ met"; },
                       {.forms = for_people})},
       .arrays = {{"limit", "name"}, "unit", "allowed", "in_band", "in_band_at", "anywhere", "met"},
-      .mark = [&answers](std::size_t i) { return answers.limits[i].met ? Mark::plain : Mark::bad; },
+      .mark = [&results](std::size_t i) { return results.limits[i].met ? Mark::plain : Mark::bad; },
       .forms = in_arrays | on_screen | in_summary};
 }
 
 /// Remarks below the table on the screen.
-void add_notes(const ResponseAnswer& answer, Document& document) {
+void add_notes(const ResponseResult& result, Document& document) {
   const auto note = [&](std::string words) {
     document.add(Sentence{.parts = {std::move(words)}, .place = Sentence::Place::note, .forms = on_screen});
   };
-  const std::vector<Sample> rows = samples(answer);
-  const std::size_t count = answer.curves.angular_frequency.size();
-  const bool at_rest = std::ranges::any_of(answer.curves.curves, [&](const response::Curve& curve) {
+  const std::vector<Sample> rows = samples(result);
+  const std::size_t count = result.curves.angular_frequency.size();
+  const bool at_rest = std::ranges::any_of(result.curves.curves, [&](const response::Curve& curve) {
     return std::ranges::any_of(rows, [&](const Sample& at) { return curve.value(to_index(at.index)) == 0.0; });
   });
   if (at_rest) note("(–: a result that is zero has no phase)");
@@ -150,14 +150,14 @@ void add_notes(const ResponseAnswer& answer, Document& document) {
   note(fmt::format(
       "backward error ≤ {:.1e} at {} frequenc{}; second solver at {}: difference {:.1e}, allowed {:.1e} "
       "(round-off × condition): {}",
-      answer.curves.check.worst_backward_error, answer.curves.solves, answer.curves.solves == 1 ? "y" : "ies",
-      answer.deep.frequencies, answer.deep.worst_difference, answer.deep.allowed, answer.deep.verdict()));
-  if (answer.curves.interpolation_error > 0)
+      result.curves.check.worst_backward_error, result.curves.solves, result.curves.solves == 1 ? "y" : "ies",
+      result.deep.frequencies, result.deep.worst_difference, result.deep.allowed, result.deep.verdict()));
+  if (result.curves.interpolation_error > 0)
     note(
         fmt::format("rows between the {} solved frequencies are interpolated by a rational model; its relative error "
                     "is at most {:.1e} at the tested frequencies",
-                    answer.curves.solves, answer.curves.interpolation_error));
-  for (const double omega : answer.curves.check.undefined_at)
+                    result.curves.solves, result.curves.interpolation_error));
+  for (const double omega : result.curves.check.undefined_at)
     document.add(Sentence{.parts = {"ω = ", Quantity{omega, "rad/s", Kind::angular_frequency, 9},
                                     omega > 0 ? ": no steady state exists (shown as –); it is an undamped resonance"
                                               : ": no steady state exists (shown as –); a body is free to move, or the "
@@ -168,50 +168,50 @@ void add_notes(const ResponseAnswer& answer, Document& document) {
 }
 
 /// Line of `run` in place of the table, which is in the folder.
-Sentence response_summary(const ResponseAnswer& answer) {
+Sentence response_summary(const ResponseResult& result) {
   return {
       .parts = {fmt::format(
           "Characteristics at {} frequencies from {} solves, backward error ≤ {:.1e}; second solver: {} (difference "
           "{:.1e}, allowed {:.1e})",
-          answer.curves.angular_frequency.size(), answer.curves.solves, answer.curves.check.worst_backward_error,
-          answer.deep.verdict(), answer.deep.worst_difference, answer.deep.allowed)},
+          result.curves.angular_frequency.size(), result.curves.solves, result.curves.check.worst_backward_error,
+          result.deep.verdict(), result.deep.worst_difference, result.deep.allowed)},
       .forms = in_summary};
 }
 
-Document response_data(const study::Answers& answers) {
-  const ResponseAnswer& answer = *answers.response;
-  return {{{response_curves(answer)},
-           {response_rows(answer)},
-           {Single{.name = "checks", .value = solution_checks(answer)}},
-           {warnings_part(answers)}}};
+Document response_data(const study::CaseResults& results) {
+  const ResponseResult& result = *results.response;
+  return {{{response_curves(result)},
+           {response_rows(result)},
+           {Single{.name = "checks", .value = solution_checks(result)}},
+           {warnings_part(results)}}};
 }
 
-Document response_document(const project::Case& variant, const study::Answers& answers) {
-  const ResponseAnswer& answer = *answers.response;
-  Document document = response_data(answers);
+Document response_document(const project::Case& variant, const study::CaseResults& results) {
+  const ResponseResult& result = *results.response;
+  Document document = response_data(results);
   document.add(excited_part(variant, "response")).forms = on_screen;
-  document.add(response_summary(answer));
-  document.add(characteristics(answer, answers.display));
-  add_notes(answer, document);
-  document.add(limit_table(answers));
-  Table& lines = document.add(limit_line_table(answers));
+  document.add(response_summary(result));
+  document.add(characteristics(result, results.display));
+  add_notes(result, document);
+  document.add(limit_table(results));
+  Table& lines = document.add(limit_line_table(results));
   lines.forms = on_screen;
   return document;
 }
 
 }  // namespace
 
-Json json::response(const study::Answers& answers) { return as_json(response_data(answers)); }
+Json json::response(const study::CaseResults& results) { return as_json(response_data(results)); }
 
-std::string limits_html(const study::Answers& answers) {
-  Table table = limit_table(answers);
+std::string limits_html(const study::CaseResults& results) {
+  Table table = limit_table(results);
   table.forms = on_page;
   table.title.clear();
-  return as_html({{{std::move(table)}}}, answers.display);
+  return as_html({{{std::move(table)}}}, results.display);
 }
 
-const AnswerWriter response_results = {
-    .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.response.has_value(); },
+const ResultWriter response_results = {
+    .has_result = [](const project::Case&, const study::CaseResults& results) { return results.response.has_value(); },
     .document = response_document,
     .files = {"response.csv"}};
 

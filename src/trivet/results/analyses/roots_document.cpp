@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
 /// Damped roots.
 namespace trivet::results {
@@ -64,19 +64,19 @@ Table root_table(const project::Case& variant, const std::vector<Root>& list) {
       .mark = [&list](std::size_t i) { return list[i].kind == modal::RootKind::growing ? Mark::bad : Mark::plain; }};
 }
 
-Document roots_document(const project::Case& variant, const study::Answers& answers) {
+Document roots_document(const project::Case& variant, const study::CaseResults& results) {
   Document document;
   document.add(Words{.key = "bodies", .list = names_of(variant.system.bodies())});
-  document.add(root_table(variant, answers.roots.list));
+  document.add(root_table(variant, results.roots.list));
   add_shape_coordinates(variant, {"1", "rad/m"}, document);
-  document.add(warnings_part(answers));
+  document.add(warnings_part(results));
   return document;
 }
 
 }  // namespace
 
-const AnswerWriter roots_results = {
-    .has_answer = [](const project::Case& variant, const study::Answers&) { return variant.analyses.roots; },
+const ResultWriter roots_results = {
+    .has_result = [](const project::Case& variant, const study::CaseResults&) { return variant.analyses.roots; },
     .document = roots_document,
     .files = {"roots.csv"}};
 

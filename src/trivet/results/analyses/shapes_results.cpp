@@ -8,7 +8,7 @@
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
 #include "trivet/response/machinery/deflection_shape.h"
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
 /// Operating deflection shapes.
 namespace trivet::results {
@@ -19,9 +19,9 @@ Json place(const response::MovingPlace& p) {
   return {{"name", p.name}, {"position", list(p.position)}, {"motion", list(p.motion)}};
 }
 
-Json shapes(const project::Case&, const study::Answers& answers) {
-  Json result{{"shapes", Json::array()}, {"warnings", warnings(answers.warnings)}};
-  for (const response::DeflectionShape& shape : *answers.find<std::vector<response::DeflectionShape>>("shapes")) {
+Json shapes(const project::Case&, const study::CaseResults& results) {
+  Json result{{"shapes", Json::array()}, {"warnings", warnings(results.warnings)}};
+  for (const response::DeflectionShape& shape : *results.find<std::vector<response::DeflectionShape>>("shapes")) {
     Json places = Json::array();
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
       for (const response::MovingPlace& p : *group) places.push_back(place(p));
@@ -37,13 +37,13 @@ Json shapes(const project::Case&, const study::Answers& answers) {
 
 namespace {
 
-std::string shapes_csv(const project::Case&, const study::Answers& answers) {
+std::string shapes_csv(const project::Case&, const study::CaseResults& results) {
   std::string text = "angular_frequency [rad/s],place,x [m],y [m],z [m]";
   for (const char* part : {"re", "im"})
     for (std::size_t j = 0; j < model::coordinate_names.size(); ++j)
       text += fmt::format(",{} {} [{}]", model::coordinate_names[j], part, j < 3 ? "m" : "rad");
   text += "\n";
-  for (const response::DeflectionShape& shape : *answers.find<std::vector<response::DeflectionShape>>("shapes"))
+  for (const response::DeflectionShape& shape : *results.find<std::vector<response::DeflectionShape>>("shapes"))
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
       for (const response::MovingPlace& p : *group) {
         text += fmt::format("{},{},{},{},{}", shape.angular_frequency, csv_field(p.name), p.position.x(),
@@ -55,11 +55,11 @@ std::string shapes_csv(const project::Case&, const study::Answers& answers) {
   return text;
 }
 
-std::string shapes_text(const project::Case& variant, const study::Answers& answers) {
+std::string shapes_text(const project::Case& variant, const study::CaseResults& results) {
   std::string text = excited_at_once(variant, "shapes");
   const DisplayUnit length = amplitude_unit(variant.display, "m");
   const std::string in_length = "| [" + length.label() + "]";
-  for (const response::DeflectionShape& shape : *answers.find<std::vector<response::DeflectionShape>>("shapes")) {
+  for (const response::DeflectionShape& shape : *results.find<std::vector<response::DeflectionShape>>("shapes")) {
     TextTable table({"place", "|x" + in_length, "|y" + in_length, "|z" + in_length, "phase x", "phase y", "phase z"});
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
       for (const response::MovingPlace& p : *group) {
@@ -87,10 +87,10 @@ std::vector<response::MovingPlace> places_of(const response::DeflectionShape& sh
   return places;
 }
 
-void shapes_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+void shapes_arrays(const project::Case&, const study::CaseResults& results, LabelledArrays& list) {
   using response::DeflectionShape;
   using response::MovingPlace;
-  const auto& shapes = *answers.find<std::vector<DeflectionShape>>("shapes");
+  const auto& shapes = *results.find<std::vector<DeflectionShape>>("shapes");
   if (shapes.empty()) return;
   const std::vector<MovingPlace> places = places_of(shapes.front());
   const std::string axis = "angular_frequency";
@@ -122,7 +122,7 @@ void add_motion_coordinates(LabelledArrays& list) {
   add_arrays(coordinates, list);
 }
 
-const AnswerWriter shapes_results = {
+const ResultWriter shapes_results = {
     .json = json::shapes,
     .tables = {{"shapes.csv", shapes_csv}},
     .text = shapes_text,

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 #include "trivet/study/analyses/analysis_results.h"
 
 /// Shock response spectra.
@@ -138,8 +138,8 @@ Table all_spectrum_rows(const Spectra& spectra) {
   return table;
 }
 
-Document shock_spectrum_document(const project::Case&, const study::Answers& answers) {
-  const Spectra& spectra = *answers.find<Spectra>("shock_spectrum");
+Document shock_spectrum_document(const project::Case&, const study::CaseResults& results) {
+  const Spectra& spectra = *results.find<Spectra>("shock_spectrum");
   Document document;
   for (const ShockSpectrumResult& spectrum : spectra) document.add(shown_spectrum(spectrum));
   document.add(spectrum_table(spectra));
@@ -149,12 +149,12 @@ Document shock_spectrum_document(const project::Case&, const study::Answers& ans
                         .unit = "rad/s",
                         .points = {spectra.front().spectrum, &ShockResponse::angular_frequency},
                         .forms = in_arrays});
-  document.add(warnings_part(answers));
+  document.add(warnings_part(results));
   return document;
 }
 
 }  // namespace
 
-const AnswerWriter shock_spectrum_results = {.document = shock_spectrum_document, .files = {"shock_spectrum.csv"}};
+const ResultWriter shock_spectrum_results = {.document = shock_spectrum_document, .files = {"shock_spectrum.csv"}};
 
 }  // namespace trivet::results

@@ -8,22 +8,22 @@
 #include "trivet/documents/csv_field.h"
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 
 /// Static displacements and forces.
 namespace trivet::results {
 namespace json {
 namespace {
 
-Json statics(const project::Case&, const study::Answers& answers) {
+Json statics(const project::Case&, const study::CaseResults& results) {
   Json result{{"results", Json::array()},
-              {"backward_error", answers.statics->backward_error},
-              {"warnings", warnings(answers.warnings)}};
-  for (const response::StaticValue& value : answers.statics->values)
+              {"backward_error", results.statics->backward_error},
+              {"warnings", warnings(results.warnings)}};
+  for (const response::StaticValue& value : results.statics->values)
     result["results"].push_back({{"name", value.name}, {"unit", value.unit}, {"value", value.value}});
-  if (answers.rest_states.empty()) return result;
+  if (results.rest_states.empty()) return result;
   result["states"] = Json::array();
-  for (const nonlinear::RestState& state : answers.rest_states) {
+  for (const nonlinear::RestState& state : results.rest_states) {
     Json deflections = Json::object();
     for (const auto& [name, value] : state.deflections) deflections[name] = value;
     result["states"].push_back({{"stable", state.stable}, {"deflections", std::move(deflections)}});
@@ -36,16 +36,16 @@ Json statics(const project::Case&, const study::Answers& answers) {
 
 namespace {
 
-std::string static_csv(const project::Case&, const study::Answers& answers) {
+std::string static_csv(const project::Case&, const study::CaseResults& results) {
   std::string text = "name,unit,value\n";
-  for (const response::StaticValue& value : answers.statics->values)
+  for (const response::StaticValue& value : results.statics->values)
     text += fmt::format("{},{},{}\n", csv_field(value.name), csv_field(value.unit), csv_number(value.value));
   return text;
 }
 
 /// Deflections of the nonlinear parts in every position of rest.
-std::string states_text(const study::Answers& answers) {
-  const std::vector<nonlinear::RestState>& states = answers.rest_states;
+std::string states_text(const study::CaseResults& results) {
+  const std::vector<nonlinear::RestState>& states = results.rest_states;
   if (states.empty()) return "";
   std::vector<std::string> headings = {"deflection [m, rad]"};
   for (std::size_t i = 0; i < states.size(); ++i)
@@ -60,25 +60,25 @@ std::string states_text(const study::Answers& answers) {
       table.text();
 }
 
-std::string static_text(const project::Case&, const study::Answers& answers) {
+std::string static_text(const project::Case&, const study::CaseResults& results) {
   TextTable table({"result", "value", "unit"});
   LargestOfKind largest;
-  for (const response::StaticValue& value : answers.statics->values) largest.add(value.unit, value.value);
-  for (const response::StaticValue& value : answers.statics->values) {
-    const DisplayUnit unit = display_unit(answers.display, value.unit);
+  for (const response::StaticValue& value : results.statics->values) largest.add(value.unit, value.value);
+  for (const response::StaticValue& value : results.statics->values) {
+    const DisplayUnit unit = display_unit(results.display, value.unit);
     table.add({value.name, number_text(largest.shown(value.unit, value.value) * unit.factor, 9), unit.unit});
   }
   return "Static displacements and forces\n" + table.text() +
-      (answers.load_sharing ? load_sharing_text(answers) : std::string()) + states_text(answers);
+      (results.load_sharing ? load_sharing_text(results) : std::string()) + states_text(results);
 }
 
-void static_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+void static_arrays(const project::Case&, const study::CaseResults& results, LabelledArrays& list) {
   using response::StaticValue;
-  const std::vector<StaticValue>& values = answers.statics->values;
+  const std::vector<StaticValue>& values = results.statics->values;
   list.texts("result", "result", values, &StaticValue::name);
   list.texts("unit", "result", values, &StaticValue::unit);
   list.field("value", unit_of_the_row, "result", values, &StaticValue::value);
-  const std::vector<nonlinear::RestState>& states = answers.rest_states;
+  const std::vector<nonlinear::RestState>& states = results.rest_states;
   if (states.empty()) return;
   list.count("state", states.size());
   list.column("state.stable", "1", "state", states, &nonlinear::RestState::stable);
@@ -92,8 +92,8 @@ void static_arrays(const project::Case&, const study::Answers& answers, Labelled
 
 }  // namespace
 
-const AnswerWriter static_results = {
-    .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.statics.has_value(); },
+const ResultWriter static_results = {
+    .has_result = [](const project::Case&, const study::CaseResults& results) { return results.statics.has_value(); },
     .json = json::statics,
     .tables = {{"static.csv", static_csv}},
     .text = static_text,

@@ -25,7 +25,7 @@ std::string jump_of(const SteadyBranch& branch, const Fold& fold) {
   return std::string(fold.upper ? "rising " : "falling ") + varied_word(branch);
 }
 
-std::string place_text(const SteadyBranch& branch, const SteadyPoint& point, const project::ShownUnits& display,
+std::string place_text(const SteadyBranch& branch, const SteadyPoint& point, const project::DisplayUnits& display,
                        int digits) {
   return number_text(shown_varied(branch, branch.parameter(point), display), digits);
 }
@@ -82,7 +82,7 @@ std::optional<std::size_t> main_result(const SteadyBranch& branch, const Fold& f
 }
 
 /// "machine.z from 4.12 mm to 0.31 mm"
-std::string jump_words(const Fold& fold, const SteadyBranch& branch, const project::ShownUnits& display) {
+std::string jump_words(const Fold& fold, const SteadyBranch& branch, const project::DisplayUnits& display) {
   const std::optional<std::size_t> result = main_result(branch, fold);
   if (!result) return "";
   const DisplayUnit unit = display_unit(display, branch.units[*result]);
@@ -98,7 +98,7 @@ std::string jump_words(const Fold& fold, const SteadyBranch& branch, const proje
 
 }  // namespace
 
-std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& display) {
+std::string folds_text(const SteadyBranch& branch, const project::DisplayUnits& display) {
   TextTable table({"fold", "at [" + varied_unit(branch, display) + "]", "half of the range jumps"});
   for (const Fold& fold : branch.folds)
     table.add({jump_of(branch, fold), place_text(branch, fold.point, display, 9), jump_words(fold, branch, display)});
@@ -120,7 +120,7 @@ std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& di
       : "  no folds: one motion at each place of this branch\n";
 }
 
-std::string detached_text(const SteadyBranch& branch, const project::ShownUnits& display) {
+std::string detached_text(const SteadyBranch& branch, const project::DisplayUnits& display) {
   const std::vector<const SteadyBranch*> detached = branch.further_ones(SteadyBranch::Found::detached);
   if (!branch.search && detached.empty()) return "";
   std::string text = !branch.search
@@ -168,7 +168,7 @@ namespace {
 
 /// "twice the period, 4.03 to 4.15 Hz: 31 points, 4 of them unstable"
 std::string begins_there(const SteadyBranch& branch, const nonlinear::StabilityChange& change,
-                         const project::ShownUnits& display) {
+                         const project::DisplayUnits& display) {
   if (!change.curve) return change.sought ? "none was found" : "not computed";
   const SteadyBranch& curve = branch.further[*change.curve];
   const auto [low, high] = ends_of(curve);
@@ -181,7 +181,7 @@ std::string begins_there(const SteadyBranch& branch, const nonlinear::StabilityC
 
 }  // namespace
 
-std::string changes_text(const SteadyBranch& branch, const project::ShownUnits& display) {
+std::string changes_text(const SteadyBranch& branch, const project::DisplayUnits& display) {
   TextTable table({"stability changes", "at [" + varied_unit(branch, display) + "]", "motions that begin there"});
   for (const nonlinear::StabilityChange& change : branch.changes)
     table.add({nonlinear::words(change.kind), place_text(branch, change.point, display, 9),

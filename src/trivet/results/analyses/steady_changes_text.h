@@ -5,7 +5,7 @@
 #include <string>
 
 #include "trivet/nonlinear/branch/steady_branch.h"
-#include "trivet/project/text/shown_units.h"
+#include "trivet/project/text/display_units.h"
 
 /// Where curves of steady motion turn, change their stability and are left: words and tables.
 namespace trivet::results {
@@ -14,7 +14,7 @@ namespace trivet::results {
 [[nodiscard]] std::string jump_of(const nonlinear::SteadyBranch& branch, const nonlinear::Fold& fold);
 /// Where a motion is on a curve, in the shown unit.
 [[nodiscard]] std::string place_text(const nonlinear::SteadyBranch& branch, const nonlinear::SteadyPoint& point,
-                                     const project::ShownUnits& display, int digits);
+                                     const project::DisplayUnits& display, int digits);
 [[nodiscard]] std::ptrdiff_t unstable_points(const nonlinear::SteadyBranch& curve);
 /// ", 3 of uncertain stability", or nothing.
 [[nodiscard]] std::string uncertain_words(const nonlinear::SteadyBranch& curve);
@@ -22,10 +22,10 @@ namespace trivet::results {
 [[nodiscard]] const char* stability_word(const nonlinear::SteadyPoint& point);
 
 /// Folds of all curves, and what jumps there.
-[[nodiscard]] std::string folds_text(const nonlinear::SteadyBranch& branch, const project::ShownUnits& display);
+[[nodiscard]] std::string folds_text(const nonlinear::SteadyBranch& branch, const project::DisplayUnits& display);
 /// Curves that were sought.
-[[nodiscard]] std::string detached_text(const nonlinear::SteadyBranch& branch, const project::ShownUnits& display);
+[[nodiscard]] std::string detached_text(const nonlinear::SteadyBranch& branch, const project::DisplayUnits& display);
 /// Changes of stability, and the curves that begin there.
-[[nodiscard]] std::string changes_text(const nonlinear::SteadyBranch& branch, const project::ShownUnits& display);
+[[nodiscard]] std::string changes_text(const nonlinear::SteadyBranch& branch, const project::DisplayUnits& display);
 
 }  // namespace trivet::results

@@ -68,7 +68,7 @@ const char* stability_phrase(const SteadyPoint& point) {
   return point.uncertain ? "of uncertain stability" : point.stable ? "stable" : "unstable";
 }
 
-std::string motion_text(const FoundMotion& motion, const SteadyBranch& branch, const project::ShownUnits& display) {
+std::string motion_text(const FoundMotion& motion, const SteadyBranch& branch, const project::DisplayUnits& display) {
   const std::vector<double> kinds = largest_of_kinds(branch);
   std::vector<std::string> heads = {"harmonic", branch.of_shaft ? "order" : "at [" + frequency_unit(display) + "]"};
   for (const std::string& result : branch.results) {
@@ -110,9 +110,9 @@ std::string motion_text(const FoundMotion& motion, const SteadyBranch& branch, c
 
 }  // namespace
 
-std::string harmonics_text(const SteadyBranch& branch, const project::ShownUnits& display) {
+std::string harmonics_text(const SteadyBranch& branch, const project::DisplayUnits& display) {
   std::string text;
-  for (const double parameter : branch.asked_at) {
+  for (const double parameter : branch.requested_at) {
     const std::vector<FoundMotion> motions = motions_at(branch, parameter);
     text += fmt::format("At {} {}: {}\n", number_text(shown_varied(branch, parameter, display), 6),
                         varied_unit(branch, display),
@@ -137,7 +137,7 @@ std::string harmonics_csv(const SteadyBranch& branch) {
     text += "," + csv_field(fmt::format("{} amplitude [{}]", branch.results[c], branch.units[c])) + "," +
         csv_field(branch.results[c] + " phase [rad]");
   text += "\n";
-  for (const double parameter : branch.asked_at) {
+  for (const double parameter : branch.requested_at) {
     const std::vector<FoundMotion> motions = motions_at(branch, parameter);
     for (std::size_t i = 0; i < motions.size(); ++i)
       for (Eigen::Index k = 0; k <= motions[i].of.harmonics; ++k) {
@@ -158,7 +158,7 @@ std::string harmonics_csv(const SteadyBranch& branch) {
 
 json::Json json::harmonics(const SteadyBranch& branch) {
   Json list = Json::array();
-  for (const double parameter : branch.asked_at) {
+  for (const double parameter : branch.requested_at) {
     Json one{{branch.over == nonlinear::Parameter::frequency ? "angular_frequency" : "load_factor", parameter},
              {"motions", Json::array()}};
     for (const FoundMotion& motion : motions_at(branch, parameter)) {

@@ -15,10 +15,10 @@
 #include "trivet/results/analyses/steady_changes_text.h"
 #include "trivet/results/analyses/steady_harmonics.h"
 #include "trivet/results/analyses/steady_kinds.h"
-#include "trivet/results/format/answer_writer.h"
 #include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/motion_numbers.h"
-#include "trivet/results/format/written_answers.h"
+#include "trivet/results/format/result_writer.h"
+#include "trivet/results/format/written_results.h"
 
 /// Periodic motions of nonlinear machines.
 namespace trivet::results {
@@ -30,7 +30,7 @@ using nonlinear::SteadyPoint;
 
 namespace {
 
-const SteadyBranch& branch_of(const study::Answers& answers) { return *answers.find<SteadyBranch>("steady"); }
+const SteadyBranch& branch_of(const study::CaseResults& results) { return *results.find<SteadyBranch>("steady"); }
 
 /// The connected curve, and the further ones.
 std::vector<const SteadyBranch*> all_curves(const SteadyBranch& branch) {
@@ -99,8 +99,8 @@ Json followed_curve(const SteadyBranch& branch) {
   return result;
 }
 
-Json steady(const project::Case&, const study::Answers& answers) {
-  const SteadyBranch& branch = branch_of(answers);
+Json steady(const project::Case&, const study::CaseResults& results) {
+  const SteadyBranch& branch = branch_of(results);
   Json result{
       {"over", branch.over == nonlinear::Parameter::frequency ? "frequency" : "load_factor"},
       {"at_phase",
@@ -124,11 +124,11 @@ Json steady(const project::Case&, const study::Answers& answers) {
       {"search", nullptr},
       {"further", Json::array()},
       {"results", Json::array()},
-      {"warnings", warnings(answers.warnings)}};
+      {"warnings", warnings(results.warnings)}};
   for (std::size_t c = 0; c < branch.results.size(); ++c)
     result["results"].push_back({{"name", branch.results[c]}, {"unit", branch.units[c]}});
   result.update(followed_curve(branch));
-  if (!branch.asked_at.empty()) result["at"] = harmonics(branch);
+  if (!branch.requested_at.empty()) result["at"] = harmonics(branch);
   if (branch.search)
     result["search"] = {{"places", branch.search->places},
                         {"starts", branch.search->starts},
@@ -151,9 +151,9 @@ Json steady(const project::Case&, const study::Answers& answers) {
 
 namespace {
 
-std::string steady_csv(const project::Case&, const study::Answers& answers) {
-  const SteadyBranch& branch = branch_of(answers);
-  if (!branch.asked_at.empty()) return harmonics_csv(branch);
+std::string steady_csv(const project::Case&, const study::CaseResults& results) {
+  const SteadyBranch& branch = branch_of(results);
+  if (!branch.requested_at.empty()) return harmonics_csv(branch);
   std::string text = "curve,periods,angular_frequency [rad/s],load factor,stable,largest multiplier";
   for (const std::string& stop : branch.stops) text += "," + csv_field(stop + " contact");
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
@@ -210,7 +210,7 @@ std::string orders_text(const SteadyBranch& branch) {
 }
 
 /// Where the frequency follows a phase: a few points along the curve.
-std::string phase_text(const SteadyBranch& branch, const project::ShownUnits& display) {
+std::string phase_text(const SteadyBranch& branch, const project::DisplayUnits& display) {
   if (!branch.at_phase) return "";
   SteadyBranch over_frequency;  // with the units of the frequency
   over_frequency.of_shaft = branch.of_shaft;
@@ -237,9 +237,9 @@ std::string phase_text(const SteadyBranch& branch, const project::ShownUnits& di
       table.text();
 }
 
-std::string steady_text(const project::Case& variant, const study::Answers& answers) {
-  const SteadyBranch& branch = branch_of(answers);
-  const project::ShownUnits& display = variant.display;
+std::string steady_text(const project::Case& variant, const study::CaseResults& results) {
+  const SteadyBranch& branch = branch_of(results);
+  const project::DisplayUnits& display = variant.display;
   const std::string unit = varied_unit(branch, display);
   const auto [low, high] = std::ranges::minmax_element(branch.points, [&](const SteadyPoint& a, const SteadyPoint& b) {
     return branch.parameter(a) < branch.parameter(b);
@@ -259,7 +259,7 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
   text += detached_text(branch, display) + changes_text(branch, display) + folds_text(branch, display);
   TextTable table({"deviation from rest", "largest stable", "smallest stable", "larger of both at [" + unit + "]",
                    "mean there", "magnitude of all"});
-  if (!branch.asked_at.empty()) text = harmonics_text(branch, display) + text;
+  if (!branch.requested_at.empty()) text = harmonics_text(branch, display) + text;
   const std::vector<double> kinds = largest_of_kinds(branch);
   const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
   if (nonlinear::stable_points(branch).empty()) return text + "  no motion of this branch is stable\n";
@@ -301,8 +301,8 @@ void further_arrays(const SteadyBranch& branch, LabelledArrays& list) {
                 [c](const SteadyPoint& point) { return point.results[c].half_of_range(); });
 }
 
-void steady_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
-  const SteadyBranch& branch = branch_of(answers);
+void steady_arrays(const project::Case&, const study::CaseResults& results, LabelledArrays& list) {
+  const SteadyBranch& branch = branch_of(results);
   const bool over_load = branch.over == nonlinear::Parameter::load_factor;
   const std::string axis = over_load ? "load_factor" : "angular_frequency";
   const std::vector<SteadyPoint>& points = branch.points;
@@ -345,7 +345,7 @@ void steady_arrays(const project::Case&, const study::Answers& answers, Labelled
 
 }  // namespace
 
-const AnswerWriter steady_results = {
+const ResultWriter steady_results = {
     .json = json::steady,
     .tables = {{"steady.csv", steady_csv}},
     .text = steady_text,

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "trivet/documents/text_table.h"
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 #include "trivet/study/analyses/analysis_results.h"
 
 /// Motion in time.
@@ -52,8 +52,8 @@ Table extreme_table(const response::TransientResponse& found) {
       .arrays = {{"result", "name"}, "unit", "largest", "largest_at", "smallest", "smallest_at", "rms"}};
 }
 
-Document transient_document(const project::Case& variant, const study::Answers& answers) {
-  const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
+Document transient_document(const project::Case& variant, const study::CaseResults& results) {
+  const response::TransientResponse& found = results.find<study::TransientResult>("transient")->response;
   return {{{excited_part(variant, "transient")},
            {time_curves(found)},
            {extreme_table(found)},
@@ -61,11 +61,11 @@ Document transient_document(const project::Case& variant, const study::Answers& 
                                "between the time points."},
                      .place = Sentence::Place::note,
                      .forms = on_page}},
-           {warnings_part(answers)}}};
+           {warnings_part(results)}}};
 }
 
 }  // namespace
 
-const AnswerWriter transient_results = {.document = transient_document, .files = {"transient.csv"}};
+const ResultWriter transient_results = {.document = transient_document, .files = {"transient.csv"}};
 
 }  // namespace trivet::results

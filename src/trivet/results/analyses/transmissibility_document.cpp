@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 
-#include "trivet/results/format/answer_writer.h"
+#include "trivet/results/format/result_writer.h"
 #include "trivet/study/analyses/analysis_results.h"
 
 /// Force or motion that the mounts transmit.
@@ -94,8 +94,8 @@ Table transmissibility_peaks(const response::Peaks& peaks) {
       .forms = for_programs};
 }
 
-Document transmissibility_document(const project::Case&, const study::Answers& answers) {
-  const TransmissibilityResult& t = *answers.find<TransmissibilityResult>("transmissibility");
+Document transmissibility_document(const project::Case&, const study::CaseResults& results) {
+  const TransmissibilityResult& t = *results.find<TransmissibilityResult>("transmissibility");
   const std::string shares = t.curves.curves.size() > 1 && t.is_share(1)
       ? "the force of a single mount is only a share; isolation is that of the total force on the ground"
       : "";
@@ -105,12 +105,12 @@ Document transmissibility_document(const project::Case&, const study::Answers& a
            {transmissibility_table(t)},
            {Sentence{.parts = {shares}, .place = Sentence::Place::note}},
            {transmissibility_peaks(t.peaks)},
-           {warnings_part(answers)}}};
+           {warnings_part(results)}}};
 }
 
 }  // namespace
 
-const AnswerWriter transmissibility_results = {.document = transmissibility_document,
+const ResultWriter transmissibility_results = {.document = transmissibility_document,
                                                .files = {"transmissibility.csv"}};
 
 }  // namespace trivet::results

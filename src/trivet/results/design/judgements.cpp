@@ -31,7 +31,7 @@ std::string finite_margin_words(double margin) {
   return std::isfinite(margin) ? fmt::format("margin {:.4g}", margin) : "";
 }
 
-std::string at_frequency(double omega, const project::ShownUnits& display) {
+std::string at_frequency(double omega, const project::DisplayUnits& display) {
   if (!std::isfinite(omega)) return "towards ω = ∞";
   return fmt::format("at {:.5g} {}", shown_frequency(display, omega), frequency_unit(display));
 }
@@ -55,45 +55,45 @@ void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std:
 }
 
 /// Is this curve judged as a requirement that decides, too? @param name  of a limit line
-bool is_required(const study::Answers& answers, study::RequirementKind kind, const std::string& subject,
+bool is_required(const study::CaseResults& case_results, study::RequirementKind kind, const std::string& subject,
                  const std::string& name = "") {
-  if (!answers.verdict || !answers.verdict->decides) return false;
-  const auto& results = answers.verdict->results;
+  if (!case_results.verdict || !case_results.verdict->decides) return false;
+  const auto& results = case_results.verdict->results;
   return std::ranges::any_of(results, [&](const study::RequirementResult& r) {
     return r.kind == kind && r.subject == subject && (name.empty() || r.words.ends_with("\"" + name + "\""));
   });
 }
 
-void add_limits(const study::Answers& answers, std::size_t which, std::vector<Judgement>& list) {
-  for (const study::LimitAnswer& limit : answers.limits) {
-    if (is_required(answers, study::RequirementKind::amplitude, limit.name)) continue;
-    const DisplayUnit unit = amplitude_unit(answers.display, limit.unit);
+void add_limits(const study::CaseResults& case_results, std::size_t which, std::vector<Judgement>& list) {
+  for (const study::LimitResult& limit : case_results.limits) {
+    if (is_required(case_results, study::RequirementKind::amplitude, limit.name)) continue;
+    const DisplayUnit unit = amplitude_unit(case_results.display, limit.unit);
     list.push_back({limit.met ? Outcome::met : Outcome::violated, "limit",
                     fmt::format("{} ≤ {}", limit.name, value_text(limit.limit, unit)),
                     fmt::format("{} {}, {} of the limit",
                                 std::isfinite(limit.in_band) ? value_text(limit.in_band, unit) : "unbounded",
-                                at_frequency(limit.in_band_at, answers.display),
+                                at_frequency(limit.in_band_at, case_results.display),
                                 std::isfinite(limit.in_band) ? percent(limit.in_band / limit.limit) : "∞"),
                     limit.in_band > 0 ? limit.limit / limit.in_band : std::numeric_limits<double>::infinity(), which});
   }
-  for (const study::LimitLineResult& line : answers.limit_lines) {
-    if (is_required(answers, study::RequirementKind::limit_line, line.of, line.line.name)) continue;
+  for (const study::LimitLineResult& line : case_results.limit_lines) {
+    if (is_required(case_results, study::RequirementKind::limit_line, line.of, line.line.name)) continue;
     list.push_back({line.comparison.met() ? Outcome::met : Outcome::violated, "limit line",
                     fmt::format("{} within “{}”", line.of, line.line.name),
                     fmt::format("least margin {:.4g} dB {}", response::margin_level(line.comparison.least_margin),
-                                at_frequency(line.comparison.least_margin_at, answers.display)),
+                                at_frequency(line.comparison.least_margin_at, case_results.display)),
                     line.comparison.least_margin, which});
   }
 }
 
 /// @param cases  in which the marks of the map are found by their names
-void add_map(const study::DesignMap& map, std::size_t which, const std::vector<const study::Answers*>& cases,
+void add_map(const study::DesignMap& map, std::size_t which, const std::vector<const study::CaseResults*>& cases,
              std::vector<Judgement>& list) {
   if (map.feasible_designs == 0)
     list.push_back({Outcome::violated, "map", "map of designs", "no design of the map meets every rule", 0, which});
   for (const study::MapMark& mark : map.marks) {
     const auto found =
-        std::ranges::find_if(cases, [&](const study::Answers* one) { return one->case_name == mark.name; });
+        std::ranges::find_if(cases, [&](const study::CaseResults* one) { return one->case_name == mark.name; });
     Judgement one{Outcome::not_judged,
                   "map",
                   "rules of the map",
@@ -108,24 +108,25 @@ void add_map(const study::DesignMap& map, std::size_t which, const std::vector<c
   }
 }
 
-/// Curves of motions that end before the end that was asked for.
-void add_cut_short(const study::Answers& answers, std::size_t which, std::vector<Judgement>& list) {
+/// Curves of motions that end before the end that was requested.
+void add_cut_short(const study::CaseResults& case_results, std::size_t which, std::vector<Judgement>& list) {
   const auto add = [&](const char* analysis, const std::string& ended) {
     if (!ended.empty())
       list.push_back({Outcome::not_judged, "answer", fmt::format("{} is not complete", analysis), ended, 0, which});
   };
-  if (const auto* steady = answers.find<nonlinear::SteadyBranch>("steady")) add("steady", steady->ended);
-  if (const auto* modes = answers.find<std::vector<nonlinear::Backbone>>("backbone"))
+  if (const auto* steady = case_results.find<nonlinear::SteadyBranch>("steady")) add("steady", steady->ended);
+  if (const auto* modes = case_results.find<std::vector<nonlinear::Backbone>>("backbone"))
     for (const nonlinear::Backbone& mode : *modes) add("backbone", mode.ended);
 }
 
 }  // namespace
 
-std::vector<std::string> failed_checks(const std::vector<study::CheckLine>& checks, const study::Answers& answers) {
+std::vector<std::string> failed_checks(const std::vector<study::CheckLine>& checks,
+                                       const study::CaseResults& case_results) {
   std::vector<std::string> failed;
   for (const study::CheckLine& line : checks)
     if (!line.passed) failed.push_back(line.subject + ", “" + line.what + "”: " + line.value);
-  if (answers.response && !answers.response->deep.passed)
+  if (case_results.response && !case_results.response->deep.passed)
     failed.push_back("response: the second solver does not agree");
   return failed;
 }
@@ -159,21 +160,21 @@ std::string shares_words(const std::vector<Judgement>& list, Outcome outcome) {
   return words;
 }
 
-std::vector<Judgement> judgements(const std::vector<const study::Answers*>& cases) {
+std::vector<Judgement> judgements(const std::vector<const study::CaseResults*>& cases) {
   std::vector<Judgement> list;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const study::Answers& answers = *cases[i];
-    if (answers.verdict) add_requirements(*answers.verdict, i, list);
-    add_limits(answers, i, list);
-    if (answers.map) add_map(*answers.map, i, cases, list);
-    for (const study::DesignMap& map : answers.map_pairs) add_map(map, i, cases, list);
-    if (answers.optimization)
-      list.push_back({answers.optimization->feasible ? Outcome::met : Outcome::violated, "best design",
+    const study::CaseResults& case_results = *cases[i];
+    if (case_results.verdict) add_requirements(*case_results.verdict, i, list);
+    add_limits(case_results, i, list);
+    if (case_results.map) add_map(*case_results.map, i, cases, list);
+    for (const study::DesignMap& map : case_results.map_pairs) add_map(map, i, cases, list);
+    if (case_results.optimization)
+      list.push_back({case_results.optimization->feasible ? Outcome::met : Outcome::violated, "best design",
                       "best design of the search",
-                      answers.optimization->feasible ? "" : "no design that was found meets every requirement",
+                      case_results.optimization->feasible ? "" : "no design that was found meets every requirement",
                       std::numeric_limits<double>::infinity(), i});
-    add_cut_short(answers, i, list);
-    for (const std::string& failure : answers.failures)
+    add_cut_short(case_results, i, list);
+    for (const std::string& failure : case_results.failures)
       if (std::ranges::none_of(list,
                                [&](const Judgement& one) { return one.shown_case == i && one.finding == failure; }))
         list.push_back({Outcome::not_judged, "answer", "not computed", failure, 0, i});

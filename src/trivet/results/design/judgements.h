@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 #include "trivet/study/whole_study.h"
 
 namespace trivet::results {
@@ -29,7 +29,7 @@ struct Judgement {
 };
 
 /// All verdicts on the cases of a study. A limit that is also a requirement of its case is listed once.
-[[nodiscard]] std::vector<Judgement> judgements(const std::vector<const study::Answers*>& cases);
+[[nodiscard]] std::vector<Judgement> judgements(const std::vector<const study::CaseResults*>& cases);
 
 [[nodiscard]] std::size_t number_with(const std::vector<Judgement>& list, Judgement::Outcome outcome);
 
@@ -41,7 +41,7 @@ struct Judgement {
 
 /// The checks of the data and of the response that failed, one sentence each.
 [[nodiscard]] std::vector<std::string> failed_checks(const std::vector<study::CheckLine>& checks,
-                                                     const study::Answers& answers);
+                                                     const study::CaseResults& results);
 
 /// "1 warning", "2 warnings"
 [[nodiscard]] std::string count_words(std::size_t count, const std::string& one);

@@ -4,8 +4,8 @@
 
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/index.h"
-#include "trivet/results/format/answer_writer.h"
 #include "trivet/results/format/axis_words.h"
+#include "trivet/results/format/result_writer.h"
 
 /// The grid, the rules and the boundary of a map as arrays.
 namespace trivet::results {
@@ -48,7 +48,7 @@ class MapArrays {
   void add_rules() {
     const std::string axis = named("rule");
     list_.texts(axis, axis, map_.rules, &MapRule::words);
-    list_.texts(axis + ".name", axis, map_.rules, &MapRule::answer);
+    list_.texts(axis + ".name", axis, map_.rules, &MapRule::channel);
     list_.texts(axis + ".unit", axis, map_.rules, &MapRule::unit);
     list_.field(axis + ".allowed", unit_of_the_row, axis, map_.rules, &MapRule::allowed);
   }

@@ -35,7 +35,7 @@ Json rules(const study::DesignMap& map) {
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const design::MapRule& rule = map.rules[r];
     list.push_back({{"kind", kind(rule)},
-                    {"name", rule.answer},
+                    {"name", rule.channel},
                     {"unit", rule.unit},
                     {"allowed", rule.allowed},
                     {"words", rule.words},

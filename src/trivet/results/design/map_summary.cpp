@@ -43,7 +43,7 @@ std::string words_beside(const study::MapMark& mark, const design::MapRule& rule
 bool lists_peaks(const study::DesignMap& map, const study::MapMark& mark, const design::MapRule& rule) {
   return (rule.in_case.empty() || rule.in_case == mark.name) &&
       std::ranges::any_of(map.rules, [&](const design::MapRule& other) {
-           return other.kind == rule.kind && other.in_case.empty() && other.answer == rule.answer &&
+           return other.kind == rule.kind && other.in_case.empty() && other.channel == rule.channel &&
                other.unit == rule.unit;
          });
 }
@@ -70,24 +70,26 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
       add(fmt::format("{}: {}, margin {:.4g}", words_beside(mark, rule), requirement_value(rule, value),
                       judged.margins[r]));
     if (rule.kind == design::DesignRule::Kind::no_peak && judged.margins[r] < 1 && !lists_peaks(map, mark, rule))
-      add(fmt::format("{}{} peaks at {} ({})", rule.answer, rule.case_words(), frequency_words(map, at),
+      add(fmt::format("{}{} peaks at {} ({})", rule.channel, rule.case_words(), frequency_words(map, at),
                       std::isinf(value) ? "unbounded" : fmt::format("{:.3g} %", 100 * value)));
     if (rule.kind != design::DesignRule::Kind::amplitude || judged.margins[r] >= 1) continue;
     const std::string of_case = rule.in_case == mark.name ? "" : rule.case_words(),
                       where = std::isinf(at) ? "towards ω = ∞" : "at " + frequency_words(map, at);
     if (std::isinf(value)) {
-      add(fmt::format("{}{} is unbounded {}, allowed {:.4g} {}", rule.answer, of_case, where, rule.allowed, rule.unit));
+      add(fmt::format("{}{} is unbounded {}, allowed {:.4g} {}", rule.channel, of_case, where, rule.allowed,
+                      rule.unit));
       continue;
     }
     const auto [reached, allowed] = distinct_texts(value, rule.allowed, 4);
-    add(fmt::format("{}{} reaches {} {} {}, allowed {}", rule.answer, of_case, reached, rule.unit, where, allowed));
+    add(fmt::format("{}{} reaches {} {} {}, allowed {}", rule.channel, of_case, reached, rule.unit, where, allowed));
   }
   const design::DesignRule no_peak{design::DesignRule::Kind::no_peak, 0, map.request.peak_tolerance};
   for (const bool counted : {true, false})
     for (std::size_t c = 0; c < judged.peaks.curves.size(); ++c) {
       const std::string& name = judged.peaks.curves[c].name;
       const bool ruled = std::ranges::any_of(map.rules, [&](const design::MapRule& r) {
-        return r.kind == design::DesignRule::Kind::no_peak && r.answer == name && r.unit == judged.peaks.curves[c].unit;
+        return r.kind == design::DesignRule::Kind::no_peak && r.channel == name &&
+            r.unit == judged.peaks.curves[c].unit;
       });
       std::string list;
       double tallest = 0;
@@ -125,7 +127,7 @@ std::string band_words(const std::optional<assembly::Band>& band, bool in_hertz)
 
 }  // namespace
 
-std::string asked_words(const study::DesignMap& map) {
+std::string criteria_words(const study::DesignMap& map) {
   std::string text;
   if (has(map, RuleKind::amplitude)) text = band_words(map.request.band, map.in_hertz);
   if (has(map, RuleKind::no_peak))
@@ -142,7 +144,7 @@ std::string asked_words(const study::DesignMap& map) {
 
 std::string rule_words(const design::MapRule& rule) {
   if (rule.kind != RuleKind::amplitude) return rule.words;
-  return fmt::format("{} ≤ {}{}", rule.answer, study::value_words(rule.allowed, rule.unit), rule.case_words());
+  return fmt::format("{} ≤ {}{}", rule.channel, study::value_words(rule.allowed, rule.unit), rule.case_words());
 }
 
 std::string feasible_words(const study::DesignMap& map) {

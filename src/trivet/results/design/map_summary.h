@@ -12,7 +12,7 @@ namespace trivet::results {
 [[nodiscard]] std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark);
 
 /// The range of the rules: the band of the amplitudes, and the threshold for a peak.
-[[nodiscard]] std::string asked_words(const study::DesignMap& map);
+[[nodiscard]] std::string criteria_words(const study::DesignMap& map);
 
 /// A rule as the verdict names it: "m.z ≤ 0.5 mm", where `words` of the rule has SI units.
 [[nodiscard]] std::string rule_words(const design::MapRule& rule);

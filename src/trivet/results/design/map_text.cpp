@@ -78,7 +78,7 @@ std::string map_text(const study::DesignMap& map) {
   std::string text = fmt::format("Map of {} designs{}: {}; {}\n", map.outcomes.size(),
                                  map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x),
                                  axis_words(map.request.y));
-  text += "  " + asked_words(map) + "\n";
+  text += "  " + criteria_words(map) + "\n";
   text += feasible_words(map) + coarse_words(map) + "\n";
   if (map.best) text += best_words(map) + "\n";
   text += shares_text(map);

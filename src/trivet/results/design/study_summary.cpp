@@ -24,12 +24,12 @@ namespace trivet::results {
 namespace {
 
 using Outcome = Judgement::Outcome;
-using Cases = std::vector<study::Answers>;
+using Cases = std::vector<study::CaseResults>;
 
 constexpr std::size_t summary_width = 100;  // characters
 
-std::string case_name_words(const study::Answers& answers) {
-  return answers.case_name.empty() ? "base model" : answers.case_name;
+std::string case_name_words(const study::CaseResults& results) {
+  return results.case_name.empty() ? "base model" : results.case_name;
 }
 
 /// " (case hot)", " (base model, hot, cold)", " (all cases)"; empty if the study has one case.
@@ -111,13 +111,13 @@ std::string outcome_text(const std::string& mark, const std::vector<Judgement>& 
   return text + "\n";
 }
 
-bool is_answer(const Judgement& one) { return one.kind == std::string("answer"); }
+bool is_result(const Judgement& one) { return one.kind == std::string("answer"); }
 
 /// Analyses that are missing or not complete, and checks that failed.
 std::string missing_text(const project::Project& project, const std::vector<Judgement>& list, const Cases& cases) {
   std::vector<Shared> failures, failed;
   for (const Judgement& one : list)
-    if (is_answer(one)) add(failures, one.finding, one.shown_case);
+    if (is_result(one)) add(failures, one.finding, one.shown_case);
   for (std::size_t i = 0; i < cases.size(); ++i)
     for (const std::string& check : failed_checks(study::check_lines(project.cases[i]), cases[i]))
       add(failed, check, i);
@@ -128,17 +128,17 @@ std::string missing_text(const project::Project& project, const std::vector<Judg
 
 std::string causes_text(const Cases& cases) {
   std::string text;
-  for (const study::Answers& answers : cases)
-    if (answers.verdict && !answers.verdict->cause.empty() && answers.verdict->decides && !answers.verdict->met())
-      text += (cases.size() > 1 ? case_name_words(answers) + ": " : "") + answers.verdict->cause +
-          sentence_note(answers.display) + "\n\n";
+  for (const study::CaseResults& results : cases)
+    if (results.verdict && !results.verdict->cause.empty() && results.verdict->decides && !results.verdict->met())
+      text += (cases.size() > 1 ? case_name_words(results) + ": " : "") + results.verdict->cause +
+          sentence_note(results.display) + "\n\n";
   return text;
 }
 
 /// What is wrong, or the least margin.
 std::string wrong_text(const project::Project& project, const std::vector<Judgement>& list, const Cases& cases) {
   std::vector<Judgement> judged;
-  std::ranges::copy_if(list, std::back_inserter(judged), [](const auto& one) { return !is_answer(one); });
+  std::ranges::copy_if(list, std::back_inserter(judged), [](const auto& one) { return !is_result(one); });
   std::string text = outcome_text("VIOLATED: ", judged, Outcome::violated, cases) + causes_text(cases) +
       outcome_text("NOT JUDGED: ", judged, Outcome::not_judged, cases) + missing_text(project, list, cases);
   const std::size_t wrong = number_with(judged, Outcome::violated) + number_with(judged, Outcome::not_judged);
@@ -154,7 +154,7 @@ std::string wrong_text(const project::Project& project, const std::vector<Judgem
 std::string verdict_cell(const std::vector<Judgement>& list, std::size_t which) {
   std::size_t all = 0, violated = 0, no_need = 0, missing = 0;
   for (const Judgement& one : list) {
-    if (one.shown_case != which || is_answer(one) || one.kind == std::string("best design")) continue;
+    if (one.shown_case != which || is_result(one) || one.kind == std::string("best design")) continue;
     ++all;
     violated += one.outcome == Outcome::violated;
     no_need += one.outcome == Outcome::violated_no_need;
@@ -168,11 +168,11 @@ std::string verdict_cell(const std::vector<Judgement>& list, std::size_t which) 
 }
 
 /// "0.3128 … 19.82" with the number of rigid-body modes at 0 before it, or UNSTABLE.
-std::string frequencies_cell(const project::Case& variant, const study::Answers& answers) {
-  if (!variant.analyses.modes || answers.modes.list.empty()) return "–";
+std::string frequencies_cell(const project::Case& variant, const study::CaseResults& results) {
+  if (!variant.analyses.modes || results.modes.list.empty()) return "–";
   std::vector<double> natural;
   std::size_t rigid = 0;
-  for (const modal::Mode& mode : answers.modes.list) {
+  for (const modal::Mode& mode : results.modes.list) {
     if (!mode.angular_frequency) return "UNSTABLE";
     if (*mode.angular_frequency > 0) natural.push_back(*mode.angular_frequency);
     else ++rigid;
@@ -180,26 +180,26 @@ std::string frequencies_cell(const project::Case& variant, const study::Answers&
   std::string text = rigid > 0 ? fmt::format("{} at 0", rigid) : "";
   if (natural.empty()) return text;
   const auto [lowest, highest] = std::ranges::minmax_element(natural);
-  text += fmt::format("{}{:.4g}", rigid > 0 ? ", " : "", shown_frequency(answers.display, *lowest));
-  if (*highest > *lowest) text += fmt::format(" … {:.4g}", shown_frequency(answers.display, *highest));
-  return text + (answers.modes.lowest_only ? ", more above" : "");
+  text += fmt::format("{}{:.4g}", rigid > 0 ? ", " : "", shown_frequency(results.display, *lowest));
+  if (*highest > *lowest) text += fmt::format(" … {:.4g}", shown_frequency(results.display, *highest));
+  return text + (results.modes.lowest_only ? ", more above" : "");
 }
 
-bool is_not_computed(const study::Answers& answers, const foundation::Problem& warning) {
-  const auto& failures = answers.failures;
+bool is_not_computed(const study::CaseResults& results, const foundation::Problem& warning) {
+  const auto& failures = results.failures;
   return std::ranges::find(failures, warning.subject) != failures.end();
 }
 
 std::string cases_text(const project::Project& project, const std::vector<Judgement>& list, const Cases& cases) {
-  const project::ShownUnits& display = project.base().display;
+  const project::DisplayUnits& display = project.base().display;
   std::vector<std::vector<std::string>> rows = {
       {"case", "verdict", "warnings", "modes [" + frequency_unit(display) + "]", "highest peak"}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    const study::Answers& answers = cases[i];
-    const auto& warnings = answers.warnings.list();
-    const auto count = std::ranges::count_if(warnings, [&](const auto& w) { return !is_not_computed(answers, w); });
-    rows.push_back({case_name_words(answers), verdict_cell(list, i), count == 0 ? "none" : std::to_string(count),
-                    frequencies_cell(project.cases[i], answers), highest_peak(answers)});
+    const study::CaseResults& results = cases[i];
+    const auto& warnings = results.warnings.list();
+    const auto count = std::ranges::count_if(warnings, [&](const auto& w) { return !is_not_computed(results, w); });
+    rows.push_back({case_name_words(results), verdict_cell(list, i), count == 0 ? "none" : std::to_string(count),
+                    frequencies_cell(project.cases[i], results), highest_peak(results)});
   }
   for (std::size_t c = rows.front().size(); c-- > 0;)
     if (std::all_of(rows.begin() + 1, rows.end(), [&](const auto& row) { return row[c].empty() || row[c] == "–"; }))
@@ -228,16 +228,16 @@ std::string front_words(const study::DesignFront& front) {
 
 std::string designs_text(const Cases& cases) {
   std::string text;
-  for (const study::Answers& answers : cases) {
+  for (const study::CaseResults& results : cases) {
     std::vector<const study::DesignMap*> maps;
-    if (answers.map) maps.push_back(&*answers.map);
-    for (const study::DesignMap& map : answers.map_pairs) maps.push_back(&map);
+    if (results.map) maps.push_back(&*results.map);
+    for (const study::DesignMap& map : results.map_pairs) maps.push_back(&map);
     for (const study::DesignMap* map : maps)
       text += fmt::format("Map of {} and {}{}\n  {}\n{}\n", axis_name(map->request.x), axis_name(map->request.y),
-                          answers.case_name.empty() ? "" : " of case " + answers.case_name, feasible_words(*map),
+                          results.case_name.empty() ? "" : " of case " + results.case_name, feasible_words(*map),
                           map->best ? "  " + best_words(*map) + "\n" : "");
-    if (answers.optimization) text += best_text(*answers.optimization);
-    if (answers.front) text += front_words(*answers.front);
+    if (results.optimization) text += best_text(*results.optimization);
+    if (results.front) text += front_words(*results.front);
   }
   return text;
 }
@@ -268,12 +268,12 @@ std::string warnings_and_notes(const Cases& cases) {
 
 }  // namespace
 
-std::string study_summary(const project::Project& project, const std::vector<study::Answers>& answers) {
-  std::vector<const study::Answers*> all;
-  for (const study::Answers& one : answers) all.push_back(&one);
+std::string study_summary(const project::Project& project, const std::vector<study::CaseResults>& results) {
+  std::vector<const study::CaseResults*> all;
+  for (const study::CaseResults& one : results) all.push_back(&one);
   const std::vector<Judgement> list = judgements(all);
-  return wrong_text(project, list, answers) + cases_text(project, list, answers) + designs_text(answers) +
-      warnings_and_notes(answers);
+  return wrong_text(project, list, results) + cases_text(project, list, results) + designs_text(results) +
+      warnings_and_notes(results);
 }
 
 }  // namespace trivet::results

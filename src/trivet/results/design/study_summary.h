@@ -4,14 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::results {
 
 /// A computed study on one screen: first what is violated, not judged, not computed or failed, or else the least
 /// margin; then one line per case with its warnings, natural frequencies and highest peak, the best design, and
 /// warnings and notes, each once with its cases.
-/// @param answers  of every case of the project, in its order
-[[nodiscard]] std::string study_summary(const project::Project& project, const std::vector<study::Answers>& answers);
+/// @param results  of every case of the project, in its order
+[[nodiscard]] std::string study_summary(const project::Project& project,
+                                        const std::vector<study::CaseResults>& results);
 
 }  // namespace trivet::results

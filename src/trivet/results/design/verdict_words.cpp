@@ -20,7 +20,7 @@ using study::CaseVerdict;
 using study::RequirementKind;
 using study::RequirementResult;
 
-std::string shown_frequency_words(double omega, const project::ShownUnits& display) {
+std::string shown_frequency_words(double omega, const project::DisplayUnits& display) {
   return fmt::format("{:.5g} {}", shown_frequency(display, omega), frequency_unit(display));
 }
 
@@ -35,7 +35,7 @@ std::string isolation_cell(double transmissibility) {
   return fmt::format("{:.4g} % ({})", percent * response::isolation_efficiency(transmissibility), ratio);
 }
 
-std::string value_cell(const RequirementResult& r, const project::ShownUnits& display) {
+std::string value_cell(const RequirementResult& r, const project::DisplayUnits& display) {
   if (!r.value) return "";
   if (std::isinf(*r.value)) return "∞";
   switch (r.kind) {
@@ -62,7 +62,7 @@ std::string value_cell(const RequirementResult& r, const project::ShownUnits& di
   }
 }
 
-std::string place_words(const RequirementResult& r, const project::ShownUnits& display) {
+std::string place_words(const RequirementResult& r, const project::DisplayUnits& display) {
   std::string text;
   if (r.angular_frequency) text = shown_frequency_words(*r.angular_frequency, display);
   if (r.time) text = fmt::format("{:.5g} s", *r.time);
@@ -76,14 +76,14 @@ std::string case_words(const CaseVerdict& judged) {
 
 }  // namespace
 
-DisplayUnit requirement_unit(const RequirementResult& r, const project::ShownUnits& display) {
+DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayUnits& display) {
   if (r.kind == RequirementKind::avoided_frequencies)
     return {frequency_unit(display, "rad/s"), "", shown_frequency(display, 1, "rad/s"), false};
   const bool harmonic = r.kind == RequirementKind::amplitude || r.kind == RequirementKind::mount_dynamic_deflection;
   return harmonic ? amplitude_unit(display, r.unit) : display_unit(display, r.unit);
 }
 
-std::string requirement_words(const RequirementResult& r, const project::ShownUnits& display) {
+std::string requirement_words(const RequirementResult& r, const project::DisplayUnits& display) {
   const std::string bound = "≤ " + study::value_words(r.allowed, r.unit);
   const std::size_t at = r.words.rfind(bound);
   const std::size_t end = at + bound.size();  // a limit with its own band has this behind its bound

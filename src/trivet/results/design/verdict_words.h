@@ -15,9 +15,11 @@ namespace trivet::results {
 [[nodiscard]] std::string verdict_summary(const study::CaseVerdict& judged);
 
 /// How the bound and the value of a requirement are shown.
-[[nodiscard]] DisplayUnit requirement_unit(const study::RequirementResult& result, const project::ShownUnits& display);
+[[nodiscard]] DisplayUnit requirement_unit(const study::RequirementResult& result,
+                                           const project::DisplayUnits& display);
 /// "machine.z ≤ 0.5 mm" with the bound in the units of the display. Words without a bound at their end stay.
-[[nodiscard]] std::string requirement_words(const study::RequirementResult& result, const project::ShownUnits& display);
+[[nodiscard]] std::string requirement_words(const study::RequirementResult& result,
+                                            const project::DisplayUnits& display);
 
 /// "met", "VIOLATED" or "NOT JUDGED".
 [[nodiscard]] const char* verdict_word(const study::RequirementResult& result);

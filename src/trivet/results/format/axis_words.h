@@ -28,14 +28,14 @@ namespace trivet::results {
 /// "frequency", "speed", "load".
 [[nodiscard]] const char* varied_word(const nonlinear::SteadyBranch& branch);
 /// "Hz", "rpm", "times the load".
-[[nodiscard]] std::string varied_unit(const nonlinear::SteadyBranch& branch, const project::ShownUnits& display);
+[[nodiscard]] std::string varied_unit(const nonlinear::SteadyBranch& branch, const project::DisplayUnits& display);
 /// "frequency [Hz]", "shaft speed [rpm]", "load factor".
-[[nodiscard]] std::string varied_heading(const nonlinear::SteadyBranch& branch, const project::ShownUnits& display);
+[[nodiscard]] std::string varied_heading(const nonlinear::SteadyBranch& branch, const project::DisplayUnits& display);
 /// A value of the parameter, rad/s or a factor, in that unit.
 [[nodiscard]] double shown_varied(const nonlinear::SteadyBranch& branch, double parameter,
-                                  const project::ShownUnits& display);
+                                  const project::DisplayUnits& display);
 
 /// "the one at the lower end of the band", or "the one at 3.2 Hz" where there is no motion at the lower end.
-[[nodiscard]] std::string begun_words(const nonlinear::SteadyBranch& branch, const project::ShownUnits& display);
+[[nodiscard]] std::string begun_words(const nonlinear::SteadyBranch& branch, const project::DisplayUnits& display);
 
 }  // namespace trivet::results

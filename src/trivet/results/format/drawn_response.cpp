@@ -20,15 +20,15 @@ Json complex_list(const Vector& values) {
 
 }  // namespace
 
-Json drawn_response(const study::Answers& answers) {
-  const study::ResponseAnswer& answer = *answers.response;
-  if (!answer.model) return response(answers);
-  const response::CurveModel& model = *answer.model;
+Json drawn_response(const study::CaseResults& results) {
+  const study::ResponseResult& found = *results.response;
+  if (!found.model) return response(results);
+  const response::CurveModel& model = *found.model;
   Json result{{"band", {model.band.from, model.band.to}},
               {"delays", model.delays},
               {"pieces", Json::array()},
-              {"continuous_phase", answer.continuous_phase},
-              {"undefined_at", answer.curves.check.undefined_at},
+              {"continuous_phase", found.continuous_phase},
+              {"undefined_at", found.curves.check.undefined_at},
               {"results", Json::array()}};
   for (const response::ModelPiece& piece : model.pieces) {
     Json values = Json::array();
@@ -39,14 +39,14 @@ Json drawn_response(const study::Answers& answers) {
                                 {"weights", complex_list(piece.fit.weights)},
                                 {"values", std::move(values)}});
   }
-  for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
+  for (std::size_t c = 0; c < found.curves.curves.size(); ++c) {
     Json extrema = Json::array();
-    for (const response::Extremum& extremum : answer.extrema[c])
+    for (const response::Extremum& extremum : found.extrema[c])
       extrema.push_back({extremum.angular_frequency, extremum.maximum ? Json(extremum.amplitude) : Json(nullptr)});
-    const Eigen::VectorXd& phase = answer.phase[c];
+    const Eigen::VectorXd& phase = found.phase[c];
     const auto first = std::ranges::find_if(phase, [](double angle) { return std::isfinite(angle); });
-    result["results"].push_back({{"name", answer.curves.curves[c].name},
-                                 {"unit", answer.curves.curves[c].unit},
+    result["results"].push_back({{"name", found.curves.curves[c].name},
+                                 {"unit", found.curves.curves[c].unit},
                                  {"extrema", std::move(extrema)},
                                  {"first_phase", first == phase.end() ? Json(nullptr) : Json(*first)}});
   }

@@ -7,17 +7,17 @@
 
 #include "trivet/documents/json_text.h"
 #include "trivet/results/format/in_documents.h"
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
-/// JSON values of Trivet's data; shared by the single answers and the result file.
+/// JSON values of Trivet's data; shared by the single results and the result file.
 namespace trivet::results::json {
 
 [[nodiscard]] Json warnings(const foundation::Problems& problems);
 /// Position of an end of an element: "on", "at", "in_ground", "axes_in_ground".
 [[nodiscard]] Json end(const project::Case& variant, const model::End& end);
-[[nodiscard]] Json response(const study::Answers& answers);
+[[nodiscard]] Json response(const study::CaseResults& results);
 /// The response for drawing in a page: the curve model if there is one, instead of a long table.
-[[nodiscard]] Json drawn_response(const study::Answers& answers);
+[[nodiscard]] Json drawn_response(const study::CaseResults& results);
 [[nodiscard]] Json design_map(const study::DesignMap& map);
 [[nodiscard]] Json verdict(const study::CaseVerdict& judged);
 /// Least and largest static values over all cases.

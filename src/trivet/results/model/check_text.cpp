@@ -17,7 +17,7 @@ std::string checks_text(const std::vector<study::CheckLine>& lines) {
   return table.text();
 }
 
-std::string mounts_text(const std::vector<study::MountAtRest>& mounts, const project::ShownUnits& display) {
+std::string mounts_text(const std::vector<study::MountAtRest>& mounts, const project::DisplayUnits& display) {
   if (mounts.empty()) return "";
   TextTable table({"mount at rest", "compression", "across its axis", "deflection"});
   for (const study::MountAtRest& mount : mounts)

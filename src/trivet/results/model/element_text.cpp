@@ -20,16 +20,16 @@ namespace trivet::results {
 namespace {
 
 using foundation::two_pi;
-using project::ShownUnits;
+using project::DisplayUnits;
 
 /// "F_x", "M_z" and its unit. @param component  0 … 5
-DisplayUnit load_unit(const ShownUnits& display, int component) {
+DisplayUnit load_unit(const DisplayUnits& display, int component) {
   return display_unit(display, component % 6 < 3 ? "N" : "N m");
 }
-DisplayUnit motion_unit(const ShownUnits& display, int component) {
+DisplayUnit motion_unit(const DisplayUnits& display, int component) {
   return display_unit(display, component % 6 < 3 ? "m" : "rad");
 }
-std::string load_heading(const ShownUnits& display, int component) {
+std::string load_heading(const DisplayUnits& display, int component) {
   return fmt::format("{}_{} [{}]", component < 3 ? "F" : "M", "xyz"[component % 3], load_unit(display, component).unit);
 }
 
@@ -64,7 +64,7 @@ std::string ends_text(const project::Case& variant, const model::Element& elemen
 }
 
 /// Twelve rows with the six columns of one end: a width of 80 characters fits a terminal.
-std::string half_matrix(const elements::Matrix12& matrix, int first_column, const ShownUnits& display) {
+std::string half_matrix(const elements::Matrix12& matrix, int first_column, const DisplayUnits& display) {
   constexpr double round_off = 1e-12;
   const char end = first_column == 0 ? 'N' : 'K';
   std::vector<std::string> header = {"end", "load"};
@@ -83,7 +83,7 @@ std::string half_matrix(const elements::Matrix12& matrix, int first_column, cons
   return table.text();
 }
 
-std::string stiffness_properties_text(const elements::StiffnessProperties& c, const ShownUnits& display) {
+std::string stiffness_properties_text(const elements::StiffnessProperties& c, const DisplayUnits& display) {
   TextTable table(
       {"principal stiffness of K, N held", "axis (local)", "principal rotational stiffness", "axis (local) "});
   constexpr double round_off = 1e-9;
@@ -130,7 +130,7 @@ std::string checks_text(const model::Element& element, const elements::MatrixVer
   return table.text();
 }
 
-std::string energy_text(const study::ElementSummary& summary, const ShownUnits& display) {
+std::string energy_text(const study::ElementSummary& summary, const DisplayUnits& display) {
   constexpr double idle = 1e-4;  // share of the strain energy of a mode below which the element is not listed
   TextTable table({"mode", frequency_heading(display), "of the model's strain energy", "in translation", "in rotation",
                    "in coupling", "motion"});
@@ -154,7 +154,7 @@ std::string energy_text(const study::ElementSummary& summary, const ShownUnits& 
       table.text() + (others > 0 ? fmt::format("  below 0.01 % in {} more\n", others) : "");
 }
 
-std::string uncertainty_text(const model::Element& element, const ShownUnits& display) {
+std::string uncertainty_text(const model::Element& element, const DisplayUnits& display) {
   if (!element.evidence) return "";
   const model::Evidence& evidence = *element.evidence;
   TextTable table({"diagonal entry", "value", "±", "unit", "of the value"});
@@ -223,7 +223,7 @@ std::string frequency_text(const model::Element& element) {
   return text;
 }
 
-std::string laws_text(const study::ElementSummary& summary, const ShownUnits& display) {
+std::string laws_text(const study::ElementSummary& summary, const DisplayUnits& display) {
   std::string text;
   for (const study::ElementLaws& laws : summary.laws) {
     const bool turns = laws.turns;
@@ -248,7 +248,7 @@ std::string laws_text(const study::ElementSummary& summary, const ShownUnits& di
 }
 
 /// At frequencies that divide the band evenly.
-std::string over_amplitude_text(const study::ElementSummary& summary, const ShownUnits& display) {
+std::string over_amplitude_text(const study::ElementSummary& summary, const DisplayUnits& display) {
   if (summary.over_amplitude.empty()) return "";
   constexpr int rows = 8;
   const DisplayUnit stiffness = display_unit(display, "N/m");
@@ -282,7 +282,7 @@ std::string over_amplitude_text(const study::ElementSummary& summary, const Show
   return text;
 }
 
-std::string preload_text(const elements::Law& law, const ShownUnits& display) {
+std::string preload_text(const elements::Law& law, const DisplayUnits& display) {
   if (!law.preload) return "";
   std::vector<std::string> header = {"preload on"};
   for (int j = 0; j < 6; ++j) header.push_back(load_heading(display, j));
@@ -365,7 +365,7 @@ std::string element_text(const project::Case& variant, std::size_t index, const 
   for (const std::vector<model::Fact>& facts : {element.facts, law_facts(element)})
     for (const model::Fact& fact : facts) text += "  " + fact.what + ": " + fact.value + "\n";
   for (const auto& problem : summary.warnings.list()) text += "  " + foundation::message(problem) + "\n";
-  const ShownUnits& display = variant.display;
+  const DisplayUnits& display = variant.display;
   const std::string force = load_unit(display, 0).unit, moment = load_unit(display, 3).unit,
                     length = motion_unit(display, 0).unit, angle = motion_unit(display, 3).unit;
   text += fmt::format(

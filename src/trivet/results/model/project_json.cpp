@@ -10,8 +10,8 @@
 
 #include "trivet/foundation/message_list.h"
 #include "trivet/foundation/version.h"
-#include "trivet/results/format/answer_writer.h"
 #include "trivet/results/format/json_parts.h"
+#include "trivet/results/format/result_writer.h"
 #include "trivet/results/model/model_words.h"
 #include "trivet/study/whole_study.h"
 
@@ -128,12 +128,12 @@ Json model_of(const project::Case& variant) {
   return result;
 }
 
-Json case_json(const project::Case& variant, const study::Answers& answers) {
+Json case_json(const project::Case& variant, const study::CaseResults& results) {
   Json checks = Json::array();
   for (const study::CheckLine& line : study::check_lines(variant))
     checks.push_back({{"subject", line.subject}, {"what", line.what}, {"value", line.value}, {"passed", line.passed}});
   Json limits = Json::array();
-  for (const study::LimitAnswer& limit : answers.limits)
+  for (const study::LimitResult& limit : results.limits)
     limits.push_back({{"name", limit.name},
                       {"unit", limit.unit},
                       {"limit", limit.limit},
@@ -141,38 +141,38 @@ Json case_json(const project::Case& variant, const study::Answers& answers) {
                       {"in_band_at", limit.in_band_at},
                       {"anywhere", json::number(limit.anywhere)},
                       {"kept", limit.met}});
-  Json result{{"name", answers.case_name},
-              {"changes", answers.changes},
-              {"warnings", json::warnings(answers.warnings)},
-              {"free_motions", answers.free_motions},
-              {"not_computed", answers.failures},
+  Json result{{"name", results.case_name},
+              {"changes", results.changes},
+              {"warnings", json::warnings(results.warnings)},
+              {"free_motions", results.free_motions},
+              {"not_computed", results.failures},
               {"model", model_of(variant)},
               {"checks", std::move(checks)},
               {"limits", std::move(limits)}};
-  if (!answers.notes.empty()) result["notes"] = answers.notes;
-  if (answers.verdict) result["verdict"] = json::verdict(*answers.verdict);
-  for (const AnswerWriter& writer : answer_writers()) {
-    if (!writer.is_there(variant, answers)) continue;
+  if (!results.notes.empty()) result["notes"] = results.notes;
+  if (results.verdict) result["verdict"] = json::verdict(*results.verdict);
+  for (const ResultWriter& writer : result_writers()) {
+    if (!writer.is_there(variant, results)) continue;
     const std::string name = writer.name;
-    if (name == "response") result["band"] = {answers.response->band.from, answers.response->band.to};
-    result[name] = written_json(writer, variant, answers);
+    if (name == "response") result["band"] = {results.response->band.from, results.response->band.to};
+    result[name] = written_json(writer, variant, results);
   }
   return result;
 }
 
 /// What the page draws of a case: limits, modes, peaks, and a model of its curves.
-Json drawn_case(const project::Case& variant, const study::Answers& answers) {
+Json drawn_case(const project::Case& variant, const study::CaseResults& results) {
   Json result{
-      {"name", answers.case_name}, {"limits", Json::array()}, {"modes", Json::array()}, {"peaks", Json::array()}};
-  for (const study::LimitAnswer& limit : answers.limits)
+      {"name", results.case_name}, {"limits", Json::array()}, {"modes", Json::array()}, {"peaks", Json::array()}};
+  for (const study::LimitResult& limit : results.limits)
     result["limits"].push_back({{"name", limit.name}, {"unit", limit.unit}, {"limit", limit.limit}});
   if (variant.analyses.modes)
-    for (const modal::Mode& mode : answers.modes.list)
+    for (const modal::Mode& mode : results.modes.list)
       if (mode.angular_frequency.value_or(0) > 0)
         result["modes"].push_back(
             {{"number", mode.number}, {"angular_frequency", *mode.angular_frequency}, {"name", mode.name}});
-  if (answers.peaks) {
-    const response::Peaks& found = answers.peaks->peaks;
+  if (results.peaks) {
+    const response::Peaks& found = results.peaks->peaks;
     for (const response::Peak& peak : found.list)
       result["peaks"].push_back({{"name", found.curves[peak.curve].name},
                                  {"unit", found.curves[peak.curve].unit},
@@ -184,7 +184,7 @@ Json drawn_case(const project::Case& variant, const study::Answers& answers) {
     for (const response::CurveSummary& curve : found.curves)
       if (curve.vanishes) result["vanishing"].push_back({{"name", curve.name}, {"unit", curve.unit}});
   }
-  if (answers.response) result["response"] = json::drawn_response(answers);
+  if (results.response) result["response"] = json::drawn_response(results);
   return result;
 }
 
@@ -205,23 +205,23 @@ Json head_of_results(const project::Project& project) {
 }  // namespace
 
 std::string case_results_json(const project::Project& project, const project::Case& variant,
-                              const study::Answers& answers) {
+                              const study::CaseResults& results) {
   Json result = head_of_results(project);
-  result["cases"].push_back(case_json(variant, answers));
+  result["cases"].push_back(case_json(variant, results));
   return json::text(result) + "\n";
 }
 
-std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers) {
+std::string results_json(const project::Project& project, const std::vector<study::CaseResults>& results) {
   Json result = head_of_results(project);
-  for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i]));
-  if (const study::Envelope envelope = study::envelope_of(answers); !envelope.rows.empty())
+  for (std::size_t i = 0; i < results.size(); ++i) result["cases"].push_back(case_json(project.cases[i], results[i]));
+  if (const study::Envelope envelope = study::envelope_of(results); !envelope.rows.empty())
     result["envelope"] = json::envelope(envelope);
   return json::text(result) + "\n";
 }
 
-std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers) {
+std::string page_json(const project::Project& project, const std::vector<study::CaseResults>& results) {
   Json result{{"cases", Json::array()}};
-  for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(drawn_case(project.cases[i], answers[i]));
+  for (std::size_t i = 0; i < results.size(); ++i) result["cases"].push_back(drawn_case(project.cases[i], results[i]));
   return json::text(result) + "\n";
 }
 

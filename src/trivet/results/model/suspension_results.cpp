@@ -59,12 +59,12 @@ Json modes_json(const modal::BodySuspension& body) {
 
 }  // namespace
 
-std::string suspension_json(const project::Case& variant, const study::SuspensionAnswer& answer) {
+std::string suspension_json(const project::Case& variant, const study::SuspensionResult& found) {
   Json result{{"bodies", Json::array()},
-              {"excitations", answer.excitations},
+              {"excitations", found.excitations},
               {"frequency_separation", Json::array()},
-              {"warnings", json::warnings(answer.warnings)}};
-  for (const modal::BodySuspension& body : answer.bodies) {
+              {"warnings", json::warnings(found.warnings)}};
+  for (const modal::BodySuspension& body : found.bodies) {
     Json rolls = Json::array();
     for (const modal::RollAxes& axes : body.roll_axes) rolls.push_back(roll_json(axes));
     result["bodies"].push_back({{"name", variant.system.bodies()[body.body].name},
@@ -74,7 +74,7 @@ std::string suspension_json(const project::Case& variant, const study::Suspensio
                                 {"modes", modes_json(body)},
                                 {"notes", body.notes}});
   }
-  for (const modal::FrequencySeparation& row : answer.separation)
+  for (const modal::FrequencySeparation& row : found.separation)
     result["frequency_separation"].push_back({{"mode", row.mode},
                                               {"angular_frequency", row.angular_frequency},
                                               {"ratio_to_next", json::optional(row.ratio_to_next)},
@@ -82,11 +82,11 @@ std::string suspension_json(const project::Case& variant, const study::Suspensio
   return json::text(result, 1) + "\n";
 }
 
-std::string suspension_csv(const project::Case& variant, const study::SuspensionAnswer& answer) {
+std::string suspension_csv(const project::Case& variant, const study::SuspensionResult& found) {
   std::string text = "body,angular_frequency [rad/s]";
   for (const char* coordinate : model::coordinate_names) text += fmt::format(",kinetic energy share {}", coordinate);
   text += ",in elements,purest,decoupling\n";
-  for (const modal::BodySuspension& body : answer.bodies)
+  for (const modal::BodySuspension& body : found.bodies)
     for (const modal::BodyMode& mode : body.modes) {
       text += csv_field(variant.system.bodies()[body.body].name) + "," +
           (mode.angular_frequency ? fmt::format("{}", *mode.angular_frequency) : "");
@@ -112,7 +112,7 @@ std::string triple(const Eigen::Vector3d& v, double least, double factor = 1) {
 constexpr double nanometre = 1e-9;
 
 std::string elastic_text(const model::Body& body, const modal::BodySuspension& suspension,
-                         const project::ShownUnits& display) {
+                         const project::DisplayUnits& display) {
   if (!suspension.elastic) return "";
   const elements::StiffnessProperties& c = *suspension.elastic;
   const DisplayUnit length = display_unit(display, "m"), stiffness = display_unit(display, "N/m"),
@@ -133,7 +133,7 @@ std::string elastic_text(const model::Body& body, const modal::BodySuspension& s
   return text + table.text();
 }
 
-std::string roll_text(const modal::BodySuspension& suspension, const project::ShownUnits& display) {
+std::string roll_text(const modal::BodySuspension& suspension, const project::DisplayUnits& display) {
   if (suspension.roll_axes.empty()) return "";
   const DisplayUnit length = display_unit(display, "m"), torsional = display_unit(display, "N m/rad");
   const std::string in_length = " [" + length.unit + "]";
@@ -152,7 +152,7 @@ std::string roll_text(const modal::BodySuspension& suspension, const project::Sh
   return table.text();
 }
 
-std::string decoupling_text(const modal::BodySuspension& suspension, const project::ShownUnits& display) {
+std::string decoupling_text(const modal::BodySuspension& suspension, const project::DisplayUnits& display) {
   const bool heavy_elements = std::ranges::any_of(
       suspension.modes, [](const modal::BodyMode& mode) { return std::abs(mode.in_elements) >= 5e-4; });
   std::vector<std::string> header = {frequency_heading(display), "x", "y", "z", "rx", "ry", "rz"};
@@ -172,12 +172,12 @@ std::string decoupling_text(const modal::BodySuspension& suspension, const proje
   return "  kinetic energy of the modes by coordinate at the centre of mass, body axes\n" + table.text();
 }
 
-std::string separation_text(const study::SuspensionAnswer& answer, const project::ShownUnits& display) {
+std::string separation_text(const study::SuspensionResult& found, const project::DisplayUnits& display) {
   std::vector<std::string> header = {"mode", frequency_heading(display), "next / this"};
-  for (const double excitation : answer.excitations)
+  for (const double excitation : found.excitations)
     header.push_back(fmt::format("{:.4g} {} / this", shown_frequency(display, excitation), frequency_unit(display)));
   TextTable table(header);
-  for (const modal::FrequencySeparation& row : answer.separation) {
+  for (const modal::FrequencySeparation& row : found.separation) {
     std::vector<std::string> cells = {std::to_string(row.mode),
                                       number_text(shown_frequency(display, row.angular_frequency), 5),
                                       number_text(row.ratio_to_next.value_or(nothing), 4)};
@@ -185,25 +185,25 @@ std::string separation_text(const study::SuspensionAnswer& answer, const project
     table.add(cells);
   }
   return "Frequency separation of the whole system" +
-      std::string(answer.excitations.empty() ? "" : " (a mode isolates above √2)") + "\n" + table.text();
+      std::string(found.excitations.empty() ? "" : " (a mode isolates above √2)") + "\n" + table.text();
 }
 
 }  // namespace
 
-std::string suspension_text(const project::Case& variant, const study::SuspensionAnswer& answer) {
+std::string suspension_text(const project::Case& variant, const study::SuspensionResult& found) {
   std::string text;
-  for (const auto& problem : answer.warnings.list()) text += foundation::message(problem) + "\n";
+  for (const auto& problem : found.warnings.list()) text += foundation::message(problem) + "\n";
   if (!text.empty()) text += "\n";
-  for (const modal::BodySuspension& suspension : answer.bodies) {
+  for (const modal::BodySuspension& suspension : found.bodies) {
     const model::Body& body = variant.system.bodies()[suspension.body];
     text += fmt::format("{} on its elements{}; body frame\n", body.name,
-                        answer.bodies.size() > 1 ? ", all other bodies held" : "");
+                        found.bodies.size() > 1 ? ", all other bodies held" : "");
     text += elastic_text(body, suspension, variant.display) + roll_text(suspension, variant.display) +
         decoupling_text(suspension, variant.display);
     for (const std::string& note : suspension.notes) text += "  note: " + note + "\n";
     text += "\n";
   }
-  return text + separation_text(answer, variant.display);
+  return text + separation_text(found, variant.display);
 }
 
 }  // namespace trivet::results

@@ -8,10 +8,10 @@
 namespace trivet::results {
 
 /// JSON (docs/json.md), and one CSV row per body and mode.
-[[nodiscard]] std::string suspension_json(const project::Case& variant, const study::SuspensionAnswer& answer);
-[[nodiscard]] std::string suspension_csv(const project::Case& variant, const study::SuspensionAnswer& answer);
+[[nodiscard]] std::string suspension_json(const project::Case& variant, const study::SuspensionResult& result);
+[[nodiscard]] std::string suspension_csv(const project::Case& variant, const study::SuspensionResult& result);
 
 /// Elastic centre, roll axes and decoupling of every body, and the separation of the natural frequencies.
-[[nodiscard]] std::string suspension_text(const project::Case& variant, const study::SuspensionAnswer& answer);
+[[nodiscard]] std::string suspension_text(const project::Case& variant, const study::SuspensionResult& result);
 
 }  // namespace trivet::results

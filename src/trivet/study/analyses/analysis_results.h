@@ -70,19 +70,19 @@ struct TransmissibilityResult {
   [[nodiscard]] bool is_share(std::size_t curve) const { return of_force && curve > 0 && curves.curves.size() > 2; }
 };
 
-/// Largest magnitude over the band of the question: of the total force on the ground, or of the first wanted motion.
+/// Largest magnitude over the band of the analysis: of the total force on the ground, or of the first wanted motion.
 /// @throws foundation::NotComputable, InvalidInput if the model does not have it
 [[nodiscard]] double largest_transmissibility(const CaseContext& context,
-                                              const project::TransmissibilityQuestion& asked);
+                                              const project::TransmissibilityAnalysis& request);
 
-/// The motions that a question asks for, with as many harmonics as it needs.
+/// The motions that an analysis requests, with as many harmonics as it needs.
 /// @throws foundation::InvalidInput for a linear machine, foundation::NotComputable if there is no motion to begin with
-/// @param quantities  of points, one per result asked for; empty: the one of the question
-[[nodiscard]] nonlinear::SteadyBranch steady_motions(const CaseContext& context, const project::SteadyQuestion& asked,
+/// @param quantities  of points, one per result requested; empty: the one of the analysis
+[[nodiscard]] nonlinear::SteadyBranch steady_motions(const CaseContext& context, const project::SteadyAnalysis& request,
                                                      const std::vector<assembly::MotionQuantity>& quantities = {});
 
 /// What may be wrong about such motions.
-void warn_of_motions(const CaseContext& context, const project::SteadyQuestion& asked,
+void warn_of_motions(const CaseContext& context, const project::SteadyAnalysis& request,
                      const nonlinear::SteadyBranch& motions, foundation::Problems& warnings);
 
 }  // namespace trivet::study

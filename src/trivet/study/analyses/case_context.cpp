@@ -13,9 +13,9 @@
 #include "trivet/model/static_stiffness.h"
 #include "trivet/model/system.h"
 #include "trivet/plausibility/overturning.h"
+#include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/analyses/drive.h"
-#include "trivet/project/analyses/question_sizes.h"
 #include "trivet/response/steady/at_rest.h"
 
 namespace trivet::study {
@@ -64,12 +64,12 @@ foundation::Problems warning_of_unknown_roots() {
   return warnings;
 }
 
-foundation::NotComputable without_excitation(const std::string& question) {
-  const project::MissingExcitation missing = project::missing_excitation(project::drive_of(question));
-  return foundation::NotComputable(question + ": " + missing.finding + "; " + missing.remedy);
+foundation::NotComputable without_excitation(const std::string& analysis) {
+  const project::MissingExcitation missing = project::missing_excitation(project::drive_of(analysis));
+  return foundation::NotComputable(analysis + ": " + missing.finding + "; " + missing.remedy);
 }
 
-std::vector<assembly::Channel> channels_of(const CaseContext& c, const project::AnswerSelection& selection) {
+std::vector<assembly::Channel> channels_of(const CaseContext& c, const project::ChannelSelection& selection) {
   return assembly::channels(c.system, c.assembled, selection.of, selection.quantity);
 }
 
@@ -79,10 +79,10 @@ std::vector<double> grid_over(const CaseContext& c, const std::vector<assembly::
   return response::automatic_grid(c.assembled, channels, loading, c.roots().poles, peaks, band, c.progress);
 }
 
-void require_rigid_ground(const CaseContext& c, const std::string& question) {
+void require_rigid_ground(const CaseContext& c, const std::string& analysis) {
   if (const auto standing = model::element_on_modes(c.system.description()))
     throw foundation::NotComputable(
-        question + ": \"" + *standing +
+        analysis + ": \"" + *standing +
         "\" is mounted on a modal foundation, for which a rigid motion of the ground is not defined; describe it "
         "by an impedance or a mobility, or as a body on its own elements");
 }
@@ -114,8 +114,8 @@ void warn_of_guide_forces(const CaseContext& c, const project::Analyses& analyse
     of.insert(of.end(), analyses.map->no_peak.begin(), analyses.map->no_peak.end());
     for (const project::AmplitudeLimit& limit : analyses.map->limits) of.push_back(limit.name);
   }
-  for (const auto& [name, question] : analyses.questions)
-    of.insert(of.end(), question->selection.of.begin(), question->selection.of.end());
+  for (const auto& [name, analysis] : analyses.by_name)
+    of.insert(of.end(), analysis->selection.of.begin(), analysis->selection.of.end());
   if (std::ranges::none_of(of, [](const std::string& word) { return word.starts_with("ground"); })) return;
   for (const model::Body& body : c.system.bodies())
     if (body.is_constrained())
@@ -124,19 +124,19 @@ void warn_of_guide_forces(const CaseContext& c, const project::Analyses& analyse
                        "add these if they matter");
 }
 
-/// Warns of ground motions implied by a question that the constraints of a body do not follow.
+/// Warns of ground motions implied by an analysis that the constraints of a body do not follow.
 void warn_of_guided_motions(const CaseContext& c, const project::Analyses& analyses, foundation::Problems& warnings) {
-  const auto warn = [&](const char* question, const model::Direction& direction) {
+  const auto warn = [&](const char* analysis, const model::Direction& direction) {
     model::Action::Amplitude motion = model::Action::Amplitude::Zero();
     (direction.rotation ? motion.tail<3>() : motion.head<3>()) = direction.axis.cast<std::complex<double>>();
     for (const model::Body& body : c.system.bodies())
       if (const std::string names = model::coordinates_left_behind(body, motion, Eigen::Vector3d::Zero());
           !names.empty())
-        model::warn_of_guides(body, names, question, warnings);
+        model::warn_of_guides(body, names, analysis, warnings);
   };
-  const auto* transmitted = analyses.find<project::TransmissibilityQuestion>("transmissibility");
+  const auto* transmitted = analyses.find<project::TransmissibilityAnalysis>("transmissibility");
   if (transmitted && transmitted->force.empty()) warn("transmissibility", transmitted->direction);
-  if (const auto* shaken = analyses.find<project::EarthquakeQuestion>("earthquake"))
+  if (const auto* shaken = analyses.find<project::EarthquakeAnalysis>("earthquake"))
     warn("earthquake", model::Direction{shaken->direction, false});
 }
 
@@ -224,9 +224,10 @@ assembly::MotionQuantity quantity_of(const assembly::LimitLine& line) {
   return assembly::MotionQuantity::displacement;
 }
 
-std::vector<LimitLineResult> limit_line_answer(const CaseContext& c,
-                                               const std::vector<project::LimitLineRequest>& requests,
-                                               const project::AnswerSelection& selection, const assembly::Band& band) {
+std::vector<LimitLineResult> limit_line_results(const CaseContext& c,
+                                                const std::vector<project::LimitLineRequest>& requests,
+                                                const project::ChannelSelection& selection,
+                                                const assembly::Band& band) {
   const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, selection.excitations);
   std::vector<LimitLineResult> results;
   for (const project::LimitLineRequest& request : requests) {

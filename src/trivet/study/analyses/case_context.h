@@ -5,12 +5,12 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 #include "trivet/study/analyses/solved_case.h"
 
 namespace trivet::study {
 
-// The data that every answer for a case starts from.
+// The data that every result for a case starts from.
 
 /// The solved model of a case with the progress of one computation.
 class CaseContext {
@@ -37,16 +37,16 @@ class CaseContext {
 /// Band from 0 to 1.3 times the highest natural frequency, within the tables of the elements.
 [[nodiscard]] assembly::Band default_band(const CaseContext& context);
 
-/// True if the damped roots of so large a model are not computed, because only its lowest modes are asked for.
+/// True if the damped roots of so large a model are not computed, because only its lowest modes are requested.
 [[nodiscard]] bool is_too_large_for_roots(const assembly::Assembled& assembled);
 /// The warning of such a model whose stiffness or damping may feed energy.
 [[nodiscard]] foundation::Problems warning_of_unknown_roots();
 
-/// The error of a question for which the model has no excitation.
-[[nodiscard]] foundation::NotComputable without_excitation(const std::string& question);
+/// The error of an analysis for which the model has no excitation.
+[[nodiscard]] foundation::NotComputable without_excitation(const std::string& analysis);
 
 [[nodiscard]] std::vector<assembly::Channel> channels_of(const CaseContext& context,
-                                                         const project::AnswerSelection& selection);
+                                                         const project::ChannelSelection& selection);
 
 /// Frequencies in a band that resolve the curves and their peaks.
 [[nodiscard]] std::vector<double> grid_over(const CaseContext& context, const std::vector<assembly::Channel>& channels,
@@ -55,24 +55,24 @@ class CaseContext {
 
 /// @throws foundation::NotComputable if elements are mounted on a modal foundation, for which a rigid motion of the
 /// ground is not defined
-void require_rigid_ground(const CaseContext& context, const std::string& question);
+void require_rigid_ground(const CaseContext& context, const std::string& analysis);
 
 /// The quantity that a limit line bounds, from its unit.
 [[nodiscard]] assembly::MotionQuantity quantity_of(const assembly::LimitLine& line);
 
-/// @throws foundation::NotComputable with the reason if there is no answer
-[[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context,
-                                                             const std::vector<project::LimitLineRequest>& requests,
-                                                             const project::AnswerSelection& selection,
-                                                             const assembly::Band& band);
+/// @throws foundation::NotComputable with the reason if there is no result
+[[nodiscard]] std::vector<LimitLineResult> limit_line_results(const CaseContext& context,
+                                                              const std::vector<project::LimitLineRequest>& requests,
+                                                              const project::ChannelSelection& selection,
+                                                              const assembly::Band& band);
 
-/// Warnings about answers of a case that a user may misread: frequency-dependent elements in undamped modes, forces
+/// Warnings about results of a case that a user may misread: frequency-dependent elements in undamped modes, forces
 /// of constraints, loads without effect, massless springs above their own first natural frequency.
 /// @param search_to  upper end of the searched band [rad/s]; 0: the highest natural frequency
 [[nodiscard]] foundation::Problems case_warnings(const CaseContext& context, const project::Analyses& analyses,
                                                  double search_to);
 
-/// Warnings about static results that are asked for or judged, of machines with laws: they use one stiffness for rest
+/// Warnings about static results that are requested or judged, of machines with laws: they use one stiffness for rest
 /// and vibration, and leave out what the weight takes of the tilting stiffness of a body.
 [[nodiscard]] foundation::Problems rest_warnings(const CaseContext& context, const project::Analyses& analyses);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 #include <algorithm>
 
@@ -8,9 +8,9 @@
 
 namespace trivet::study {
 
-bool is_cut_short(const Answers& answers) {
-  const auto* steady = answers.find<nonlinear::SteadyBranch>("steady");
-  const auto* modes = answers.find<std::vector<nonlinear::Backbone>>("backbone");
+bool is_cut_short(const CaseResults& results) {
+  const auto* steady = results.find<nonlinear::SteadyBranch>("steady");
+  const auto* modes = results.find<std::vector<nonlinear::Backbone>>("backbone");
   const auto ends = [](const auto& curve) { return !curve.ended.empty(); };
   return (steady && ends(*steady)) || (modes && std::ranges::any_of(*modes, ends));
 }

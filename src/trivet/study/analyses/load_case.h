@@ -7,7 +7,7 @@
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/project/analyses/analyses.h"
-#include "trivet/project/text/shown_units.h"
+#include "trivet/project/text/display_units.h"
 #include "trivet/response/steady/static_response.h"
 
 /// Static results of cases as load cases: gravity and constant forces of each, and the envelope over all.
@@ -48,7 +48,7 @@ struct EnvelopeRow {
 };
 
 struct Envelope {
-  project::ShownUnits display;                                ///< of its table
+  project::DisplayUnits display;                              ///< of its table
   std::vector<EnvelopeRow> rows;                              ///< empty if the cases do not differ at rest
   std::vector<std::pair<std::string, std::string>> left_out;  ///< cases without static results, with the reason
 };

@@ -6,40 +6,40 @@
 #include "trivet/response/machinery/deflection_shape.h"
 #include "trivet/response/machinery/power.h"
 #include "trivet/study/analyses/analysis_results.h"
-#include "trivet/study/analyses/question_answer.h"
+#include "trivet/study/analyses/analysis_run.h"
 
 namespace trivet::study {
 
 namespace {
 
-OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& asked, foundation::Problems&) {
+OrdersResult orders_result(const CaseContext& c, const project::OrdersAnalysis& request, foundation::Problems&) {
   const std::vector<response::OrderLoading> orders =
-      response::order_loadings(c.system, c.assembled, asked.selection.excitations);
+      response::order_loadings(c.system, c.assembled, request.selection.excitations);
   if (orders.empty())
     throw foundation::NotComputable(
         "orders: the model has no excitation by a rotating shaft; add [excitations.NAME] with type = \"orders\" or "
         "\"unbalance\"");
   response::RunUpOptions options;
-  options.speed = asked.speed;
+  options.speed = request.speed;
   return {
-      response::run_up(c.assembled, channels_of(c, asked.selection), orders, c.modes, c.roots(), options, c.progress),
-      response::campbell(orders, c.modes, c.roots(), asked.speed), asked.selection.quantity};
+      response::run_up(c.assembled, channels_of(c, request.selection), orders, c.modes, c.roots(), options, c.progress),
+      response::campbell(orders, c.modes, c.roots(), request.speed), request.selection.quantity};
 }
 
 }  // namespace
 
-const QuestionAnswer orders_answer = answered_by<answer_orders>(
+const AnalysisRun orders_run = computed_by<orders_result>(
     "run-up: response over shaft speed, critical speeds",
     "orders: no range of speeds given; add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
 
 namespace {
 
-response::PowerFlow answer_power(const CaseContext& c, const project::BandQuestion& asked, foundation::Problems&) {
-  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.selection.excitations);
+response::PowerFlow power_result(const CaseContext& c, const project::BandAnalysis& request, foundation::Problems&) {
+  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, request.selection.excitations);
   if (loading.vanishes()) throw without_excitation("power");
   const std::vector<assembly::Channel> channels =
       assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::MotionQuantity::velocity);
-  const assembly::Band band = asked.band ? *asked.band : default_band(c);
+  const assembly::Band band = request.band ? *request.band : default_band(c);
   // They only choose the frequencies.
   const response::Peaks peaks = response::peaks(c.assembled, channels, loading, c.modes, c.roots(),
                                                 {.search_to = band.to, .refine = false}, c.progress);
@@ -54,23 +54,23 @@ response::PowerFlow answer_power(const CaseContext& c, const project::BandQuesti
 
 }  // namespace
 
-const QuestionAnswer power_answer = answered_by<answer_power>("mean power into the ground at each mount");
+const AnalysisRun power_run = computed_by<power_result>("mean power into the ground at each mount");
 
 namespace {
 
-std::vector<response::DeflectionShape> answer_shapes(const CaseContext& c, const project::ShapesQuestion& asked,
+std::vector<response::DeflectionShape> shapes_result(const CaseContext& c, const project::ShapesAnalysis& request,
                                                      foundation::Problems&) {
-  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.selection.excitations);
+  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, request.selection.excitations);
   if (loading.vanishes()) throw without_excitation("shapes");
   std::vector<response::DeflectionShape> shapes;
-  for (const double omega : asked.at)
+  for (const double omega : request.at)
     shapes.push_back(response::deflection_shape(c.system, c.assembled, loading, omega));
   return shapes;
 }
 
 }  // namespace
 
-const QuestionAnswer shapes_answer = answered_by<answer_shapes>(
+const AnalysisRun shapes_run = computed_by<shapes_result>(
     "operating deflection shapes", "shapes: no frequencies given; add shapes = {at = [\"25 Hz\"]} to [analyses]");
 
 }  // namespace trivet::study

@@ -22,7 +22,7 @@ constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 double decibels(double ratio) { return 20 * std::log10(ratio); }
 
 /// True if no harmonic excitation of the response but this one acts; "" stands for those of the response.
-bool is_excited_as(const model::System& system, const project::AnswerSelection& selection,
+bool is_excited_as(const model::System& system, const project::ChannelSelection& selection,
                    const std::string& excitation) {
   const auto& all = system.description().excitations;
   return excitation.empty() || std::ranges::all_of(all, [&](const model::Excitation& one) {
@@ -96,7 +96,7 @@ void set_computed(const CaseContext& c, const std::vector<assembly::Channel>& ch
 }
 
 std::vector<ChannelComparison> channel_comparisons(const CaseContext& c, const project::Measurement& measurement,
-                                                   const project::AnswerSelection& selection,
+                                                   const project::ChannelSelection& selection,
                                                    const assembly::Band& band) {
   std::vector<ChannelComparison> compared;
   std::vector<std::string> names;

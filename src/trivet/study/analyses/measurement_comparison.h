@@ -57,7 +57,7 @@ struct ShapeComparison {
   [[nodiscard]] double frequency_difference() const;
 };
 
-/// A table of [measurements] compared with the answers of a case.
+/// A table of [measurements] compared with the results of a case.
 struct MeasurementComparison {
   std::string name, file;
   std::string excitation;   ///< the only one that acts; empty: those of the response
@@ -79,7 +79,7 @@ struct MeasurementComparison {
                                                          const Eigen::VectorXcd& measured,
                                                          const Eigen::VectorXd& coherence = {});
 
-/// @throws foundation::NotComputable with the reason if there is no answer
+/// @throws foundation::NotComputable with the reason if there is no result
 [[nodiscard]] std::vector<MeasurementComparison> measurement_comparisons(const CaseContext& context,
                                                                          const project::Analyses& analyses,
                                                                          const assembly::Band& band);

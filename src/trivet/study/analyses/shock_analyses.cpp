@@ -6,19 +6,19 @@
 #include "trivet/project/analyses/analysis_types.h"
 #include "trivet/response/transient/earthquake.h"
 #include "trivet/study/analyses/analysis_results.h"
-#include "trivet/study/analyses/question_answer.h"
+#include "trivet/study/analyses/analysis_run.h"
 
 namespace trivet::study {
 
 namespace {
 
-response::EarthquakeResponse answer_earthquake(const CaseContext& c, const project::EarthquakeQuestion& asked,
+response::EarthquakeResponse earthquake_result(const CaseContext& c, const project::EarthquakeAnalysis& request,
                                                foundation::Problems& warnings) {
   require_rigid_ground(c, "earthquake");
   spatial::Vector6 direction = spatial::Vector6::Zero();
-  direction.head<3>() = asked.direction;
+  direction.head<3>() = request.direction;
   response::EarthquakeResponse result =
-      response::earthquake_response(c.assembled, channels_of(c, asked.selection), asked.spectrum, direction);
+      response::earthquake_response(c.assembled, channels_of(c, request.selection), request.spectrum, direction);
   warnings.add(result.warnings);
   if (!(result.effective_mass_share > 0))
     throw foundation::NotComputable(
@@ -28,38 +28,38 @@ response::EarthquakeResponse answer_earthquake(const CaseContext& c, const proje
 
 }  // namespace
 
-const QuestionAnswer earthquake_answer =
-    answered_by<answer_earthquake>("largest response to an earthquake, from its response spectrum",
+const AnalysisRun earthquake_run =
+    computed_by<earthquake_result>("largest response to an earthquake, from its response spectrum",
                                    "earthquake: no spectrum given; add earthquake = {direction = \"x\", rows = "
                                    "[[0.02, 3], [0.1, 9], …]} to [analyses]");
 
 namespace {
 
-std::vector<ShockSpectrumResult> answer_shock_spectrum(const CaseContext& c,
-                                                       const project::ShockSpectrumQuestion& asked,
+std::vector<ShockSpectrumResult> shock_spectrum_result(const CaseContext& c,
+                                                       const project::ShockSpectrumAnalysis& request,
                                                        foundation::Problems& warnings) {
   constexpr int per_octave = 48;
   std::vector<double> natural;
   const int count =
-      std::max(2, static_cast<int>(std::ceil(per_octave * std::log2(asked.band.to / asked.band.from))) + 1);
+      std::max(2, static_cast<int>(std::ceil(per_octave * std::log2(request.band.to / request.band.from))) + 1);
   for (int i = 0; i < count; ++i)
-    natural.push_back(asked.band.from *
-                      std::pow(asked.band.to / asked.band.from, static_cast<double>(i) / (count - 1)));
+    natural.push_back(request.band.from *
+                      std::pow(request.band.to / request.band.from, static_cast<double>(i) / (count - 1)));
   std::vector<ShockSpectrumResult> results;
   for (const model::Excitation& excitation : c.system.description().excitations) {
     const auto* history = std::get_if<model::History>(&excitation.course);
-    if (!history || !model::is_selected(excitation, asked.selection.excitations)) continue;
+    if (!history || !model::is_selected(excitation, request.selection.excitations)) continue;
     const model::Action& action = excitation.action;
     if (action.body || action.derivative != 2 || !action.amplitude.tail<3>().isZero(0)) {
       const std::string reason =
           "shock_spectrum: \"" + excitation.name + "\" is not a translation of the ground given by its acceleration";
-      if (!asked.selection.excitations.empty()) throw foundation::NotComputable(reason);
+      if (!request.selection.excitations.empty()) throw foundation::NotComputable(reason);
       warnings.warning(reason, "ignored", "", "");
       continue;
     }
     const excitation::Signal along = excitation::scaled(history->signal, action.amplitude.head<3>().norm());
-    results.push_back({excitation.name, "m/s²", asked.damping_ratio,
-                       excitation::shock_spectrum(along, natural, asked.damping_ratio, c.progress)});
+    results.push_back({excitation.name, "m/s²", request.damping_ratio,
+                       excitation::shock_spectrum(along, natural, request.damping_ratio, c.progress)});
   }
   if (results.empty())
     throw foundation::NotComputable(
@@ -69,7 +69,7 @@ std::vector<ShockSpectrumResult> answer_shock_spectrum(const CaseContext& c,
 
 }  // namespace
 
-const QuestionAnswer shock_spectrum_answer = answered_by<answer_shock_spectrum>(
+const AnalysisRun shock_spectrum_run = computed_by<shock_spectrum_result>(
     "shock response spectra of ground accelerations over time",
     "shock_spectrum: no range of natural frequencies given; add shock_spectrum = {band "
     "= [\"5 Hz\", \"2000 Hz\"]} to [analyses]");

@@ -20,11 +20,11 @@ namespace {
 
 using response::Sensitivity;
 
-project::AnswerSelection selection_of(const project::Case& variant, const ExplainRequest& request) {
+project::ChannelSelection selection_of(const project::Case& variant, const ExplainRequest& request) {
   const project::Analyses& file = variant.analyses;
-  project::AnswerSelection selection = file.peaks ? file.peaks->selection
-      : file.response                             ? file.response->selection
-                                                  : project::AnswerSelection{};
+  project::ChannelSelection selection = file.peaks ? file.peaks->selection
+      : file.response                              ? file.response->selection
+                                                   : project::ChannelSelection{};
   if (!request.of.empty()) selection.of = request.of;
   return selection;
 }
@@ -60,16 +60,17 @@ model::System smoothly_changed(const model::System& system, const response::Para
   return found;
 }
 
-response::Question question_of(const project::AnswerSelection& selection, const response::Peaks& peaks) {
-  response::Question question;
-  for (const response::CurveSummary& curve : peaks.curves) question.channels.push_back(curve.name);
-  question.quantity = selection.quantity;
-  question.load = [excitations = selection.excitations](const model::System& system,
-                                                        const assembly::Assembled& assembled) {
+response::SensitivityRequest sensitivity_request(const project::ChannelSelection& selection,
+                                                 const response::Peaks& peaks) {
+  response::SensitivityRequest sensitivity;
+  for (const response::CurveSummary& curve : peaks.curves) sensitivity.channels.push_back(curve.name);
+  sensitivity.quantity = selection.quantity;
+  sensitivity.load = [excitations = selection.excitations](const model::System& system,
+                                                           const assembly::Assembled& assembled) {
     return assembly::harmonic_loading(system, assembled, excitations);
   };
-  question.changed = smoothly_changed;
-  return question;
+  sensitivity.changed = smoothly_changed;
+  return sensitivity;
 }
 
 /// An undamped resonance is examined by its mode; without a mode it cannot be explained.
@@ -81,12 +82,12 @@ response::PeakPlace place_of(const response::Peak& peak) {
 
 /// Peaks except those that are only round-off of a motion which is zero in their channel by symmetry.
 std::vector<response::Peak> above_round_off(const project::Case& variant, const assembly::Assembled& assembled,
-                                            const response::Question& question,
+                                            const response::SensitivityRequest& sensitivity,
                                             const std::vector<response::Peak>& peaks) {
   constexpr double round_off = 1e-9;
   std::vector<response::Peak> result;
   for (const response::Peak& peak : peaks)
-    if (response::alignment(variant.system, assembled, question, place_of(peak)) > round_off) result.push_back(peak);
+    if (response::alignment(variant.system, assembled, sensitivity, place_of(peak)) > round_off) result.push_back(peak);
   return result;
 }
 
@@ -213,14 +214,15 @@ std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
 }
 
 /// Finds the peak of the changed model nearest to the predicted frequency.
-void solve_again(const project::Case& variant, const response::Question& question, const response::Parameter& parameter,
-                 const ExplainedPeak& peak, Trial& trial) {
+void solve_again(const project::Case& variant, const response::SensitivityRequest& sensitivity,
+                 const response::Parameter& parameter, const ExplainedPeak& peak, Trial& trial) {
   constexpr double beyond_recognition = 0.2;
   const model::System system = changed_at_rest(variant.system, parameter, trial.amount);
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
-  const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, {peak.name}, question.quantity);
-  const response::Peaks again = response::peaks(assembled, channels, question.load(system, assembled), modes,
+  const std::vector<assembly::Channel> channels =
+      assembly::channels(system, assembled, {peak.name}, sensitivity.quantity);
+  const response::Peaks again = response::peaks(assembled, channels, sensitivity.load(system, assembled), modes,
                                                 modal::roots(system, assembled, modes));
   const double expected = trial.predicted_angular_frequency.value_or(peak.peak.angular_frequency);
   double best = beyond_recognition * expected;
@@ -247,7 +249,7 @@ void note_close_modes(const modal::Modes& modes, ExplainedPeak& peak) {
   }
 }
 
-void try_more(const project::Case& variant, const response::Question& question,
+void try_more(const project::Case& variant, const response::SensitivityRequest& sensitivity,
               const std::vector<response::Parameter>& parameters, ExplainedPeak& peak) {
   peak.trial = trial_of(variant, peak, parameters);
   if (!peak.trial) return;
@@ -258,7 +260,7 @@ void try_more(const project::Case& variant, const response::Question& question,
     if (s.frequency)
       trial.predicted_angular_frequency = peak.peak.angular_frequency * (1 + trial.amount * *s.frequency);
     try {
-      solve_again(variant, question, parameters[s.parameter], peak, trial);
+      solve_again(variant, sensitivity, parameters[s.parameter], peak, trial);
     } catch (const foundation::NotComputable& reason) {
       peak.notes.emplace_back(reason.what());
     }
@@ -269,13 +271,13 @@ void try_more(const project::Case& variant, const response::Question& question,
 
 Explanation explanation(const project::Case& variant, const ExplainRequest& request,
                         const foundation::Progress& progress) {
-  const project::AnswerSelection selection = selection_of(variant, request);
+  const project::ChannelSelection selection = selection_of(variant, request);
   project::Analyses analyses;
   analyses.peaks = project::PeaksRequest{selection};
-  const Answers found = answers(variant, analyses, progress);
+  const CaseResults found = case_results(variant, analyses, progress);
   if (!found.failures.empty()) throw foundation::NotComputable(found.failures.front());
   const response::Peaks& peaks = found.peaks->peaks;
-  const response::Question question = question_of(selection, peaks);
+  const response::SensitivityRequest sensitivity = sensitivity_request(selection, peaks);
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   Explanation result;
   result.modes = found.modes;
@@ -284,13 +286,13 @@ Explanation explanation(const project::Case& variant, const ExplainRequest& requ
   for (const response::Peak& peak : peaks.list)
     if (std::isinf(peak.amplitude) && !peak.nearest_mode)
       throw foundation::NotComputable("explain: an unbounded peak belongs to no undamped mode");
-  const std::vector<response::Peak> real = above_round_off(variant, assembled, question, peaks.list);
+  const std::vector<response::Peak> real = above_round_off(variant, assembled, sensitivity, peaks.list);
   const std::vector<response::Peak> chosen = tallest(real, request.most);
   result.left_out = static_cast<int>(real.size() - chosen.size());
   std::vector<response::PeakPlace> places;
   for (const response::Peak& peak : chosen) places.push_back(place_of(peak));
   response::SensitivityTable table =
-      response::peak_sensitivities(variant.system, assembled, question, places, progress);
+      response::peak_sensitivities(variant.system, assembled, sensitivity, places, progress);
   result.parameters = std::move(table.parameters);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     foundation::report_progress(progress, "peaks recomputed",
@@ -299,7 +301,7 @@ Explanation explanation(const project::Case& variant, const ExplainRequest& requ
     peak.name = peaks.curves[chosen[i].curve].name;
     peak.unit = peaks.curves[chosen[i].curve].unit;
     peak.peak = chosen[i];
-    peak.shares = response::peak_shares(variant.system, assembled, question, places[i]);
+    peak.shares = response::peak_shares(variant.system, assembled, sensitivity, places[i]);
     peak.notes = table.peaks[i].notes;
     peak.sensitivities = table.peaks[i].list;
     const bool unbounded = std::isinf(peak.peak.amplitude);
@@ -307,7 +309,7 @@ Explanation explanation(const project::Case& variant, const ExplainRequest& requ
       return strength(a, result.parameters, unbounded) > strength(b, result.parameters, unbounded);
     });
     note_close_modes(result.modes, peak);
-    try_more(variant, question, result.parameters, peak);
+    try_more(variant, sensitivity, result.parameters, peak);
     peak.sentence = sentence(variant, result, peak);
   }
   return result;

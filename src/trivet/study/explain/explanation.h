@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/response/sensitivity/peak_shares.h"
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::study {
 
@@ -14,7 +14,7 @@ namespace trivet::study {
 // that change them.
 
 struct ExplainRequest {
-  std::vector<std::string> of;  ///< answers as in `peaks`; empty: those of the case's peaks (or response)
+  std::vector<std::string> of;  ///< channels as in `peaks`; empty: those of the case's peaks (or response)
   int most =
       10;  ///< number of peaks explained, the highest relative to their curve; round-off of a symmetry is no peak
 };
@@ -50,7 +50,7 @@ struct Explanation {
   std::vector<std::string> notes;  ///< of a nonlinear machine: the tangents of its laws at rest
 };
 
-/// @throws foundation::InvalidInput for an answer that the model does not have, NotComputable without excitation
+/// @throws foundation::InvalidInput for a channel that the model does not have, NotComputable without excitation
 [[nodiscard]] Explanation explanation(const project::Case& variant, const ExplainRequest& request = {},
                                       const foundation::Progress& progress = {});
 

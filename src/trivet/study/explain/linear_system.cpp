@@ -211,7 +211,7 @@ LinearSystem linear_system(const project::Case& variant, const std::vector<std::
   std::vector<Drive> drives;
   for (const Port& port : all) drives.push_back(port.drive);
   const response::StateSpace space(assembled.matrices, drives);
-  const response::LinearRows rows = response::answer_rows(space, channels, drives);
+  const response::LinearRows rows = response::channel_rows(space, channels, drives);
   system.A = space.F();
   system.C = rows.on_state;
   system.B.resize(space.size(), 0);

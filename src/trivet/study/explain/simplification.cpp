@@ -9,7 +9,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
-#include "trivet/study/analyses/answers.h"
+#include "trivet/study/analyses/case_results.h"
 
 namespace trivet::study {
 namespace {
@@ -142,11 +142,12 @@ std::vector<PeakComparison> compared(const response::Peaks& full, const response
 /// Adds the highest peaks of both models, or the reason why there are none.
 void compare_peaks(const project::Case& full, const project::Case& simple, const foundation::Progress& progress,
                    Simplification& result) {
-  project::Analyses asked;
-  asked.peaks = full.analyses.peaks.value_or(
-      project::PeaksRequest{full.analyses.response ? full.analyses.response->selection : project::AnswerSelection{}});
+  project::Analyses request;
+  request.peaks = full.analyses.peaks.value_or(
+      project::PeaksRequest{full.analyses.response ? full.analyses.response->selection : project::ChannelSelection{}});
   try {
-    const Answers of_full = answers(full, asked, progress), of_simple = answers(simple, asked, progress);
+    const CaseResults of_full = case_results(full, request, progress),
+                      of_simple = case_results(simple, request, progress);
     if (of_full.peaks && of_simple.peaks) result.peaks = compared(of_full.peaks->peaks, of_simple.peaks->peaks);
     else
       result.no_peaks = of_full.peaks ? "with three springs: " + of_simple.failures.front() : of_full.failures.front();

@@ -9,7 +9,7 @@
 namespace trivet::study {
 
 /// Suspension properties of every body of a case.
-struct SuspensionAnswer {
+struct SuspensionResult {
   std::vector<modal::BodySuspension> bodies;
   std::vector<double> excitations;                     ///< [rad/s]
   std::vector<modal::FrequencySeparation> separation;  ///< for the whole system
@@ -18,7 +18,7 @@ struct SuspensionAnswer {
 
 /// @param torques  moments for which roll axes are computed, in body axes; x, y and z if empty
 /// @param excitations  angular frequencies to compare with the natural ones [rad/s], > 0
-[[nodiscard]] SuspensionAnswer suspension(const project::Case& variant,
+[[nodiscard]] SuspensionResult suspension(const project::Case& variant,
                                           const std::vector<Eigen::Vector3d>& torques = {},
                                           const std::vector<double>& excitations = {});
 

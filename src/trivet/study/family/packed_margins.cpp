@@ -60,12 +60,12 @@ namespace {
 using foundation::infinity;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-Eigen::ArrayXXd unlimited(const PackedCase& of, Eigen::Index designs) {
+Eigen::ArrayXXd unlimited(const CaseVector& of, Eigen::Index designs) {
   return Eigen::ArrayXXd::Constant(designs, to_index(of.results().size()), infinity);
 }
 
 /// Curves at one frequency.
-void set_curves_at(const PackedCase& of, const numerics::DrivenDesigns& designs, const PackedCase::Search& search,
+void set_curves_at(const CaseVector& of, const numerics::DrivenDesigns& designs, const CaseVector::Search& search,
                    Eigen::ArrayXXd& margins) {
   for (std::size_t k = 0; k < search.results.size(); ++k)
     for (Eigen::Index d = 0; d < margins.rows(); ++d) {
@@ -75,9 +75,9 @@ void set_curves_at(const PackedCase& of, const numerics::DrivenDesigns& designs,
     }
 }
 
-void set_curves(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+void set_curves(const CaseVector& of, const CaseVector::Unpacked& designs, Eigen::ArrayXXd& margins) {
   for (std::size_t s = 0; s < of.searches().size(); ++s) {
-    const PackedCase::Search& search = of.searches()[s];
+    const CaseVector::Search& search = of.searches()[s];
     if (search.band.from == search.band.to) {
       set_curves_at(of, designs.searched[s], search, margins);
       continue;
@@ -100,7 +100,7 @@ void set_curves(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen
   }
 }
 
-double margin_of_frequencies(const PackedCase& of, std::size_t result, std::size_t window,
+double margin_of_frequencies(const CaseVector& of, std::size_t result, std::size_t window,
                              const Eigen::ArrayXd& squares) {
   if (any_may_be_free(squares)) return unknown;
   double least = infinity, lower = 0;
@@ -114,7 +114,7 @@ double margin_of_frequencies(const PackedCase& of, std::size_t result, std::size
   return least;
 }
 
-void set_frequencies(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+void set_frequencies(const CaseVector& of, const CaseVector::Unpacked& designs, Eigen::ArrayXXd& margins) {
   numerics::DesignModes modes;
   std::size_t window = 0;
   for (std::size_t r = 0; r < of.results().size(); ++r) {
@@ -129,7 +129,7 @@ void set_frequencies(const PackedCase& of, const PackedCase::Unpacked& designs, 
 }
 
 /// The least share of kinetic energy in one coordinate over the modes of a body.
-double decoupling(const PackedCase::Decoupled& body, const MassNumbers& numbers, const Eigen::ArrayXd& shapes) {
+double decoupling(const CaseVector::Decoupled& body, const MassNumbers& numbers, const Eigen::ArrayXd& shapes) {
   const spatial::MassProperties mass = mass_of(numbers);
   const spatial::Matrix6 to_centre = spatial::rigid_motion(mass.centre);
   const auto n = to_index(body.rows.size());
@@ -145,9 +145,9 @@ double decoupling(const PackedCase::Decoupled& body, const MassNumbers& numbers,
   return std::isfinite(shapes(0)) ? least : unknown;
 }
 
-void set_decoupling(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+void set_decoupling(const CaseVector& of, const CaseVector::Unpacked& designs, Eigen::ArrayXXd& margins) {
   for (std::size_t i = 0; i < of.decoupled().size(); ++i) {
-    const PackedCase::Decoupled& body = of.decoupled()[i];
+    const CaseVector::Decoupled& body = of.decoupled()[i];
     const numerics::DesignModes modes =
         numerics::design_modes(part_of_designs(designs.free, body.rows), {.shapes = true, .threads = 1});
     const RequirementResult& result = of.results()[body.result];
@@ -158,14 +158,14 @@ void set_decoupling(const PackedCase& of, const PackedCase::Unpacked& designs, E
   }
 }
 
-void set_rest(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+void set_rest(const CaseVector& of, const CaseVector::Unpacked& designs, Eigen::ArrayXXd& margins) {
   if (of.at_rest().empty()) return;
   const Eigen::Index n = of.coordinates();
   for (Eigen::Index d = 0; d < margins.rows(); ++d) {
-    const auto [by_weight, by_loads] = PackedCase::rest_of(designs, d);
+    const auto [by_weight, by_loads] = CaseVector::rest_of(designs, d);
     const Eigen::VectorXd rest = by_weight + by_loads;
     for (std::size_t i = 0; i < of.at_rest().size(); ++i) {
-      const PackedCase::RestValue& value = of.at_rest()[i];
+      const CaseVector::RestValue& value = of.at_rest()[i];
       const double at = designs.rows[i].row(d).head(n).dot(rest) + designs.rows[i](d, n);
       margins(d, to_index(value.result)) = std::isnan(at) ? unknown
           : value.range                                   ? margin_in_range(at, *value.range)
@@ -175,7 +175,7 @@ void set_rest(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::
 }
 
 /// Machines that fall over are left to the model itself, which says so.
-void leave_falling(const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+void leave_falling(const CaseVector::Unpacked& designs, Eigen::ArrayXXd& margins) {
   for (Eigen::Index d = 0; d < margins.rows(); ++d)
     if (designs.falls[d]) margins.row(d) = unknown;
 }
@@ -198,9 +198,9 @@ numerics::Designs part_of_designs(const numerics::Designs& all, const std::vecto
   return part;
 }
 
-Eigen::ArrayXXd packed_quick_margins(const PackedCase& of, const Eigen::MatrixXd& entries) {
+Eigen::ArrayXXd packed_quick_margins(const CaseVector& of, const Eigen::MatrixXd& entries) {
   Eigen::ArrayXXd margins = unlimited(of, entries.rows());
-  const PackedCase::Unpacked designs = of.unpacked(entries);
+  const CaseVector::Unpacked designs = of.unpacked(entries);
   set_frequencies(of, designs, margins);
   set_decoupling(of, designs, margins);
   set_rest(of, designs, margins);
@@ -208,17 +208,17 @@ Eigen::ArrayXXd packed_quick_margins(const PackedCase& of, const Eigen::MatrixXd
   return margins;
 }
 
-Eigen::ArrayXXd packed_curve_margins(const PackedCase& of, const Eigen::MatrixXd& entries) {
+Eigen::ArrayXXd packed_curve_margins(const CaseVector& of, const Eigen::MatrixXd& entries) {
   Eigen::ArrayXXd margins = unlimited(of, entries.rows());
-  const PackedCase::Unpacked designs = of.unpacked(entries);
+  const CaseVector::Unpacked designs = of.unpacked(entries);
   set_curves(of, designs, margins);
   leave_falling(designs, margins);
   return margins;
 }
 
-Eigen::ArrayXXd packed_margins(const PackedCase& of, const Eigen::MatrixXd& entries) {
+Eigen::ArrayXXd packed_margins(const CaseVector& of, const Eigen::MatrixXd& entries) {
   Eigen::ArrayXXd margins = packed_quick_margins(of, entries);
-  const PackedCase::Unpacked designs = of.unpacked(entries);
+  const CaseVector::Unpacked designs = of.unpacked(entries);
   set_curves(of, designs, margins);
   leave_falling(designs, margins);
   return margins;

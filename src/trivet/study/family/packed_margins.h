@@ -6,7 +6,7 @@
 #include <complex>
 
 #include "trivet/numerics/roots/designs.h"
-#include "trivet/study/family/packed_case.h"
+#include "trivet/study/family/case_vector.h"
 
 namespace trivet::study {
 
@@ -27,11 +27,11 @@ struct PackedCurve {
 /// × requirements; infinite for those that are not covered, NaN where the kernels prove nothing (no positive definite
 /// matrices, roots that lost digits). On one thread.
 /// @param entries  one packed design per row
-[[nodiscard]] Eigen::ArrayXXd packed_margins(const PackedCase& of, const Eigen::MatrixXd& entries);
+[[nodiscard]] Eigen::ArrayXXd packed_margins(const CaseVector& of, const Eigen::MatrixXd& entries);
 
 /// The same in two parts: everything but amplitudes and peaks; and these alone, which take most of the time.
-[[nodiscard]] Eigen::ArrayXXd packed_quick_margins(const PackedCase& of, const Eigen::MatrixXd& entries);
-[[nodiscard]] Eigen::ArrayXXd packed_curve_margins(const PackedCase& of, const Eigen::MatrixXd& entries);
+[[nodiscard]] Eigen::ArrayXXd packed_quick_margins(const CaseVector& of, const Eigen::MatrixXd& entries);
+[[nodiscard]] Eigen::ArrayXXd packed_curve_margins(const CaseVector& of, const Eigen::MatrixXd& entries);
 
 /// A and K of some rows of all designs.
 [[nodiscard]] numerics::Designs part_of_designs(const numerics::Designs& all, const std::vector<Eigen::Index>& rows);

@@ -26,7 +26,7 @@ Complex with(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) { return a.cw
 
 }  // namespace
 
-PackedSlopes::PackedSlopes(const PackedCase& of, const Eigen::VectorXd& entries, const Eigen::MatrixXd& slopes)
+PackedSlopes::PackedSlopes(const CaseVector& of, const Eigen::VectorXd& entries, const Eigen::MatrixXd& slopes)
     : of_(of),
       here_(of.unpacked(entries.transpose())),
       change_(of.changes(here_, slopes.transpose())),
@@ -98,7 +98,7 @@ Eigen::RowVectorXd PackedSlopes::rest_slopes(std::size_t result) const {
   const auto& moved = change_.rows[found - values.begin()];
   const Eigen::Index n = of_.coordinates();
   const Eigen::VectorXd row = rows.row(0).head(n).transpose();
-  const auto [by_weight, by_loads] = PackedCase::rest_of(here_, 0);
+  const auto [by_weight, by_loads] = CaseVector::rest_of(here_, 0);
   const Eigen::VectorXd rest = by_weight + by_loads,
                         mu = numerics::cholesky_solution(numerics::unpacked(here_.rest_stiffness, 0), row);
   Eigen::VectorXd lambda;  // λ of the loads beside the weight, see slopes.h
@@ -168,7 +168,7 @@ Eigen::RowVectorXd PackedSlopes::decoupling_slopes(std::size_t result, int mode)
 Eigen::RowVectorXd PackedSlopes::damping_ratio_slopes(Complex root) const {
   const Complex lambda =
       root.imag() < 0 ? std::conj(root) : root;  // the same damping ratio; loss factors are for ω > 0
-  const auto matrices = [](const PackedCase::Unpacked& of, Eigen::Index design) {
+  const auto matrices = [](const CaseVector::Unpacked& of, Eigen::Index design) {
     return numerics::DynamicMatrices{numerics::unpacked(of.free.A, design), numerics::unpacked(of.damping, design),
                                      numerics::unpacked(of.free.K, design), numerics::unpacked(of.loss, design)};
   };

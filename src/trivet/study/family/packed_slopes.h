@@ -3,7 +3,7 @@
 
 #include <complex>
 
-#include "trivet/study/family/packed_case.h"
+#include "trivet/study/family/case_vector.h"
 
 namespace trivet::study {
 
@@ -14,7 +14,7 @@ namespace trivet::study {
 class PackedSlopes {
  public:
   /// @param entries  of the design  @param slopes  entries × parameters
-  PackedSlopes(const PackedCase& of, const Eigen::VectorXd& entries, const Eigen::MatrixXd& slopes);
+  PackedSlopes(const CaseVector& of, const Eigen::VectorXd& entries, const Eigen::MatrixXd& slopes);
 
   /// d ln(margin) of candidates of a covered requirement: candidates × parameters.
   [[nodiscard]] Eigen::MatrixXd slopes(std::size_t result, const RequirementResult& found,
@@ -36,8 +36,8 @@ class PackedSlopes {
   };
   [[nodiscard]] Modes modes(const numerics::Designs& here, const numerics::Designs& change) const;
 
-  const PackedCase& of_;
-  PackedCase::Unpacked here_, change_;  ///< one design; one per parameter
+  const CaseVector& of_;
+  CaseVector::Unpacked here_, change_;  ///< one design; one per parameter
   Eigen::Index parameters_ = 0;
   mutable std::optional<Modes> all_;                        ///< of the whole system, when first needed
   mutable std::vector<std::optional<Modes>> of_decoupled_;  ///< of single bodies

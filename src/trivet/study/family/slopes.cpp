@@ -185,7 +185,7 @@ Eigen::RowVectorXd rest_slopes(const CaseContext& c, const DesignNeighbours& nei
   const response::RestRow here = row_of(at_rest.system(), at_rest.assembled());
   const Statics rest = statics_of(at_rest);
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(scale.size());
-  // K₀ that does not hold the machine bears no load: its inverse is not asked for.
+  // K₀ that does not hold the machine bears no load: its inverse is not needed.
   const bool bears = !rest.loads.on_first.isZero(0), has_others = !rest.loads.on_whole.isZero(0);
   const auto solution = [&](bool wanted, const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& load) {
     return wanted ? solution_at_rest(stiffness, scale, load) : none;

@@ -23,7 +23,7 @@
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/shared_keys.h"
 #include "trivet/response/steady/peaks.h"
-#include "trivet/study/analyses/asked_questions.h"
+#include "trivet/study/analyses/analysis_commands.h"
 
 namespace trivet::study {
 namespace {
@@ -45,7 +45,7 @@ class Sweep {
       numbers_.emplace_back(number.path, "");
       count_ *= number.values.size();
     }
-    const project::AnswerSelection own = asked_question("peaks").asked(variant).peaks->selection;
+    const project::ChannelSelection own = analysis_command("peaks").request(variant).peaks->selection;
     of_ = request.of.empty() ? own.of : request.of;
     excitations_ = request.excitations.empty() ? own.excitations : request.excitations;
   }
@@ -80,14 +80,14 @@ class Sweep {
   [[nodiscard]] Eigen::VectorXd one(const model::System& system) const {
     const assembly::Assembled assembled = assembly::assemble(system);
     const modal::Modes modes = modal::modes(system, assembled);
-    const std::vector<assembly::Channel> asked = channels(system, assembled);
+    const std::vector<assembly::Channel> wanted = channels(system, assembled);
     const double search_to = std::isfinite(request_.band.to) ? request_.band.to : 0;
     const assembly::Loading load = loading(system, assembled);
-    const response::Peaks found = response::peaks(assembled, asked, load, modes, modal::roots(system, assembled, modes),
-                                                  {.search_to = search_to});
-    Eigen::VectorXd largest(to_index(asked.size()));
-    for (std::size_t c = 0; c < asked.size(); ++c)
-      largest(to_index(c)) = design::largest_in_band(assembled, asked, load, found, c, request_.band).amplitude;
+    const response::Peaks found = response::peaks(assembled, wanted, load, modes,
+                                                  modal::roots(system, assembled, modes), {.search_to = search_to});
+    Eigen::VectorXd largest(to_index(wanted.size()));
+    for (std::size_t c = 0; c < wanted.size(); ++c)
+      largest(to_index(c)) = design::largest_in_band(assembled, wanted, load, found, c, request_.band).amplitude;
     return largest;
   }
 

@@ -52,8 +52,8 @@ project::MapRequest request_in(const project::Case& variant, const project::MapR
 }
 
 /// Does a further case take both numbers of the map? If not, its designs cannot be judged: a warning, or an error if
-/// the file asks for it.
-bool takes_numbers(const project::Case& variant, const project::MapRequest& request, bool as_asked,
+/// the file requests it.
+bool takes_numbers(const project::Case& variant, const project::MapRequest& request, bool as_requested,
                    foundation::Problems& warnings) {
   constexpr double inside = 0.47;  // of the axis
   for (const project::DesignAxis* axis : {&request.x, &request.y}) {
@@ -62,7 +62,7 @@ bool takes_numbers(const project::Case& variant, const project::MapRequest& requ
     if (judging::changed_system(variant, {{number, axis->at(inside)}})) continue;
     const std::string finding =
         fmt::format("case {} has no number {}", foundation::quoted(variant.name), foundation::quoted(axis->parameter));
-    if (as_asked)
+    if (as_requested)
       throw foundation::NotComputable("map: " + finding +
                                       ", so its designs cannot be judged there; add the number, or "
                                       "take the case out of requirements.hold_in");
@@ -81,9 +81,10 @@ std::string words_of(const std::vector<design::MapRule>& rules, std::size_t firs
 
 }  // namespace
 
-MapJudge::Part::Part(const project::Case& of_case, project::MapRequest asked, const design::EvaluationOptions& options)
+MapJudge::Part::Part(const project::Case& of_case, project::MapRequest requested,
+                     const design::EvaluationOptions& options)
     : variant(of_case),
-      request(std::move(asked)),
+      request(std::move(requested)),
       evaluation(variant, request, without_family_for(request, options)),
       requirements(variant, request, evaluation.has_family()) {}
 
@@ -92,11 +93,11 @@ MapJudge::MapJudge(const project::Project& project, const project::Case& variant
     : threads_(options.threads) {
   add_part(variant, request, options);
   const std::vector<std::string> hold_in = cases_to_hold(project);
-  const bool as_asked = variant.analyses.requirements.has_value();
+  const bool as_requested = variant.analyses.requirements.has_value();
   if (variant.name.empty())
     for (const project::Case& further : project.cases) {
       const bool holds = !further.name.empty() && std::ranges::find(hold_in, further.name) != hold_in.end();
-      if (holds && takes_numbers(further, request, as_asked, warnings_)) add_further(further, request, options);
+      if (holds && takes_numbers(further, request, as_requested, warnings_)) add_further(further, request, options);
     }
   if (rules_.size() > DesignOutcome::most_rules)
     throw foundation::NotComputable(fmt::format("map: {} rules in all cases of hold_in; a map has at most {}",

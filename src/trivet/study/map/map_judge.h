@@ -42,7 +42,7 @@ class MapJudge {
  private:
   /// One case with its rules.
   struct Part {
-    Part(const project::Case& of_case, project::MapRequest asked, const design::EvaluationOptions& options);
+    Part(const project::Case& of_case, project::MapRequest requested, const design::EvaluationOptions& options);
     const project::Case& variant;
     const project::MapRequest request;
     design::DesignEvaluation evaluation;  ///< limits and peaks

@@ -15,13 +15,13 @@
 namespace trivet::study {
 namespace {
 
-std::vector<RequirementResult> judged(const project::Analyses& asked, const model::System& system,
+std::vector<RequirementResult> judged(const project::Analyses& request, const model::System& system,
                                       foundation::Problems& warnings) {
-  const bool required = asked.requirements && !asked.requirements->is_empty();
+  const bool required = request.requirements && !request.requirements->is_empty();
   if (!required && system.description().clearances.empty()) return {};
   const foundation::Progress silent;
   const CaseContext context(system, silent);
-  return requirement_values(context, asked, warnings);
+  return requirement_values(context, request, warnings);
 }
 
 /// Windows without natural frequencies and their separation alone.

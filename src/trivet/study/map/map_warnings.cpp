@@ -25,13 +25,13 @@ constexpr std::array<double, 3> shares = {0, 0.47, 1};  // of both axes; 0.47 av
 constexpr std::array<double, 3> frequencies = {0.0137, 0.117, 0.83};  // of the highest natural frequency
 constexpr double unchanged = 1e-11;  // of an amplitude; round-off with another load or matrix is below it
 
-/// Amplitudes at one design, answers × frequencies; amplitudes of round-off size are 0.
+/// Amplitudes at one design, channels × frequencies; amplitudes of round-off size are 0.
 using Amplitudes = Eigen::Array<double, Eigen::Dynamic, static_cast<int>(frequencies.size())>;
 
-std::vector<std::string> answers_of(const std::vector<design::MapRule>& rules) {
+std::vector<std::string> rule_channels(const std::vector<design::MapRule>& rules) {
   std::vector<std::string> names;
   for (const design::MapRule& rule : rules)
-    if (std::ranges::find(names, rule.answer) == names.end()) names.push_back(rule.answer);
+    if (std::ranges::find(names, rule.channel) == names.end()) names.push_back(rule.channel);
   return names;
 }
 
@@ -57,7 +57,7 @@ bool differ(const Amplitudes& a, const Amplitudes& b) { return !((a - b).abs() <
 
 AxisEffects axis_effects(const project::Case& variant, const project::MapRequest& request,
                          const std::vector<design::MapRule>& rules) {
-  const std::vector<std::string> names = answers_of(rules);
+  const std::vector<std::string> names = rule_channels(rules);
   const double top = modal::highest_natural_frequency(variant.system, assembly::assemble(variant.system));
   const project::ModelNumber x(request.x), y(request.y);
   std::array<std::array<Amplitudes, shares.size()>, shares.size()> designs;
@@ -76,7 +76,7 @@ AxisEffects axis_effects(const project::Case& variant, const project::MapRequest
       }
   AxisEffects result{{}, false, false};
   for (std::size_t c = 0; c < names.size(); ++c)
-    if (largest.row(to_index(c)).isZero(0)) result.zero_answers.push_back(names[c]);
+    if (largest.row(to_index(c)).isZero(0)) result.zero_channels.push_back(names[c]);
   for (std::size_t k = 0; k < shares.size(); ++k)
     for (std::size_t i = 1; i < shares.size(); ++i) {
       result.by_x = result.by_x || differ(designs[0][k], designs[i][k]);
@@ -151,11 +151,11 @@ AxisEffects effects_on_rules(const project::Case& variant, const DesignMap& map)
 
 void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
   const AxisEffects found = effects_on_rules(variant, map);
-  for (const std::string& name : found.zero_answers)
+  for (const std::string& name : found.zero_channels)
     warnings.warning("map: " + name, "is zero except for round-off", "its rules have no effect",
                      "check the directions of forces and constraints, or remove the rules");
   const bool all_zero = std::ranges::all_of(map.rules, [&](const design::MapRule& rule) {
-    return std::ranges::find(found.zero_answers, rule.answer) != found.zero_answers.end();
+    return std::ranges::find(found.zero_channels, rule.channel) != found.zero_channels.end();
   });
   if (all_zero) return;
   for (const auto& [axis, changes] : {std::pair{&map.request.x, found.by_x}, {&map.request.y, found.by_y}})
@@ -198,7 +198,7 @@ void warn_of_drift(const project::Case& variant, const DesignMap& map, foundatio
   for (const std::string& name : names)
     if (const int power = assembly::harmonic_loading(variant.system, assembled, {name}).lowest_power(); power < 0)
       warnings.warning("map: excitations." + name,
-                       fmt::format("{} is unbounded in every design", map.rules[first->governing].answer),
+                       fmt::format("{} is unbounded in every design", map.rules[first->governing].channel),
                        fmt::format("a foundation that moves with this {} has no bounded displacement at ω = 0",
                                    power == -1 ? "velocity" : "acceleration"),
                        "start the band of the map above 0");

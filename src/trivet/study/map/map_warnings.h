@@ -11,13 +11,13 @@
 
 namespace trivet::study {
 
-/// Effect of the two numbers of a map on the answers of its rules, from 3 × 3 designs at three frequencies each.
+/// Effect of the two numbers of a map on the channels of its rules, from 3 × 3 designs at three frequencies each.
 struct AxisEffects {
-  std::vector<std::string> zero_answers;  ///< answers that are zero except for round-off in all of them
-  bool by_x = true, by_y = true;          ///< false: no answer changes its amplitude along this axis
+  std::vector<std::string> zero_channels;  ///< channels that are zero except for round-off in all of them
+  bool by_x = true, by_y = true;           ///< false: no channel changes its amplitude along this axis
 };
 
-/// Reports no findings if one of these designs has no model or no answer.
+/// Reports no findings if one of these designs has no model or no result.
 [[nodiscard]] AxisEffects axis_effects(const project::Case& variant, const project::MapRequest& request,
                                        const std::vector<design::MapRule>& rules);
 
@@ -26,7 +26,7 @@ struct AxisEffects {
 [[nodiscard]] bool contradicts(const DesignMap& map, const MapMark& mark);
 
 /// Warnings about a map: unphysical bodies, marks that contradict the designs around them, resonances missed between
-/// designs, ranges far from the model itself, answers that are zero, axes without effect, limits that no design can
+/// designs, ranges far from the model itself, channels that are zero, axes without effect, limits that no design can
 /// meet at ω = 0.
 /// @param variant  case of the model
 [[nodiscard]] foundation::Problems map_warnings(const project::Case& variant, const DesignMap& map);

@@ -10,9 +10,9 @@
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/study/family/design_space.h"
-#include "trivet/study/optimize/design_looks.h"
 #include "trivet/study/optimize/design_search.h"
 #include "trivet/study/optimize/front_problems.h"
+#include "trivet/study/optimize/sampled_starts.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {

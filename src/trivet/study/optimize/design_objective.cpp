@@ -169,9 +169,9 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
     if (std::ranges::find(hold_in, variant.name) != hold_in.end()) cases_.push_back(&variant);
   refuse_overruled_cases(space_, project, cases_);
   for (const project::Case* variant : cases_) {
-    asked_.push_back(variant->analyses);
-    minimized_.add_to(asked_.back());
-    if (asked_.back().requirements) asked_.back().requirements->connected_only = effort == Effort::quick;
+    requests_.push_back(variant->analyses);
+    minimized_.add_to(requests_.back());
+    if (requests_.back().requirements) requests_.back().requirements->connected_only = effort == Effort::quick;
   }
   for (const project::Case* variant : cases_) references_.push_back(lowest_natural_frequency(variant->system));
   for (std::size_t c = 0; c < cases_.size(); ++c) {
@@ -187,7 +187,7 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
         is_objective_.push_back(!minimized_.any() || minimized_.contain({c, r}));
       }
     }
-    differenced_requirements_.push_back(differenced_alone(asked_[c], given, cases_[c]->system));
+    differenced_requirements_.push_back(differenced_alone(requests_[c], given, cases_[c]->system));
   }
   if (places_.empty())
     throw foundation::InvalidInput(
@@ -202,16 +202,16 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
 }
 
 bool DesignObjective::is_expensive() const {
-  return std::ranges::any_of(asked_, [](const project::Analyses& asked) {
-    return asked.requirements && asked.requirements->is_about_steady_motion();
+  return std::ranges::any_of(requests_, [](const project::Analyses& request) {
+    return request.requirements && request.requirements->is_about_steady_motion();
   });
 }
 
 bool DesignObjective::has_quick(Effort effort) const {
   if (effort == Effort::quick) return false;
-  return std::ranges::any_of(asked_, [](const project::Analyses& asked) {
-    const auto* steady = asked.find<project::SteadyQuestion>("steady");
-    return asked.requirements && asked.requirements->no_jump && !(steady && steady->all_branches);
+  return std::ranges::any_of(requests_, [](const project::Analyses& request) {
+    const auto* steady = request.find<project::SteadyAnalysis>("steady");
+    return request.requirements && request.requirements->no_jump && !(steady && steady->all_branches);
   });
 }
 
@@ -219,9 +219,9 @@ std::string DesignObjective::first_failure() const {
   return first_failure_.empty() && quick_ ? quick_->first_failure() : first_failure_;
 }
 
-const std::vector<CaseFamily>& DesignObjective::families() const {
+const std::vector<CaseSurrogate>& DesignObjective::families() const {
   std::call_once(fitting_, [&] {
-    for (std::size_t c = 0; c < cases_.size(); ++c) families_.emplace_back(space_, *cases_[c], asked_[c], given_[c]);
+    for (std::size_t c = 0; c < cases_.size(); ++c) families_.emplace_back(space_, *cases_[c], requests_[c], given_[c]);
   });
   return families_;
 }
@@ -249,7 +249,7 @@ std::vector<RequirementResult> DesignObjective::results(std::size_t result_case,
   const foundation::Progress silent;
   const CaseContext context(system, silent);
   foundation::Problems warnings;
-  return requirement_values(context, asked_[result_case], warnings);
+  return requirement_values(context, requests_[result_case], warnings);
 }
 
 void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& values, Eigen::MatrixXd* slopes,
@@ -293,7 +293,7 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
   const foundation::Progress silent;
   const CaseContext context(system, silent);
   foundation::Problems warnings;
-  const std::vector<RequirementResult> found = requirement_values(context, asked_[c], warnings);
+  const std::vector<RequirementResult> found = requirement_values(context, requests_[c], warnings);
   refuse_further_results(found, width_[c].size());
   std::vector<Smooth> smooth(found.size());
   Eigen::Index place = first;

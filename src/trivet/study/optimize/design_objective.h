@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "trivet/numerics/search/max_min.h"
-#include "trivet/study/family/case_family.h"
+#include "trivet/study/family/case_surrogate.h"
 #include "trivet/study/family/design_neighbours.h"
 #include "trivet/study/family/design_space.h"
-#include "trivet/study/family/minimized_results.h"
+#include "trivet/study/family/objectives.h"
 #include "trivet/study/requirements/peak_absence.h"
 #include "trivet/study/requirements/verdict.h"
 
@@ -52,7 +52,7 @@ class DesignObjective {
 
   /// The requirements of one case at a design, with what is minimised.
   [[nodiscard]] std::vector<RequirementResult> results(std::size_t result_case, const model::System& system) const;
-  [[nodiscard]] const MinimizedResults& minimized() const { return minimized_; }
+  [[nodiscard]] const Objectives& minimized() const { return minimized_; }
   /// Where curves without a peak are nearest to one, at a design that nothing else limits: per result, the nearest
   /// place.
   [[nodiscard]] std::vector<std::optional<AbsentPeak>> absent_peaks_at(std::size_t result_case,
@@ -63,7 +63,7 @@ class DesignObjective {
   [[nodiscard]] std::string words(const Place& place) const;
 
   /// The cases as families, in which many designs are judged without their models; fitted when first needed.
-  [[nodiscard]] const std::vector<CaseFamily>& families() const;
+  [[nodiscard]] const std::vector<CaseSurrogate>& families() const;
 
   /// Is a design judged by following branches of steady motions? Then it takes long, and its slopes longer.
   [[nodiscard]] bool is_expensive() const;
@@ -113,10 +113,10 @@ class DesignObjective {
   [[nodiscard]] bool has_quick(Effort effort) const;
 
   DesignSpace space_;
-  MinimizedResults minimized_;
+  Objectives minimized_;
   std::unique_ptr<const DesignObjective> quick_;
   std::vector<const project::Case*> cases_;
-  std::vector<project::Analyses> asked_;                     ///< per case: requirements with the objectives
+  std::vector<project::Analyses> requests_;                  ///< per case: requirements with the objectives
   std::vector<project::Analyses> differenced_requirements_;  ///< those without exact slopes
   std::vector<double> references_;  ///< per case: lowest natural frequency of the given design, for peaks that are gone
   std::vector<std::vector<RequirementResult>> given_;
@@ -124,7 +124,7 @@ class DesignObjective {
   std::vector<Place> places_;
   std::vector<bool> is_objective_;
   mutable std::once_flag fitting_;
-  mutable std::vector<CaseFamily> families_;
+  mutable std::vector<CaseSurrogate> families_;
   mutable std::atomic<std::size_t> evaluations_ = 0, failed_ = 0, differences_ = 0;
   mutable std::mutex noting_;
   mutable std::string first_failure_;

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "trivet/foundation/index.h"
-#include "trivet/study/optimize/design_looks.h"
+#include "trivet/study/optimize/sampled_starts.h"
 
 namespace trivet::study {
 namespace {
@@ -104,7 +104,7 @@ class Population {
 
 bool can_evolve(const DesignObjective& objective) {
   return objective.minimized().weights().empty() &&
-      std::ranges::all_of(objective.families(), [](const CaseFamily& one) { return one.judges(); });
+      std::ranges::all_of(objective.families(), [](const CaseSurrogate& one) { return one.judges(); });
 }
 
 std::vector<Eigen::VectorXd> evolved_designs(const DesignObjective& objective,

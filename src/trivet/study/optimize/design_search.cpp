@@ -12,7 +12,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
-#include "trivet/study/optimize/design_looks.h"
+#include "trivet/study/optimize/sampled_starts.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {
@@ -27,7 +27,7 @@ constexpr int looks_per_start = 8, fewest_looks = 64, most_looks = 4096;
 constexpr int starts_of_expensive_designs = 4;
 using Place = DesignObjective::Place;
 
-/// The search as asked. @param ignored  a requirement that counts as met
+/// The search as requested. @param ignored  a requirement that counts as met
 MaxMinProblem problem_of(const DesignObjective& objective, const std::optional<Place>& ignored = std::nullopt) {
   return {to_index(objective.space().size()), objective.is_objective(),
           [&objective, ignored](const Eigen::VectorXd& x, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) {
@@ -209,7 +209,7 @@ class Search {
   std::vector<MaxMinPoint> starts() {
     const bool expensive = objective_.is_expensive();
     const int looks = expensive ? looks_per_start * wanted_ : looks_for(wanted_);
-    const DesignLooks found = design_looks(objective_, to_size(looks), progress_);
+    const SampledStarts found = sampled_starts(objective_, to_size(looks), progress_);
     std::vector<Eigen::VectorXd> points = found.points;
     result_.looked_at = found.judged;
     if (expensive && objective_.space().size() == 1) points = even_points();
@@ -343,7 +343,7 @@ class Search {
   const foundation::Progress& progress_;
   Watch watch_;
   MaxMinProblem problem_;           ///< of `searched_`, under watch
-  std::vector<MaxMinPoint> looks_;  ///< judged by `problem_` as asked
+  std::vector<MaxMinPoint> looks_;  ///< judged by `problem_` as requested
   DesignSearch result_;
 };
 

@@ -24,11 +24,11 @@ struct SearchOptions {
 };
 
 struct DesignSearch {
-  numerics::MaxMinProblem problem;  ///< that was climbed last: as asked, or of the requirements alone
+  numerics::MaxMinProblem problem;  ///< that was climbed last: as requested, or of the requirements alone
   numerics::MaxMinPoint best;       ///< of equally good ends the nearest one to the given design
   std::vector<numerics::MaxMinPoint> ends;
   int starts = 0;
-  std::size_t looked_at = 0;  ///< designs judged by kernels before, see design_looks.h
+  std::size_t looked_at = 0;  ///< designs judged by kernels before, see sampled_starts.h
   bool cut_short = false;     ///< ended by `enough`
   bool falls_short = false;   ///< no end met the requirements: `problem` is their largest least margin
 };
@@ -38,7 +38,7 @@ struct DesignSearch {
 [[nodiscard]] DesignSearch design_search(const DesignObjective& objective, const SearchOptions& options,
                                          const foundation::Progress& progress);
 
-/// The search as asked.
+/// The search as requested.
 [[nodiscard]] numerics::MaxMinProblem search_problem(const DesignObjective& objective);
 
 /// The objective of such a search as it is reported: the least margin, the largest amplitude or share, the weighted

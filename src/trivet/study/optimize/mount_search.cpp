@@ -12,8 +12,8 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/judging/changed_case.h"
-#include "trivet/study/optimize/design_looks.h"
 #include "trivet/study/optimize/design_search.h"
+#include "trivet/study/optimize/sampled_starts.h"
 #include "trivet/study/requirements/margin.h"
 #include "trivet/study/select/mount_combinations.h"
 #include "trivet/study/select/mount_prices.h"
@@ -158,7 +158,7 @@ class Combinations {
   static MaxMinPoint best_look(const MaxMinProblem& problem, const DesignObjective& objective) {
     const foundation::ThreadLimit alone(1);  // combinations are done at once
     MaxMinPoint best;
-    for (const Eigen::VectorXd& point : design_looks(objective, judged_looks, {}, looks_by_family).points)
+    for (const Eigen::VectorXd& point : sampled_starts(objective, judged_looks, {}, looks_by_family).points)
       if (MaxMinPoint look = numerics::point_at(problem, point); best.x.size() == 0 || rank(look) > rank(best))
         best = std::move(look);
     return best;

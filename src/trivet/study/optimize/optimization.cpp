@@ -180,7 +180,7 @@ class Description {
 
   void describe_families() {
     for (std::size_t c = 0; c < objective_.cases().size(); ++c) {
-      const CaseFamily& one = objective_.families()[c];
+      const CaseSurrogate& one = objective_.families()[c];
       const std::string& name = objective_.cases()[c]->name;
       const std::string of_case = name.empty() ? "" : "case " + name + ": ";
       if (one.reason().empty()) result_.families.push_back(of_case + one.words());

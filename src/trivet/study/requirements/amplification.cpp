@@ -21,7 +21,7 @@ namespace {
 /// What is transmitted where the machine runs, still without a value.
 struct Operation {
   std::string words;  ///< "run", or a place that the ground moves
-  RequirementResult asked;
+  RequirementResult requirement;
 };
 
 bool is_operating_band(const std::optional<assembly::Band>& band) {
@@ -35,28 +35,28 @@ void add_force(const CaseContext& c, const std::string& force, const assembly::B
   if (!model::reason_without_transmission(c.system, force).empty()) return;
   const std::size_t count = response::excitation_transmission(c.system, c.assembled, force).directions.size();
   for (std::size_t i = 0; i < count; ++i) {
-    RequirementResult& asked = result.emplace_back(Operation{foundation::quoted(force), {}}).asked;
-    asked.band = band;
-    asked.transmitted = {force, "", {}, i};
-    asked.allowed = 1;
+    RequirementResult& requirement = result.emplace_back(Operation{foundation::quoted(force), {}}).requirement;
+    requirement.band = band;
+    requirement.transmitted = {force, "", {}, i};
+    requirement.allowed = 1;
   }
 }
 
-void add_question(const CaseContext& c, const project::TransmissibilityQuestion& asked_of, const assembly::Band& band,
+void add_analysis(const CaseContext& c, const project::TransmissibilityAnalysis& request, const assembly::Band& band,
                   std::vector<Operation>& result) {
-  if (!asked_of.force.empty()) return add_force(c, asked_of.force, band, result);
-  for (const std::string& place : asked_of.selection.of) {
-    RequirementResult& asked = result.emplace_back(Operation{"the motion of the ground", {}}).asked;
-    asked.band = band;
-    asked.transmitted = {"", place, asked_of.direction, 0};
-    asked.allowed = 1;
+  if (!request.force.empty()) return add_force(c, request.force, band, result);
+  for (const std::string& place : request.selection.of) {
+    RequirementResult& requirement = result.emplace_back(Operation{"the motion of the ground", {}}).requirement;
+    requirement.band = band;
+    requirement.transmitted = {"", place, request.direction, 0};
+    requirement.allowed = 1;
   }
 }
 
 std::vector<Operation> operations(const CaseContext& c, const project::Analyses& analyses) {
   std::vector<Operation> result;
-  const auto* question = analyses.find<project::TransmissibilityQuestion>("transmissibility");
-  if (question && is_operating_band(question->band)) add_question(c, *question, *question->band, result);
+  const auto* analysis = analyses.find<project::TransmissibilityAnalysis>("transmissibility");
+  if (analysis && is_operating_band(analysis->band)) add_analysis(c, *analysis, *analysis->band, result);
   const project::Requirements required = analyses.requirements.value_or(project::Requirements());
   for (const model::Excitation& excitation : c.system.description().excitations) {
     if (!excitation.action.body || !std::holds_alternative<model::Harmonic>(excitation.course)) continue;
@@ -72,7 +72,7 @@ std::vector<Operation> judged_operations(const CaseContext& c, const project::An
   std::vector<Operation> result = operations(c, analyses);
   std::erase_if(result, [&](Operation& one) {
     try {
-      judge_transmitted(c, one.asked);
+      judge_transmitted(c, one.requirement);
       return false;
     } catch (const foundation::NotComputable&) {
       return true;
@@ -112,8 +112,8 @@ bool speaks_of_the_ground(const project::Analyses& analyses) {
 
 std::optional<double> operating_transmissibility(const CaseContext& c, const project::Analyses& analyses,
                                                  const std::vector<RequirementResult>& judged) {
-  if (const auto* asked = analyses.find<project::TransmissibilityQuestion>("transmissibility"))
-    return largest_transmissibility(c, *asked);
+  if (const auto* requirement = analyses.find<project::TransmissibilityAnalysis>("transmissibility"))
+    return largest_transmissibility(c, *requirement);
   std::optional<double> largest;
   const auto consider = [&](const RequirementResult& one) {
     if (one.value) largest = std::max(largest.value_or(0), *one.value);
@@ -121,7 +121,7 @@ std::optional<double> operating_transmissibility(const CaseContext& c, const pro
   for (const RequirementResult& one : judged)
     if (one.kind == RequirementKind::isolation) consider(one);
   if (!largest)
-    for (const Operation& one : judged_operations(c, analyses)) consider(one.asked);
+    for (const Operation& one : judged_operations(c, analyses)) consider(one.requirement);
   return largest;
 }
 
@@ -129,19 +129,20 @@ foundation::Problems amplification_warnings(const CaseContext& c, const project:
   foundation::Problems warnings;
   if (speaks_of_the_ground(analyses) || is_too_large_for_roots(c.assembled)) return warnings;
   std::vector<Operation> all = judged_operations(c, analyses);
-  std::ranges::stable_sort(all, [](const Operation& a, const Operation& b) { return *a.asked.value > *b.asked.value; });
+  std::ranges::stable_sort(
+      all, [](const Operation& a, const Operation& b) { return *a.requirement.value > *b.requirement.value; });
   std::vector<std::string> named;
   for (const Operation& one : all) {
     constexpr double round_off = 1e-9;  // a rigid machine transmits 1
-    if (!(*one.asked.value > 1 + round_off) || std::ranges::find(named, one.words) != named.end()) continue;
+    if (!(*one.requirement.value > 1 + round_off) || std::ranges::find(named, one.words) != named.end()) continue;
     named.push_back(one.words);
-    const double hertz = one.asked.angular_frequency.value_or(0) / foundation::two_pi;
+    const double hertz = one.requirement.angular_frequency.value_or(0) / foundation::two_pi;
     warnings.warning(
         "requirements",
         fmt::format("{} is amplified at {:.5g} Hz, where the machine runs: transmissibility {:.4g} ({:+.3g} dB)",
-                    one.words, hertz, *one.asked.value, response::transmissibility_level(*one.asked.value)),
+                    one.words, hertz, *one.requirement.value, response::transmissibility_level(*one.requirement.value)),
         "these mounts do not isolate it, and no requirement speaks of that",
-        missing_requirement(*one.asked.transmitted, hertz));
+        missing_requirement(*one.requirement.transmitted, hertz));
   }
   return warnings;
 }

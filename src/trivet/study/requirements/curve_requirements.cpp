@@ -140,9 +140,9 @@ class CurveRequirements {
   void add_limit_lines(const project::Requirements& required) {
     for (const project::LimitLineRequest& line : analyses_.limit_lines) {
       const auto& named = required.limit_lines;
-      const bool asked = !analyses_.requirements || std::ranges::find(named, line.line.name) != named.end();
+      const bool request = !analyses_.requirements || std::ranges::find(named, line.line.name) != named.end();
       const auto& response = analyses_.response;
-      if (!asked || !(response || required.band)) continue;
+      if (!request || !(response || required.band)) continue;
       const std::size_t first = list_.size();
       RequirementResult& result = list_.add(RequirementKind::limit_line, line.of,
                                             fmt::format("{} within \"{}\"", line.of, line.line.name), "1", 1);
@@ -150,9 +150,9 @@ class CurveRequirements {
         const assembly::Band band = required.band ? *required.band
             : response->band                      ? *response->band
                                                   : default_band(c_);
-        project::AnswerSelection selection{.excitations = required.excitations};
+        project::ChannelSelection selection{.excitations = required.excitations};
         if (response) selection = response->selection;
-        const LimitLineResult found = limit_line_answer(c_, {line}, selection, band).front();
+        const LimitLineResult found = limit_line_results(c_, {line}, selection, band).front();
         result.margin = found.comparison.least_margin;
         result.value = result.margin > 0 ? 1 / result.margin : infinity;  // share of the line
         result.angular_frequency = found.comparison.least_margin_at;

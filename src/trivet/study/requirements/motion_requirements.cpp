@@ -14,7 +14,7 @@
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/analyses/analysis_results.h"
-#include "trivet/study/analyses/question_answer.h"
+#include "trivet/study/analyses/analysis_run.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {
@@ -37,9 +37,9 @@ class MotionRequirements {
     const std::size_t first = list_.size();
     list_.add_bounds(c_, RequirementKind::rms, limits, "rms of ");
     list_.attempt(first, [&] {
-      const auto* asked = analyses_.find<project::RandomQuestion>("random");
+      const auto* request = analyses_.find<project::RandomAnalysis>("random");
       const response::RandomLoading loading = response::random_loading(
-          c_.system, c_.assembled, asked ? asked->selection.excitations : std::vector<std::string>());
+          c_.system, c_.assembled, request ? request->selection.excitations : std::vector<std::string>());
       if (loading.inputs.empty()) throw without_excitation("random");
       std::vector<assembly::Channel> channels;
       for (const project::AmplitudeLimit& limit : limits)
@@ -47,15 +47,15 @@ class MotionRequirements {
       const response::RandomResponse found =
           response::random_response(c_.assembled, channels, loading, {}, c_.progress);
       for (std::size_t i = 0; i < limits.size(); ++i) {
-        const response::RandomAnswer& answer = found.answers[i];
+        const response::RandomChannel& channel = found.channels[i];
         RequirementResult& result = list_[first + i];
         result.quantity = limits[i].quantity;
-        if (asked) result.excitations = asked->selection.excitations;
-        if (answer.rms || answer.vanishes || answer.infinite_rms) {
-          result.value = answer.infinite_rms ? infinity : answer.rms.value_or(0);
+        if (request) result.excitations = request->selection.excitations;
+        if (channel.rms || channel.vanishes || channel.infinite_rms) {
+          result.value = channel.infinite_rms ? infinity : channel.rms.value_or(0);
           result.margin = margin_of(result.allowed, *result.value);
         } else {
-          result.reason = answer.reason;
+          result.reason = channel.reason;
         }
       }
     });
@@ -74,12 +74,12 @@ class MotionRequirements {
   }
 
   void set_largest(std::size_t first, const std::vector<project::AmplitudeLimit>& limits, MotionQuantity quantity) {
-    const auto* of_file = analyses_.find<project::TransientQuestion>("transient");
-    project::TransientQuestion asked = of_file ? *of_file : project::TransientQuestion();
-    asked.selection.quantity = quantity;
-    asked.selection.of.clear();
-    for (const project::AmplitudeLimit& limit : limits) asked.selection.of.push_back(limit.name);
-    const auto found = std::any_cast<TransientResult>(transient_answer.answer(c_, asked, warnings_));
+    const auto* of_file = analyses_.find<project::TransientAnalysis>("transient");
+    project::TransientAnalysis request = of_file ? *of_file : project::TransientAnalysis();
+    request.selection.quantity = quantity;
+    request.selection.of.clear();
+    for (const project::AmplitudeLimit& limit : limits) request.selection.of.push_back(limit.name);
+    const auto found = std::any_cast<TransientResult>(transient_run.compute(c_, request, warnings_));
     for (std::size_t i = 0; i < limits.size(); ++i) {
       const response::TimeCurve& curve = found.response.curves[i];
       const bool upwards = std::abs(curve.largest.value) >= std::abs(curve.smallest.value);

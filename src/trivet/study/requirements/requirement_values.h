@@ -13,7 +13,7 @@ namespace trivet::study {
                                                                 foundation::Problems& warnings);
 
 /// Each clearance of the model against how far its places approach: at rest, plus the largest harmonic amplitude in the
-/// band of the requirements, plus the largest approach over the transient, if the file asks for one. Those that cannot
+/// band of the requirements, plus the largest approach over the transient, if the file requests one. Those that cannot
 /// be computed have the reason. @param warnings  of the transient
 [[nodiscard]] std::vector<RequirementResult> clearance_results(const CaseContext& context,
                                                                const project::Analyses& analyses,

@@ -82,18 +82,18 @@ std::vector<Stop> stops_of(const model::System& system) {
   return stops;
 }
 
-project::SteadyQuestion question_of(const project::Analyses& analyses) {
-  const auto* of_file = analyses.find<project::SteadyQuestion>("steady");
+project::SteadyAnalysis steady_request(const project::Analyses& analyses) {
+  const auto* of_file = analyses.find<project::SteadyAnalysis>("steady");
   const project::Requirements& required = *analyses.requirements;
   const bool has_band = required.band && required.band->from > 0 && std::isfinite(required.band->to);
   if (of_file && of_file->over_load_factor && !has_band)
     throw foundation::InvalidInput(
         "analyses.steady is over the load factor; requirements are judged over the frequency: give them a band");
-  project::SteadyQuestion asked = of_file && !of_file->over_load_factor ? *of_file : project::SteadyQuestion();
-  if (has_band) asked.band = required.band;
-  if (!required.excitations.empty()) asked.selection.excitations = required.excitations;
-  asked.selection.of.clear();
-  return asked;
+  project::SteadyAnalysis request = of_file && !of_file->over_load_factor ? *of_file : project::SteadyAnalysis();
+  if (has_band) request.band = required.band;
+  if (!required.excitations.empty()) request.selection.excitations = required.excitations;
+  request.selection.of.clear();
+  return request;
 }
 
 void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, std::size_t first,
@@ -195,16 +195,16 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
   const std::size_t bounds = list.size();
   list.add_bounds(context, RequirementKind::steady, required.steady, "steady ");
   list.attempt(first, [&] {
-    project::SteadyQuestion asked = question_of(analyses);
+    project::SteadyAnalysis request = steady_request(analyses);
     std::vector<assembly::MotionQuantity> quantities;
     for (const project::AmplitudeLimit& limit : required.steady) {
-      asked.selection.of.push_back(limit.name);
+      request.selection.of.push_back(limit.name);
       quantities.push_back(limit.quantity);
     }
-    asked.all_branches = asked.all_branches || (required.no_jump && !required.connected_only);
-    const SteadyBranch branch = steady_motions(context, asked, quantities);
+    request.all_branches = request.all_branches || (required.no_jump && !required.connected_only);
+    const SteadyBranch branch = steady_motions(context, request, quantities);
     foundation::Problems doubts;
-    warn_of_motions(context, asked, branch, doubts);
+    warn_of_motions(context, request, branch, doubts);
     if (required.no_jump) set_jumps(branch, list[first]);
     set_contacts(branch, stops, first + (required.no_jump ? 1 : 0), list);
     for (std::size_t i = 0; i < required.steady.size(); ++i) {

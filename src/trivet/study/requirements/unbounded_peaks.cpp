@@ -83,11 +83,11 @@ void refuse_unbounded_peaks(const project::Case& variant, const project::MapRequ
 void refuse_unbounded_peaks(const project::Case& variant, const std::vector<project::DesignAxis>& parameters) {
   if (!variant.analyses.requirements) return;
   const project::Requirements& required = *variant.analyses.requirements;
-  project::MapRequest asked;
-  asked.no_peak = required.no_peak;
-  asked.quantity = required.quantity;
-  asked.excitations = required.excitations;
-  refuse(variant, asked, parameters);
+  project::MapRequest request;
+  request.no_peak = required.no_peak;
+  request.quantity = required.quantity;
+  request.excitations = required.excitations;
+  refuse(variant, request, parameters);
 }
 
 }  // namespace trivet::study

@@ -132,8 +132,8 @@ std::optional<std::size_t> Verdict::governing_case() const {
 }
 
 Verdict verdict(const project::Project& project, const foundation::Progress& progress) {
-  const project::Analyses& asked = project.base().analyses;
-  if (!asked.requirements && asked.limits.empty() && asked.limit_lines.empty() &&
+  const project::Analyses& request = project.base().analyses;
+  if (!request.requirements && request.limits.empty() && request.limit_lines.empty() &&
       project.base().system.description().clearances.empty())
     throw foundation::InvalidInput(
         "verdict: neither requirements nor limits nor clearances; add [requirements] with limits = {\"BODY.x\" = \"1 "

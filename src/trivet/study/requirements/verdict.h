@@ -56,7 +56,7 @@ struct RequirementResult {
   struct Candidate {
     double margin = 0;
     double angular_frequency = 0;  ///< [rad/s]
-    double minimum_at = 0;         ///< of a peak that should not be: the higher minimum beside it, or near 0 [rad/s]
+    double minimum_at = 0;         ///< of a forbidden peak: its higher adjacent minimum, or near 0 [rad/s]
     int mode = 0;  ///< its number; the lower one of two; of a damping ratio that of the root in modal::Roots::list
     bool below = false;  ///< of avoided frequencies: the mode is below the window, or nearer to its lower end
   };
@@ -81,8 +81,8 @@ struct RequirementResult {
 /// All requirements of one case.
 struct CaseVerdict {
   std::string case_name;
-  project::ShownUnits display;  ///< of its tables
-  bool decides = true;          ///< the design has to hold in this case
+  project::DisplayUnits display;  ///< of its tables
+  bool decides = true;            ///< the design has to hold in this case
   std::vector<RequirementResult> results;
   std::optional<std::size_t> governing;  ///< of the judged ones, that with the least margin
   std::string cause;                     ///< of a governing amplitude or peak: mode, element and what changes it

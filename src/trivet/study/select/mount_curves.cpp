@@ -20,7 +20,7 @@ struct NoCurves {
   std::string reason;
 };
 
-design::PackedDesign packed_or_reason(const PackedCase& of, const model::System& system) {
+design::PackedDesign packed_or_reason(const CaseVector& of, const model::System& system) {
   design::PackedOrReason found = of.pack(system);
   if (!found.design) throw NoCurves{found.reason};
   return std::move(*found.design);
@@ -51,7 +51,7 @@ void MountCurves::add_case(const project::Case& variant) {
     return one.kind != RequirementKind::amplitude && one.kind != RequirementKind::no_peak &&
         one.kind != RequirementKind::isolation;
   });
-  Case one{PackedCase(variant, variant.analyses, results), {}, {}, {}};
+  Case one{CaseVector(variant, variant.analyses, results), {}, {}, {}};
   if (!results.empty()) {
     if (!one.packed.reason().empty()) throw NoCurves{one.packed.reason()};
     design::PackedDesign given = packed_or_reason(one.packed, variant.system);

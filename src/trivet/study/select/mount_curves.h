@@ -4,14 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/family/packed_case.h"
+#include "trivet/study/family/case_vector.h"
 #include "trivet/study/select/mount_combinations.h"
 
 namespace trivet::study {
 
 /// Margins of amplitudes and peaks of many combinations of mounts at once, in a few microseconds each.
 ///
-/// The packed list of a combination (packed_case.h) is a sum over the choices like its stiffness: l = l₀ + Σ (l_i −
+/// The packed list of a combination (case_vector.h) is a sum over the choices like its stiffness: l = l₀ + Σ (l_i −
 /// l₀), with l_i of the model in which only one choice differs from the given design. The sum is compared with
 /// assembled models of some combinations; where it is not exact, there are no margins.
 class MountCurves {
@@ -32,7 +32,7 @@ class MountCurves {
 
  private:
   struct Case {
-    PackedCase packed;
+    CaseVector packed;
     Eigen::VectorXd given, scales;
     std::vector<std::vector<Eigen::VectorXd>> changes;  ///< per choice and mount
   };

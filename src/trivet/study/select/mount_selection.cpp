@@ -106,8 +106,8 @@ MountSelection ranked(MountRanking& ranking, std::size_t choices, std::size_t mo
 
 MountSelection mount_selection(const project::Project& project, std::size_t most, const foundation::Progress& progress,
                                MountOrder by) {
-  const project::Analyses& asked = project.base().analyses;
-  if (!asked.requirements && asked.limits.empty() && asked.limit_lines.empty())
+  const project::Analyses& request = project.base().analyses;
+  if (!request.requirements && request.limits.empty() && request.limit_lines.empty())
     throw foundation::InvalidInput(
         "select: neither requirements nor limits; add [requirements] with mount_load = \"catalogue\", limits = "
         "{\"BODY.x\" = \"1 mm\"}, natural_frequencies = {avoid = [[\"22 Hz\", \"28 Hz\"]]} …");

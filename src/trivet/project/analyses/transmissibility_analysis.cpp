@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/analysis_types.h"
+
+#include <algorithm>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/analysis_reader.h"
+#include "trivet/project/text/shared_keys.h"
+
+namespace trivet::project {
+namespace {
+
+std::unique_ptr<Analysis> read_transmissibility(TableReader& reader, const ResultNames&, const SymbolTable& symbols) {
+  auto request = std::make_unique<TransmissibilityAnalysis>();
+  const auto force = reader.text("force");
+  request->force = force.value_or("");
+  const auto base = reader.direction("base");
+  if (reader.has("force") == reader.has("base"))
+    reader.error(reader.has("force") ? "base" : "force",
+                 reader.has("force") ? "force and base" : "neither force nor base",
+                 "a transmissibility is that of a force excitation or of a motion of the ground",
+                 reader.has("force") ? "keep one" : "force = \"EXCITATION\", or base = \"z\"");
+  if (force && std::ranges::find(symbols.harmonic_excitations, request->force) == symbols.harmonic_excitations.end()) {
+    const std::string guess = foundation::nearest_name(request->force, symbols.harmonic_excitations);
+    reader.error("force", foundation::quoted(request->force), "no harmonic excitation has this name",
+                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+  }
+  if (base) request->direction.axis = *base;
+  for (const char* key : {"rotation", "of"})
+    if (reader.has("force") && reader.has(key))
+      reader.error(key, std::string(key) + " together with a force",
+                   "a force is compared with the force on the ground in the same direction", "remove it");
+  request->direction.rotation = reader.boolean("rotation").value_or(false);
+  std::vector<std::string> places = symbols.bodies;
+  places.insert(places.end(), symbols.nodes.begin(), symbols.nodes.end());
+  places.insert(places.end(), symbols.points.begin(), symbols.points.end());
+  request->selection.of = reader.texts("of", R"(["BODY"])").value_or(symbols.bodies);
+  for (const std::string& name : request->selection.of)
+    if (!symbols.bodies_unknown && std::ranges::find(places, name) == places.end()) {
+      const std::string guess = foundation::nearest_name(name, places);
+      reader.error("of", foundation::quoted(name), "`of` names bodies or BODY.POINT",
+                   guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+    }
+  request->band = read_band(reader, "band");
+  if (!request->force.empty()) request->selection = {.of = {"ground"}, .excitations = {request->force}};
+  return request;
+}
+
+/// Reports a force that is not along one direction.
+void check_force(const Analysis& request, const model::System& system, foundation::Problems& problems) {
+  const std::string& force = static_cast<const TransmissibilityAnalysis&>(request).force;
+  if (force.empty()) return;
+  try {
+    static_cast<void>(model::applied_force(system, force));
+  } catch (const foundation::InvalidInput& reason) {
+    problems.error("analyses.transmissibility.force", "\"" + force + "\"", reason.what(),
+                   "name a harmonic force along one direction");
+  }
+}
+
+double curves_of_transmissibility(const Analysis& request) {
+  const bool of_force = !static_cast<const TransmissibilityAnalysis&>(request).force.empty();
+  return of_force ? 1 : static_cast<double>(request.selection.of.size());
+}
+
+}  // namespace
+
+const AnalysisReader transmissibility_analysis = {.read = read_transmissibility,
+                                                  .searches_peaks = true,
+                                                  .curves = curves_of_transmissibility,
+                                                  .check = check_force,
+                                                  .keys = R"json({"properties": {
+   "force": {"type": "string", "description": "a harmonic force excitation"},
+   "base": {"$ref": "#/$defs/direction"},
+   "rotation": {"type": "boolean"},
+   "of": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}]},
+   "band": {"$ref": "#/$defs/band"}}})json"};
+
+}  // namespace trivet::project

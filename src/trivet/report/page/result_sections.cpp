@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/page/result_sections.h"
+
+#include <fmt/format.h>
+
+#include "trivet/documents/html_table.h"
+#include "trivet/report/drawing/result_figures.h"
+#include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/tables/analysis_tables.h"
+#include "trivet/results/format/written_results.h"
+
+namespace trivet::report {
+namespace {
+
+/// Tables and figures below each other.
+std::string shown(std::string html, const std::vector<Figure>& figures) {
+  for (const Figure& figure : figures)
+    html += "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(figure.title) +
+        "\">" + figure.html() + "</div></figure>\n";
+  return html;
+}
+
+/// Title, tables and figures of a result, or of several that belong together.
+struct Shown {
+  const char* title;
+  const char* result;  ///< whose document it is; nullptr: `tables` has its tables
+  std::string (*tables)(const study::CaseResults& results);
+  std::vector<std::vector<Figure> (*)(const study::CaseResults& results)> figures;
+};
+
+/// Tables and figures in addition to the harmonic characteristics, in the order of the page. Add new ones here.
+const std::vector<Shown>& all_shown() {
+  static const std::vector<Shown> list = {
+      {"Map of designs", nullptr, map_tables, {map_figures}},
+      {"Best design", nullptr, optimum_tables, {}},
+      {"Front", nullptr, front_tables, {front_figures}},
+      {"Random response", "random", nullptr, {random_figures}},
+      {"Time history", "transient", nullptr, {transient_figures}},
+      {"Run-up", "orders", nullptr, {campbell_figures, waterfall_figures, run_up_figures}},
+      {"Transmissibility", "transmissibility", nullptr, {transmissibility_figures}},
+      {"Power into the ground", "power", nullptr, {power_figures}},
+      {"Steady motion of the nonlinear machine", nullptr, steady_tables, {steady_figures, orbit_figures}},
+      {"Nonlinear modes", "backbone", nullptr, {backbone_figures}},
+      {"Shock response spectrum", "shock_spectrum", nullptr, {shock_figures}},
+      {"Earthquake", "earthquake", nullptr, {}},
+      {"Limit lines", "limit_lines", nullptr, {limit_figures}},
+      {"Measurements", "measurements", nullptr, {measurement_figures}},
+      {"Operating shapes", nullptr, nullptr, {shape_figures}},
+      {"Load sharing", "load_sharing", nullptr, {}},
+  };
+  return list;
+}
+
+}  // namespace
+
+std::vector<Figure> result_figures(const study::CaseResults& results) {
+  std::vector<Figure> all;
+  for (const Shown& kinds : all_shown())
+    for (const auto& kind : kinds.figures) {
+      int number = 0;  // different names may share the letters that are safe in a file name
+      for (Figure& figure : kind(results)) {
+        const std::size_t dash = figure.file_name.find('-');
+        if (dash != std::string::npos) figure.file_name.insert(dash, fmt::format("-{:02}", ++number));
+        all.push_back(std::move(figure));
+      }
+    }
+  return all;
+}
+
+std::string result_sections(const project::Case& variant, const study::CaseResults& results) {
+  std::string html;
+  for (const Shown& kinds : all_shown()) {
+    std::vector<Figure> figures;
+    for (const auto& kind : kinds.figures)
+      for (Figure& figure : kind(results)) figures.push_back(std::move(figure));
+    const std::string tables = kinds.channel ? results::result_html(kinds.channel, variant, results)
+        : kinds.tables                       ? kinds.tables(results)
+                                             : "";
+    html += section("answer", kinds.title, shown(tables, figures));
+  }
+  return html;
+}
+
+}  // namespace trivet::report

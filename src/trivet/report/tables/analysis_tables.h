@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/study/analyses/case_results.h"
+
+/// Key numbers of each kind of result as HTML; empty if the case did not request it.
+namespace trivet::report {
+
+/// Folds and largest motions of nonlinear machines.
+[[nodiscard]] std::string steady_tables(const study::CaseResults& results);
+
+/// Governing rules of a map, its best design, and the verdict on every case.
+[[nodiscard]] std::string map_tables(const study::CaseResults& results);
+
+/// The best design: parameters, minimised amplitudes, requirements, and what holds it.
+[[nodiscard]] std::string optimum_tables(const study::CaseResults& results);
+
+/// The points of a front.
+[[nodiscard]] std::string front_tables(const study::CaseResults& results);
+
+}  // namespace trivet::report

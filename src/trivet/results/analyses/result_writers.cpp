@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/message_list.h"
+#include "trivet/results/design/front_results.h"
+#include "trivet/results/design/map_json.h"
+#include "trivet/results/design/map_text.h"
+#include "trivet/results/design/optimization_results.h"
+#include "trivet/results/format/result_writer.h"
+#include "trivet/results/format/written_results.h"
+
+namespace trivet::results {
+namespace json {
+
+Json warnings(const foundation::Problems& problems) {
+  Json result = Json::array();
+  foundation::Problems warnings;
+  for (const auto& problem : problems.list())
+    if (problem.severity == foundation::Severity::warning) warnings.add(problem);
+  const foundation::Problems first = foundation::listed(warnings);
+  for (const auto& problem : first.list()) result.push_back(foundation::message(problem));
+  if (const std::string rest = foundation::rest_of_list(warnings); !rest.empty()) result.push_back(rest);
+  return result;
+}
+
+Json curve(const response::Curve& c) { return {{"name", c.name}, {"unit", c.unit}, {"complex", list(c.value)}}; }
+
+Json curves(const std::vector<response::Curve>& list) {
+  Json result = Json::array();
+  for (const response::Curve& one : list) result.push_back(curve(one));
+  return result;
+}
+
+}  // namespace json
+
+namespace {
+
+/// The map as one of the results of a run; the command `map` writes it with its own options.
+const ResultWriter map_results = {
+    .has_result = [](const project::Case&,
+                     const study::CaseResults& results) { return results.map || !results.map_pairs.empty(); },
+    .json = [](const project::Case&, const study::CaseResults& results) -> json::Json {
+      if (results.map) return json::design_map(*results.map);
+      json::Json pairs = json::Json::array();
+      for (const study::DesignMap& map : results.map_pairs) pairs.push_back(json::design_map(map));
+      return {{"pairs", pairs}};
+    },
+    .tables = {{"map.csv",
+                [](const project::Case&, const study::CaseResults& results) {
+                  return results.map ? map_csv(*results.map) : map_pairs_csv(results.map_pairs);
+                }}},
+    .text =
+        [](const project::Case&, const study::CaseResults& results) {
+          return results.map ? map_text(*results.map) : map_pairs_text(results.map_pairs);
+        },
+    .arrays =
+        [](const project::Case&, const study::CaseResults& results, LabelledArrays& list) {
+          if (results.map) add_map_arrays(*results.map, "", list);
+          for (std::size_t k = 0; k < results.map_pairs.size(); ++k)
+            add_map_arrays(results.map_pairs[k], fmt::format("pair{}.", k + 1), list);
+        },
+};
+
+/// The best design, or the front, as one of the results of a run; the command `optimize` writes it alone.
+const ResultWriter optimize_results = {
+    .has_result = [](const project::Case&,
+                     const study::CaseResults& results) { return results.optimization || results.front; },
+    .json =
+        [](const project::Case&, const study::CaseResults& results) {
+          return results.front ? json::front(*results.front) : json::optimization(*results.optimization);
+        },
+    .tables = {{"optimum.csv",
+                [](const project::Case&, const study::CaseResults& results) {
+                  return results.front ? front_csv(*results.front) : optimization_csv(*results.optimization);
+                }}},
+    .text =
+        [](const project::Case&, const study::CaseResults& results) {
+          return results.front ? front_text(*results.front) : optimization_text(*results.optimization);
+        },
+    .arrays =
+        [](const project::Case&, const study::CaseResults& results, LabelledArrays& list) {
+          if (results.front) add_front_arrays(*results.front, list);
+          else add_optimization_arrays(*results.optimization, list);
+        },
+};
+
+}  // namespace
+
+namespace {
+
+std::vector<ResultWriter> with_tables(std::vector<ResultWriter> list) {
+  for (ResultWriter& writer : list)
+    for (const char* file : writer.files)
+      writer.tables.push_back(
+          {file, [document = writer.document, file](const project::Case& variant, const study::CaseResults& results) {
+             return as_csv(document(variant, results), file);
+           }});
+  return list;
+}
+
+}  // namespace
+
+const std::vector<ResultWriter>& result_writers() {
+#define TRIVET_WRITER(name) project::named(#name, name##_results),
+  static const std::vector<ResultWriter> list = with_tables(
+      {TRIVET_WRITER(modes) TRIVET_WRITER(roots) TRIVET_WRITER(response) TRIVET_WRITER(peaks) TRIVET_WRITER(static)
+           TRIVET_ANALYSES(TRIVET_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(measurements) TRIVET_WRITER(map)
+               TRIVET_WRITER(optimize) TRIVET_WRITER(load_sharing)});
+#undef TRIVET_WRITER
+  return list;
+}
+
+json::Json written_json(const ResultWriter& writer, const project::Case& variant, const study::CaseResults& results) {
+  return writer.document ? as_json(writer.document(variant, results)) : writer.json(variant, results);
+}
+
+std::string written_text(const ResultWriter& writer, const project::Case& variant, const study::CaseResults& results,
+                         Form form) {
+  if (writer.document) return as_text(writer.document(variant, results), variant.display, form);
+  return (form == in_summary && writer.summary ? writer.summary : writer.text)(variant, results);
+}
+
+Single warnings_part(const study::CaseResults& results) {
+  return {.name = "warnings", .value = json::warnings(results.warnings)};
+}
+
+Sentence excited_part(const project::Case& variant, const std::string& analysis) {
+  const std::string line = excited_at_once(variant, analysis);
+  return {.parts = {line.substr(0, line.find('\n'))}, .forms = on_screen | on_page};
+}
+
+namespace {
+
+const ResultWriter& writer_of(const std::string& analysis) {
+  const auto& list = result_writers();
+  const auto found = std::ranges::find(list, analysis, &ResultWriter::name);
+  if (found == list.end()) throw foundation::InvalidInput("no result is called \"" + analysis + "\"");
+  return *found;
+}
+
+}  // namespace
+
+std::string result_json(const std::string& analysis, const project::Case& variant, const study::CaseResults& results) {
+  return json::text(written_json(writer_of(analysis), variant, results), 1) + "\n";
+}
+
+std::string result_csv(const std::string& analysis, const project::Case& variant, const study::CaseResults& results) {
+  return writer_of(analysis).tables.front().csv(variant, results);
+}
+
+std::string result_text(const std::string& analysis, const project::Case& variant, const study::CaseResults& results) {
+  return written_text(writer_of(analysis), variant, results, on_screen);
+}
+
+std::string result_html(const std::string& analysis, const project::Case& variant, const study::CaseResults& results) {
+  const ResultWriter& writer = writer_of(analysis);
+  return writer.is_there(variant, results) ? as_html(writer.document(variant, results), variant.display) : "";
+}
+
+const std::vector<ResultTable>& result_tables(const std::string& analysis) { return writer_of(analysis).tables; }
+
+LabelledArrays result_arrays(const std::string& analysis, const project::Case& variant,
+                             const study::CaseResults& results) {
+  LabelledArrays list;
+  const ResultWriter& writer = writer_of(analysis);
+  if (writer.document) add_arrays(writer.document(variant, results), list);
+  else writer.arrays(variant, results, list);
+  return list;
+}
+
+std::vector<ResultFile> result_files(const project::Case& variant, const study::CaseResults& results) {
+  std::vector<ResultFile> files;
+  for (const ResultWriter& writer : result_writers())
+    if (writer.is_there(variant, results))
+      for (const ResultTable& table : writer.tables) files.push_back({table.file, table.csv(variant, results)});
+  return files;
+}
+
+std::string results_summary(const project::Case& variant, const study::CaseResults& results) {
+  std::string text;
+  for (const ResultWriter& writer : result_writers()) {
+    if (!writer.is_there(variant, results)) continue;
+    const std::string one = written_text(writer, variant, results, in_summary);
+    if (!one.empty()) text += one + "\n";
+  }
+  return text;
+}
+
+}  // namespace trivet::results

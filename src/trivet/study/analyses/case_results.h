@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <any>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/modal/modes.h"
+#include "trivet/modal/roots.h"
+#include "trivet/nonlinear/rest/rest_position.h"
+#include "trivet/project/project.h"
+#include "trivet/response/machinery/limit_line.h"
+#include "trivet/response/machinery/load_sharing.h"
+#include "trivet/response/steady/curve_model.h"
+#include "trivet/response/steady/deep_check.h"
+#include "trivet/response/steady/frequency_response.h"
+#include "trivet/response/steady/peaks.h"
+#include "trivet/response/steady/static_response.h"
+#include "trivet/study/analyses/load_case.h"
+#include "trivet/study/analyses/measurement_comparison.h"
+#include "trivet/study/map/design_map.h"
+#include "trivet/study/requirements/verdict.h"
+
+namespace trivet::study {
+
+class SolvedCase;
+struct DesignFront;
+struct Optimization;
+
+struct ResponseResult {
+  response::FrequencyResponse curves;
+  std::vector<Eigen::VectorXd> phase;  ///< per curve [rad]
+  response::DeepCheck deep;
+  assembly::Band band;
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
+  /// Without given frequencies: a model of the curves between those of the table, their extrema, and whether phases are
+  /// continuous.
+  std::optional<response::CurveModel> model;
+  std::vector<std::vector<response::Extremum>> extrema;
+  bool continuous_phase = false;
+};
+
+struct PeaksResult {
+  response::Peaks peaks;
+  double min_prominence = 0;
+  double peak_tolerance = 0;
+};
+
+/// A limit with the largest amplitude of its curve, in the band and at all frequencies.
+struct LimitResult {
+  std::string name;
+  std::string unit;
+  double limit = 0;
+  double in_band = 0;
+  double in_band_at = 0;  ///< [rad/s]
+  double anywhere = 0;
+  bool met = true;  ///< in_band ≤ limit, see response::on_the_limit
+};
+
+struct LimitLineResult {
+  std::string of;
+  assembly::LimitLine line;
+  response::LimitComparison comparison;
+};
+
+struct CaseResults {
+  std::string case_name;
+  std::vector<std::string> changes;
+  project::DisplayUnits display;  ///< of its tables and pictures
+  foundation::Problems warnings;  ///< of data, modes and roots: they concern every result
+  std::vector<std::string> free_motions;
+  std::vector<std::string> notes;  ///< directions of nodes that are left out
+  modal::Modes modes;
+  int lowest_modes = 0;  ///< if not 0, only so many modes are there
+  modal::Roots roots;    ///< empty unless requested
+  std::optional<ResponseResult> response;
+  std::optional<PeaksResult> peaks;
+  std::optional<response::StaticResponse> statics;
+  std::optional<response::LoadSharing> load_sharing;
+  std::vector<nonlinear::RestState> rest_states;  ///< if all were requested
+  std::vector<LimitLineResult> limit_lines;
+  std::vector<MeasurementComparison> measurements;
+  std::vector<LimitResult> limits;
+  std::optional<CaseVerdict> verdict;                ///< on the requirements of the file, if a run judges them
+  std::optional<LoadCase> load_case;                 ///< for the envelope of a run with several cases
+  std::optional<DesignMap> map;                      ///< map of the base model, if a run computes it
+  std::vector<DesignMap> map_pairs;                  ///< instead of it, the maps of several pairs of parameters
+  std::shared_ptr<const Optimization> optimization;  ///< of the base model, if the file has [analyses.optimize]
+  std::shared_ptr<const DesignFront> front;          ///< the same with `front`
+  std::vector<std::string> failures;                 ///< requests that could not be computed, with the reason
+  std::map<std::string, std::any>
+      by_analysis;  ///< results of the analyses of project/analyses/analysis_table.h, by name
+
+  /// The result of such an analysis, with the type of its NAME_run.cpp; nullptr if there is none. @throws
+  /// std::bad_any_cast for another type
+  template <typename Result>
+  [[nodiscard]] const Result* find(const std::string& analysis) const {
+    const auto found = by_analysis.find(analysis);
+    return found == by_analysis.end() ? nullptr : &std::any_cast<const Result&>(found->second);
+  }
+};
+
+/// Computes everything that `analyses` requests of a case; failures are listed in `failures` and in the warnings, the
+/// rest is computed. `analyses` may differ from the case's own (a single result from the command line).
+/// @param solved  the model of the case, if it is solved already
+[[nodiscard]] CaseResults case_results(const project::Case& variant, const project::Analyses& analyses,
+                                       const foundation::Progress& progress = {},
+                                       const std::shared_ptr<const SolvedCase>& solved = nullptr);
+
+/// The modes, warnings and notes of a case that belong to every result of these analyses, without their results.
+[[nodiscard]] CaseResults notices(const project::Case& variant, const project::Analyses& analyses,
+                                  const std::shared_ptr<const SolvedCase>& solved);
+
+/// Compares the fast solver with a second one at up to 64 frequencies over the band of the case, under its harmonic
+/// forces, or under a force on every coordinate if it has none.
+[[nodiscard]] response::DeepCheck deep_check(const project::Case& variant);
+
+/// Does a connected curve of motions, or a nonlinear mode, end before the end that was requested? Its warning states
+/// where and why.
+[[nodiscard]] bool is_cut_short(const CaseResults& results);
+
+}  // namespace trivet::study
