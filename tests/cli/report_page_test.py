@@ -83,10 +83,15 @@ class Page(Folder):
 
     def test_a_response_at_few_frequencies_is_also_a_table(self):
         text = MACHINE.replace("band = [0, 40]", "at = [10, 20]")
-        self.assertIn("<summary>Amplitude and phase (zero-to-peak; a lag is negative)</summary>", self.report(text=text).read_text())
+        self.assertIn(
+            "<summary>Amplitude and phase (zero-to-peak; a lag is negative)</summary>",
+            self.report(text=text).read_text(),
+        )
 
     def test_the_scripts_have_no_colours_of_curves_and_short_lines(self):
-        for script in (SOURCE / "src/trivet/report").glob("*.js"):
+        scripts = list((SOURCE / "src/trivet/report").rglob("*.js"))
+        self.assertTrue(scripts)
+        for script in scripts:
             text = script.read_text()
             self.assertLessEqual(max(map(len, text.splitlines())), 120, script)
             self.assertLess(len(text.splitlines()), 500, script)
