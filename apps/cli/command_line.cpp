@@ -48,7 +48,7 @@ void write_result(const CommandLine& line, const engine::Result& result) {
 
 }  // namespace
 
-int found(CommandLine line) {
+int run(CommandLine line) {
   const auto session = engine::Session::open({line.project}, line.settings, &line.request);
   if (!session) return complain(line, session.error());
   line.request.ends_search = interruption();

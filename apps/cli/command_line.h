@@ -20,7 +20,7 @@ struct CommandLine {
   engine::Request request;
 };
 
-/// Results the command line on standard output and standard error. @returns the exit code
-[[nodiscard]] int result(CommandLine line);
+/// Runs the command and writes its result to standard output and standard error. @returns the exit code
+[[nodiscard]] int run(CommandLine line);
 
 }  // namespace trivet::cli

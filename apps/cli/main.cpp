@@ -79,7 +79,7 @@ void add_forms(CLI::App& app, const Command& command, CommandLine& line) {
   if (json && csv) csv->excludes(json);
   if (command.strict)
     app.add_flag("--strict", line.strict,
-                 "exit code 3 if a limit or a rule is violated, 4 if there are only warnings; the answer is written in "
+                 "exit code 3 if a limit or a rule is violated, 4 if there are only warnings; the result is written in "
                  "any case");
 }
 
@@ -130,14 +130,14 @@ int said_by_parser(const CLI::App& app, const CLI::ParseError& error) {
   return wrong_input;
 }
 
-int answered(const CLI::App& app, CommandLine& line) {
+int exit_code_of(const CLI::App& app, CommandLine& line) {
   const std::string name = app.get_subcommands().front()->get_name();
   if (name == "new") return trivet::cli::write_output(trivet::engine::starter_text()), 0;
   if (name == "schema") return trivet::cli::write_output(trivet::engine::project_schema()), 0;
   line.command = trivet::engine::find_command(name);
   line.request.command = name;
   line.request.before_keys = "--";
-  return trivet::cli::result(std::move(line));
+  return trivet::cli::run(std::move(line));
 }
 
 int run(int argc, char** argv) {
@@ -162,7 +162,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return said_by_parser(app, error);
   }
-  return trivet::cli::exit_code(answered(app, line));
+  return trivet::cli::exit_code(exit_code_of(app, line));
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ std::vector<std::pair<std::string, std::string>> analyses() {
   return list;
 }
 
-/// (name, what it results, has it a case, its keys) of commands that need no method of their own in Python.
+/// (name, what it is for, has it a case, its keys) of commands that need no method of their own in Python.
 std::vector<std::tuple<std::string, std::string, bool, std::vector<std::string>>> commands() {
   std::vector<std::tuple<std::string, std::string, bool, std::vector<std::string>>> list;
   for (const engine::Command& command : engine::commands()) {

@@ -105,7 +105,7 @@ std::vector<Command> whole_commands() {
        .examples = {"trivet run machine.toml", "trivet run machine.toml -o results --strict"},
        .run = run},
       {.name = "export",
-       .about = "matrices and answers in files of other programs, notes on what these lose",
+       .about = "matrices and results in files of other programs, notes on what these lose",
        .group = Group::data,
        .of_one_case = true,
        .all_tables = true,

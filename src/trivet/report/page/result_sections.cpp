@@ -73,7 +73,7 @@ std::string result_sections(const project::Case& variant, const study::CaseResul
     std::vector<Figure> figures;
     for (const auto& kind : kinds.figures)
       for (Figure& figure : kind(results)) figures.push_back(std::move(figure));
-    const std::string tables = kinds.channel ? results::result_html(kinds.channel, variant, results)
+    const std::string tables = kinds.result ? results::result_html(kinds.result, variant, results)
         : kinds.tables                       ? kinds.tables(results)
                                              : "";
     html += section("answer", kinds.title, shown(tables, figures));

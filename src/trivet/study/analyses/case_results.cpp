@@ -321,7 +321,7 @@ CaseResults case_results(const project::Case& variant, const project::Analyses& 
                                     sizes.list().front().rule + "; " + sizes.list().front().remedy);
   const int lowest = project::lowest_modes_suffice(analyses) ? analyses.lowest_modes : 0;
   return CaseStudy(solved ? solved : std::make_shared<const SolvedCase>(variant.system, lowest), progress)
-      .computed(variant, analyses);
+      .compute(variant, analyses);
 }
 
 CaseResults notices(const project::Case& variant, const project::Analyses& analyses,
