@@ -66,10 +66,12 @@ SKIPPED = {
     "element": [(r"(?m)^.*(generates no energy|rigid motion).*$", "a check, whose numbers are its sentence")],
     "map": [(r"(?m)^  \d+ designs? .* one by one.*$", "how it was computed")],
     "orders": [(r"(?m)^note: .*$", "notes on the model, in results.json")],
+    "power": [(r"\d+\.\d %", "the quotient of two curves at one frequency")],
 }
 # Cells of the report: checks of its curves, and formulas of laws.
 NO_NUMBERS = "largest difference|δ\\^"
-UNIT = r"%|°|dB|rpm|rad/s|Hz|[pnµmkMG]?(?:m/s²|m/s|N m|N|rad|m|Pa|W|J|s)(?![\w/²])"
+SI = "m/s²|m/s|rad/s²|rad/s|N m|N|rad|m|Pa|W|J|s"
+UNIT = rf"%|°|dB|rpm|rad/s|Hz|[pnµmkMG]?(?:{SI})(?![\w/²])"
 NUMBER = re.compile(rf"(?<![\w.])(?P<number>[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?P<unit>[\s\u00a0]?(?:{UNIT}))?(?!\w)")
 PREFIXES = {"p": 1e-12, "n": 1e-9, "µ": 1e-6, "m": 1e-3, "k": 1e3, "M": 1e6, "G": 1e9}
 ROUND_OFF = 1e-12
@@ -173,7 +175,7 @@ def without_names(text, document):
 def strangers(text, pool):
     """Numbers of a text that the pool does not have, with what is around them, and the number of all."""
     headed = [0.01] if "[%]" in text else []
-    headed += [PREFIXES[unit[0]] for unit in re.findall(r"\[([pnµmkMG](?:m|rad|N m|N))\]", text)]
+    headed += [PREFIXES[unit[0]] for unit in re.findall(rf"\[([pnµmkMG](?:{SI}))\]", text)]
     found, all_tokens = [], list(NUMBER.finditer(text))
     for token in all_tokens:
         if not pool.has(*printed(token), headed):

@@ -3,8 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-#include <sstream>
+#include <stdexcept>
 #include <thread>
 
 namespace session_test {
