@@ -140,7 +140,7 @@ int exit_code_of(const CLI::App& app, CommandLine& line) {
   return trivet::cli::run(std::move(line));
 }
 
-int run(int argc, char** argv) {
+int run_program(int argc, char** argv) {
   CommandLine line;
   CLI::App app("Vibration of bodies on real elastic elements");
   app.set_version_flag("--version", "trivet " + trivet::engine::version());
@@ -174,7 +174,7 @@ int main(int argc, char** argv) {
   // OpenBLAS, which is loaded for large models, would start threads that wait actively although only one is used.
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   try {
-    return run(argc, argv);
+    return run_program(argc, argv);
   } catch (const std::exception& error) {
     trivet::cli::write_error("error: " + trivet::engine::failure_words(error) + "\n");
     return static_cast<int>(trivet::engine::Outcome::not_computed);

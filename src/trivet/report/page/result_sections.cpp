@@ -74,8 +74,8 @@ std::string result_sections(const project::Case& variant, const study::CaseResul
     for (const auto& kind : kinds.figures)
       for (Figure& figure : kind(results)) figures.push_back(std::move(figure));
     const std::string tables = kinds.result ? results::result_html(kinds.result, variant, results)
-        : kinds.tables                       ? kinds.tables(results)
-                                             : "";
+        : kinds.tables                      ? kinds.tables(results)
+                                            : "";
     html += section("answer", kinds.title, shown(tables, figures));
   }
   return html;
