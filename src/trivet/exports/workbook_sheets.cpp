@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
@@ -179,11 +180,11 @@ void add_sheets(const Group& group, const project::DisplayUnits& display, Unique
     if (array.axes.size() == 1) add_column(array, group.arrays, display, found->second);
     else add_matrix(array, group.arrays, display, found->second);
   }
+  bool first = true;
   for (auto& [axis, sheet] : by_axis) {
     const bool only_names = sheet.columns.size() == 1 && by_axis.size() > 1;
     if (only_names) continue;
-    sheet.name =
-        sheet_name(by_axis.size() == 1 || &axis == &by_axis.front().first ? group.name : group.name + " " + axis, used);
+    sheet.name = sheet_name(std::exchange(first, false) ? group.name : group.name + " " + axis, used);
     sheet.charted = is_charted(axis);
     sheets.push_back(std::move(sheet));
   }

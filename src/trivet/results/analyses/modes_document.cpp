@@ -163,13 +163,14 @@ Document modes_document(const project::Case& variant, const study::CaseResults& 
                                    &Mode::kinetic_energy_share, {.forms = for_programs});
   Document document;
   document.add(Words{.key = "bodies", .list = names_of(variant.system.bodies())});
-  document.add(Words{.key = "elements", .axis = "element", .list = names_of(variant.system.elements())});
-  add_shape_coordinates(variant, {"1/√kg", "rad/(m √kg)"}, document);
+  document.add(Words{.key = "elements", .list = names_of(variant.system.elements())});
   document.add(Sentence{
       .parts = {"Undamped modes" +
                 (results.lowest_modes > 0 ? fmt::format(", the lowest {}", results.lowest_modes) : std::string())},
       .forms = on_screen | in_summary});
   document.add(mode_table(variant, results, shape, kinetic));
+  add_shape_coordinates(variant, {"1/√kg", "rad/(m √kg)"}, document);
+  document.add(Words{.axis = "element", .list = names_of(variant.system.elements())});
   document.add(
       coordinate_table(row, "Mode shapes at the poles: x, y, z [m], θx, θy, θz [rad], unit modal mass", shape));
   document.add(coordinate_table(

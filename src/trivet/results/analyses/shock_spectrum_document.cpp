@@ -141,14 +141,14 @@ Table all_spectrum_rows(const Spectra& spectra) {
 Document shock_spectrum_document(const project::Case&, const study::CaseResults& results) {
   const Spectra& spectra = *results.find<Spectra>("shock_spectrum");
   Document document;
-  for (const ShockSpectrumResult& spectrum : spectra) document.add(shown_spectrum(spectrum));
-  document.add(spectrum_table(spectra));
-  document.add(all_spectrum_rows(spectra));
   if (!spectra.empty())
     document.add(Curves{.axis = "angular_frequency",
                         .unit = "rad/s",
                         .points = {spectra.front().spectrum, &ShockResponse::angular_frequency},
                         .forms = in_arrays});
+  for (const ShockSpectrumResult& spectrum : spectra) document.add(shown_spectrum(spectrum));
+  document.add(spectrum_table(spectra));
+  document.add(all_spectrum_rows(spectra));
   document.add(warnings_part(results));
   return document;
 }
