@@ -108,9 +108,12 @@ class Project(Analyses):
 
     def _changed(self, settings: Mapping[str, str]) -> Project:
         """The project of the text with these settings in place of its own."""
+        lines = [f"{path} = {value}" for path, value in settings.items()]
+        if _folder_of(self.source) != self._folder:  # the current folder has changed since the project was read
+            return Project._read(self._inner.text, self.source, lines, self._folder)
         changed = type(self).__new__(type(self))
         changed._folder = self._folder
-        changed._inner = self._inner.changed([f"{path} = {value}" for path, value in settings.items()])
+        changed._inner = self._inner.changed(lines)
         return changed
 
     def to_toml(self) -> str:
