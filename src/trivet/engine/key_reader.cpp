@@ -7,7 +7,10 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
+#include "trivet/exchange/text/text_lines.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/units.h"
@@ -24,20 +27,10 @@ std::optional<double> plain_number(const std::string& text) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-std::string trimmed(std::string text) {
-  text.erase(0, std::min(text.find_first_not_of(' '), text.size()));
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text;
-}
-
 std::vector<std::string> between_commas(const std::string& text) {
-  std::vector<std::string> items;
-  for (std::size_t from = 0; from <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', from), text.size());
-    items.push_back(trimmed(text.substr(from, comma - from)));
-    from = comma + 1;
-  }
-  return items;
+  const std::vector<std::string_view> parts = exchange::cells(text, ',');
+  if (parts.empty()) return {""};  // a blank text is a wrong item, not none
+  return {parts.begin(), parts.end()};
 }
 
 /// Rejects lists in which only some values have a unit: "1,5 Hz" may be one number with a decimal comma, 1 rad/s and
@@ -68,14 +61,18 @@ std::optional<int> whole_number(const Value& value) {
   return error == std::errc() && end == text->data() + text->size() ? std::optional(number) : std::nullopt;
 }
 
-/// What is wrong with a value of this kind; empty if nothing is.
-std::string wrong_kind(const Key& key, const Value& value) {
-  if (key.kind == KeyKind::flag && !std::holds_alternative<bool>(value)) return "it is true or false";
-  if (key.kind == KeyKind::count && whole_number(value).value_or(0) < 1) return "a whole number ≥ 1";
+/// The rule that a value of this kind violates, and what to do; none if it is right.
+std::optional<std::pair<std::string, std::string>> wrong_kind(const Key& key, const Value& value) {
+  using Rule = std::pair<std::string, std::string>;
+  if (key.kind == KeyKind::flag && !std::holds_alternative<bool>(value))
+    return Rule("it is yes or no", "give true, or omit the key");
+  if (key.kind == KeyKind::count && whole_number(value).value_or(0) < 1)
+    return Rule("it is a whole number ≥ 1", "give one, such as 10");
   if (key.kind == KeyKind::choice && std::ranges::find(key.choices, text_of(value)) == key.choices.end())
-    return fmt::format("it is one of {}", fmt::join(key.choices, ", "));
+    return Rule(fmt::format("it is one of {}", fmt::join(key.choices, ", ")), "choose one");
   const auto* text = std::get_if<std::string>(&value);
-  return text && text->empty() && key.kind != KeyKind::flag ? "an empty text; omit the key" : "";
+  if (text && text->empty()) return Rule("it must not be empty", "omit the key");
+  return std::nullopt;
 }
 
 }  // namespace
@@ -98,16 +95,17 @@ KeyReader::KeyReader(const Command& command, const Request& request, foundation:
     if (key == command.keys.end()) {
       const std::string guess = foundation::nearest_name(name, known);
       problems.error(written(name), text_of(value), fmt::format("{} has no such key", command.name),
-                     guess.empty() ? "" : "did you mean " + written(guess) + "?");
+                     guess.empty() ? "omit it" : "did you mean " + written(guess) + "?");
       continue;
     }
-    if (const std::string wrong = wrong_kind(*key, value); !wrong.empty())
-      problems.error(written(name), "\"" + text_of(value) + "\"", wrong, "");
+    if (const auto wrong = wrong_kind(*key, value))
+      problems.error(written(name), "\"" + text_of(value) + "\"", wrong->first, wrong->second);
     if (*key->excludes != '\0' && has(key->excludes))
       problems.error(written(name), text_of(value), written(key->excludes) + " excludes it", "give one of them");
   }
   for (const Key& key : command.keys)
-    if (key.required && !has(key.name)) problems.error(written(key.name), "not given", key.about, "give it");
+    if (key.required && !has(key.name))
+      problems.error(written(key.name), "not given", "this command needs it: " + key.about, "give it");
 }
 
 const Key& KeyReader::row(const std::string& key) const {

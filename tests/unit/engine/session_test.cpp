@@ -70,6 +70,7 @@ TEST(Session, NamesEveryWrongKeyAtOnce) {
   Request request{.command = "select", .keys = {{"most", 0.0}, {"by", "beauty"}, {"mots", 3.0}}, .before_keys = "--"};
   const engine::Result result = session.ask(request);
   EXPECT_THAT(subjects(result.errors), testing::UnorderedElementsAre("--most", "--by", "--mots"));
+  for (const foundation::Problem& one : result.errors.list()) EXPECT_FALSE(one.remedy.empty()) << one.subject;
   EXPECT_EQ(engine::outcome(result, false), engine::Outcome::wrong_input);
 }
 
