@@ -76,9 +76,13 @@ class Writing {
   void add_common_unit(const Column& column) {
     if (!has_own_unit(column.kind) || column.unit == unit_of_the_row || column.unit.starts_with('@')) return;
     double largest = 0;
-    for (const std::size_t i : rows_) {
-      const double size = std::abs(largest_.shown(column.unit, number_or_nothing(column.value(i))));
-      if (std::isfinite(size)) largest = std::max(largest, size);
+    for (const UsedColumn& other : columns_) {
+      const bool same_unit = has_own_unit(other.column->kind) && other.column->unit == column.unit;
+      if (other.column != &column && !(table_.one_prefix && same_unit)) continue;
+      for (const std::size_t i : rows_) {
+        const double size = std::abs(largest_.shown(column.unit, number_or_nothing(other.column->value(i))));
+        if (std::isfinite(size)) largest = std::max(largest, size);
+      }
     }
     common_units_[&column] = unit_prefix(largest, display_unit_of(column.kind, column.unit, display_));
   }

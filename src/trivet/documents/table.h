@@ -91,6 +91,7 @@ struct Table {
   std::function<Mark(std::size_t row)> mark = {};
   std::string without_rows = {};  ///< words for people in place of an empty table, which has no title then
   bool folded = false;            ///< the page shows it after a click
+  bool one_prefix = false;        ///< columns of quantities with the same unit have the same SI prefix
   unsigned forms = everywhere;
 };
 

@@ -102,7 +102,7 @@ std::string below_comparison(const ShownCase& shown) {
   const project::Case& variant = shown.variant;
   return section("modes", "Undamped modes", results::result_html("modes", variant, shown.results)) +
       section("roots", "Damped roots", results::result_html("roots", variant, shown.results)) +
-      section("static", "Static results", static_tables(variant, shown.results)) +
+      section("static", "Static results", results::result_html("static", variant, shown.results)) +
       section("inputs", "Inputs", input_tables(variant)) + section("checks", "Checks", checks_table(shown));
 }
 

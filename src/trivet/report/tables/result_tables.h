@@ -21,7 +21,4 @@ namespace trivet::report {
 /// Least and largest static values over all cases.
 [[nodiscard]] std::string envelope_table(const study::Envelope& envelope);
 
-/// Static motions and forces, one row for each place.
-[[nodiscard]] std::string static_tables(const project::Case& variant, const study::CaseResults& results);
-
 }  // namespace trivet::report

@@ -60,8 +60,10 @@ Document load_sharing_document(const project::Case&, const study::CaseResults& r
 
 }  // namespace
 
-std::string load_sharing_text(const study::CaseResults& results) {
-  return as_text({{{load_table(results)}, {load_note(results)}}}, results.display);
+void add_load_sharing(const study::CaseResults& results, Document& document) {
+  if (!results.load_sharing) return;
+  document.add(load_table(results)).forms = on_screen | in_summary;
+  document.add(load_note(results)).forms = on_screen | in_summary;
 }
 
 const ResultWriter load_sharing_results = {
