@@ -97,6 +97,9 @@ struct AddingArrays {
     if (!words.axis.empty()) list.texts(words.name.empty() ? words.axis : words.name, words.axis, words.list);
   }
   void operator()(const Sentence&) const {}
+  void operator()(const LabelledArrays& others) const {
+    for (const LabelledArray& array : others.list()) list.add(array);
+  }
   void operator()(const Group& group) const {
     for (const Part& part : group.parts) std::visit(*this, part.content);
   }

@@ -78,8 +78,9 @@ struct Group {
   std::vector<Part> parts;
 };
 
+/// `LabelledArrays` are those with more axes than rows and a list in each.
 struct Part {
-  std::variant<Table, Curves, Single, Words, Sentence, Group> content;
+  std::variant<Table, Curves, Single, Words, Sentence, Group, LabelledArrays> content;
 };
 
 /// The parts of a result in their order.

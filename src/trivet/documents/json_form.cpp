@@ -47,6 +47,7 @@ struct Adding {
     if (!words.key.empty()) object[words.key] = words.list;
   }
   void operator()(const Sentence&) const {}
+  void operator()(const LabelledArrays&) const {}
   void operator()(const Group& group) const { add(group.parts, object[group.key] = Json::object()); }
 };
 

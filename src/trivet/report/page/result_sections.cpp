@@ -45,7 +45,7 @@ const std::vector<Shown>& all_shown() {
       {"Earthquake", "earthquake", nullptr, {}},
       {"Limit lines", "limit_lines", nullptr, {limit_figures}},
       {"Measurements", "measurements", nullptr, {measurement_figures}},
-      {"Operating shapes", nullptr, nullptr, {shape_figures}},
+      {"Operating shapes", "shapes", nullptr, {shape_figures}},
       {"Load sharing", "load_sharing", nullptr, {}},
   };
   return list;

@@ -78,7 +78,6 @@ template <typename Named>
   return names;
 }
 /// The axis "coordinate" of one motion: x … rz in metres and radians.
-void add_motion_coordinates(LabelledArrays& list);
 void add_motion_coordinates(Document& document);
 /// The limit lines, also part of the response.
 [[nodiscard]] Table limit_line_table(const study::CaseResults& results);
