@@ -9,11 +9,15 @@
 namespace trivet::documents {
 namespace {
 
+const Column* find_column(const Table& table, const std::string& name, unsigned form) {
+  for (const Column& column : table.columns)
+    if (column.name == name && (column.forms & form)) return &column;
+  return nullptr;
+}
+
 const Column& column_of(const Table& table, const std::string& name, unsigned form) {
-  const auto found = std::ranges::find_if(
-      table.columns, [&](const Column& column) { return column.name == name && (column.forms & form); });
-  if (found == table.columns.end()) throw foundation::InvalidInput("the table has no column \"" + name + "\"");
-  return *found;
+  if (const Column* found = find_column(table, name, form)) return *found;
+  throw foundation::InvalidInput("the table has no column \"" + name + "\"");
 }
 
 }  // namespace
@@ -26,9 +30,10 @@ std::vector<UsedColumn> used_columns(const Table& table, const std::vector<Use>&
     return used;
   }
   for (const Use& use : uses) {
-    const std::size_t bracket = use.column.find(" [");
-    const Column& column = column_of(table, use.column.substr(0, bracket), form);
-    const bool other = use.column.ends_with(" [Hz]") || use.column.ends_with(" [rpm]");
+    const Column* whole = find_column(table, use.column, form);  // users' names may contain " ["
+    const std::size_t bracket = whole ? std::string::npos : use.column.rfind(" [");
+    const Column& column = whole ? *whole : column_of(table, use.column.substr(0, bracket), form);
+    const bool other = !whole && (use.column.ends_with(" [Hz]") || use.column.ends_with(" [rpm]"));
     used.push_back(
         {use.name, &column, other ? use.column.substr(bracket + 2, use.column.size() - bracket - 3) : column.unit});
   }

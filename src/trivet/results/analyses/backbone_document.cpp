@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <optional>
 
 #include "trivet/nonlinear/modes/backbone.h"
@@ -90,21 +89,6 @@ Table backbone_points(const std::vector<Backbone>& modes) {
     return [member](const PointOfMode& one) { return one.point->*member; };
   };
   const Backbone& first = modes.front();
-  std::vector<std::string> headings;
-  std::vector<Column> motions;
-  for (std::size_t c = 0; c < first.results.size(); ++c)
-    for (const MotionNumber& number : motion_numbers) {
-      headings.push_back(fmt::format("{} {} [{}]", first.results[c], number.name, first.units[c]));
-      motions.push_back(row(first.results[c] + " " + number.name, Kind::number, "",
-                            [c, number](const PointOfMode& one) { return number.value(one.point->results[c]); },
-                            {.unit = first.units[c], .forms = in_arrays}));
-    }
-  const auto all_numbers = [](const PointOfMode& one) {
-    std::vector<double> numbers;
-    for (const nonlinear::ObservedMotion& motion : one.point->results)
-      for (const MotionNumber& number : motion_numbers) numbers.push_back(number.value(motion));
-    return Numbers(std::move(numbers));
-  };
   Table table{.axis = "point",
               .plain_names = true,
               .file = "backbone.csv",
@@ -113,16 +97,21 @@ Table backbone_points(const std::vector<Backbone>& modes) {
                           row("angular_frequency", Kind::frequency, "", of_point(&BackbonePoint::angular_frequency)),
                           row("energy", Kind::number, "", of_point(&BackbonePoint::energy), {.unit = "J"}),
                           row("damping_ratio", Kind::number, "", of_point(&BackbonePoint::damping_ratio)),
-                          row("deflection", Kind::number, "", of_point(&BackbonePoint::deflection), {.forms = in_csv}),
-                          row.lists("motions", "", "", std::move(headings), all_numbers, {.forms = in_csv})},
+                          row("deflection", Kind::number, "", of_point(&BackbonePoint::deflection), {.forms = in_csv})},
               .csv = {"mode",
                       "angular_frequency [rad/s]",
                       "energy [J]",
                       {"damping ratio", "damping_ratio"},
-                      "deflection [m or rad]",
-                      {"{}", "motions"}},
+                      "deflection [m or rad]"},
               .forms = for_programs};
-  std::ranges::move(motions, std::back_inserter(table.columns));
+  for (std::size_t c = 0; c < first.results.size(); ++c)
+    for (const MotionNumber& number : motion_numbers) {
+      const std::string name = first.results[c] + " " + number.name;
+      table.columns.push_back(row(name, Kind::number, "",
+                                  [c, number](const PointOfMode& one) { return number.value(one.point->results[c]); },
+                                  {.unit = first.units[c]}));
+      table.csv.emplace_back(fmt::format("{} [{}]", name, first.units[c]), name);
+    }
   return table;
 }
 
