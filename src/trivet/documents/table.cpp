@@ -53,6 +53,13 @@ Json value_of(const UsedColumn& used, std::size_t row) {
   return value;
 }
 
+std::vector<std::size_t> spread_rows(std::size_t rows, std::size_t most) {
+  std::vector<std::size_t> list;
+  const std::size_t count = std::min(most, rows);
+  for (std::size_t i = 0; i < count; ++i) list.push_back(count == 1 ? 0 : i * (rows - 1) / (count - 1));
+  return list;
+}
+
 std::string unit_in_row(const Table& table, const Column& column, std::size_t row) {
   const bool own = column.unit.starts_with('@');
   if (!own && column.unit != unit_of_the_row) return column.unit;

@@ -171,6 +171,9 @@ struct UsedColumn {
 /// A number in rad/s as Hz or rpm; in other units it stays.
 [[nodiscard]] double converted(double value, const std::string& from, const std::string& to);
 
+/// At most so many of the rows, evenly spread from the first to the last.
+[[nodiscard]] std::vector<std::size_t> spread_rows(std::size_t rows, std::size_t most);
+
 /// SI unit of the numbers in a row.
 [[nodiscard]] std::string unit_in_row(const Table& table, const Column& column, std::size_t row);
 

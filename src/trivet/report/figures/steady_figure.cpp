@@ -260,30 +260,6 @@ std::vector<Figure> steady_figures(const study::CaseResults& results) {
 
 namespace {
 
-std::string stable_table(const SteadyBranch& branch, const project::DisplayUnits& display) {
-  std::vector<std::vector<Cell>> rows;
-  const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
-  for (std::size_t c = 0; c < extremes.size(); ++c) {
-    const std::string& unit = branch.units[c];
-    const nonlinear::ObservedMotion& there = extremes[c].at->results[c];
-    rows.push_back({{branch.results[c]},
-                    quantity_cell(extremes[c].largest, unit),
-                    quantity_cell(extremes[c].smallest, unit),
-                    right(fmt::format("{:.5g}", place(branch, *extremes[c].at, display))),
-                    quantity_cell(results::without_round_off(there.mean, there.half_of_range()), unit),
-                    quantity_cell(extremes[c].farthest_of_all, unit)});
-  }
-  if (nonlinear::stable_points(branch).empty()) return hint("No motion of this branch is stable.");
-  if (rows.empty()) return "";
-  return html_table({{"deviation from rest"},
-                     right("largest stable"),
-                     right("smallest stable"),
-                     right("larger of both at [" + results::varied_unit(branch, display) + "]"),
-                     right("mean there"),
-                     right("magnitude, also unstable")},
-                    rows);
-}
-
 /// Detached curves, changes of stability and stretches without stable motion.
 std::string stability_block(const SteadyBranch& branch, const project::DisplayUnits& display) {
   const std::string text = results::detached_text(branch, display) + results::changes_text(branch, display);
@@ -325,7 +301,8 @@ std::string steady_tables(const study::CaseResults& results) {
                                      360 / foundation::two_pi * branch->at_phase->lag)
                        : "",
       branch->ended.empty() ? "" : " " + branch->ended + "."));
-  const std::string stability = stable_table(*branch, results.display) + stability_block(*branch, results.display);
+  const std::string stability =
+      as_html({{{results::stable_table(*branch)}}}, results.display) + stability_block(*branch, results.display);
   if (rows.empty())
     return stability + about +
         hint(branch->changes.empty() && branch->further.empty()

@@ -115,15 +115,6 @@ Table backbone_points(const std::vector<Backbone>& modes) {
   return table;
 }
 
-/// About a dozen points of one mode, evenly spread along its branch.
-std::vector<std::size_t> shown_points(const Backbone& mode) {
-  constexpr std::size_t most = 12;
-  std::vector<std::size_t> shown;
-  const std::size_t last = mode.points.size() - 1, count = std::min(most, mode.points.size());
-  for (std::size_t i = 0; i < count; ++i) shown.push_back(count == 1 ? 0 : i * last / (count - 1));
-  return shown;
-}
-
 Table points_of_mode(const Backbone& mode) {
   constexpr std::size_t most_results = 6;
   const std::size_t results = std::min(most_results, mode.results.size());
@@ -135,7 +126,7 @@ Table points_of_mode(const Backbone& mode) {
       .rows = row.size(),
       .columns = {row("angular_frequency", Kind::frequency, "at", &BackbonePoint::angular_frequency),
                   row("energy", Kind::quantity, "energy", &BackbonePoint::energy, {.unit = "J", .digits = 4})},
-      .people_rows = shown_points(mode),
+      .people_rows = spread_rows(row.size(), 12),
       .folded = true,
       .forms = for_people};
   if (std::ranges::any_of(mode.points, [](const BackbonePoint& point) { return point.damping_ratio != 0; }))

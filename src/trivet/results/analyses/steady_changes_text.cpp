@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
@@ -42,6 +43,31 @@ std::string uncertain_words(const SteadyBranch& curve) {
 
 const char* stability_word(const SteadyPoint& point) {
   return point.uncertain ? "uncertain" : point.stable ? "yes" : "no";
+}
+
+Table stable_table(const SteadyBranch& branch) {
+  using nonlinear::StableExtremes;
+  const std::vector<StableExtremes> extremes = nonlinear::stable_extremes(branch);
+  const Rows row{std::vector(extremes)};
+  const bool over_load = branch.over == nonlinear::Parameter::load_factor;
+  return {
+      .rows = row.size(),
+      .columns = {row("name", Kind::words, "deviation from rest",
+                      [&branch](std::size_t i) { return branch.results[i]; }),
+                  row("unit", Kind::words, "", [&branch](std::size_t i) { return branch.units[i]; }),
+                  row("largest", Kind::quantity, "largest stable", &StableExtremes::largest),
+                  row("smallest", Kind::quantity, "smallest stable", &StableExtremes::smallest),
+                  row("at",
+                      over_load             ? Kind::number
+                          : branch.of_shaft ? Kind::speed
+                                            : Kind::frequency,
+                      "larger of both at", [&branch](const StableExtremes& one) { return branch.parameter(*one.at); },
+                      {.unit = over_load ? "times the load" : "", .digits = 5}),
+                  row("mean", Kind::quantity, "mean there",
+                      [extremes](std::size_t i) { return extremes[i].at->results[i].mean; }),
+                  row("farthest", Kind::quantity, "magnitude of all, also unstable", &StableExtremes::farthest_of_all)},
+      .without_rows = nonlinear::stable_points(branch).empty() ? "No motion of this branch is stable" : "",
+      .forms = for_people};
 }
 
 namespace {

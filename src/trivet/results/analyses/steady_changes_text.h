@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <string>
 
+#include "trivet/documents/document.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/project/text/display_units.h"
+#include "trivet/results/format/in_documents.h"
 
 /// Where curves of steady motion turn, change their stability and are left: words and tables.
 namespace trivet::results {
@@ -21,6 +23,8 @@ namespace trivet::results {
 /// Is it stable: "yes", "no" or "uncertain".
 [[nodiscard]] const char* stability_word(const nonlinear::SteadyPoint& point);
 
+/// Largest values of the stable motions, a row for each result.
+[[nodiscard]] Table stable_table(const nonlinear::SteadyBranch& branch);
 /// Folds of all curves, and what jumps there.
 [[nodiscard]] std::string folds_text(const nonlinear::SteadyBranch& branch, const project::DisplayUnits& display);
 /// Curves that were sought.

@@ -2,15 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <complex>
+#include <functional>
 #include <utility>
 
-#include "trivet/documents/csv_field.h"
-#include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/nonlinear/branch/stable_motions.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/results/analyses/steady_changes_text.h"
 #include "trivet/results/analyses/steady_harmonics.h"
@@ -32,22 +31,23 @@ namespace {
 
 const SteadyBranch& branch_of(const study::CaseResults& results) { return *results.find<SteadyBranch>("steady"); }
 
-/// The connected curve, and the further ones.
-std::vector<const SteadyBranch*> all_curves(const SteadyBranch& branch) {
-  std::vector<const SteadyBranch*> curves = {&branch};
-  for (const SteadyBranch& further : branch.further) curves.push_back(&further);
-  return curves;
+/// A motion with its curve: 0 is the connected one, others are numbered as further ones.
+struct PointOfCurve {
+  std::size_t curve;
+  const SteadyBranch* of;
+  const SteadyPoint* point;
+};
+
+std::vector<PointOfCurve> points_of_curves(const SteadyBranch& branch, bool further) {
+  std::vector<PointOfCurve> points;
+  for (std::size_t i = 0; i < (further ? branch.further.size() + 1 : 1); ++i) {
+    const SteadyBranch& curve = i == 0 ? branch : branch.further[i - 1];
+    for (const SteadyPoint& point : curve.points) points.push_back({i, &curve, &point});
+  }
+  return points;
 }
 
 using Found = SteadyBranch::Found;
-
-/// Numbers of one result along the branch.
-template <typename Value>
-std::vector<double> along(const SteadyBranch& branch, std::size_t result, const Value& value) {
-  std::vector<double> numbers;
-  for (const SteadyPoint& point : branch.points) numbers.push_back(value(point.results[result]));
-  return numbers;
-}
 
 }  // namespace
 
@@ -151,33 +151,78 @@ Json steady(const project::Case&, const study::CaseResults& results) {
 
 namespace {
 
+/// Numbers of result c, in CSV and arrays.
+void add_motion_columns(const Rows<PointOfCurve>& row, const SteadyBranch& branch, std::size_t c, Table& table) {
+  const std::string &name = branch.results[c], &unit = branch.units[c];
+  const auto motion = [c](const PointOfCurve& one) -> const ObservedMotion& { return one.point->results[c]; };
+  const auto excited = [motion](const PointOfCurve& one) -> std::complex<double> {
+    return motion(one).harmonics(one.of->periods - 1);
+  };
+  const auto add = [&](const std::string& part, unsigned forms, auto value) {
+    table.columns.push_back(row(name + part, Kind::number, "", value, {.unit = unit, .forms = forms}));
+    table.csv.emplace_back(fmt::format("{}{} [{}]", name, part, unit), name + part);
+  };
+  add(" re", in_csv, [excited](const PointOfCurve& one) { return excited(one).real(); });
+  add(" im", in_csv, [excited](const PointOfCurve& one) { return excited(one).imag(); });
+  for (const MotionNumber& course : motion_numbers)
+    add(fmt::format(" {}", course.name), in_csv | in_arrays,
+        [motion, course](const PointOfCurve& one) { return course.value(motion(one)); });
+  table.columns.push_back(row(name, Kind::amplitude, "", excited, {.unit = unit, .forms = in_arrays}));
+  table.columns.push_back(row.lists(name + " harmonics", "", "harmonic",
+                                    std::vector<std::string>(to_size(branch.harmonics)),
+                                    [motion](const PointOfCurve& one) -> const auto& { return motion(one).harmonics; },
+                                    {.unit = unit, .forms = in_arrays}));
+  table.columns.push_back(
+      row("size of " + name, Kind::quantity, "largest |" + name + "|",
+          [motion](const PointOfCurve& one) { return std::max(motion(one).largest, -motion(one).smallest); },
+          {.unit = unit, .forms = for_people}));
+}
+
+/// A line for each motion: CSV, arrays, and for people the frequency and the largest values at each load.
+Table steady_points(const SteadyBranch& branch, std::vector<PointOfCurve> points, unsigned form) {
+  const Rows row(std::move(points));
+  const auto of_point = [](auto member) {
+    return [member](const PointOfCurve& one) { return std::invoke(member, *one.point); };
+  };
+  const bool over_load = branch.over == nonlinear::Parameter::load_factor;
+  const unsigned in_tables = in_csv | for_people;
+  Table table{.axis = over_load ? "load_factor" : "angular_frequency",
+              .plain_names = true,
+              .file = "steady.csv",
+              .rows = row.size(),
+              .columns = {row("curve", Kind::number, "", &PointOfCurve::curve, {.forms = in_csv}),
+                          row("periods", Kind::number, "", [](const PointOfCurve& one) { return one.of->periods; },
+                              {.forms = in_csv}),
+                          row("load_factor", Kind::number, "load factor", of_point(&SteadyPoint::load_factor),
+                              {.digits = 5, .forms = over_load ? everywhere : in_tables}),
+                          row("angular_frequency", branch.of_shaft ? Kind::speed : Kind::frequency, "at",
+                              of_point(&SteadyPoint::angular_frequency)),
+                          row("stable", Kind::words, "stable",
+                              [](const PointOfCurve& one) { return stability_word(*one.point); }, {.forms = in_tables}),
+                          row("stable", Kind::yes_no, "", of_point(&SteadyPoint::stable), {.forms = in_arrays}),
+                          row("uncertain", Kind::yes_no, "", of_point(&SteadyPoint::uncertain), {.forms = in_arrays}),
+                          row("largest_multiplier", Kind::number, "", of_point(&SteadyPoint::largest_multiplier))},
+              .csv = {"curve",
+                      "periods",
+                      "angular_frequency [rad/s]",
+                      {"load factor", "load_factor"},
+                      "stable",
+                      {"largest multiplier", "largest_multiplier"}},
+              .forms = form};
+  for (std::size_t i = 0; i < branch.stops.size(); ++i) {
+    const std::string name = branch.stops[i] + " contact";
+    table.columns.push_back(row(name, Kind::number, "", [i](const PointOfCurve& one) { return one.point->contact[i]; },
+                                {.forms = for_programs}));
+    table.csv.emplace_back(name, name);
+  }
+  for (std::size_t c = 0; c < branch.results.size(); ++c) add_motion_columns(row, branch, c, table);
+  return table;
+}
+
 std::string steady_csv(const project::Case&, const study::CaseResults& results) {
   const SteadyBranch& branch = branch_of(results);
   if (!branch.requested_at.empty()) return harmonics_csv(branch);
-  std::string text = "curve,periods,angular_frequency [rad/s],load factor,stable,largest multiplier";
-  for (const std::string& stop : branch.stops) text += "," + csv_field(stop + " contact");
-  for (std::size_t c = 0; c < branch.results.size(); ++c) {
-    for (const char* part : {"re", "im"})
-      text += "," + csv_field(fmt::format("{} {} [{}]", branch.results[c], part, branch.units[c]));
-    for (const MotionNumber& course : motion_numbers)
-      text += "," + csv_field(fmt::format("{} {} [{}]", branch.results[c], course.name, branch.units[c]));
-  }
-  text += "\n";
-  const std::vector<const SteadyBranch*> curves = all_curves(branch);
-  for (std::size_t number = 0; number < curves.size(); ++number)
-    for (const SteadyPoint& point : curves[number]->points) {
-      text += fmt::format("{},{},{},{},{},{}", number, curves[number]->periods, point.angular_frequency,
-                          point.load_factor, stability_word(point), csv_number(point.largest_multiplier()));
-      for (const double share : point.contact) append_csv_number(text, share);
-      for (const ObservedMotion& motion : point.results) {
-        const std::complex<double> excited = motion.harmonics(curves[number]->periods - 1);
-        append_csv_number(text, excited.real());
-        append_csv_number(text, excited.imag());
-        for (const MotionNumber& course : motion_numbers) append_csv_number(text, course.value(motion));
-      }
-      text += "\n";
-    }
-  return text;
+  return as_csv({{{steady_points(branch, points_of_curves(branch, true), in_csv)}}}, "steady.csv");
 }
 
 std::string stability_text(const SteadyBranch& branch) {
@@ -212,29 +257,11 @@ std::string orders_text(const SteadyBranch& branch) {
 /// Where the frequency follows a phase: a few points along the curve.
 std::string phase_text(const SteadyBranch& branch, const project::DisplayUnits& display) {
   if (!branch.at_phase) return "";
-  SteadyBranch over_frequency;  // with the units of the frequency
-  over_frequency.of_shaft = branch.of_shaft;
-  std::vector<std::string> heads = {"load factor", "at [" + varied_unit(over_frequency, display) + "]", "stable"};
-  for (const std::string& result : branch.results) heads.push_back("largest |" + result + "|");
-  TextTable table(heads);
-  constexpr std::size_t rows = 12;
-  const std::size_t last = branch.points.size() - 1, every = std::max<std::size_t>(1, last / rows);
-  const std::vector<double> kinds = largest_of_kinds(branch);
-  for (std::size_t i = 0; i <= last; i += (i < last && i + every > last) ? last - i : every) {
-    const SteadyPoint& point = branch.points[i];
-    std::vector<std::string> row = {number_text(point.load_factor, 5),
-                                    number_text(shown_varied(over_frequency, point.angular_frequency, display), 6),
-                                    stability_word(point)};
-    for (std::size_t c = 0; c < branch.results.size(); ++c)
-      row.push_back(
-          value_text(without_round_off(std::max(point.results[c].largest, -point.results[c].smallest), kinds[c]),
-                     display_unit(display, branch.units[c])));
-    table.add(row);
-    if (i == last) break;
-  }
+  Table table = steady_points(branch, points_of_curves(branch, false), for_people);
+  table.people_rows = spread_rows(table.rows, 12);
   return fmt::format("  at each load the frequency is the one at which {} lags \"{}\" by {:.4g}°\n",
                      branch.at_phase->of, branch.at_phase->behind, 360 / foundation::two_pi * branch.at_phase->lag) +
-      table.text();
+      as_text({{{std::move(table)}}}, display);
 }
 
 std::string steady_text(const project::Case& variant, const study::CaseResults& results) {
@@ -257,21 +284,8 @@ std::string steady_text(const project::Case& variant, const study::CaseResults& 
                         number_text(shown_varied(branch, corner, display), 6), unit, varied_word(branch));
   text += stability_text(branch) + phase_text(branch, display);
   text += detached_text(branch, display) + changes_text(branch, display) + folds_text(branch, display);
-  TextTable table({"deviation from rest", "largest stable", "smallest stable", "larger of both at [" + unit + "]",
-                   "mean there", "magnitude of all"});
   if (!branch.requested_at.empty()) text = harmonics_text(branch, display) + text;
-  const std::vector<double> kinds = largest_of_kinds(branch);
-  const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
-  if (nonlinear::stable_points(branch).empty()) return text + "  no motion of this branch is stable\n";
-  for (std::size_t c = 0; c < extremes.size(); ++c) {
-    const DisplayUnit shown = display_unit(display, branch.units[c]);
-    const nonlinear::ObservedMotion& top = extremes[c].at->results[c];
-    const auto value_shown = [&](double value) { return value_text(without_round_off(value, kinds[c]), shown); };
-    table.add({branch.results[c], value_shown(extremes[c].largest), value_shown(extremes[c].smallest),
-               place_text(branch, *extremes[c].at, display, 5), value_shown(top.mean),
-               value_shown(extremes[c].farthest_of_all)});
-  }
-  return text + table.text();
+  return text + as_text({{{stable_table(branch)}}}, display);
 }
 
 /// Points of all further curves, one after another.
@@ -303,32 +317,8 @@ void further_arrays(const SteadyBranch& branch, LabelledArrays& list) {
 
 void steady_arrays(const project::Case&, const study::CaseResults& results, LabelledArrays& list) {
   const SteadyBranch& branch = branch_of(results);
-  const bool over_load = branch.over == nonlinear::Parameter::load_factor;
-  const std::string axis = over_load ? "load_factor" : "angular_frequency";
-  const std::vector<SteadyPoint>& points = branch.points;
-  const auto harmonics = to_size(branch.harmonics);
-  if (over_load) list.column(axis, "1", axis, points, &SteadyPoint::load_factor);
-  list.field("angular_frequency", "rad/s", axis, points, &SteadyPoint::angular_frequency);
-  list.column("stable", "1", axis, points, &SteadyPoint::stable);
-  list.column("uncertain", "1", axis, points, &SteadyPoint::uncertain);
-  list.column("largest_multiplier", "1", axis, points, &SteadyPoint::largest_multiplier);
-  for (std::size_t i = 0; i < branch.stops.size(); ++i) {
-    std::vector<double> shares;
-    for (const SteadyPoint& point : points) shares.push_back(point.contact[i]);
-    list.copy(branch.stops[i] + " contact", "1", axis, std::move(shares));
-  }
-  list.count("harmonic", harmonics);
-  for (std::size_t c = 0; c < branch.results.size(); ++c) {
-    const std::string &name = branch.results[c], &unit = branch.units[c];
-    Eigen::VectorXcd first(to_index(points.size()));
-    for (std::size_t i = 0; i < points.size(); ++i) first(to_index(i)) = points[i].results[c].harmonics(0);
-    list.copy(name, unit, axis, std::move(first));
-    list.mark_harmonic({name});
-    for (const MotionNumber& course : motion_numbers)
-      list.copy(name + " " + course.name, unit, axis, along(branch, c, course.value));
-    list.lists(name + " harmonics", unit, {axis, "harmonic"}, harmonics, points,
-               [c](const SteadyPoint& point) -> const Eigen::VectorXcd& { return point.results[c].harmonics; });
-  }
+  add_arrays({{{steady_points(branch, points_of_curves(branch, false), in_arrays)}}}, list);
+  list.count("harmonic", to_size(branch.harmonics));
   list.texts("fold", "fold", branch.folds, [&](const Fold& fold) { return jump_of(branch, fold); });
   list.column("fold.angular_frequency", "rad/s", "fold", branch.folds,
               [](const Fold& fold) { return fold.point.angular_frequency; });
