@@ -10,7 +10,6 @@
 #include "trivet/report/page/study_folder.h"
 #include "trivet/results/design/study_summary.h"
 #include "trivet/results/design/verdict_results.h"
-#include "trivet/results/design/verdict_words.h"
 #include "trivet/results/format/written_results.h"
 #include "trivet/results/model/project_json.h"
 
@@ -41,9 +40,11 @@ std::string case_heading(const project::Case& variant) {
 std::string verdicts_text(const report::WrittenStudy& study) {
   std::string text;
   for (const study::CaseResults& one : study.results)
-    if (one.verdict) text += results::verdict_summary(*one.verdict);
+    if (one.verdict)
+      text += as_text(results::verdict_document(*one.verdict), one.verdict->display, documents::in_summary);
   const study::Envelope& envelope = study.envelope;
-  if (study.results.front().verdict) text += (envelope.rows.empty() ? "" : "\n") + results::envelope_text(envelope);
+  if (study.results.front().verdict)
+    text += (envelope.rows.empty() ? "" : "\n") + as_text(results::envelope_document(envelope), envelope.display);
   return text.empty() ? text : text + "\n";
 }
 

@@ -15,6 +15,7 @@
 #include "trivet/report/page/result_sections.h"
 #include "trivet/report/tables/input_tables.h"
 #include "trivet/report/tables/result_tables.h"
+#include "trivet/results/design/verdict_results.h"
 #include "trivet/results/format/written_results.h"
 
 namespace trivet::report {
@@ -88,7 +89,10 @@ std::string level_note(const project::DisplayUnits& display) {
 }
 
 std::string above_pictures(const ShownCase& shown, std::size_t cases) {
-  return case_head(shown, cases) + section("requirements", "Requirements", requirements_table(shown.results)) +
+  const auto& verdict = shown.results.verdict;
+  return case_head(shown, cases) +
+      section("requirements", "Requirements",
+              verdict ? as_html(results::verdict_document(*verdict), verdict->display) : "") +
       section("limits", "Limits", results::limits_html(shown.results));
 }
 
@@ -131,9 +135,10 @@ std::string report_page(const project::Project& project, const std::vector<study
   replace(page, "{{heads}}", case_blocks(cases, [&](const ShownCase& c) { return above_pictures(c, cases.size()); }));
   replace(page, "{{cases}}", case_options(cases));
   replace(page, "{{overview}}", overview(title, case_results).html());
+  const study::Envelope envelope = study::envelope_of(case_results);
   replace(page, "{{glance}}",
           section("glance", "At a glance", glance_table(cases)) +
-              section("envelope", "Load cases", envelope_table(study::envelope_of(case_results))));
+              section("envelope", "Load cases", as_html(results::envelope_document(envelope), envelope.display)));
   replace(page, "{{notices}}", page_notices(cases));
   replace(page, "{{sha256}}", escaped(project.sha256));
   replace(page, "{{input}}", escaped(input));

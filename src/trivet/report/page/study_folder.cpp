@@ -55,7 +55,8 @@ WrittenStudy write_study(const project::Project& project, const std::string& fol
     write_case(folder, names[i], project.cases[i], results);
   });
   study.envelope = study::envelope_of(study.results);
-  if (!study.envelope.rows.empty()) folder.write("envelope.csv", results::envelope_csv(study.envelope));
+  if (!study.envelope.rows.empty())
+    folder.write("envelope.csv", as_csv(results::envelope_document(study.envelope), "envelope.csv"));
   folder.write("results.json", results::results_json(project, study.results));
   folder.write("report.html", report_page(project, study.results, results::page_json(project, study.results)));
   foundation::report_progress(progress, "done", 1);

@@ -15,10 +15,4 @@ namespace trivet::report {
 [[nodiscard]] Cell requirement_cell(const study::RequirementResult& result);
 [[nodiscard]] const char* requirement_style(const study::RequirementResult& result);
 
-/// Every requirement with its margin, the least first.
-[[nodiscard]] std::string requirements_table(const study::CaseResults& results);
-
-/// Least and largest static values over all cases.
-[[nodiscard]] std::string envelope_table(const study::Envelope& envelope);
-
 }  // namespace trivet::report

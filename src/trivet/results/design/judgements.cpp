@@ -37,18 +37,24 @@ std::string at_frequency(double omega, const project::DisplayUnits& display) {
 }
 
 void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std::vector<Judgement>& list) {
-  for (const RequirementRow& row : requirement_rows(verdict)) {
-    const study::RequirementResult& result = *row.result;
+  for (const std::size_t i : by_margin(verdict)) {
+    const study::RequirementResult& result = verdict.results[i];
     const bool clearance = result.kind == study::RequirementKind::clearance;
-    Judgement one{Outcome::met,   clearance ? "clearance" : "requirement", row.words, "", result.margin, which,
+    Judgement one{Outcome::met,
+                  clearance ? "clearance" : "requirement",
+                  requirement_words(result, verdict.display),
+                  "",
+                  result.margin,
+                  which,
                   verdict.decides};
     if (!result.value) {
       one.outcome = Outcome::not_judged;
       one.finding = result.reason;
     } else {
       if (!result.met()) one.outcome = verdict.decides ? Outcome::violated : Outcome::violated_no_need;
-      const std::string place = row.place.empty() ? "" : "at " + row.place;
-      one.finding = without_empty({without_empty({row.value, place}, " "), finite_margin_words(result.margin)}, ", ");
+      const std::string value = judged_value(result, verdict.display), place = judged_place(result, verdict.display);
+      one.finding = without_empty(
+          {without_empty({value, place.empty() ? "" : "at " + place}, " "), finite_margin_words(result.margin)}, ", ");
     }
     list.push_back(std::move(one));
   }

@@ -3,19 +3,22 @@
 
 #include <string>
 
+#include "trivet/documents/document.h"
+#include "trivet/results/format/in_documents.h"
 #include "trivet/study/requirements/verdict.h"
 
 namespace trivet::results {
 
-/// For each case: how many requirements are met, which one governs and why, and a table by ascending margin.
+/// A case: how many requirements are met, which one governs and why, and all of them; for people those that could not
+/// be judged first, then by ascending margin. The summary is without the table.
+[[nodiscard]] Document verdict_document(const study::CaseVerdict& judged);
+/// Least and largest static values over all cases, "envelope.csv"; nothing for people if they do not differ.
+[[nodiscard]] Document envelope_document(const study::Envelope& envelope);
+
+/// All cases and the envelope.
 [[nodiscard]] std::string verdict_text(const study::Verdict& verdict);
 /// One line per case and requirement, SI.
 [[nodiscard]] std::string verdict_csv(const study::Verdict& verdict);
 [[nodiscard]] std::string verdict_json(const study::Verdict& verdict);
-
-/// Least and largest static values over all cases; empty if they do not differ.
-[[nodiscard]] std::string envelope_text(const study::Envelope& envelope);
-/// One line per quantity, SI.
-[[nodiscard]] std::string envelope_csv(const study::Envelope& envelope);
 
 }  // namespace trivet::results

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/shown_table.h"
 #include "trivet/documents/text_table.h"
 #include "trivet/response/machinery/transmissibility.h"
 #include "trivet/study/explain/explanation.h"
@@ -16,15 +17,8 @@
 namespace trivet::results {
 namespace {
 
-using study::CaseVerdict;
 using study::RequirementKind;
 using study::RequirementResult;
-
-std::string shown_frequency_words(double omega, const project::DisplayUnits& display) {
-  return fmt::format("{:.5g} {}", shown_frequency(display, omega), frequency_unit(display));
-}
-
-std::string margin_words(double margin) { return std::isinf(margin) ? "∞" : fmt::format("{:.4g}", margin); }
 
 /// "60.7 % (T = 0.393, −8.11 dB)", or "amplified: T = 6.41, +16.1 dB".
 std::string isolation_cell(double transmissibility) {
@@ -33,45 +27,6 @@ std::string isolation_cell(double transmissibility) {
       fmt::format("T = {:.4g}, {:+.3g} dB", transmissibility, response::transmissibility_level(transmissibility));
   if (transmissibility > 1) return "amplified: " + ratio;
   return fmt::format("{:.4g} % ({})", percent * response::isolation_efficiency(transmissibility), ratio);
-}
-
-std::string value_cell(const RequirementResult& r, const project::DisplayUnits& display) {
-  if (!r.value) return "";
-  if (std::isinf(*r.value)) return "∞";
-  switch (r.kind) {
-    case RequirementKind::no_peak:
-    case RequirementKind::limit_line:
-    case RequirementKind::decoupling:
-    case RequirementKind::no_contact:
-      return fmt::format("{:.4g} %", 100 * *r.value);
-    case RequirementKind::isolation:
-      return isolation_cell(*r.value);
-    case RequirementKind::no_jump:
-      return fmt::format("{:g}", *r.value);
-    case RequirementKind::avoided_frequencies:
-      return shown_frequency_words(*r.value, display);
-    case RequirementKind::separation:
-    case RequirementKind::damping_ratio:
-      return fmt::format("{:.5g}", *r.value);
-    case RequirementKind::price:
-    case RequirementKind::mount_mass:
-      return fmt::format("{:.6g} {}", *r.value * requirement_unit(r, display).factor,
-                         requirement_unit(r, display).unit);
-    default:
-      return value_text(without_round_off(*r.value, r.allowed), requirement_unit(r, display));
-  }
-}
-
-std::string place_words(const RequirementResult& r, const project::DisplayUnits& display) {
-  std::string text;
-  if (r.angular_frequency) text = shown_frequency_words(*r.angular_frequency, display);
-  if (r.time) text = fmt::format("{:.5g} s", *r.time);
-  if (!r.detail.empty()) text += (text.empty() ? "" : ", ") + r.detail;
-  return text;
-}
-
-std::string case_words(const CaseVerdict& judged) {
-  return judged.case_name.empty() ? "Base model" : "Case " + judged.case_name;
 }
 
 }  // namespace
@@ -91,25 +46,39 @@ std::string requirement_words(const RequirementResult& r, const project::Display
   return r.words.substr(0, at) + "≤ " + value_text(r.allowed, requirement_unit(r, display)) + r.words.substr(end);
 }
 
-std::string verdict_summary(const CaseVerdict& judged) {
-  const auto met = std::ranges::count_if(judged.results, [](const auto& r) { return r.met(); });
-  std::string text =
-      fmt::format("{}: {}, {} of {} requirements met", case_words(judged),
-                  judged.met() ? "meets its requirements"
-                      : judged.not_judged() > 0 &&
-                          std::ranges::all_of(judged.results, [](const auto& r) { return !r.value || r.met(); })
-                      ? "NOT JUDGED completely"
-                      : "VIOLATES its requirements",
-                  met, judged.results.size());
-  if (judged.not_judged() > 0) text += fmt::format(", {} not judged", judged.not_judged());
-  if (judged.governing) {
-    const RequirementResult& r = judged.results[*judged.governing];
-    text += std::isinf(r.margin)
-        ? "; nothing limits it"
-        : fmt::format("; governing: {}, margin {}", requirement_words(r, judged.display), margin_words(r.margin));
+std::string judged_value(const RequirementResult& r, const project::DisplayUnits& display) {
+  if (!r.value) return "";
+  if (std::isinf(*r.value)) return "∞";
+  switch (r.kind) {
+    case RequirementKind::no_peak:
+    case RequirementKind::limit_line:
+    case RequirementKind::decoupling:
+    case RequirementKind::no_contact:
+      return fmt::format("{:.4g} %", 100 * *r.value);
+    case RequirementKind::isolation:
+      return isolation_cell(*r.value);
+    case RequirementKind::no_jump:
+      return fmt::format("{:g}", *r.value);
+    case RequirementKind::avoided_frequencies:
+      return shown_quantity({.value = *r.value, .kind = Kind::frequency}, display);
+    case RequirementKind::separation:
+    case RequirementKind::damping_ratio:
+      return fmt::format("{:.5g}", *r.value);
+    case RequirementKind::price:
+    case RequirementKind::mount_mass:
+      return fmt::format("{:.6g} {}", *r.value * requirement_unit(r, display).factor,
+                         requirement_unit(r, display).unit);
+    default:
+      return value_text(without_round_off(*r.value, r.allowed), requirement_unit(r, display));
   }
-  if (!judged.decides) text += "; the design need not hold in this case";
-  return text + "\n" + (judged.cause.empty() ? "" : "  " + judged.cause + sentence_note(judged.display) + "\n");
+}
+
+std::string judged_place(const RequirementResult& r, const project::DisplayUnits& display) {
+  std::string text;
+  if (r.angular_frequency) text = shown_quantity({.value = *r.angular_frequency, .kind = Kind::frequency}, display);
+  if (r.time) text = fmt::format("{:.5g} s", *r.time);
+  if (!r.detail.empty()) text += (text.empty() ? "" : ", ") + r.detail;
+  return text;
 }
 
 const char* verdict_word(const RequirementResult& result) {
@@ -117,36 +86,14 @@ const char* verdict_word(const RequirementResult& result) {
   return result.met() ? "met" : "VIOLATED";
 }
 
-std::vector<RequirementRow> requirement_rows(const CaseVerdict& judged) {
+std::vector<std::size_t> by_margin(const study::CaseVerdict& judged) {
   std::vector<std::size_t> order(judged.results.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
     const RequirementResult &x = judged.results[a], &y = judged.results[b];
     return x.value.has_value() == y.value.has_value() ? x.margin < y.margin : !x.value.has_value();
   });
-  std::vector<RequirementRow> rows;
-  for (const std::size_t i : order) {
-    const RequirementResult& r = judged.results[i];
-    rows.push_back({requirement_words(r, judged.display), value_cell(r, judged.display), place_words(r, judged.display),
-                    r.value ? margin_words(r.margin) : "", verdict_word(r), r.met(), &r});
-  }
-  return rows;
-}
-
-LargestOfKind largest_of(const study::Envelope& envelope) {
-  LargestOfKind largest;
-  for (const study::EnvelopeRow& row : envelope.rows)
-    for (const double value : {row.least, row.largest}) largest.add(row.unit, value);
-  return largest;
-}
-
-std::string case_of_envelope(const std::string& name) { return name.empty() ? "base model" : name; }
-
-std::vector<std::string> reasons_words(const CaseVerdict& judged) {
-  std::vector<std::string> reasons;
-  for (const RequirementResult& r : judged.results)
-    if (!r.value && std::ranges::find(reasons, r.reason) == reasons.end()) reasons.push_back(r.reason);
-  return reasons;
+  return order;
 }
 
 }  // namespace trivet::results

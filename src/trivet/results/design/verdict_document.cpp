@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "trivet/results/design/verdict_results.h"
+#include "trivet/results/design/verdict_words.h"
+#include "trivet/results/format/json_parts.h"
+
+/// The requirements of a machine with their margins, and its least and largest static values.
+namespace trivet::results {
+namespace {
+
+using study::CaseVerdict;
+using study::RequirementResult;
+
+/// A requirement with the case in which it is judged.
+struct JudgedRequirement {
+  const CaseVerdict* in;
+  const RequirementResult* result;
+};
+
+/// Numbers that are not finite are "inf" in CSV and null in JSON.
+std::optional<double> or_infinite(const std::optional<double>& value) {
+  return value && !std::isfinite(*value) ? std::numeric_limits<double>::infinity() : value;
+}
+
+Table requirement_table(const std::vector<const CaseVerdict*>& cases) {
+  std::vector<JudgedRequirement> list;
+  for (const CaseVerdict* judged : cases)
+    for (const RequirementResult& result : judged->results) list.push_back({judged, &result});
+  const Rows row(std::move(list));
+  const auto of = [](auto member) {
+    return [member](const JudgedRequirement& one) { return std::invoke(member, *one.result); };
+  };
+  const auto shown = [](auto words) {
+    return [words](const JudgedRequirement& one) { return words(*one.result, one.in->display); };
+  };
+  return {
+      .key = "requirements",
+      .file = "verdict.csv",
+      .rows = row.size(),
+      .columns = {row("case", Kind::words, "", [](const JudgedRequirement& one) { return one.in->case_name; },
+                      {.forms = in_csv}),
+                  row("kind", Kind::words, "", of([](const RequirementResult& r) { return study::name(r.kind); })),
+                  row("subject", Kind::words, "", of(&RequirementResult::subject)),
+                  row("requirement", Kind::words, "", of(&RequirementResult::words), {.forms = in_json | in_csv}),
+                  row("requirement", Kind::words, "requirement", shown(requirement_words), {.forms = for_people}),
+                  row("unit", Kind::words, "", of(&RequirementResult::unit)),
+                  row("allowed", Kind::quantity, "", of(&RequirementResult::allowed)),
+                  row("value", Kind::quantity, "", of([](const RequirementResult& r) { return or_infinite(r.value); }),
+                      {.forms = in_json | in_csv}),
+                  row("value", Kind::number, "value", shown(judged_value), {.forms = for_people}),
+                  row("unbounded", Kind::yes_no, "",
+                      of([](const RequirementResult& r) { return r.value && std::isinf(*r.value); }),
+                      {.forms = in_json}),
+                  row("angular_frequency", Kind::frequency, "",
+                      of([](const RequirementResult& r) { return or_infinite(r.angular_frequency); })),
+                  row("time", Kind::quantity, "", of([](const RequirementResult& r) { return or_infinite(r.time); }),
+                      {.unit = "s"}),
+                  row("place", Kind::words, "at", shown(judged_place), {.forms = for_people}),
+                  row("margin", Kind::number, "margin",
+                      of([](const RequirementResult& r) { return r.value ? or_infinite(r.margin) : std::nullopt; }),
+                      {.digits = 4}),
+                  row("judged", Kind::yes_no, "", of([](const RequirementResult& r) { return r.value.has_value(); }),
+                      {.forms = in_json}),
+                  row("met", Kind::yes_no, "", of(&RequirementResult::met), {.forms = in_json}),
+                  row("met", Kind::words, "", of([](const RequirementResult& r) { return r.met() ? "true" : "false"; }),
+                      {.forms = in_csv}),
+                  row("verdict", Kind::words, "verdict", of(verdict_word), {.forms = for_people}),
+                  row("detail", Kind::words, "", of(&RequirementResult::detail), {.forms = in_json}),
+                  row("reason", Kind::words, "", of(&RequirementResult::reason))},
+      .csv = {"case", "kind", "subject", "requirement", "unit", "allowed", "value", "angular_frequency [rad/s]",
+              "time [s]", "margin", "met", "reason"},
+      .forms = in_json | on_screen | on_page};
+}
+
+Sentence verdict_sentence(const CaseVerdict& judged) {
+  const auto& all = judged.results;
+  const auto met = std::ranges::count_if(all, [](const auto& r) { return r.met(); });
+  const bool no_other = std::ranges::all_of(all, [](const auto& r) { return !r.value || r.met(); });
+  std::string text = fmt::format("{}: {}, {} of {} requirements met",
+                                 judged.case_name.empty() ? "Base model" : "Case " + judged.case_name,
+                                 judged.met()                              ? "meets its requirements"
+                                     : judged.not_judged() > 0 && no_other ? "NOT JUDGED completely"
+                                                                           : "VIOLATES its requirements",
+                                 met, all.size());
+  if (judged.not_judged() > 0) text += fmt::format(", {} not judged", judged.not_judged());
+  if (judged.governing) {
+    const RequirementResult& r = all[*judged.governing];
+    text += std::isinf(r.margin)
+        ? "; nothing limits it"
+        : fmt::format("; governing: {}, margin {:.4g}", requirement_words(r, judged.display), r.margin);
+  }
+  return {.parts = {text + (judged.decides ? "" : "; the design need not hold in this case")}};
+}
+
+}  // namespace
+
+Document verdict_document(const CaseVerdict& judged) {
+  constexpr unsigned screen_and_page = on_screen | on_page;
+  Document document = {{{verdict_sentence(judged)},
+                        {Sentence{.parts = {judged.cause.empty() ? "" : judged.cause + sentence_note(judged.display)},
+                                  .place = Sentence::Place::note}},
+                        {Single{.name = "decides", .value = judged.decides}},
+                        {Single{.name = "met", .value = judged.met()}},
+                        {Single{.name = "not_judged", .value = judged.not_judged()}},
+                        {Single{.name = "governing", .value = json::optional(judged.governing)}},
+                        {Single{.name = "cause", .value = judged.cause}}}};
+  Table& table = document.add(requirement_table({&judged}));
+  table.people_rows = by_margin(judged);
+  table.mark = [&judged](std::size_t i) {
+    const RequirementResult& result = judged.results[i];
+    return !result.value ? Mark::doubt : result.met() ? Mark::plain : Mark::bad;
+  };
+  std::vector<std::string> reasons;
+  for (const RequirementResult& r : judged.results)
+    if (!r.value && std::ranges::find(reasons, r.reason) == reasons.end()) reasons.push_back(r.reason);
+  for (const std::string& reason : reasons)
+    document.add(
+        Sentence{.parts = {"Not judged: " + reason}, .place = Sentence::Place::note, .forms = screen_and_page});
+  document.add(
+      Sentence{.parts = {"Margin: limit over value, or value over limit where more is better; 1 on the limit."},
+               .place = Sentence::Place::note,
+               .forms = on_page});
+  return document;
+}
+
+Document envelope_document(const study::Envelope& envelope) {
+  using study::EnvelopeRow;
+  using LeftOut = std::pair<std::string, std::string>;
+  const unsigned people = envelope.rows.empty() ? 0 : for_people;
+  const auto case_name = [](const std::string& name) { return name.empty() ? "base model" : name; };
+  const Rows row(envelope.rows);
+  const Rows left_out(envelope.left_out);
+  const auto shown_case = [&](std::string EnvelopeRow::* member) {
+    return row("in", Kind::words, "in", [=](const EnvelopeRow& one) { return case_name(one.*member); },
+               {.forms = for_people});
+  };
+  return {
+      {{Table{
+           .key = "quantities",
+           .file = "envelope.csv",
+           .rows = row.size(),
+           .columns = {row("name", Kind::words, "at rest, over all cases", &EnvelopeRow::name),
+                       row("unit", Kind::words, "", &EnvelopeRow::unit),
+                       row("least", Kind::quantity, "least", &EnvelopeRow::least, {.digits = 4}),
+                       row("least_in", Kind::words, "", &EnvelopeRow::least_in), shown_case(&EnvelopeRow::least_in),
+                       row("largest", Kind::quantity, "largest", &EnvelopeRow::largest, {.digits = 4}),
+                       row("largest_in", Kind::words, "", &EnvelopeRow::largest_in),
+                       shown_case(&EnvelopeRow::largest_in)},
+           .csv =
+               {{"quantity", "name"}, "unit", "least", {"in case", "least_in"}, "largest", {"in case", "largest_in"}}}},
+       {Table{.key = "left_out",
+              .rows = left_out.size(),
+              .columns = {left_out("case", Kind::words, "", &LeftOut::first, {.forms = in_json}),
+                          left_out("case", Kind::words, "without case",
+                                   [=](const LeftOut& one) { return case_name(one.first); }, {.forms = for_people}),
+                          left_out("reason", Kind::words, "reason", &LeftOut::second)},
+              .forms = in_json | people}},
+       {Sentence{.parts = {"Every case under its own gravity and constant forces. Compression of a mount is along "
+                           "its axis; the gap left is after the largest dynamic motion."},
+                 .place = Sentence::Place::note,
+                 .forms = people & on_page}}}};
+}
+
+std::string verdict_text(const study::Verdict& verdict) {
+  std::string text;
+  for (const CaseVerdict& judged : verdict.cases)
+    text += (text.empty() ? "" : "\n") + as_text(verdict_document(judged), judged.display);
+  const std::string envelope = as_text(envelope_document(verdict.envelope), verdict.envelope.display);
+  return text + (envelope.empty() ? "" : "\n" + envelope);
+}
+
+std::string verdict_csv(const study::Verdict& verdict) {
+  std::vector<const CaseVerdict*> cases;
+  for (const CaseVerdict& judged : verdict.cases) cases.push_back(&judged);
+  return as_csv({{{requirement_table(cases)}}}, "verdict.csv");
+}
+
+json::Json json::verdict(const CaseVerdict& judged) { return as_json(verdict_document(judged)); }
+
+json::Json json::envelope(const study::Envelope& envelope) { return as_json(envelope_document(envelope)); }
+
+std::string verdict_json(const study::Verdict& verdict) {
+  json::Json cases = json::Json::array();
+  for (const CaseVerdict& judged : verdict.cases) {
+    json::Json one = {{"case", judged.case_name}};
+    one.update(json::verdict(judged));
+    one["warnings"] = json::warnings(judged.warnings);
+    cases.push_back(std::move(one));
+  }
+  return json::text(
+             {{"met", verdict.met()}, {"cases", std::move(cases)}, {"envelope", json::envelope(verdict.envelope)}}, 1) +
+      "\n";
+}
+
+}  // namespace trivet::results
