@@ -72,10 +72,11 @@ struct Sentence {
 };
 
 struct Part;
-/// Parts in an object of their own in JSON.
+/// Parts in an object of their own in JSON, or below a title for people; the page shows them after a click then.
 struct Group {
-  std::string key;
+  std::string key;  ///< empty: no object of their own
   std::vector<Part> parts;
+  std::string title = {};
 };
 
 /// `LabelledArrays` are those with more axes than rows and a list in each.

@@ -51,7 +51,10 @@ class Page {
     else add(sentence.place == Sentence::Place::note ? hint(words) : paragraph(words));
   }
   void operator()(const Group& group) {
-    for (const Part& part : group.parts) std::visit(*this, part.content);
+    Page inner(display_);
+    Page& page = group.title.empty() ? *this : inner;
+    for (const Part& part : group.parts) std::visit(page, part.content);
+    if (const std::string html = inner.html(); !html.empty()) add(documents::folded(group.title, html));
   }
   template <typename Other>
   void operator()(const Other&) {}

@@ -48,7 +48,9 @@ struct Adding {
   }
   void operator()(const Sentence&) const {}
   void operator()(const LabelledArrays&) const {}
-  void operator()(const Group& group) const { add(group.parts, object[group.key] = Json::object()); }
+  void operator()(const Group& group) const {
+    add(group.parts, group.key.empty() ? object : object[group.key] = Json::object());
+  }
 };
 
 void add(const std::vector<Part>& parts, Json& object) {

@@ -37,6 +37,7 @@ struct Printing {
     if (!words.empty()) text += (sentence.place == Sentence::Place::paragraph ? "" : "  ") + words + "\n";
   }
   void operator()(const Group& group) const {
+    if (!group.title.empty() && !group.parts.empty()) text += group.title + "\n";
     for (const Part& part : group.parts) std::visit(*this, part.content);
   }
   template <typename Other>

@@ -132,7 +132,7 @@ void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
 
 Figure map_figure(const study::DesignMap& map, const std::string& title) {
   std::vector<std::string> notes = {"Criteria: " + results::criteria_words(map) + "."};
-  for (std::string& sentence : doubts(map)) notes.push_back(std::move(sentence));
+  for (std::string& sentence : results::doubts(map)) notes.push_back(std::move(sentence));
   for (std::string& sentence : undrawn_cases(map)) notes.push_back(std::move(sentence));
   const double width = 998, height = 628 + 16 * static_cast<double>(notes.size());
   const std::string heading = title.empty() ? "Map of designs" : title;

@@ -155,7 +155,7 @@ std::vector<std::string> notes_of(const std::vector<study::DesignMap>& maps) {
   std::vector<std::string> notes = {"Criteria: " + results::criteria_words(maps.front()) + ".",
                                     "In each map all other parameters have the values of the file."};
   for (const study::DesignMap& map : maps)
-    for (const std::string& doubt : doubts(map))
+    for (const std::string& doubt : results::doubts(map))
       if (std::ranges::find(notes, doubt) == notes.end()) notes.push_back(doubt);
   return notes;
 }

@@ -72,9 +72,6 @@ class Key {
 /// Cases that are not in the picture, with their verdicts, one sentence for each reason; empty if all are drawn.
 [[nodiscard]] std::vector<std::string> undrawn_cases(const study::DesignMap& map);
 
-/// Warnings of the map, one sentence each.
-[[nodiscard]] std::vector<std::string> doubts(const study::DesignMap& map);
-
 /// Is a mark drawn, as a design of this map inside its frame?
 [[nodiscard]] bool is_drawn(const study::DesignMap& map, const study::MapMark& mark);
 

@@ -67,13 +67,4 @@ std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
   return sentences;
 }
 
-std::vector<std::string> doubts(const study::DesignMap& map) {
-  std::vector<std::string> sentences;
-  for (const foundation::Problem& warning : map.warnings.list()) {
-    const std::string subject = warning.subject.starts_with("map: ") ? warning.subject.substr(5) + ": " : "";
-    sentences.push_back(fmt::format("Warning: {}{}; {}.", subject, warning.finding, warning.rule));
-  }
-  return sentences;
-}
-
 }  // namespace trivet::report

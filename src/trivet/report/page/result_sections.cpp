@@ -31,7 +31,7 @@ struct Shown {
 /// Tables and figures in addition to the harmonic characteristics, in the order of the page. Add new ones here.
 const std::vector<Shown>& all_shown() {
   static const std::vector<Shown> list = {
-      {"Map of designs", nullptr, map_tables, {map_figures}},
+      {"Map of designs", "map", nullptr, {map_figures}},
       {"Best design", nullptr, optimum_tables, {}},
       {"Front", nullptr, front_tables, {front_figures}},
       {"Random response", "random", nullptr, {random_figures}},

@@ -11,9 +11,6 @@ namespace trivet::report {
 /// Folds and largest motions of nonlinear machines.
 [[nodiscard]] std::string steady_tables(const study::CaseResults& results);
 
-/// Governing rules of a map, its best design, and the verdict on every case.
-[[nodiscard]] std::string map_tables(const study::CaseResults& results);
-
 /// The best design: parameters, minimised amplitudes, requirements, and what holds it.
 [[nodiscard]] std::string optimum_tables(const study::CaseResults& results);
 

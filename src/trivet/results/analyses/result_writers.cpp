@@ -4,8 +4,8 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/message_list.h"
 #include "trivet/results/design/front_results.h"
+#include "trivet/results/design/map_document.h"
 #include "trivet/results/design/map_json.h"
-#include "trivet/results/design/map_text.h"
 #include "trivet/results/design/optimization_results.h"
 #include "trivet/results/format/result_writer.h"
 #include "trivet/results/format/written_results.h"
@@ -40,6 +40,10 @@ namespace {
 const ResultWriter map_results = {
     .has_result = [](const project::Case&,
                      const study::CaseResults& results) { return results.map || !results.map_pairs.empty(); },
+    .document =
+        [](const project::Case&, const study::CaseResults& results) {
+          return results.map ? map_document(*results.map) : map_pairs_document(results.map_pairs);
+        },
     .json = [](const project::Case&, const study::CaseResults& results) -> json::Json {
       if (results.map) return json::design_map(*results.map);
       json::Json pairs = json::Json::array();
@@ -50,10 +54,6 @@ const ResultWriter map_results = {
                 [](const project::Case&, const study::CaseResults& results) {
                   return results.map ? map_csv(*results.map) : map_pairs_csv(results.map_pairs);
                 }}},
-    .text =
-        [](const project::Case&, const study::CaseResults& results) {
-          return results.map ? map_text(*results.map) : map_pairs_text(results.map_pairs);
-        },
     .arrays =
         [](const project::Case&, const study::CaseResults& results, LabelledArrays& list) {
           if (results.map) add_map_arrays(*results.map, "", list);
@@ -112,7 +112,7 @@ const std::vector<ResultWriter>& result_writers() {
 }
 
 json::Json written_json(const ResultWriter& writer, const project::Case& variant, const study::CaseResults& results) {
-  return writer.document ? as_json(writer.document(variant, results)) : writer.json(variant, results);
+  return writer.json ? writer.json(variant, results) : as_json(writer.document(variant, results));
 }
 
 std::string written_text(const ResultWriter& writer, const project::Case& variant, const study::CaseResults& results,
@@ -164,8 +164,8 @@ LabelledArrays result_arrays(const std::string& analysis, const project::Case& v
                              const study::CaseResults& results) {
   LabelledArrays list;
   const ResultWriter& writer = writer_of(analysis);
-  if (writer.document) add_arrays(writer.document(variant, results), list);
-  else writer.arrays(variant, results, list);
+  if (writer.arrays) writer.arrays(variant, results, list);
+  else add_arrays(writer.document(variant, results), list);
   return list;
 }
 

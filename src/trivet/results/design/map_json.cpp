@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "trivet/documents/csv_field.h"
-#include "trivet/results/design/map_summary.h"
+#include "trivet/results/design/map_document.h"
 #include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/json_parts.h"
 
@@ -17,43 +17,6 @@ namespace trivet::results {
 namespace {
 
 using json::Json;
-
-Json axis(const project::DesignAxis& a) {
-  return {{"parameter", a.parameter}, {"name", a.name},
-          {"from", a.from},           {"to", a.to},
-          {"unit", axis_unit(a)},     {"spacing", a.logarithmic ? "logarithmic" : "linear"},
-          {"points", a.points}};
-}
-
-std::string kind(const design::MapRule& rule) {
-  if (rule.kind == design::DesignRule::Kind::requirement) return rule.requirement;
-  return rule.kind == design::DesignRule::Kind::amplitude ? "amplitude" : "no_peak";
-}
-
-Json rules(const study::DesignMap& map) {
-  Json list = Json::array();
-  for (std::size_t r = 0; r < map.rules.size(); ++r) {
-    const design::MapRule& rule = map.rules[r];
-    list.push_back({{"kind", kind(rule)},
-                    {"name", rule.channel},
-                    {"unit", rule.unit},
-                    {"allowed", rule.allowed},
-                    {"words", rule.words},
-                    {"governs_kept", map.shares[r].feasible},
-                    {"governs_broken", map.shares[r].infeasible}});
-  }
-  return list;
-}
-
-Json lines(const study::DesignMap& map, const std::vector<design::MapLine>& all) {
-  Json list = Json::array();
-  for (const design::MapLine& line : all) {
-    Json points = Json::array();
-    for (const design::MapPlace& p : line) points.push_back({map.request.x.at(p.x), map.request.y.at(p.y)});
-    list.push_back(std::move(points));
-  }
-  return list;
-}
 
 /// Passes a text to a sink in pieces.
 class Pieces {
@@ -97,80 +60,10 @@ void write_grid(const study::DesignMap& map, Pieces& out) {
   out.text() += "]}";
 }
 
-Json governing(double margin, std::size_t rule) { return std::isinf(margin) ? Json("none") : Json(rule); }
-
-Json mark(const study::DesignMap& map, const study::MapMark& m) {
-  Json result{{"case", m.name},
-              {"x", json::optional(m.x)},
-              {"y", json::optional(m.y)},
-              {"of_this_model", m.of_this_model},
-              {"has_own_rules", m.has_own_rules},
-              {"words", verdict_words(map, m)}};
-  if (!m.judged) return result;
-  result["kept"] = m.judged->governing.feasible();
-  result["margin"] = json::number(m.judged->governing.margin);
-  result["governing"] = governing(m.judged->governing.margin, m.judged->governing.rule);
-  result["rules"] = Json::array();
-  for (std::size_t r = 0; r < map.rules.size(); ++r) {
-    const design::MapRule& rule = map.rules[r];
-    const double value = m.judged->rules.values[r], margin = m.judged->margins[r];
-    result["rules"].push_back({{"words", rule.words},
-                               {"value", json::number(value)},
-                               {"angular_frequency", json::number(m.judged->rules.angular_frequencies[r])},
-                               {"allowed", rule.allowed},
-                               {"margin", json::number(margin)},
-                               {"kept", margin >= 1}});
-  }
-  result["peaks"] = Json::array();
-  for (const response::Peak& peak : m.judged->peaks.list)
-    result["peaks"].push_back({{"name", m.judged->peaks.curves[peak.curve].name},
-                               {"unit", m.judged->peaks.curves[peak.curve].unit},
-                               {"angular_frequency", peak.angular_frequency},
-                               {"amplitude", json::number(peak.amplitude)},
-                               {"relative_prominence", json::number(response::relative_prominence(peak))}});
-  return result;
-}
-
-Json without_grid(const study::DesignMap& map) {
-  Json result{{"case", map.case_name}, {"x", axis(map.request.x)}, {"y", axis(map.request.y)}};
-  result["band"] = map.request.band ? Json{map.request.band->from, map.request.band->to} : Json(nullptr);
-  result["rules"] = rules(map);
-  result["designs"] = map.outcomes.size();
-  result["kept"] = map.feasible_designs;
-  result["without_answer"] = map.unknown;
-  result["feasible"] = {{"share", map.feasible.area},
-                        {"tolerance", map.boundary_tolerance},
-                        {"boundary", lines(map, map.feasible.lines)},
-                        {"rings", lines(map, map.feasible.rings)}};
-  result["best"] = nullptr;
-  if (map.best) {
-    const design::DesignPoint p = map.point(*map.best);
-    const design::DesignOutcome& outcome = map.outcomes[*map.best];
-    result["best"] = {{"x", p.x},
-                      {"y", p.y},
-                      {"margin", json::number(outcome.margin)},
-                      {"governing", governing(outcome.margin, outcome.governing)},
-                      {"kept", outcome.feasible()},
-                      {"without_bound", map.without_bound}};
-  }
-  result["marks"] = Json::array();
-  for (const study::MapMark& m : map.marks) result["marks"].push_back(mark(map, m));
-  result["way"] = map.report.summary();
-  result["evaluation"] = {
-      {"proven", map.report.proven}, {"redone", map.report.fallback}, {"one_by_one", map.report.assembled_separately}};
-  if (map.report.with_requirements > 0) result["evaluation"]["requirements"] = map.report.with_requirements;
-  result["missing"] = Json::array();
-  for (const design::MissingReason& reason : map.report.missing) {
-    const design::DesignPoint p = map.point(reason.first);
-    result["missing"].push_back({{"designs", reason.designs}, {"reason", reason.words}, {"first", {p.x, p.y}}});
-  }
-  return result;
-}
-
 }  // namespace
 
 Json json::design_map(const study::DesignMap& map) {
-  Json result = without_grid(map);
+  Json result = as_json(map_document(map));
   std::string grid;
   const TextSink sink = [&](std::string_view piece) { grid += piece; };
   Pieces pieces(sink);
@@ -195,7 +88,7 @@ void write_with_grid(const Json& rest, const study::DesignMap& map, const TextSi
 }  // namespace
 
 void write_map_json(const study::DesignMap& map, const foundation::Problems& warnings, const TextSink& sink) {
-  Json result = without_grid(map);
+  Json result = as_json(map_document(map));
   result["warnings"] = json::warnings(warnings);
   write_with_grid(result, map, sink);
   sink("\n");
@@ -206,7 +99,7 @@ void write_map_pairs_json(const std::vector<study::DesignMap>& maps, const found
   sink("{\"pairs\":[");
   for (std::size_t k = 0; k < maps.size(); ++k) {
     if (k > 0) sink(",");
-    write_with_grid(without_grid(maps[k]), maps[k], sink);
+    write_with_grid(as_json(map_document(maps[k])), maps[k], sink);
   }
   sink("],\"warnings\":" + json::text(json::warnings(warnings)) + "}\n");
 }

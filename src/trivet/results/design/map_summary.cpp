@@ -213,4 +213,13 @@ std::string unlimited_words(const study::DesignMap& map) {
   return has(map, RuleKind::amplitude) ? "no motion" : "no peak";
 }
 
+std::vector<std::string> doubts(const study::DesignMap& map) {
+  std::vector<std::string> sentences;
+  for (const foundation::Problem& warning : map.warnings.list()) {
+    const std::string subject = warning.subject.starts_with("map: ") ? warning.subject.substr(5) + ": " : "";
+    sentences.push_back(fmt::format("Warning: {}{}; {}.", subject, warning.finding, warning.rule));
+  }
+  return sentences;
+}
+
 }  // namespace trivet::results

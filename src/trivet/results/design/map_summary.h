@@ -33,4 +33,7 @@ namespace trivet::results {
 /// Reason why no rule limits a design of this map: "no peak" or "no motion".
 [[nodiscard]] std::string unlimited_words(const study::DesignMap& map);
 
+/// Warnings of the map, one sentence each.
+[[nodiscard]] std::vector<std::string> doubts(const study::DesignMap& map);
+
 }  // namespace trivet::results

@@ -25,7 +25,7 @@ struct ResultWriter {
   /// nullptr: there is a result if `by_analysis` has one of this name, as for all analyses of
   /// project/analyses/analysis_table.h.
   bool (*has_result)(const project::Case& variant, const study::CaseResults& results) = nullptr;
-  /// The result described once; in place of `json`, `text`, `summary` and `arrays`.
+  /// The result described once; in place of `text` and `summary`, and of `json` and `arrays` if they are null.
   Document (*document)(const project::Case& variant, const study::CaseResults& results) = nullptr;
   std::vector<const char*> files = {};  ///< of the tables and curves of `document`, for `tables`
   json::Json (*json)(const project::Case& variant, const study::CaseResults& results) = nullptr;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "trivet/documents/document.h"
+#include "trivet/results/format/in_documents.h"
+#include "trivet/study/map/design_map.h"
+
+namespace trivet::results {
+
+/// The feasible share of a map, the governing rules, the best design and the verdict on every case; in JSON all but the
+/// grid, which map_json.h writes.
+[[nodiscard]] Document map_document(const study::DesignMap& map);
+
+/// For people: maps of several pairs of parameters, side by side and one after another.
+[[nodiscard]] Document map_pairs_document(const std::vector<study::DesignMap>& maps);
+
+}  // namespace trivet::results
