@@ -15,7 +15,6 @@
 #include "trivet/report/drawing/figures.h"
 #include "trivet/report/figures/front_figure.h"
 #include "trivet/report/map/map_figure.h"
-#include "trivet/results/design/front_results.h"
 #include "trivet/results/design/map_json.h"
 #include "trivet/results/design/optimization_results.h"
 #include "trivet/results/design/selection_results.h"
@@ -153,6 +152,16 @@ std::function<bool()> end_of_search(const Task& task) {
   };
 }
 
+/// The best design, or the front, for programs.
+void add_optimum(const std::shared_ptr<const Held<study::CaseResults>>& held, const Task& task, Result& result) {
+  result.json = writer([held, warnings = result.warnings] { return results::optimum_json(held->found, warnings); });
+  result.arrays = [held, &base = task.variant] { return results::result_arrays("optimize", base, held->found); };
+  result.tables.emplace_back("optimum.csv", writer([held, &base = task.variant] {
+                               return results::result_csv("optimize", base, held->found);
+                             }));
+  result.held = held;
+}
+
 Result optimum(const Task& task, const NewProjectFile& file) {
   study::CaseResults found;
   found.optimization = std::make_shared<const study::Optimization>(
@@ -167,17 +176,11 @@ Result optimum(const Task& task, const NewProjectFile& file) {
   const std::vector<project::Node> changes = study::optimum_changes(best);
   result.changes = project::setting_words(changes);
   const std::string written = file.write(changes);
-  result.json = writer(
-      [held, warnings = result.warnings] { return results::optimization_json(*held->found.optimization, warnings); });
-  result.text = writer([held, written] {
-    const study::Optimization& shown = *held->found.optimization;
-    return results::optimization_text(shown) + "\nThe optimum as settings:\n" + results::optimization_settings(shown) +
-        written;
+  result.text = writer([held, written, &base = task.variant] {
+    return results::result_text("optimize", base, held->found) + "\nThe optimum as settings:\n" +
+        results::optimization_settings(*held->found.optimization) + written;
   });
-  result.held = held;
-  result.arrays = [held, &base = task.variant] { return results::result_arrays("optimize", base, held->found); };
-  result.tables.emplace_back("optimum.csv",
-                             writer([held] { return results::optimization_csv(*held->found.optimization); }));
+  add_optimum(held, task, result);
   return result;
 }
 
@@ -196,17 +199,13 @@ Result front(const Task& task, const NewProjectFile& file) {
   const std::vector<project::Node> changes = study::front_changes(computed, chosen);
   result.changes = project::setting_words(changes);
   const std::string written = file.write(changes);
-  result.json =
-      writer([held, warnings = result.warnings] { return results::front_json(*held->found.front, warnings); });
-  result.text = writer([held, chosen, written] {
+  result.text = writer([held, chosen, written, &base = task.variant] {
     const study::DesignFront& shown = *held->found.front;
-    return results::front_text(shown) +
+    return results::result_text("optimize", base, held->found) +
         fmt::format("\nPoint {}{} as settings:\n", chosen + 1, shown.knee ? ", the knee," : "") +
         results::front_settings(shown, chosen) + written;
   });
-  result.held = held;
-  result.arrays = [held, &base = task.variant] { return results::result_arrays("optimize", base, held->found); };
-  result.tables.emplace_back("optimum.csv", writer([held] { return results::front_csv(*held->found.front); }));
+  add_optimum(held, task, result);
   if (computed.objectives.size() == 2)
     result.figures.emplace_back("front.svg", writer([held, title = task.project->title] {
                                   return report::front_figure(*held->found.front, title).svg;

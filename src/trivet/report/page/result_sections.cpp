@@ -7,6 +7,7 @@
 #include "trivet/report/drawing/result_figures.h"
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/report/tables/analysis_tables.h"
+#include "trivet/results/design/optimization_results.h"
 #include "trivet/results/format/written_results.h"
 
 namespace trivet::report {
@@ -28,12 +29,20 @@ struct Shown {
   std::vector<std::vector<Figure> (*)(const study::CaseResults& results)> figures;
 };
 
+std::string best_design(const study::CaseResults& results) {
+  return results.optimization ? as_html(results::optimization_document(*results.optimization), results.display) : "";
+}
+
+std::string front_between(const study::CaseResults& results) {
+  return results.front ? as_html(results::front_document(*results.front), results.display) : "";
+}
+
 /// Tables and figures in addition to the harmonic characteristics, in the order of the page. Add new ones here.
 const std::vector<Shown>& all_shown() {
   static const std::vector<Shown> list = {
       {"Map of designs", "map", nullptr, {map_figures}},
-      {"Best design", nullptr, optimum_tables, {}},
-      {"Front", nullptr, front_tables, {front_figures}},
+      {"Best design", nullptr, best_design, {}},
+      {"Front", nullptr, front_between, {front_figures}},
       {"Random response", "random", nullptr, {random_figures}},
       {"Time history", "transient", nullptr, {transient_figures}},
       {"Run-up", "orders", nullptr, {campbell_figures, waterfall_figures, run_up_figures}},

@@ -11,10 +11,4 @@ namespace trivet::report {
 /// Folds and largest motions of nonlinear machines.
 [[nodiscard]] std::string steady_tables(const study::CaseResults& results);
 
-/// The best design: parameters, minimised amplitudes, requirements, and what holds it.
-[[nodiscard]] std::string optimum_tables(const study::CaseResults& results);
-
-/// The points of a front.
-[[nodiscard]] std::string front_tables(const study::CaseResults& results);
-
 }  // namespace trivet::report

@@ -3,10 +3,8 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/message_list.h"
-#include "trivet/results/design/front_results.h"
 #include "trivet/results/design/map_document.h"
 #include "trivet/results/design/map_json.h"
-#include "trivet/results/design/optimization_results.h"
 #include "trivet/results/format/result_writer.h"
 #include "trivet/results/format/written_results.h"
 
@@ -59,29 +57,6 @@ const ResultWriter map_results = {
           if (results.map) add_map_arrays(*results.map, "", list);
           for (std::size_t k = 0; k < results.map_pairs.size(); ++k)
             add_map_arrays(results.map_pairs[k], fmt::format("pair{}.", k + 1), list);
-        },
-};
-
-/// The best design, or the front, as one of the results of a run; the command `optimize` writes it alone.
-const ResultWriter optimize_results = {
-    .has_result = [](const project::Case&,
-                     const study::CaseResults& results) { return results.optimization || results.front; },
-    .json =
-        [](const project::Case&, const study::CaseResults& results) {
-          return results.front ? json::front(*results.front) : json::optimization(*results.optimization);
-        },
-    .tables = {{"optimum.csv",
-                [](const project::Case&, const study::CaseResults& results) {
-                  return results.front ? front_csv(*results.front) : optimization_csv(*results.optimization);
-                }}},
-    .text =
-        [](const project::Case&, const study::CaseResults& results) {
-          return results.front ? front_text(*results.front) : optimization_text(*results.optimization);
-        },
-    .arrays =
-        [](const project::Case&, const study::CaseResults& results, LabelledArrays& list) {
-          if (results.front) add_front_arrays(*results.front, list);
-          else add_optimization_arrays(*results.optimization, list);
         },
 };
 

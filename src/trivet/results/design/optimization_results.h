@@ -5,16 +5,30 @@
 #include <string>
 #include <vector>
 
+#include "trivet/documents/document.h"
+#include "trivet/results/format/in_documents.h"
+#include "trivet/study/analyses/case_results.h"
+#include "trivet/study/optimize/design_front.h"
 #include "trivet/study/optimize/optimization.h"
 
+/// The best design and the front between several results, and their parts in words.
 namespace trivet::results {
 
-/// Parameters, requirements and natural frequencies of the given design beside those of the optimum, what holds it, and
-/// how sure the search is.
-[[nodiscard]] std::string optimization_text(const study::Optimization& found);
-[[nodiscard]] std::string optimization_json(const study::Optimization& found, const foundation::Problems& warnings);
-/// The settings that give the optimum: --set 'elements.mount.scale = 1.25', one per line.
+[[nodiscard]] Document optimization_document(const study::Optimization& found);
+[[nodiscard]] Document front_document(const study::DesignFront& front);
+
+/// The best design, or the front, with the warnings of the command.
+[[nodiscard]] std::string optimum_json(const study::CaseResults& results, const foundation::Problems& warnings);
+
+/// The settings that give the optimum, or a point of the front: --set 'elements.mount.scale = 1.25', one per line.
 [[nodiscard]] std::string optimization_settings(const study::Optimization& found);
+[[nodiscard]] std::string front_settings(const study::DesignFront& front, std::size_t point);
+
+/// Requirements, natural frequencies and decoupling of the given design beside those of the optimum, for people.
+void add_comparison(const study::Optimization& found, Document& document);
+
+/// "case hot: machine.z ≤ 1 mm". @param c  index of the case in `found.after`
+[[nodiscard]] std::string words_in_case(const study::Optimization& found, std::size_t c, const std::string& words);
 
 /// Results that are minimised.
 [[nodiscard]] std::vector<std::string> minimized_names(const study::Optimization& found);
@@ -23,15 +37,15 @@ namespace trivet::results {
 [[nodiscard]] std::string step_words(const std::optional<study::OptimizedParameter::Step>& step,
                                      const study::Optimization& found);
 
-/// The parts of the text that the report shows, too. The headline is one line: "Least margin of all requirements: 0.837
-/// → 1.14, every requirement is met". The mounts (empty without a choice of them) and the search are lines.
+/// "Least margin of all requirements: 0.837 → 1.14, every requirement is met"
 [[nodiscard]] std::string optimization_headline(const study::Optimization& found);
-[[nodiscard]] std::string optimization_mounts(const study::Optimization& found);
-[[nodiscard]] std::string optimization_search(const study::Optimization& found);
+/// The mounts that were chosen and the next best; empty without a choice of them.
+[[nodiscard]] std::vector<std::string> mounts_lines(const study::Optimization& found);
+/// The same for programs.
+void add_mounts(const study::Optimization& found, Document& document);
+/// How sure the search is.
+[[nodiscard]] std::vector<std::string> search_lines(const study::Optimization& found);
 /// "at the end of its range", "changes nothing here", or where the optimum is as good; often empty.
 [[nodiscard]] std::string parameter_remark(const study::OptimizedParameter& parameter);
-
-/// One row per parameter, values in its unit, and one per choice of mounts.
-[[nodiscard]] std::string optimization_csv(const study::Optimization& found);
 
 }  // namespace trivet::results

@@ -23,11 +23,4 @@ namespace trivet::results::json {
 /// Least and largest static values over all cases.
 [[nodiscard]] Json envelope(const study::Envelope& envelope);
 
-/// Kinds of requirements whose slopes are differences of values. @param evaluations  designs computed for all of them
-[[nodiscard]] Json differenced(const std::vector<std::string>& kinds, std::size_t evaluations);
-
-/// The best design, and a front; as the command prints them.
-[[nodiscard]] Json optimization(const study::Optimization& found);
-[[nodiscard]] Json front(const study::DesignFront& front);
-
 }  // namespace trivet::results::json

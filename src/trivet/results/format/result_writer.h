@@ -54,7 +54,7 @@ struct ResultWriter {
 [[nodiscard]] Sentence excited_part(const project::Case& variant, const std::string& analysis);
 
 extern const ResultWriter modes_results, roots_results, response_results, peaks_results, static_results,
-    limit_lines_results, measurements_results, load_sharing_results;
+    limit_lines_results, measurements_results, optimize_results, load_sharing_results;
 #define TRIVET_WRITER(name) extern const ResultWriter name##_results;
 TRIVET_ANALYSES(TRIVET_WRITER)
 #undef TRIVET_WRITER
@@ -87,8 +87,6 @@ void add_load_sharing(const study::CaseResults& results, Document& document);
 [[nodiscard]] std::string array_unit(const project::DesignAxis& axis);
 /// @param before  begins the name of every array and axis: "pair1."
 void add_map_arrays(const study::DesignMap& map, const std::string& before, LabelledArrays& list);
-void add_optimization_arrays(const study::Optimization& found, LabelledArrays& list);
-void add_front_arrays(const study::DesignFront& front, LabelledArrays& list);
 
 namespace json {
 /// A curve with its complex values, and a list of curves.
