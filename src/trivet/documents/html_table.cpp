@@ -50,16 +50,6 @@ Cell quantity_cell(double value, const DisplayUnit& unit) {
   return {fmt::format("{:.4g}\u00a0{}", value * prefix.factor, prefix.unit), true};
 }
 
-Cell aligned_quantity_cell(double value, const DisplayUnit& unit) {
-  if (!std::isfinite(value)) return {"∞", true};
-  const UnitPrefix prefix = unit_prefix(std::abs(value), unit);
-  return {aligned_number(value * prefix.factor) + "\u00a0" + prefix.unit, true};
-}
-
-Cell number_cell(double value, int digits) {
-  return {std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "∞", true};
-}
-
 std::string aligned_number(double value, int digits) {
   if (!std::isfinite(value)) return "–";
   if (value == 0) return "0";
@@ -81,21 +71,9 @@ std::string percent_words(double share) {
 
 Cell percent_cell(double share) { return right(std::isfinite(share) ? percent_words(share) : "∞"); }
 
-Cell frequency_cell(double angular_frequency, const project::DisplayUnits& display) {
-  return number_cell(shown_frequency(display, angular_frequency), 5);
-}
-
-Cell frequency_cell_heading(const std::string& words, const project::DisplayUnits& display) {
-  return right(words + " [" + frequency_unit(display) + "]");
-}
-
 void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::DisplayUnits& display) {
   for (const std::string& unit : frequency_units(display))
     row.push_back(aligned_cell(shown_frequency(display, angular_frequency, unit), 6));
-}
-
-void add_frequency_headings(std::vector<Cell>& row, const project::DisplayUnits& display) {
-  for (const std::string& unit : frequency_units(display)) row.push_back(right(frequency_heading(display, unit)));
 }
 
 Cell verdict_cell(bool passed, const std::string& yes, const std::string& no) {

@@ -31,10 +31,6 @@ struct Row {
 [[nodiscard]] Cell quantity_cell(double value, const std::string& unit);
 /// An SI value as it is shown; only SI units get a prefix.
 [[nodiscard]] Cell quantity_cell(double value, const DisplayUnit& unit);
-/// The same with five significant digits, zeros at the end included, for columns to compare.
-[[nodiscard]] Cell aligned_quantity_cell(double value, const DisplayUnit& unit);
-/// A plain number.
-[[nodiscard]] Cell number_cell(double value, int digits = 4);
 /// A number with zeros at the end; "–" if it is not finite.
 [[nodiscard]] Cell aligned_cell(double value, int digits = 5);
 [[nodiscard]] std::string aligned_number(double value, int digits = 5);
@@ -43,12 +39,8 @@ struct Row {
 [[nodiscard]] Cell right(std::string text);
 [[nodiscard]] Cell percent_cell(double share);
 [[nodiscard]] std::string percent_words(double share);
-/// ω in rad/s as a frequency, by default in Hz; and a heading: "at [Hz]".
-[[nodiscard]] Cell frequency_cell(double angular_frequency, const project::DisplayUnits& display);
-[[nodiscard]] Cell frequency_cell_heading(const std::string& words, const project::DisplayUnits& display);
-/// ω in rad/s and as a frequency in Hz, two cells, or one cell in the unit of the display; and their headings.
+/// ω in rad/s and as a frequency in Hz, two cells, or one cell in the unit of the display.
 void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::DisplayUnits& display);
-void add_frequency_headings(std::vector<Cell>& row, const project::DisplayUnits& display);
 /// "✓ ok" or "✗ FAILED".
 [[nodiscard]] Cell verdict_cell(bool passed, const std::string& yes = "ok", const std::string& no = "FAILED");
 /// A verdict that is missing: "? not judged".
