@@ -152,13 +152,18 @@ std::function<bool()> end_of_search(const Task& task) {
   };
 }
 
-/// The best design, or the front, for programs.
-void add_optimum(const std::shared_ptr<const Held<study::CaseResults>>& held, const Task& task, Result& result) {
+/// All forms of the best design, or of the front. @param settings  at the end of the text, to be copied
+void add_optimum(const std::shared_ptr<const Held<study::CaseResults>>& held, const Task& task,
+                 const std::string& settings, Result& result) {
+  const project::Case& base = task.variant;
   result.json = writer([held, warnings = result.warnings] { return results::optimum_json(held->found, warnings); });
-  result.arrays = [held, &base = task.variant] { return results::result_arrays("optimize", base, held->found); };
-  result.tables.emplace_back("optimum.csv", writer([held, &base = task.variant] {
-                               return results::result_csv("optimize", base, held->found);
-                             }));
+  result.text_in = [held, settings, &base](const project::DisplayUnits& display) {
+    return results::result_text("optimize", with_display(base, display), held->found) + settings;
+  };
+  result.text = writer([text = result.text_in, &base] { return text(base.display); });
+  result.arrays = [held, &base] { return results::result_arrays("optimize", base, held->found); };
+  result.tables.emplace_back("optimum.csv",
+                             writer([held, &base] { return results::result_csv("optimize", base, held->found); }));
   result.held = held;
 }
 
@@ -175,12 +180,8 @@ Result optimum(const Task& task, const NewProjectFile& file) {
   if (!best.feasible) result.findings.add_infeasible_design();
   const std::vector<project::Node> changes = study::optimum_changes(best);
   result.changes = project::setting_words(changes);
-  const std::string written = file.write(changes);
-  result.text = writer([held, written, &base = task.variant] {
-    return results::result_text("optimize", base, held->found) + "\nThe optimum as settings:\n" +
-        results::optimization_settings(*held->found.optimization) + written;
-  });
-  add_optimum(held, task, result);
+  const std::string settings = "\nThe optimum as settings:\n" + results::optimization_settings(best);
+  add_optimum(held, task, settings + file.write(changes), result);
   return result;
 }
 
@@ -198,14 +199,10 @@ Result front(const Task& task, const NewProjectFile& file) {
   result.warnings.add(computed.warnings);
   const std::vector<project::Node> changes = study::front_changes(computed, chosen);
   result.changes = project::setting_words(changes);
-  const std::string written = file.write(changes);
-  result.text = writer([held, chosen, written, &base = task.variant] {
-    const study::DesignFront& shown = *held->found.front;
-    return results::result_text("optimize", base, held->found) +
-        fmt::format("\nPoint {}{} as settings:\n", chosen + 1, shown.knee ? ", the knee," : "") +
-        results::front_settings(shown, chosen) + written;
-  });
-  add_optimum(held, task, result);
+  const std::string settings =
+      fmt::format("\nPoint {}{} as settings:\n{}", chosen + 1, computed.knee ? ", the knee," : "",
+                  results::front_settings(computed, chosen));
+  add_optimum(held, task, settings + file.write(changes), result);
   if (computed.objectives.size() == 2)
     result.figures.emplace_back("front.svg", writer([held, title = task.project->title] {
                                   return report::front_figure(*held->found.front, title).svg;
