@@ -104,7 +104,7 @@ class Display(InTemporaryFolder):
         }
         for value in result_of("static", self.si)["results"]:
             first = "forces of" if value["unit"].startswith("N") else "body or point"
-            place, component = re.fullmatch(r"(.*)\.((?:force\.|moment\.)?\w+)", value["name"]).groups()
+            place, component = re.fullmatch(r"(.*?)\.((?:force\.|moment\.)?\w+)", value["name"]).groups()
             row = next(row for row in table(shown, first) if row[first] == place)
             unit, factor = units[value["unit"]]
             cell = row[f"{component} [{unit}]"]

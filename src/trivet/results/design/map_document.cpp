@@ -195,13 +195,13 @@ Group marks_group(const DesignMap& map) {
   };
   Group group{.key = "", .parts = {}, .title = "Cases on the map"};
   for (const study::MapMark& mark : map.marks) {
-    group.parts.push_back(
-        {note(fmt::format("{} ({}, {}): {}{}", mark.name.empty() ? "base model" : mark.name,
-                          place(mark.x, map.request.x), place(mark.y, map.request.y),
-                          !mark.judged                            ? "NOT COMPUTED"
-                              : mark.judged->governing.feasible() ? "meets every rule"
-                                                                  : "VIOLATES the rules",
-                          mark.of_this_model ? "" : "; its model differs by more than the two numbers"))});
+    group.parts.push_back({Sentence{
+        .parts = {fmt::format("{} ({}, {}): {}{}", mark.name.empty() ? "base model" : mark.name,
+                              place(mark.x, map.request.x), place(mark.y, map.request.y),
+                              !mark.judged                            ? "NOT COMPUTED"
+                                  : mark.judged->governing.feasible() ? "meets every rule"
+                                                                      : "VIOLATES the rules",
+                              mark.of_this_model ? "" : "; its model differs by more than the two numbers")}}});
     for (const std::string& words : verdict_words(map, mark))
       group.parts.push_back({Sentence{.parts = {"    " + words}, .place = Sentence::Place::item}});
   }
