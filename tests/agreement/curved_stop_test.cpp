@@ -54,8 +54,7 @@ TEST(CurvedStop, IsTwoStops) {
   ASSERT_TRUE(curved.failures.empty() && two.failures.empty());
   for (std::size_t i = 0; i < curved.statics->values.size(); ++i)
     EXPECT_NEAR(curved.statics->values[i].value, two.statics->values[i].value, 1e-12);
-  const auto &one = *curved.find<nonlinear::SteadyBranch>("steady"),
-             &other = *two.find<nonlinear::SteadyBranch>("steady");
+  const auto &one = *curved.steady, &other = *two.steady;
   constexpr double round_off = 1e-8;  // of folds
   ASSERT_GE(one.folds.size(), 2u) << "it hits the bends";
   ASSERT_EQ(one.folds.size(), other.folds.size());

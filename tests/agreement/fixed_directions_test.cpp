@@ -71,17 +71,17 @@ std::vector<Numbers> all_numbers(const study::CaseResults& a) {
   if (a.response)
     for (const auto& curve : a.response->curves.curves)
       all.push_back({"response " + curve.name, curve.unit, curve.value});
-  if (const auto* passed = a.find<study::TransmissibilityResult>("transmissibility"))
+  if (const auto& passed = a.transmissibility)
     for (const auto& peak : passed->peaks.list)
       if (peak.angular_frequency < 400)  // the poles of a stiff deck are beyond
         all.push_back({"transmissibility of " + passed->peaks.curves[peak.curve].name, "1", one(peak.amplitude)});
-  if (const auto* random = a.find<study::RandomResult>("random"))
+  if (const auto& random = a.random)
     for (const auto& result : random->response.channels)
       all.push_back({"random " + result.name, result.unit, one(result.rms.value_or(-1))});
-  if (const auto* in_time = a.find<study::TransientResult>("transient"))
+  if (const auto& in_time = a.transient)
     for (const auto& curve : in_time->response.curves)
       all.push_back({"transient " + curve.name, curve.unit, curve.values.cast<Complex>()});
-  if (const auto* shaken = a.find<response::EarthquakeResponse>("earthquake"))
+  if (const auto& shaken = a.earthquake)
     for (const auto& result : shaken->channels)
       all.push_back({"earthquake " + result.name, result.unit, one(result.complete_quadratic)});
   return all;
@@ -245,7 +245,7 @@ TEST(FixedDirections, AreIncludedInTheBalanceOfPower) {
         "[damping]\nmodal = 0.02\n" + base("floor", "translation = [1e-3, 5e-4, 2e-4]\nrotation = [1e-4, 2e-4, 3e-4]") +
             "[analyses]\npower = {band = [5, 300]}\n");
     const auto all = results_of(text);
-    const response::PowerFlow& flow = *all.find<response::PowerFlow>("power");
+    const response::PowerFlow& flow = *all.power;
     for (Eigen::Index i = 0; i < flow.by_ground.size(); ++i) {
       const double lost =
           flow.dissipated.col(i).sum() + flow.dissipated_by_foundations(i) + flow.dissipated_by_system(i);

@@ -157,9 +157,8 @@ struct Numbers {
       add(std::string("static [") + unit + "]", values);
     }
     for (const auto& curve : found.response->curves.curves) lists.emplace_back("response " + curve.name, curve.value);
-    for (const auto& result : found.find<study::RandomResult>("random")->response.channels)
-      add("rms " + result.name, {result.rms.value_or(-1)});
-    if (const auto* transient = found.find<study::TransientResult>("transient"))
+    for (const auto& result : found.random->response.channels) add("rms " + result.name, {result.rms.value_or(-1)});
+    if (const auto& transient = found.transient)
       for (const auto& curve : transient->response.curves)
         lists.emplace_back("transient " + curve.name, curve.values.cast<std::complex<double>>());
   }

@@ -79,10 +79,8 @@ void ask_quick_analyses(const project::Project& project) {
     if (project::coordinates(variant.system.description(), true) <= most_coordinates / 2)
       ask(variant, [](project::Analyses& a) { a.peaks.emplace(); });
     ask(variant, [&](project::Analyses& a) {
-      if (variant.analyses.by_name.contains("random"))
-        a.by_name["random"] = std::make_shared<project::RandomAnalysis>();
-      if (const auto request = variant.analyses.by_name.find("earthquake"); request != variant.analyses.by_name.end())
-        a.by_name.insert(*request);
+      if (variant.analyses.random) a.random.emplace();
+      a.earthquake = variant.analyses.earthquake;
     });
   }
 }

@@ -86,26 +86,25 @@ inline study::CaseResults results_of_everything() {
   const auto channels = assembly::channels(system, assembled, of, assembly::MotionQuantity::displacement);
   const auto velocities = assembly::channels(system, assembled, {"machine.seat.z"}, assembly::MotionQuantity::velocity);
   const response::RandomLoading random = response::random_loading(system, assembled);
-  a.by_analysis["random"] = study::RandomResult{response::random_response(assembled, channels, random),
-                                                response::random_curves(assembled, channels, random),
-                                                {"deck"},
-                                                {}};
+  a.random = study::RandomResult{response::random_response(assembled, channels, random),
+                                 response::random_curves(assembled, channels, random),
+                                 {"deck"},
+                                 {}};
 
   const excitation::Signal pulse = excitation::half_sine(50, 0.011, 0.01);
   response::TransientOptions time;
   time.to = 0.6;
   time.step = 2e-4;
-  a.by_analysis["transient"] =
+  a.transient =
       study::TransientResult{response::transient_response(system, assembled, channels,
                                                           {{"shock", pulse, assembly::loading(assembled, base)}}, time),
                              {}};
 
   const auto by_order = response::order_loadings(system, assembled);
   const assembly::Band speed{turn * 5, turn * 50};
-  a.by_analysis["orders"] =
-      study::OrdersResult{response::run_up(assembled, channels, by_order, a.modes, a.roots, {.speed = speed}),
-                          response::campbell(by_order, a.modes, a.roots, speed),
-                          {}};
+  a.orders = study::OrdersResult{response::run_up(assembled, channels, by_order, a.modes, a.roots, {.speed = speed}),
+                                 response::campbell(by_order, a.modes, a.roots, speed),
+                                 {}};
 
   const assembly::Band band{turn * 1, turn * 100};
   const auto grid = response::logarithmic_grid(band, 801);
@@ -116,7 +115,7 @@ inline study::CaseResults results_of_everything() {
   for (std::size_t c = 0; c < transmission.channels.size(); ++c)
     in_band.push_back(
         design::largest_in_band(assembled, transmission.channels, transmission.loading, transmitted_peaks, c, band));
-  a.by_analysis["transmissibility"] = study::TransmissibilityResult{
+  a.transmissibility = study::TransmissibilityResult{
       "force on the ground over piston",
       response::frequency_response(assembled, transmission.channels, transmission.loading, grid),
       transmitted_peaks,
@@ -125,11 +124,11 @@ inline study::CaseResults results_of_everything() {
       in_band};
 
   const assembly::Loading harmonic = assembly::harmonic_loading(system, assembled, {"piston"});
-  a.by_analysis["power"] = response::power_flow(system, assembled, harmonic, grid);
-  a.by_analysis["shapes"] = std::vector{response::deflection_shape(system, assembled, harmonic, turn * 12)};
+  a.power = response::power_flow(system, assembled, harmonic, grid);
+  a.shapes = std::vector{response::deflection_shape(system, assembled, harmonic, turn * 12)};
   std::vector<double> natural;
   for (int i = 0; i <= 300; ++i) natural.push_back(turn * std::pow(10.0, 3.3 * i / 300));
-  a.by_analysis["shock_spectrum"] = std::vector<study::ShockSpectrumResult>{
+  a.shock_spectrum = std::vector<study::ShockSpectrumResult>{
       {"shock", "m/s²", 0.05, excitation::shock_spectrum(pulse, natural, 0.05)}};
   const assembly::LimitLine line{
       "class B", "m/s", true, {turn * 2, turn * 8, turn * 8, turn * 90}, {2e-2, 5e-3, 9e-3, 9e-3}};

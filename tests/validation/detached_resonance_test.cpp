@@ -56,7 +56,7 @@ harmonics = 1
 branches = "all"
 )");
   const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
-  const auto& branch = *results.find<nonlinear::SteadyBranch>("steady");
+  const auto& branch = *results.steady;
   const auto largest = [](const nonlinear::SteadyBranch& curve) {
     double found = 0;
     for (const nonlinear::SteadyPoint& point : curve.points) found = std::max(found, point.results[0].half_of_range());

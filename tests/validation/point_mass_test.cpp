@@ -139,7 +139,7 @@ TEST(PointMass, IsTheLimitOfASmallInertiaInAStep) {
     for (const char* key : {"xx = 0", "yy = 0", "zz = 0"})
       text.replace(text.find(key), 6, std::string(key).substr(0, 5) + value);
     const study::CaseResults found = results_of(text);
-    return found.find<study::TransientResult>("transient")->response.curves.front().largest.value;
+    return found.transient->response.curves.front().largest.value;
   };
   constexpr double share_of_inertia = 1e-5;  // of the frequency of the mass, with 1e-6 kg m² beside m L² = 64 kg m²
   EXPECT_THAT(largest("0"), RelativelyNear(largest("1e-6"), share_of_inertia));

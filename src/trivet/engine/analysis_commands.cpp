@@ -23,10 +23,6 @@ namespace {
 
 using foundation::InvalidInput;
 
-std::shared_ptr<project::SteadyAnalysis> steady_of(const project::Analyses& analyses) {
-  return std::make_shared<project::SteadyAnalysis>(*analyses.find<project::SteadyAnalysis>("steady"));
-}
-
 void set_band(const Task& task, project::Analyses& analyses) {
   const std::string key = task.keys.written("band");
   const std::vector<double> band = task.keys.frequencies("band");
@@ -51,16 +47,15 @@ project::Analyses with_keys(const Task& task) {
   }
   if (name == "response" && task.keys.has("band")) set_band(task, analyses);
   if (name != "steady") return analyses;
-  const auto steady = steady_of(analyses);
-  steady->deep = steady->deep || task.keys.flag("deep");
+  project::SteadyAnalysis& steady = *analyses.steady;
+  steady.deep = steady.deep || task.keys.flag("deep");
   if (task.keys.has("at")) {
-    if (steady->over_load_factor)
+    if (steady.over_load_factor)
       throw InvalidInput(task.keys.written("at") + " " + task.keys.text("at") +
                          ": the steady motion of the file is over the load factor, at one frequency; remove "
                          "over = \"load_factor\" from the file");
-    steady->harmonics_at = task.keys.frequencies("at");
+    steady.harmonics_at = task.keys.frequencies("at");
   }
-  analyses.by_name["steady"] = steady;
   return analyses;
 }
 

@@ -29,7 +29,7 @@ std::vector<std::string> requested_in(const project::Analyses& request) {
   if (request.response) names.emplace_back("response");
   if (request.peaks) names.emplace_back("peaks");
   if (request.static_of) names.emplace_back("static");
-  for (const auto& [name, analysis] : request.by_name) names.push_back(name);
+  for (const auto& [name, analysis] : project::independent_analyses(request)) names.push_back(name);
   if (!request.limit_lines.empty()) names.emplace_back("limit_lines");
   if (!request.measurements.empty()) names.emplace_back("measurements");
   return names;

@@ -17,8 +17,7 @@ namespace {
 
 /// The results that the file requests in time, else those of its response, else all coordinates.
 project::ChannelSelection outputs(const project::Analyses& request) {
-  if (const auto found = request.by_name.find("transient"); found != request.by_name.end())
-    return found->second->selection;
+  if (request.transient) return request.transient->selection;
   return request.response ? request.response->selection : project::ChannelSelection();
 }
 

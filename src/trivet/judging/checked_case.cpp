@@ -19,7 +19,7 @@ namespace {
 
 /// Reports a transient analysis of a model without constant coefficients in time.
 void check_transient(const model::System& system, const project::Analyses& request, foundation::Problems& problems) {
-  const auto* analysis = request.find<project::TransientAnalysis>("transient");
+  const auto& analysis = request.transient;
   if (!analysis) return;
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto problem = response::without_motion_in_time(

@@ -76,8 +76,10 @@ void warn_of_small_motions(const model::System& system, const project::Analyses&
         "they are judged for small motions about rest: these pass through the gaps of stops, and mounts do "
         "not harden",
         "compare with their \".approach\" in steady, which is counted from rest");
-  for (const char* name : {"transient", "random", "orders", "earthquake"})
-    if (request.by_name.contains(name)) warn(std::string("analyses.") + name);
+  if (request.transient) warn("analyses.transient");
+  if (request.random) warn("analyses.random");
+  if (request.orders) warn("analyses.orders");
+  if (request.earthquake) warn("analyses.earthquake");
 }
 
 }  // namespace trivet::judging

@@ -148,7 +148,7 @@ void add_analyses(const project::Case& variant, plausibility::Stated& stated) {
   add_windows_of_requirements(variant, stated);
   const project::Node* orders = find(variant.document, "analyses", "orders");
   const project::Node* speeds = orders ? orders->find("speed") : nullptr;
-  const auto* run_up = requested.find<project::OrdersAnalysis>("orders");
+  const auto& run_up = requested.orders;
   if (run_up && speeds && speeds->items.size() == 2 && speeds->items[1].kind != project::Node::Kind::text)
     stated.speeds.push_back({"analyses.orders.speed", run_up->speed.to});
   add_speeds_of_isolation(variant, stated);
@@ -156,7 +156,7 @@ void add_analyses(const project::Case& variant, plausibility::Stated& stated) {
     if (const auto* random = std::get_if<model::Random>(&excitation.course))
       stated.windows.push_back(
           {"excitations." + excitation.name + ".psd", random->spectrum.from(), random->spectrum.to(), true});
-  if (const auto* in_time = requested.find<project::TransientAnalysis>("transient"))
+  if (const auto& in_time = requested.transient)
     stated.transient = plausibility::TimeAnalysis{in_time->to, in_time->selection.excitations};
 }
 

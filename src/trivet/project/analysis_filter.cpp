@@ -66,8 +66,7 @@ class UsedExcitationCollector {
     add_request(a.peaks, harmonic);
     for (const auto& measurement : a.measurements)
       if (!measurement->excitation.empty()) used_.names.insert(measurement->excitation);
-    for (const AnalysisReader& reader : analysis_readers())
-      if (const Analysis* analysis = a.find<Analysis>(reader.name)) add_analysis(*analysis, reader.drive);
+    for (const auto& [name, analysis] : independent_analyses(a)) add_analysis(analysis, drive_of(name));
     if (a.requirements) add_requirements(*a.requirements);
     if (!variant_.system.description().clearances.empty()) add_excitations_of_clearances();
     if (a.static_of) add_constant_forces();
@@ -195,8 +194,7 @@ void check_analyses(const model::System& system, const Analyses& request, const 
 std::vector<std::pair<std::string, assembly::Band>> requested_bands(const Analyses& request) {
   std::vector<std::pair<std::string, assembly::Band>> bands;
   for (const AnalysisReader& reader : analysis_readers())
-    if (const auto* analysis = request.find<BandAnalysis>(reader.name); analysis && analysis->band)
-      bands.emplace_back(reader.name, *analysis->band);
+    if (const auto band = reader.band(request)) bands.emplace_back(reader.name, *band);
   return bands;
 }
 
@@ -214,7 +212,8 @@ foundation::Problems without_unrequested(const foundation::Problems& found, cons
     if (!broken.contains(analysis_of(problem.subject))) kept.add(problem);
   for (const auto& [name, remove] : removals())
     if (broken.contains(name)) remove(analyses);
-  std::erase_if(analyses.by_name, [&](const auto& analysis) { return broken.contains(analysis.first); });
+  for (const AnalysisReader& reader : analysis_readers())
+    if (broken.contains(reader.name)) reader.remove(analyses);
   return kept;
 }
 

@@ -144,8 +144,8 @@ TEST_F(UnitsInRows, SpectraOfEarthquakesHaveThem) {
        {"rows = [[\"100 ms\", \"0.3 g\"], [\"2 s\", \"0.1 g\"]]", "rows = [[0.1, 0.3], [2, 0.1]], unit = \"g\""}) {
     const auto project = read(fmt::format("[analyses]\nearthquake = {{direction = \"z\", {}}}\n", given));
     ASSERT_TRUE(project.has_value()) << given;
-    const auto* request = project->base().analyses.find<project::EarthquakeAnalysis>("earthquake");
-    ASSERT_NE(request, nullptr);
+    const auto& request = project->base().analyses.earthquake;
+    ASSERT_TRUE(request);
     const auto& list = request->spectrum.accelerations;
     EXPECT_THAT(std::ranges::max(list), test::RelativelyNear(0.3 * g, round_off)) << given;
   }

@@ -127,19 +127,19 @@ TEST(ResultFigures, AreMissingWithoutResults) {
 
 TEST(ResultFigures, RigidGroundAbsorbsNoPowerAndHasNoFigure) {
   study::CaseResults results;
-  response::PowerFlow power = *everything().find<response::PowerFlow>("power");
+  response::PowerFlow power = *everything().power;
   power.into_ground.setZero();
   power.into_ground_in_total.setZero();
-  results.by_analysis["power"] = power;
+  results.power = power;
   EXPECT_TRUE(report::power_figures(results).empty());
 }
 
 TEST(ResultFigures, UndefinedValuesInterruptTheCurve) {
   study::CaseResults results;
-  study::RandomResult random = *everything().find<study::RandomResult>("random");
+  study::RandomResult random = *everything().random;
   auto& density = random.curves.density.front();
   density[density.size() / 4] = std::numeric_limits<double>::quiet_NaN();
-  results.by_analysis["random"] = random;
+  results.random = random;
   EXPECT_EQ(count(report::random_figures(results).front().svg, "<polyline"), 7);
 }
 
@@ -272,7 +272,7 @@ TEST(OrbitFigure, HasThePathsOfTheLargestMotionAndOfJumps) {
 TEST(ObservedMotion, HasTheExtremesOfItsCourse) {
   const project::Project project = test::project(std::string(whirling) + "of = [\"m.x\"]\n");
   const study::CaseResults results = study::case_results(project.base(), project.base().analyses);
-  const auto& branch = *results.find<nonlinear::SteadyBranch>("steady");
+  const auto& branch = *results.steady;
   const nonlinear::ObservedMotion& motion = branch.points[branch.points.size() / 2].results[0];
   constexpr int samples = 4000;
   constexpr double step = 1e-4;

@@ -239,7 +239,7 @@ TEST(LabelledArrays, ReferToTheCurvesOfTheResult) {
   const LabelledArrays response = a.arrays("response"), transient = a.arrays("transient");
   for (const auto& curve : a.results.response->curves.curves)
     EXPECT_EQ(std::get<const std::complex<double>*>(response.find(curve.name)->values), curve.value.data());
-  for (const auto& curve : a.results.find<study::TransientResult>("transient")->response.curves)
+  for (const auto& curve : a.results.transient->response.curves)
     EXPECT_EQ(std::get<const double*>(transient.find(curve.name)->values), curve.values.data());
 }
 

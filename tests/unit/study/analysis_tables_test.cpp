@@ -40,9 +40,12 @@ TEST(AnalysisTables, ReadRunAndWriteEachAnalysisUnderItsName) {
   for (std::size_t i = 0; i < table.size(); ++i) {
     const auto& writers = results::result_writers();
     EXPECT_TRUE(std::ranges::any_of(writers, [&](const results::ResultWriter& writer) {
-      return writer.name == table[i] && !writer.has_result;
+      return writer.name == table[i];
     })) << table[i];
-    EXPECT_NE(study::analysis_runs()[i].by_default(), nullptr);
+    project::Analyses requested;
+    EXPECT_FALSE(study::analysis_runs()[i].request({}, requested)) << table[i];
+    ASSERT_EQ(project::independent_analyses(requested).size(), 1) << table[i];
+    EXPECT_EQ(project::independent_analyses(requested).front().first, table[i]);
   }
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <complex>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,7 +14,7 @@
 #include "trivet/assembly/band.h"
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/limit_line.h"
-#include "trivet/project/analyses/analysis.h"
+#include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/analyses/requirements.h"
 #include "trivet/project/text/document.h"
 #include "trivet/project/text/units.h"
@@ -202,14 +201,20 @@ struct Analyses {
   std::vector<DesignAxis> parameters;  ///< [parameters.NAME]
   std::vector<MountChoice> choices;    ///< those that choose mounts
   std::optional<OptimizeRequest> optimize;
-  std::map<std::string, std::shared_ptr<const Analysis>> by_name;  ///< those of analysis_table.h, by name
-
-  /// An analysis by its name and type; none if it is not requested.
-  template <typename Request>
-  [[nodiscard]] const Request* find(const std::string& name) const {
-    const auto found = by_name.find(name);
-    return found == by_name.end() ? nullptr : dynamic_cast<const Request*>(found->second.get());
-  }
+  // The independent ones: analysis_table.h
+  std::optional<RandomAnalysis> random;
+  std::optional<TransientAnalysis> transient;
+  std::optional<OrdersAnalysis> orders;
+  std::optional<TransmissibilityAnalysis> transmissibility;
+  std::optional<PowerAnalysis> power;
+  std::optional<ShapesAnalysis> shapes;
+  std::optional<SteadyAnalysis> steady;
+  std::optional<BackboneAnalysis> backbone;
+  std::optional<ShockSpectrumAnalysis> shock_spectrum;
+  std::optional<EarthquakeAnalysis> earthquake;
 };
+
+/// The independent analyses that are requested, with their names, in the order of their table.
+[[nodiscard]] std::vector<std::pair<std::string, const Analysis&>> independent_analyses(const Analyses& request);
 
 }  // namespace trivet::project

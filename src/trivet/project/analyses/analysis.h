@@ -23,7 +23,6 @@ struct ChannelSelection {
 /// defaults.
 struct Analysis {
   ChannelSelection selection;
-  virtual ~Analysis() = default;
 };
 
 /// An analysis over a band of frequencies. None: the study chooses one.

@@ -34,6 +34,13 @@ const std::vector<AnalysisReader>& analysis_readers() {
   return list;
 }
 
+std::vector<std::pair<std::string, const Analysis&>> independent_analyses(const Analyses& request) {
+  std::vector<std::pair<std::string, const Analysis&>> list;
+  for (const AnalysisReader& reader : analysis_readers())
+    if (const Analysis* analysis = reader.of(request)) list.emplace_back(reader.name, *analysis);
+  return list;
+}
+
 void read_independent_analyses(TableReader& analyses, const ResultNames& names, const SymbolTable& symbols,
                                Analyses& result) {
   for (const AnalysisReader& analysis : analysis_readers()) {
@@ -44,7 +51,7 @@ void read_independent_analyses(TableReader& analyses, const ResultNames& names, 
       analyses.error(analysis.name, missing_excitation(analysis.drive).finding, "this analysis needs one",
                      missing_excitation(analysis.drive).remedy);
     TableReader reader(*table, std::string("analyses.") + analysis.name, analyses.problems());
-    result.by_name[analysis.name] = analysis.read(reader, names, symbols);
+    analysis.read(reader, names, symbols, result);
     reader.finish();
   }
 }
@@ -53,9 +60,7 @@ void check_analyses(const model::System& system, const Analyses& request,
                     const std::function<bool(const std::string&)>& computed, foundation::Problems& problems) {
   refuse_left_out_results(system, request, problems);
   for (const AnalysisReader& reader : analysis_readers())
-    if (const Analysis* analysis = request.find<Analysis>(reader.name);
-        analysis && reader.check && computed(reader.name))
-      reader.check(*analysis, system, problems);
+    if (reader.of(request) && reader.check && computed(reader.name)) reader.check(request, system, problems);
 }
 
 }  // namespace trivet::project

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <concepts>
 #include <functional>
-#include <memory>
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
-#include "trivet/project/analyses/analysis.h"
+#include "trivet/project/analyses/analyses.h"
 #include "trivet/project/analyses/analysis_table.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/selection_reader.h"
@@ -15,18 +17,38 @@ namespace trivet::project {
 
 /// How one analysis is read. Each is defined in NAME_analysis.cpp.
 struct AnalysisReader {
-  const char* name = nullptr;  ///< of its table in [analyses]; set by analysis_readers()
-  Drive drive = Drive::none;   ///< the model must have an excitation of this kind
-  std::unique_ptr<Analysis> (*read)(TableReader& reader, const ResultNames& names,
-                                    const SymbolTable& symbols) = nullptr;
+  const char* name = nullptr;                            ///< of its table in [analyses]; set by analysis_readers()
+  Drive drive = Drive::none;                             ///< the model must have an excitation of this kind
   bool searches_peaks = false;                           ///< its cost is that of a search for peaks
   bool of_large_systems = false;                         ///< measured up to `most_coordinates`
-  double (*curves)(const Analysis& request) = nullptr;   ///< number of curves, if not that of `selection.of`
+  double (*curves)(const Analyses& request) = nullptr;   ///< number of curves, if not that of `selection.of`
   bool (*moves_by_itself)(const Node& table) = nullptr;  ///< true if it needs no excitation
-  void (*check)(const Analysis& request, const model::System& system,
+  void (*check)(const Analyses& request, const model::System& system,
                 foundation::Problems& problems) = nullptr;  ///< checks the analysis against a valid model
   const char* keys = nullptr;                               ///< JSON Schema of its keys: `properties`, `required` …
+  // Set by read_into:
+  void (*read)(TableReader& reader, const ResultNames& names, const SymbolTable& symbols, Analyses& into) = nullptr;
+  void (*remove)(Analyses& from) = nullptr;
+  const Analysis* (*of)(const Analyses& request) = nullptr;  ///< nullptr: it is not requested
+  std::optional<assembly::Band> (*band)(const Analyses& request) = nullptr;
 };
+
+/// The row of an analysis that is a field of `Analyses`, and that a function reads from its table.
+template <auto field, auto read_table>
+[[nodiscard]] constexpr AnalysisReader read_into(AnalysisReader row) {
+  row.read = [](TableReader& reader, const ResultNames& names, const SymbolTable& symbols, Analyses& into) {
+    into.*field = read_table(reader, names, symbols);
+  };
+  row.remove = [](Analyses& from) { (from.*field).reset(); };
+  row.of = [](const Analyses& request) -> const Analysis* { return request.*field ? &*(request.*field) : nullptr; };
+  row.band = [](const Analyses& request) -> std::optional<assembly::Band> {
+    using Request = std::decay_t<decltype(*(request.*field))>;
+    if constexpr (std::derived_from<Request, BandAnalysis>)
+      if (request.*field) return (request.*field)->band;
+    return std::nullopt;
+  };
+  return row;
+}
 
 #define TRIVET_READER(name) extern const AnalysisReader name##_analysis;
 TRIVET_ANALYSES(TRIVET_READER)

@@ -137,7 +137,7 @@ bool lowest_modes_suffice(const Analyses& request) {
        (!request.response->at.empty() || (request.response->band && request.response->spacing != Spacing::automatic)));
   return request.lowest_modes > 0 && at_given_frequencies && !request.roots && !request.peaks && !request.static_of &&
       !request.load_sharing && !request.map && request.limit_lines.empty() && request.measurements.empty() &&
-      request.limits.empty() && !request.requirements && request.by_name.empty();
+      request.limits.empty() && !request.requirements && independent_analyses(request).empty();
 }
 
 foundation::Problems too_large(const model::Description& description, const Analyses& request) {
@@ -168,14 +168,15 @@ foundation::Problems too_large(const model::Description& description, const Anal
   if (request.response) check_response(sizes, *request.response);
   if (request.peaks) sizes.check_search("analyses.peaks", sizes.curves(request.peaks->selection.of));
   if (request.static_of) sizes.check_curves("analyses.static", sizes.curves(*request.static_of));
-  for (const AnalysisReader& reader : analysis_readers())
-    if (const Analysis* analysis = request.find<Analysis>(reader.name)) {
-      const double count = reader.curves ? reader.curves(*analysis) : sizes.curves(analysis->selection.of);
-      const std::string subject = std::string("analyses.") + reader.name;
-      if (!reader.of_large_systems) sizes.check_coordinates(subject);
-      if (reader.searches_peaks) sizes.check_search(subject, count);
-      else sizes.check_curves(subject, count);
-    }
+  for (const AnalysisReader& reader : analysis_readers()) {
+    const Analysis* analysis = reader.of(request);
+    if (!analysis) continue;
+    const double count = reader.curves ? reader.curves(request) : sizes.curves(analysis->selection.of);
+    const std::string subject = std::string("analyses.") + reader.name;
+    if (!reader.of_large_systems) sizes.check_coordinates(subject);
+    if (reader.searches_peaks) sizes.check_search(subject, count);
+    else sizes.check_curves(subject, count);
+  }
   if (!request.limits.empty()) sizes.check_search("limits", static_cast<double>(request.limits.size()));
   if (request.requirements)
     sizes.check_search(

@@ -5,11 +5,12 @@
 /// a part of the results. The files and objects of an analysis have its name:
 ///
 ///   project/analyses/NAME_analysis.cpp   NAME_analysis   how its keys are read, and what it needs of the model
-///   study/analyses/NAME_run.cpp                NAME_run     how it is computed
-///   results/NAME_results.cpp             NAME_results    its JSON, CSV and text
+///   study/analyses/NAME_run.cpp          NAME_run        how it is computed
+///   results/analyses/NAME_document.cpp   NAME_results    its parts: tables, curves and sentences
 ///
-/// A name without one of these does not link. Analyses of the same curves of harmonic response (response, peaks,
-/// limits, limit lines, map), and those that every model has (modes, roots, static), are fields of `Analyses`.
+/// A name without one of these does not link. Its request is the field NAME of `Analyses`, its result the field NAME of
+/// `CaseResults`. Analyses of the same curves of harmonic response (response, peaks, limits, limit lines, map), and
+/// those that every model has (modes, roots, static), have fields too, and functions of their own.
 // clang-format off
 #define TRIVET_ANALYSES(row) \
   row(random) \

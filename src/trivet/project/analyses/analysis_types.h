@@ -35,6 +35,9 @@ struct OrdersAnalysis : Analysis {
   assembly::Band speed;  ///< [rad/s]
 };
 
+/// Mean power into the ground at each mount.
+struct PowerAnalysis : BandAnalysis {};
+
 /// Root mean squares and spectral densities under the random excitations.
 struct RandomAnalysis : Analysis {
   std::optional<excitation::Weighting> weighting;  ///< of the accelerations of all requested motions

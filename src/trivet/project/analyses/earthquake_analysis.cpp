@@ -12,19 +12,19 @@ namespace trivet::project {
 namespace {
 
 /// `rows` or `file` of S_a over natural period (default) or frequency.
-std::unique_ptr<Analysis> read_earthquake(TableReader& reader, const ResultNames& names, const SymbolTable&) {
-  auto request = std::make_unique<EarthquakeAnalysis>();
-  read_of(reader, names, request->selection.of);
+EarthquakeAnalysis read_earthquake(TableReader& reader, const ResultNames& names, const SymbolTable&) {
+  EarthquakeAnalysis request;
+  read_of(reader, names, request.selection.of);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
-  if (quantity == "velocity") request->selection.quantity = assembly::MotionQuantity::velocity;
-  if (quantity == "acceleration") request->selection.quantity = assembly::MotionQuantity::acceleration;
-  for (const std::string& word : request->selection.of)
+  if (quantity == "velocity") request.selection.quantity = assembly::MotionQuantity::velocity;
+  if (quantity == "acceleration") request.selection.quantity = assembly::MotionQuantity::acceleration;
+  for (const std::string& word : request.selection.of)
     if (word == "base" || word.starts_with("base."))
       reader.error("of", "\"" + word + "\"",
                    "earthquake results are those of bodies and elements, relative to the ground", "remove it");
   if (!reader.has("direction"))
     reader.missing("direction", "give the direction of the ground motion: direction = \"x\"");
-  request->direction = reader.direction("direction").value_or(Eigen::Vector3d::UnitX());
+  request.direction = reader.direction("direction").value_or(Eigen::Vector3d::UnitX());
   const double damping = reader.number("damping", Quantity::pure).value_or(0.05);
   const bool over_period = reader.choice("over", {"period", "frequency"}).value_or("period") == "period";
   const ColumnQuantity place = over_period ? ColumnQuantity(Quantity::time) : in_hertz(),
@@ -47,18 +47,19 @@ std::unique_ptr<Analysis> read_earthquake(TableReader& reader, const ResultNames
     return request;
   }
   if (over_period) {
-    request->spectrum = excitation::over_period(places, accelerations, damping);
+    request.spectrum = excitation::over_period(places, accelerations, damping);
   } else {
     for (double& hertz : places) hertz *= 2 * std::numbers::pi;
-    request->spectrum = {places, accelerations, damping};
+    request.spectrum = {places, accelerations, damping};
   }
-  reader.add(excitation::check(request->spectrum, source));
+  reader.add(excitation::check(request.spectrum, source));
   return request;
 }
 
 }  // namespace
 
-const AnalysisReader earthquake_analysis = {.read = read_earthquake, .keys = R"json({"properties": {
+const AnalysisReader earthquake_analysis =
+    read_into<&Analyses::earthquake, read_earthquake>({.keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "direction": {"$ref": "#/$defs/direction"},
@@ -71,6 +72,6 @@ const AnalysisReader earthquake_analysis = {.read = read_earthquake, .keys = R"j
    "period": {"type": "string"},
    "frequency_hz": {"type": "string"},
    "acceleration": {"type": "string"}},
-  "required": ["direction"]})json"};
+  "required": ["direction"]})json"});
 
 }  // namespace trivet::project

@@ -18,8 +18,8 @@ std::vector<std::pair<std::string, std::vector<std::string>>> requested(const An
       request.peaks && request.response && request.peaks->selection.of == request.response->selection.of;
   if (request.peaks && !of_response) all.emplace_back("analyses.peaks.of", request.peaks->selection.of);
   if (request.static_of) all.emplace_back("analyses.static.of", *request.static_of);
-  for (const auto& [name, analysis] : request.by_name)
-    all.emplace_back("analyses." + name + ".of", analysis->selection.of);
+  for (const auto& [name, analysis] : independent_analyses(request))
+    all.emplace_back("analyses." + name + ".of", analysis.selection.of);
   if (request.map) {
     all.emplace_back("analyses.map.no_peak", request.map->no_peak);
     for (const AmplitudeLimit& limit : request.map->limits)

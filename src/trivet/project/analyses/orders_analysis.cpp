@@ -7,25 +7,24 @@
 namespace trivet::project {
 namespace {
 
-std::unique_ptr<Analysis> read_orders_analysis(TableReader& reader, const ResultNames& names,
-                                               const SymbolTable& symbols) {
-  auto request = std::make_unique<OrdersAnalysis>();
-  read_selection(reader, names, symbols.order_excitations, "order", request->selection);
+OrdersAnalysis read_orders_analysis(TableReader& reader, const ResultNames& names, const SymbolTable& symbols) {
+  OrdersAnalysis request;
+  read_selection(reader, names, symbols.order_excitations, "order", request.selection);
   if (!reader.has("speed"))
     reader.missing("speed", "give the range of shaft speeds: speed = [\"600 rpm\", \"3000 rpm\"]");
-  request->speed = read_band(reader, "speed").value_or(assembly::Band{0, 1});
+  request.speed = read_band(reader, "speed").value_or(assembly::Band{0, 1});
   return request;
 }
 
 }  // namespace
 
-const AnalysisReader orders_analysis = {
-    .drive = Drive::orders, .read = read_orders_analysis, .searches_peaks = true, .keys = R"json({"properties": {
+const AnalysisReader orders_analysis = read_into<&Analyses::orders, read_orders_analysis>(
+    {.drive = Drive::orders, .searches_peaks = true, .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "speed": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2,
      "description": "shaft speeds, rad/s or with a unit"}},
-  "required": ["speed"]})json"};
+  "required": ["speed"]})json"});
 
 }  // namespace trivet::project

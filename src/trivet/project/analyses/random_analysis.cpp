@@ -10,9 +10,9 @@
 namespace trivet::project {
 namespace {
 
-std::unique_ptr<Analysis> read_random(TableReader& reader, const ResultNames& names, const SymbolTable& symbols) {
-  auto request = std::make_unique<RandomAnalysis>();
-  read_selection(reader, names, symbols.random_excitations, "random", request->selection);
+RandomAnalysis read_random(TableReader& reader, const ResultNames& names, const SymbolTable& symbols) {
+  RandomAnalysis request;
+  read_selection(reader, names, symbols.random_excitations, "random", request.selection);
   using excitation::Weighting;
   static const std::array<std::pair<const char*, Weighting>, 8> weightings = {{{"Wb", Weighting::Wb},
                                                                                {"Wc", Weighting::Wc},
@@ -32,11 +32,11 @@ std::unique_ptr<Analysis> read_random(TableReader& reader, const ResultNames& na
   for (const auto& contact : contacts) words.emplace_back(contact.first);
   const auto word = reader.choice("weighting", words);
   for (const auto& [name, contact] : contacts)
-    if (word == name) request->contact = contact;
+    if (word == name) request.contact = contact;
   if (word)
     for (const auto& [name, weighting] : weightings)
-      if (*word == name) request->weighting = weighting;
-  const std::vector<std::string>& of = request->selection.of;
+      if (*word == name) request.weighting = weighting;
+  const std::vector<std::string>& of = request.selection.of;
   if (word && std::ranges::all_of(of, [&](const std::string& name) { return names.is_force(name); }))
     warn_of_idle_key(reader, "weighting", "\"" + *word + "\" of forces alone",
                      "it applies to motions only, and no motion is requested", "remove it, or request motions");
@@ -45,11 +45,12 @@ std::unique_ptr<Analysis> read_random(TableReader& reader, const ResultNames& na
 
 }  // namespace
 
-const AnalysisReader random_analysis = {.drive = Drive::random, .read = read_random, .keys = R"json({"properties": {
+const AnalysisReader random_analysis =
+    read_into<&Analyses::random, read_random>({.drive = Drive::random, .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "weighting": {"enum": ["Wb", "Wc", "Wd", "We", "Wf", "Wj", "Wk", "Wm", "seat", "backrest", "feet",
-     "standing"]}}})json"};
+     "standing"]}}})json"});
 
 }  // namespace trivet::project

@@ -212,7 +212,7 @@ void read_requirements(TableReader& root, const ResultNames& names, const Symbol
          "[excitations.NAME] with type = \"harmonic\" or \"orders\"");
   need(reader, "rms", !symbols.random_excitations.empty(), "random excitation",
        "[excitations.NAME] with type = \"random\"");
-  const bool moves_by_itself = result.by_name.contains("transient");
+  const bool moves_by_itself = result.transient.has_value();
   need(reader, "largest", !symbols.time_excitations.empty() || moves_by_itself, "excitation over time",
        "[excitations.NAME] with type = \"time\"");
   const bool loaded = root.has("gravity") || !symbols.constant_excitations.empty();

@@ -10,27 +10,28 @@ namespace {
 
 constexpr std::size_t most_shapes = 1000;
 
-std::unique_ptr<Analysis> read_shapes(TableReader& reader, const ResultNames&, const SymbolTable& symbols) {
-  auto request = std::make_unique<ShapesAnalysis>();
-  request->selection.excitations = read_selected(reader, symbols.harmonic_excitations, "harmonic");
+ShapesAnalysis read_shapes(TableReader& reader, const ResultNames&, const SymbolTable& symbols) {
+  ShapesAnalysis request;
+  request.selection.excitations = read_selected(reader, symbols.harmonic_excitations, "harmonic");
   if (!reader.has("at")) reader.missing("at", "give the frequencies: at = [\"25 Hz\"]");
-  request->at = reader.numbers("at", Quantity::angular_frequency).value_or(std::vector<double>{});
-  if (reader.has("at") && request->at.empty())
+  request.at = reader.numbers("at", Quantity::angular_frequency).value_or(std::vector<double>{});
+  if (reader.has("at") && request.at.empty())
     reader.error("at", "no frequency", "at least one is expected", "for instance at = [\"25 Hz\"]");
-  for (const double omega : request->at)
+  for (const double omega : request.at)
     if (!(omega > 0))
       reader.error("at", fmt::format("{:.6g} rad/s", omega), "a deflection shape needs ω > 0", "correct it");
-  if (request->at.size() > most_shapes)
-    reader.error("at", fmt::format("{} frequencies", request->at.size()),
+  if (request.at.size() > most_shapes)
+    reader.error("at", fmt::format("{} frequencies", request.at.size()),
                  fmt::format("at most {} shapes are drawn", most_shapes), "name fewer frequencies");
   return request;
 }
 
 }  // namespace
 
-const AnalysisReader shapes_analysis = {.drive = Drive::harmonic, .read = read_shapes, .keys = R"json({"properties": {
+const AnalysisReader shapes_analysis =
+    read_into<&Analyses::shapes, read_shapes>({.drive = Drive::harmonic, .keys = R"json({"properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "at": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1}},
-  "required": ["at"]})json"};
+  "required": ["at"]})json"});
 
 }  // namespace trivet::project

@@ -61,37 +61,37 @@ void read_load_factor(TableReader& reader, const ResultNames& names, SteadyAnaly
   }
 }
 
-std::unique_ptr<Analysis> read_steady(TableReader& reader, const ResultNames& names, const SymbolTable& symbols) {
-  auto request = std::make_unique<SteadyAnalysis>();
+SteadyAnalysis read_steady(TableReader& reader, const ResultNames& names, const SymbolTable& symbols) {
+  SteadyAnalysis request;
   std::vector<std::string> periodic = symbols.harmonic_excitations;
   for (const std::string& name : symbols.order_excitations)
     if (std::ranges::find(periodic, name) == periodic.end()) periodic.push_back(name);
-  read_selection(reader, names, periodic, "harmonic or order", request->selection);
-  request->band = read_band(reader, "band");
-  if (request->band && !(request->band->from > 0))
+  read_selection(reader, names, periodic, "harmonic or order", request.selection);
+  request.band = read_band(reader, "band");
+  if (request.band && !(request.band->from > 0))
     reader.error("band", "a band from 0", "the motions are followed over a frequency above 0",
                  "begin at a low frequency, such as a tenth of the first natural one");
-  read_load_factor(reader, names, *request);
-  read_harmonics(reader, request->harmonics, request->tolerance);
+  read_load_factor(reader, names, request);
+  read_harmonics(reader, request.harmonics, request.tolerance);
   const auto branches = reader.choice("branches", {"connected", "all"});
-  request->all_branches = branches && *branches == "all";
-  request->deep = reader.boolean("deep").value_or(false);
-  for (const auto& [key, is_set] : {std::pair("branches", request->all_branches), std::pair("deep", request->deep)})
-    if (is_set && !request->phase_of.empty())
+  request.all_branches = branches && *branches == "all";
+  request.deep = reader.boolean("deep").value_or(false);
+  for (const auto& [key, is_set] : {std::pair("branches", request.all_branches), std::pair("deep", request.deep)})
+    if (is_set && !request.phase_of.empty())
       reader.error(key, "with a phase", "at a phase one curve is followed, with one verdict on stability",
                    "remove it, or take over = \"frequency\"");
   return request;
 }
 
-void check_steady(const Analysis&, const model::System& system, foundation::Problems& problems) {
+void check_steady(const Analyses&, const model::System& system, foundation::Problems& problems) {
   require_nonlinear("analyses.steady", "take response, or give an element laws or a stop (docs/nonlinear.md)", system,
                     problems);
 }
 
 }  // namespace
 
-const AnalysisReader steady_analysis = {
-    .drive = Drive::harmonic_or_orders, .read = read_steady, .check = check_steady, .keys = R"json({"properties": {
+const AnalysisReader steady_analysis = read_into<&Analyses::steady, read_steady>(
+    {.drive = Drive::harmonic_or_orders, .check = check_steady, .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
@@ -103,6 +103,6 @@ const AnalysisReader steady_analysis = {
    "harmonics": {"type": "integer", "minimum": 1, "maximum": 200, "description": "number of harmonics (default: as many as tolerance needs)"},
    "tolerance": {"$ref": "#/$defs/number", "description": "share of the deflections beyond the last harmonic, 0 to 1 (default: 1e-3)"},
    "branches": {"enum": ["connected", "all"], "description": "all: seek detached motions too (default: connected)"},
-   "deep": {"type": "boolean", "description": "judge the stability of every point in two ways (default: false)"}}})json"};
+   "deep": {"type": "boolean", "description": "judge the stability of every point in two ways (default: false)"}}})json"});
 
 }  // namespace trivet::project

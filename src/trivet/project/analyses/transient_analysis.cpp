@@ -39,28 +39,28 @@ std::vector<std::pair<std::string, double>> read_initial(TableReader& reader, co
   return values;
 }
 
-std::unique_ptr<Analysis> read_transient(TableReader& reader, const ResultNames& names, const SymbolTable& symbols) {
-  auto request = std::make_unique<TransientAnalysis>();
-  read_selection(reader, names, symbols.time_excitations, "time", request->selection);
-  request->from = reader.number("from", Quantity::time).value_or(0);
-  request->to = reader.number("to", Quantity::time);
-  request->step = reader.number("step", Quantity::time);
-  if (request->to && !(*request->to > request->from))
-    reader.error("to", fmt::format("{:.6g} s", *request->to), "the end must be after the start",
+TransientAnalysis read_transient(TableReader& reader, const ResultNames& names, const SymbolTable& symbols) {
+  TransientAnalysis request;
+  read_selection(reader, names, symbols.time_excitations, "time", request.selection);
+  request.from = reader.number("from", Quantity::time).value_or(0);
+  request.to = reader.number("to", Quantity::time);
+  request.step = reader.number("step", Quantity::time);
+  if (request.to && !(*request.to > request.from))
+    reader.error("to", fmt::format("{:.6g} s", *request.to), "the end must be after the start",
                  "give `to` above `from`");
-  if (request->step && !(*request->step > 0))
-    reader.error("step", fmt::format("{:.6g} s", *request->step), "a step is > 0", "correct it");
-  if (request->step && request->to && *request->step > *request->to - request->from && *request->to > request->from)
-    reader.error("step", fmt::format("{:.6g} s", *request->step), "it is at most the time between `from` and `to`",
+  if (request.step && !(*request.step > 0))
+    reader.error("step", fmt::format("{:.6g} s", *request.step), "a step is > 0", "correct it");
+  if (request.step && request.to && *request.step > *request.to - request.from && *request.to > request.from)
+    reader.error("step", fmt::format("{:.6g} s", *request.step), "it is at most the time between `from` and `to`",
                  "take a shorter step");
-  if (request->step && request->to && *request->step > 0 &&
-      (*request->to - request->from) / *request->step > most_time_points)
-    reader.error("step", fmt::format("{:.3g} points", (*request->to - request->from) / *request->step),
+  if (request.step && request.to && *request.step > 0 &&
+      (*request.to - request.from) / *request.step > most_time_points)
+    reader.error("step", fmt::format("{:.3g} points", (*request.to - request.from) / *request.step),
                  fmt::format("at most {:.0f} points are computed at once", most_time_points), "take a longer step");
-  request->nearest_linear_system = reader.boolean("nearest_linear_system").value_or(false);
-  request->displacements =
+  request.nearest_linear_system = reader.boolean("nearest_linear_system").value_or(false);
+  request.displacements =
       read_initial(reader, "initial_displacement", names, symbols.nodes, assembly::MotionQuantity::displacement);
-  request->velocities =
+  request.velocities =
       read_initial(reader, "initial_velocity", names, symbols.nodes, assembly::MotionQuantity::velocity);
   return request;
 }
@@ -71,11 +71,11 @@ bool starts_from_initial_values(const Node& table) {
 
 }  // namespace
 
-const AnalysisReader transient_analysis = {.drive = Drive::time,
-                                           .read = read_transient,
-                                           .of_large_systems = true,
-                                           .moves_by_itself = starts_from_initial_values,
-                                           .keys = R"json({"properties": {
+const AnalysisReader transient_analysis =
+    read_into<&Analyses::transient, read_transient>({.drive = Drive::time,
+                                                     .of_large_systems = true,
+                                                     .moves_by_itself = starts_from_initial_values,
+                                                     .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
@@ -84,6 +84,6 @@ const AnalysisReader transient_analysis = {.drive = Drive::time,
    "step": {"$ref": "#/$defs/number"},
    "nearest_linear_system": {"type": "boolean"},
    "initial_displacement": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}},
-   "initial_velocity": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}}}})json"};
+   "initial_velocity": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}}}})json"});
 
 }  // namespace trivet::project

@@ -21,8 +21,8 @@ using nonlinear::BackbonePoint;
 constexpr std::size_t most_mode_figures = 24;
 
 const std::vector<Backbone>* modes_in(const study::CaseResults& results) {
-  const auto* modes = results.find<std::vector<Backbone>>("backbone");
-  return modes && !modes->empty() ? modes : nullptr;
+  const auto& modes = results.backbone;
+  return modes && !modes->empty() ? &*modes : nullptr;
 }
 
 double half_of_range(const BackbonePoint& point, std::size_t result) { return point.results[result].half_of_range(); }

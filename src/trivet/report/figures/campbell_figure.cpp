@@ -89,7 +89,7 @@ void draw_campbell_key(SvgCanvas& canvas, PixelPoint at) {
 }  // namespace
 
 std::vector<Figure> campbell_figures(const study::CaseResults& results) {
-  const auto* orders = results.find<study::OrdersResult>("orders");
+  const auto& orders = results.orders;
   if (!orders || orders->campbell.orders.empty()) return {};
   const response::Campbell& campbell = orders->campbell;
   const PlotPanel panel{

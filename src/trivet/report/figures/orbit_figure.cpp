@@ -173,7 +173,7 @@ Figure orbit_figure(const CurveGroup& group, const std::vector<ShownMotion>& sho
 std::vector<Figure> orbit_figures(const study::CaseResults& results) {
   constexpr std::size_t most = 12;
   constexpr double round_off = 1e-9;  // of the largest motion: such a body rests
-  const auto* branch = results.find<SteadyBranch>("steady");
+  const auto& branch = results.steady;
   std::vector<Figure> figures;
   if (!branch) return figures;
   double largest_of_all = 0;

@@ -75,7 +75,7 @@ PanelRow mount_row(const response::PowerFlow& power, const std::vector<std::size
 }  // namespace
 
 std::vector<Figure> power_figures(const study::CaseResults& results) {
-  const auto* found = results.find<response::PowerFlow>("power");
+  const auto& found = results.power;
   if (!found || found->angular_frequency.size() < 3 || found->mounts.empty() || !flows(*found)) return {};
   const response::PowerFlow& power = *found;
   std::vector<double> hertz;

@@ -54,7 +54,7 @@ PanelRow density_row(const study::RandomResult& random, const std::vector<Groupe
 
 std::vector<Figure> random_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
-  const auto* random = results.find<study::RandomResult>("random");
+  const auto& random = results.random;
   if (!random || random->curves.angular_frequency.size() < 3) return figures;
   for (const CurveGroup& group : curve_groups(curve_names(random->response.channels))) {
     std::vector<PanelRow> rows;

@@ -104,7 +104,7 @@ std::vector<PanelRow> amplitude_rows(const response::RunUp& run_up, const std::v
 
 std::vector<Figure> run_up_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
-  const auto* orders = results.find<study::OrdersResult>("orders");
+  const auto& orders = results.orders;
   if (!orders || orders->run_up.speed.size() < 2) return figures;
   const response::RunUp& run_up = orders->run_up;
   for (const CurveGroup& group : curve_groups(curve_names(run_up.overall))) {

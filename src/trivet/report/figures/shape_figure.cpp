@@ -204,7 +204,7 @@ Figure shape_figure(const study::CaseResults& results, const response::Deflectio
 
 std::vector<Figure> shape_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
-  const auto* shapes = results.find<std::vector<response::DeflectionShape>>("shapes");
+  const auto& shapes = results.shapes;
   if (!shapes) return figures;
   for (const response::DeflectionShape& shape : *shapes)
     if (!shape.bodies.empty()) figures.push_back(shape_figure(results, shape));

@@ -45,7 +45,7 @@ PanelRow spectrum_row(const study::ShockSpectrumResult& result, const project::D
 
 std::vector<Figure> shock_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
-  const auto* spectra = results.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum");
+  const auto& spectra = results.shock_spectrum;
   if (!spectra) return figures;
   for (const study::ShockSpectrumResult& result : *spectra) {
     if (result.spectrum.size() < 2) continue;

@@ -119,7 +119,7 @@ void add_jumps(const SteadyBranch& branch, std::size_t result, const project::Di
 std::vector<PanelCurve> nonlinear_modes(const SteadyBranch& branch, std::size_t result,
                                         const study::CaseResults& results, const UnitPrefix& unit, double highest) {
   std::vector<PanelCurve> found;
-  const auto* modes = results.find<std::vector<nonlinear::Backbone>>("backbone");
+  const auto& modes = results.backbone;
   if (!modes || branch.over != nonlinear::Parameter::frequency || branch.of_shaft) return found;
   const auto [low, high] = std::ranges::minmax_element(branch.points, [](const SteadyPoint& a, const SteadyPoint& b) {
     return a.angular_frequency < b.angular_frequency;
@@ -224,7 +224,7 @@ PanelRow harmonics_row(const SteadyBranch& branch, std::size_t result, const pro
 }  // namespace
 
 std::vector<Figure> steady_figures(const study::CaseResults& results) {
-  const auto* branch = results.find<SteadyBranch>("steady");
+  const auto& branch = results.steady;
   if (!branch || branch->points.size() < 3) return {};
   std::vector<double> largest;
   for (std::size_t c = 0; c < branch->results.size(); ++c) {
@@ -269,7 +269,7 @@ std::string stability_block(const SteadyBranch& branch, const project::DisplayUn
 }  // namespace
 
 std::string steady_tables(const study::CaseResults& results) {
-  const auto* branch = results.find<SteadyBranch>("steady");
+  const auto& branch = results.steady;
   if (!branch) return "";
   std::vector<std::vector<Cell>> rows;
   const auto add_fold = [&](const Fold& fold, const std::string& of) {

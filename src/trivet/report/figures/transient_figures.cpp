@@ -78,7 +78,7 @@ bool is_round_off(const response::TransientResponse& transient, const response::
 
 std::vector<Figure> transient_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
-  const auto* found = results.find<study::TransientResult>("transient");
+  const auto& found = results.transient;
   if (!found || found->response.time.size() < 2) return figures;
   const response::TransientResponse& transient = found->response;
   for (const CurveGroup& group : curve_groups(curve_names(transient.curves))) {

@@ -27,7 +27,7 @@ std::string isolation_words(const response::Crossover& crossover, const project:
 }  // namespace
 
 std::vector<Figure> transmissibility_figures(const study::CaseResults& results) {
-  const auto* found = results.find<study::TransmissibilityResult>("transmissibility");
+  const auto& found = results.transmissibility;
   if (!found || found->curves.angular_frequency.size() < 3) return {};
   const study::TransmissibilityResult& result = *found;
   PanelRow row;

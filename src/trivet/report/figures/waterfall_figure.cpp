@@ -102,7 +102,7 @@ void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response:
 }  // namespace
 
 std::vector<Figure> waterfall_figures(const study::CaseResults& results) {
-  const auto* found = results.find<study::OrdersResult>("orders");
+  const auto& found = results.orders;
   if (!found || found->run_up.speed.size() < 2) return {};
   const response::RunUp& run_up = found->run_up;
   const std::optional<std::size_t> curve = tallest_curve(run_up);

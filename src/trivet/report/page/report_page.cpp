@@ -14,7 +14,6 @@
 #include "trivet/report/page/page_notices.h"
 #include "trivet/report/page/result_sections.h"
 #include "trivet/report/tables/input_tables.h"
-#include "trivet/report/tables/result_tables.h"
 #include "trivet/results/design/verdict_results.h"
 #include "trivet/results/format/written_results.h"
 

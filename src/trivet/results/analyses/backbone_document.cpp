@@ -152,7 +152,7 @@ void add_remarks(const Backbone& mode, Document& document) {
 }
 
 Document backbone_document(const project::Case&, const study::CaseResults& results) {
-  const auto& modes = *results.find<std::vector<Backbone>>("backbone");
+  const auto& modes = *results.backbone;
   Document document;
   document.add(nonlinear_modes(modes));
   document.add(backbone_points(modes));

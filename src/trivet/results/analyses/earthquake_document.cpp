@@ -64,7 +64,7 @@ Table mode_shares(const EarthquakeResponse& e) {
 }
 
 Document earthquake_document(const project::Case&, const study::CaseResults& results) {
-  const EarthquakeResponse& e = *results.find<EarthquakeResponse>("earthquake");
+  const EarthquakeResponse& e = *results.earthquake;
   return {{{combined_table(e)},
            {mode_shares(e)},
            {Single{.name = "effective_mass_share", .value = e.effective_mass_share, .forms = in_json | in_arrays}},

@@ -11,7 +11,8 @@ namespace {
 /// The excitations that the case selects for an analysis; empty: all.
 std::vector<std::string> selected(const project::Analyses& request, const std::string& analysis) {
   if (analysis == "peaks" && request.peaks) return request.peaks->selection.excitations;
-  if (const auto* own = request.find<project::Analysis>(analysis)) return own->selection.excitations;
+  for (const auto& [name, own] : project::independent_analyses(request))
+    if (name == analysis) return own.selection.excitations;
   return (analysis == "peaks" || analysis == "response") && request.response ? request.response->selection.excitations
                                                                              : std::vector<std::string>();
 }

@@ -66,7 +66,7 @@ std::string farthest_motion(const study::CaseResults& results, const nonlinear::
 }  // namespace
 
 std::string highest_peak(const study::CaseResults& results) {
-  const auto* branch = results.find<nonlinear::SteadyBranch>("steady");
+  const auto& branch = results.steady;
   if (branch && !branch->results.empty()) return farthest_motion(results, *branch);
   if (results.peaks && !results.peaks->peaks.curves.empty()) return highest_resonance(results, results.peaks->peaks);
   const bool has_curves = results.response && results.response->model && !results.response->curves.curves.empty();

@@ -123,7 +123,7 @@ Group campbell_diagram(const response::Campbell& campbell) {
 }
 
 Document orders_document(const project::Case&, const study::CaseResults& results) {
-  const study::OrdersResult& found = *results.find<study::OrdersResult>("orders");
+  const study::OrdersResult& found = *results.orders;
   return {{{run_up_curves(found.run_up)},
            {order_table(found.run_up)},
            {overall_table(found.run_up)},

@@ -68,7 +68,7 @@ Table power_rows(const char* key, const char* axis, const char* name, const std:
 }
 
 Document power_document(const project::Case& variant, const study::CaseResults& results) {
-  const PowerFlow& p = *results.find<PowerFlow>("power");
+  const PowerFlow& p = *results.power;
   Curves curves{.axis = "angular_frequency",
                 .unit = "rad/s",
                 .points = p.angular_frequency,

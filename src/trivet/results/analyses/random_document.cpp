@@ -163,7 +163,7 @@ void add_total_values(const std::vector<study::TotalValue>& totals, Document& do
 }
 
 Document random_document(const project::Case&, const study::CaseResults& results) {
-  const RandomResult& random = *results.find<RandomResult>("random");
+  const RandomResult& random = *results.random;
   const response::RandomResponse& found = random.response;
   const auto frequency = [](double omega) { return Quantity{omega, "rad/s", Kind::frequency, 4}; };
   Document document;

@@ -64,6 +64,14 @@ const ResultWriter map_results = {
 
 namespace {
 
+template <auto field>
+ResultWriter of_field(const char* name, ResultWriter writer) {
+  writer.has_result = [](const project::Case&, const study::CaseResults& results) {
+    return (results.*field).has_value();
+  };
+  return project::named(name, std::move(writer));
+}
+
 std::vector<ResultWriter> with_tables(std::vector<ResultWriter> list) {
   for (ResultWriter& writer : list)
     for (const char* file : writer.files)
@@ -78,10 +86,12 @@ std::vector<ResultWriter> with_tables(std::vector<ResultWriter> list) {
 
 const std::vector<ResultWriter>& result_writers() {
 #define TRIVET_WRITER(name) project::named(#name, name##_results),
+#define TRIVET_OWN_WRITER(name) of_field<&study::CaseResults::name>(#name, name##_results),
   static const std::vector<ResultWriter> list = with_tables(
       {TRIVET_WRITER(modes) TRIVET_WRITER(roots) TRIVET_WRITER(response) TRIVET_WRITER(peaks) TRIVET_WRITER(static)
-           TRIVET_ANALYSES(TRIVET_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(measurements) TRIVET_WRITER(map)
+           TRIVET_ANALYSES(TRIVET_OWN_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(measurements) TRIVET_WRITER(map)
                TRIVET_WRITER(optimize) TRIVET_WRITER(load_sharing)});
+#undef TRIVET_OWN_WRITER
 #undef TRIVET_WRITER
   return list;
 }

@@ -119,7 +119,7 @@ LabelledArrays motions_of(const std::vector<DeflectionShape>& shapes) {
 }
 
 Document shapes_document(const project::Case& variant, const study::CaseResults& results) {
-  const auto& shapes = *results.find<std::vector<DeflectionShape>>("shapes");
+  const auto& shapes = *results.shapes;
   Document document;
   document.add(excited_part(variant, "shapes"));
   document.add(shape_table(shapes));

@@ -139,7 +139,7 @@ Table all_spectrum_rows(const Spectra& spectra) {
 }
 
 Document shock_spectrum_document(const project::Case&, const study::CaseResults& results) {
-  const Spectra& spectra = *results.find<Spectra>("shock_spectrum");
+  const Spectra& spectra = *results.shock_spectrum;
   Document document;
   if (!spectra.empty())
     document.add(Curves{.axis = "angular_frequency",

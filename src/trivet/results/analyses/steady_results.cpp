@@ -29,7 +29,7 @@ using nonlinear::SteadyPoint;
 
 namespace {
 
-const SteadyBranch& branch_of(const study::CaseResults& results) { return *results.find<SteadyBranch>("steady"); }
+const SteadyBranch& branch_of(const study::CaseResults& results) { return *results.steady; }
 
 /// A motion with its curve: 0 is the connected one, others are numbered as further ones.
 struct PointOfCurve {

@@ -53,7 +53,7 @@ Table extreme_table(const response::TransientResponse& found) {
 }
 
 Document transient_document(const project::Case& variant, const study::CaseResults& results) {
-  const response::TransientResponse& found = results.find<study::TransientResult>("transient")->response;
+  const response::TransientResponse& found = results.transient->response;
   return {{{excited_part(variant, "transient")},
            {time_curves(found)},
            {extreme_table(found)},

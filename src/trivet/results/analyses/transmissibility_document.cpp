@@ -95,7 +95,7 @@ Table transmissibility_peaks(const response::Peaks& peaks) {
 }
 
 Document transmissibility_document(const project::Case&, const study::CaseResults& results) {
-  const TransmissibilityResult& t = *results.find<TransmissibilityResult>("transmissibility");
+  const TransmissibilityResult& t = *results.transmissibility;
   const std::string shares = t.curves.curves.size() > 1 && t.is_share(1)
       ? "the force of a single mount is only a share; isolation is that of the total force on the ground"
       : "";

@@ -120,8 +120,8 @@ void add_cut_short(const study::CaseResults& case_results, std::size_t which, st
     if (!ended.empty())
       list.push_back({Outcome::not_judged, "answer", fmt::format("{} is not complete", analysis), ended, 0, which});
   };
-  if (const auto* steady = case_results.find<nonlinear::SteadyBranch>("steady")) add("steady", steady->ended);
-  if (const auto* modes = case_results.find<std::vector<nonlinear::Backbone>>("backbone"))
+  if (const auto& steady = case_results.steady) add("steady", steady->ended);
+  if (const auto& modes = case_results.backbone)
     for (const nonlinear::Backbone& mode : *modes) add("backbone", mode.ended);
 }
 

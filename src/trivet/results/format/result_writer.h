@@ -22,8 +22,7 @@ namespace trivet::results {
 struct ResultWriter {
   const char* name = nullptr;  ///< name of the analysis in [analyses], of its command and of its key in results.json;
                                ///< set by result_writers()
-  /// nullptr: there is a result if `by_analysis` has one of this name, as for all analyses of
-  /// project/analyses/analysis_table.h.
+  /// Those of project/analyses/analysis_table.h leave it to result_writers(): their field is there.
   bool (*has_result)(const project::Case& variant, const study::CaseResults& results) = nullptr;
   /// The result described once; in place of `text` and `summary`, and of `json` and `arrays` if they are null.
   Document (*document)(const project::Case& variant, const study::CaseResults& results) = nullptr;
@@ -38,7 +37,7 @@ struct ResultWriter {
   void (*arrays)(const project::Case& variant, const study::CaseResults& results, LabelledArrays& list) = nullptr;
 
   [[nodiscard]] bool is_there(const project::Case& variant, const study::CaseResults& results) const {
-    return has_result ? has_result(variant, results) : results.by_analysis.contains(name);
+    return has_result(variant, results);
   }
 };
 

@@ -69,11 +69,9 @@ Analyses static_of(const Case& variant) {
 /// The analysis of the file; if it has none, the analysis with defaults.
 Analyses own_request(const AnalysisRun& analysis, const Case& variant) {
   Analyses request;
-  const auto found = variant.analyses.by_name.find(analysis.name);
-  const bool in_file = found != variant.analyses.by_name.end();
-  if (!in_file && analysis.to_add) throw foundation::InvalidInput(analysis.to_add);
-  if (!in_file) require_excitation(analysis.name, variant);
-  request.by_name[analysis.name] = in_file ? found->second : analysis.by_default();
+  if (analysis.request(variant.analyses, request)) return request;
+  if (analysis.to_add) throw foundation::InvalidInput(analysis.to_add);
+  require_excitation(analysis.name, variant);
   return request;
 }
 

@@ -15,9 +15,10 @@
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 #include "trivet/response/transient/transient.h"
-#include "trivet/study/analyses/case_context.h"
 
 namespace trivet::study {
+
+class CaseContext;
 
 /// Share of the highest peak of the same result above which tables for people list a critical speed.
 inline constexpr double listed_height = 0.01;
@@ -80,6 +81,10 @@ struct TransmissibilityResult {
 /// @param quantities  of points, one per result requested; empty: the one of the analysis
 [[nodiscard]] nonlinear::SteadyBranch steady_motions(const CaseContext& context, const project::SteadyAnalysis& request,
                                                      const std::vector<assembly::MotionQuantity>& quantities = {});
+
+/// @throws foundation::NotComputable if nothing moves
+[[nodiscard]] TransientResult transient_result(const CaseContext& context, const project::TransientAnalysis& request,
+                                               foundation::Problems& warnings);
 
 /// What may be wrong about such motions.
 void warn_of_motions(const CaseContext& context, const project::SteadyAnalysis& request,

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <any>
-#include <memory>
+#include <vector>
 
 #include "trivet/project/analyses/analysis_table.h"
 #include "trivet/study/analyses/case_context.h"
@@ -14,36 +13,26 @@ struct AnalysisRun {
   const char* name = nullptr;  ///< set by analysis_runs()
   const char* about;           ///< one line of help for its command
   const char* to_add;          ///< what the file must specify; nullptr: the defaults suffice
-  std::shared_ptr<const project::Analysis> (*by_default)();
-  /// @throws foundation::NotComputable, foundation::InvalidInput with the reason if there is no result; warnings of the
-  /// computation are added to the list
-  std::any (*compute)(const CaseContext& context, const project::Analysis& request, foundation::Problems& warnings);
+  /// Requests it as the file does, or with its defaults. Returns whether the file does.
+  bool (*request)(const project::Analyses& of_file, project::Analyses& into);
+  /// Nothing if it is not requested. @throws foundation::NotComputable, foundation::InvalidInput with the reason if
+  /// there is no result; warnings of the computation are added to those of the case
+  void (*compute)(const CaseContext& context, const project::Analyses& requested, CaseResults& into);
 };
 
-namespace detail {
-
-template <typename Request, typename Result,
-          Result (*compute)(const CaseContext&, const Request&, foundation::Problems&)>
-std::any result_as_any(const CaseContext& context, const project::Analysis& request, foundation::Problems& warnings) {
-  return compute(context, dynamic_cast<const Request&>(request), warnings);
-}
-
-template <auto compute>
-struct Signature;
-template <typename Request, typename Result,
-          Result (*compute)(const CaseContext&, const Request&, foundation::Problems&)>
-struct Signature<compute> {
-  static constexpr auto any = result_as_any<Request, Result, compute>;
-  static std::shared_ptr<const project::Analysis> by_default() { return std::make_shared<Request>(); }
-};
-
-}  // namespace detail
-
-/// An analysis that a function with its own types computes: Result (const CaseContext&, const Request&,
-/// foundation::Problems& warnings).
-template <auto compute>
+/// An analysis whose request and result are these fields, and that a function with their types computes: Result (const
+/// CaseContext&, const Request&, foundation::Problems& warnings).
+template <auto request, auto result, auto compute>
 [[nodiscard]] constexpr AnalysisRun computed_by(const char* about, const char* to_add = nullptr) {
-  return {nullptr, about, to_add, detail::Signature<compute>::by_default, detail::Signature<compute>::any};
+  return {nullptr, about, to_add,
+          [](const project::Analyses& of_file, project::Analyses& into) {
+            into.*request = of_file.*request;
+            if (!(into.*request)) (into.*request).emplace();
+            return (of_file.*request).has_value();
+          },
+          [](const CaseContext& context, const project::Analyses& requested, CaseResults& into) {
+            if (requested.*request) into.*result = compute(context, *(requested.*request), into.warnings);
+          }};
 }
 
 #define TRIVET_RUN(name) extern const AnalysisRun name##_run;

@@ -51,7 +51,7 @@ std::vector<nonlinear::Backbone> backbone_result(const CaseContext& c, const pro
 
 }  // namespace
 
-const AnalysisRun backbone_run = computed_by<backbone_result>(
+const AnalysisRun backbone_run = computed_by<&project::Analyses::backbone, &CaseResults::backbone, backbone_result>(
     "nonlinear modes: frequency and damping over amplitude",
     "backbone: no end of the amplitude given; add backbone = {up_to = \"10 mm\"} to [analyses]");
 

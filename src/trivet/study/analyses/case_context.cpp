@@ -114,8 +114,8 @@ void warn_of_guide_forces(const CaseContext& c, const project::Analyses& analyse
     of.insert(of.end(), analyses.map->no_peak.begin(), analyses.map->no_peak.end());
     for (const project::AmplitudeLimit& limit : analyses.map->limits) of.push_back(limit.name);
   }
-  for (const auto& [name, analysis] : analyses.by_name)
-    of.insert(of.end(), analysis->selection.of.begin(), analysis->selection.of.end());
+  for (const auto& [name, analysis] : project::independent_analyses(analyses))
+    of.insert(of.end(), analysis.selection.of.begin(), analysis.selection.of.end());
   if (std::ranges::none_of(of, [](const std::string& word) { return word.starts_with("ground"); })) return;
   for (const model::Body& body : c.system.bodies())
     if (body.is_constrained())
@@ -134,10 +134,9 @@ void warn_of_guided_motions(const CaseContext& c, const project::Analyses& analy
           !names.empty())
         model::warn_of_guides(body, names, analysis, warnings);
   };
-  const auto* transmitted = analyses.find<project::TransmissibilityAnalysis>("transmissibility");
+  const auto& transmitted = analyses.transmissibility;
   if (transmitted && transmitted->force.empty()) warn("transmissibility", transmitted->direction);
-  if (const auto* shaken = analyses.find<project::EarthquakeAnalysis>("earthquake"))
-    warn("earthquake", model::Direction{shaken->direction, false});
+  if (const auto& shaken = analyses.earthquake) warn("earthquake", model::Direction{shaken->direction, false});
 }
 
 /// Warns of frequency-dependent elements: undamped modes use one stiffness, the static one.

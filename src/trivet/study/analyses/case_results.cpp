@@ -170,9 +170,7 @@ class CaseStudy {
                                                     // under its weight has none
       }
     }
-    for (const AnalysisRun& analysis : analysis_runs())
-      if (const auto* requested = analyses.find<project::Analysis>(analysis.name))
-        attempt([&] { result.by_analysis[analysis.name] = analysis.compute(c_, *requested, result.warnings); });
+    for (const AnalysisRun& analysis : analysis_runs()) attempt([&] { analysis.compute(c_, analyses, result); });
     if (result.response && !analyses.limit_lines.empty())
       attempt([&] {
         result.limit_lines =

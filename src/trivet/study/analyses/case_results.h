@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <any>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,15 +9,20 @@
 #include "trivet/foundation/interruption.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
+#include "trivet/nonlinear/modes/backbone.h"
 #include "trivet/nonlinear/rest/rest_position.h"
 #include "trivet/project/project.h"
+#include "trivet/response/machinery/deflection_shape.h"
 #include "trivet/response/machinery/limit_line.h"
 #include "trivet/response/machinery/load_sharing.h"
+#include "trivet/response/machinery/power.h"
 #include "trivet/response/steady/curve_model.h"
 #include "trivet/response/steady/deep_check.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 #include "trivet/response/steady/static_response.h"
+#include "trivet/response/transient/earthquake.h"
+#include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/analyses/load_case.h"
 #include "trivet/study/analyses/measurement_comparison.h"
 #include "trivet/study/map/design_map.h"
@@ -92,16 +95,17 @@ struct CaseResults {
   std::shared_ptr<const Optimization> optimization;  ///< of the base model, if the file has [analyses.optimize]
   std::shared_ptr<const DesignFront> front;          ///< the same with `front`
   std::vector<std::string> failures;                 ///< requests that could not be computed, with the reason
-  std::map<std::string, std::any>
-      by_analysis;  ///< results of the analyses of project/analyses/analysis_table.h, by name
-
-  /// The result of such an analysis, with the type of its NAME_run.cpp; nullptr if there is none. @throws
-  /// std::bad_any_cast for another type
-  template <typename Result>
-  [[nodiscard]] const Result* find(const std::string& analysis) const {
-    const auto found = by_analysis.find(analysis);
-    return found == by_analysis.end() ? nullptr : &std::any_cast<const Result&>(found->second);
-  }
+  // Those of analysis_table.h:
+  std::optional<RandomResult> random;
+  std::optional<TransientResult> transient;
+  std::optional<OrdersResult> orders;
+  std::optional<TransmissibilityResult> transmissibility;
+  std::optional<response::PowerFlow> power;
+  std::optional<std::vector<response::DeflectionShape>> shapes;
+  std::optional<nonlinear::SteadyBranch> steady;
+  std::optional<std::vector<nonlinear::Backbone>> backbone;
+  std::optional<std::vector<ShockSpectrumResult>> shock_spectrum;
+  std::optional<response::EarthquakeResponse> earthquake;
 };
 
 /// Computes everything that `analyses` requests of a case; failures are listed in `failures` and in the warnings, the

@@ -9,8 +9,8 @@
 namespace trivet::study {
 
 bool is_cut_short(const CaseResults& results) {
-  const auto* steady = results.find<nonlinear::SteadyBranch>("steady");
-  const auto* modes = results.find<std::vector<nonlinear::Backbone>>("backbone");
+  const auto& steady = results.steady;
+  const auto& modes = results.backbone;
   const auto ends = [](const auto& curve) { return !curve.ended.empty(); };
   return (steady && ends(*steady)) || (modes && std::ranges::any_of(*modes, ends));
 }

@@ -28,7 +28,7 @@ OrdersResult orders_result(const CaseContext& c, const project::OrdersAnalysis& 
 
 }  // namespace
 
-const AnalysisRun orders_run = computed_by<orders_result>(
+const AnalysisRun orders_run = computed_by<&project::Analyses::orders, &CaseResults::orders, orders_result>(
     "run-up: response over shaft speed, critical speeds",
     "orders: no range of speeds given; add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
 
@@ -54,7 +54,8 @@ response::PowerFlow power_result(const CaseContext& c, const project::BandAnalys
 
 }  // namespace
 
-const AnalysisRun power_run = computed_by<power_result>("mean power into the ground at each mount");
+const AnalysisRun power_run = computed_by<&project::Analyses::power, &CaseResults::power, power_result>(
+    "mean power into the ground at each mount");
 
 namespace {
 
@@ -70,7 +71,7 @@ std::vector<response::DeflectionShape> shapes_result(const CaseContext& c, const
 
 }  // namespace
 
-const AnalysisRun shapes_run = computed_by<shapes_result>(
+const AnalysisRun shapes_run = computed_by<&project::Analyses::shapes, &CaseResults::shapes, shapes_result>(
     "operating deflection shapes", "shapes: no frequencies given; add shapes = {at = [\"25 Hz\"]} to [analyses]");
 
 }  // namespace trivet::study

@@ -77,6 +77,7 @@ RandomResult random_result(const CaseContext& c, const project::RandomAnalysis& 
 
 }  // namespace
 
-const AnalysisRun random_run = computed_by<random_result>("RMS values under random excitation");
+const AnalysisRun random_run =
+    computed_by<&project::Analyses::random, &CaseResults::random, random_result>("RMS values under random excitation");
 
 }  // namespace trivet::study

@@ -29,9 +29,10 @@ response::EarthquakeResponse earthquake_result(const CaseContext& c, const proje
 }  // namespace
 
 const AnalysisRun earthquake_run =
-    computed_by<earthquake_result>("largest response to an earthquake, from its response spectrum",
-                                   "earthquake: no spectrum given; add earthquake = {direction = \"x\", rows = "
-                                   "[[0.02, 3], [0.1, 9], …]} to [analyses]");
+    computed_by<&project::Analyses::earthquake, &CaseResults::earthquake, earthquake_result>(
+        "largest response to an earthquake, from its response spectrum",
+        "earthquake: no spectrum given; add earthquake = {direction = \"x\", rows = "
+        "[[0.02, 3], [0.1, 9], …]} to [analyses]");
 
 namespace {
 
@@ -69,9 +70,10 @@ std::vector<ShockSpectrumResult> shock_spectrum_result(const CaseContext& c,
 
 }  // namespace
 
-const AnalysisRun shock_spectrum_run = computed_by<shock_spectrum_result>(
-    "shock response spectra of ground accelerations over time",
-    "shock_spectrum: no range of natural frequencies given; add shock_spectrum = {band "
-    "= [\"5 Hz\", \"2000 Hz\"]} to [analyses]");
+const AnalysisRun shock_spectrum_run =
+    computed_by<&project::Analyses::shock_spectrum, &CaseResults::shock_spectrum, shock_spectrum_result>(
+        "shock response spectra of ground accelerations over time",
+        "shock_spectrum: no range of natural frequencies given; add shock_spectrum = {band "
+        "= [\"5 Hz\", \"2000 Hz\"]} to [analyses]");
 
 }  // namespace trivet::study

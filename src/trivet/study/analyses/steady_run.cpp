@@ -246,7 +246,7 @@ nonlinear::SteadyBranch steady_result(const CaseContext& c, const project::Stead
 
 }  // namespace
 
-const AnalysisRun steady_run =
-    computed_by<steady_result>("periodic motions of nonlinear machines, with folds, jumps and stability");
+const AnalysisRun steady_run = computed_by<&project::Analyses::steady, &CaseResults::steady, steady_result>(
+    "periodic motions of nonlinear machines, with folds, jumps and stability");
 
 }  // namespace trivet::study

@@ -26,6 +26,8 @@ std::optional<response::InitialState> initial_state(const CaseContext& c, const 
   return response::initial_state(c.assembled, q, v);
 }
 
+}  // namespace
+
 TransientResult transient_result(const CaseContext& c, const project::TransientAnalysis& request,
                                  foundation::Problems& warnings) {
   const std::vector<response::TimeInput> inputs =
@@ -50,8 +52,7 @@ TransientResult transient_result(const CaseContext& c, const project::TransientA
   return result;
 }
 
-}  // namespace
-
-const AnalysisRun transient_run = computed_by<transient_result>("time history of the motion");
+const AnalysisRun transient_run =
+    computed_by<&project::Analyses::transient, &CaseResults::transient, transient_result>("time history of the motion");
 
 }  // namespace trivet::study

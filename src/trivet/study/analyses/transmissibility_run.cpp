@@ -69,8 +69,9 @@ double largest_transmissibility(const CaseContext& context, const project::Trans
 }
 
 const AnalysisRun transmissibility_run =
-    computed_by<transmissibility_result>("force or motion that the mounts transmit",
-                                         "transmissibility: no force or base motion given; add transmissibility = "
-                                         "{force = \"EXCITATION\"} or {base = \"z\"} to [analyses]");
+    computed_by<&project::Analyses::transmissibility, &CaseResults::transmissibility, transmissibility_result>(
+        "force or motion that the mounts transmit",
+        "transmissibility: no force or base motion given; add transmissibility = "
+        "{force = \"EXCITATION\"} or {base = \"z\"} to [analyses]");
 
 }  // namespace trivet::study

@@ -210,7 +210,7 @@ bool DesignObjective::is_expensive() const {
 bool DesignObjective::has_quick(Effort effort) const {
   if (effort == Effort::quick) return false;
   return std::ranges::any_of(requests_, [](const project::Analyses& request) {
-    const auto* steady = request.find<project::SteadyAnalysis>("steady");
+    const auto& steady = request.steady;
     return request.requirements && request.requirements->no_jump && !(steady && steady->all_branches);
   });
 }

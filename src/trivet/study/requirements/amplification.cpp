@@ -55,7 +55,7 @@ void add_analysis(const CaseContext& c, const project::TransmissibilityAnalysis&
 
 std::vector<Operation> operations(const CaseContext& c, const project::Analyses& analyses) {
   std::vector<Operation> result;
-  const auto* analysis = analyses.find<project::TransmissibilityAnalysis>("transmissibility");
+  const auto& analysis = analyses.transmissibility;
   if (analysis && is_operating_band(analysis->band)) add_analysis(c, *analysis, *analysis->band, result);
   const project::Requirements required = analyses.requirements.value_or(project::Requirements());
   for (const model::Excitation& excitation : c.system.description().excitations) {
@@ -112,8 +112,7 @@ bool speaks_of_the_ground(const project::Analyses& analyses) {
 
 std::optional<double> operating_transmissibility(const CaseContext& c, const project::Analyses& analyses,
                                                  const std::vector<RequirementResult>& judged) {
-  if (const auto* requirement = analyses.find<project::TransmissibilityAnalysis>("transmissibility"))
-    return largest_transmissibility(c, *requirement);
+  if (const auto& requirement = analyses.transmissibility) return largest_transmissibility(c, *requirement);
   std::optional<double> largest;
   const auto consider = [&](const RequirementResult& one) {
     if (one.value) largest = std::max(largest.value_or(0), *one.value);

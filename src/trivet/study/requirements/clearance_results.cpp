@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <any>
 #include <cmath>
 #include <functional>
 #include <variant>
@@ -17,7 +16,6 @@
 #include "trivet/project/analyses/analysis_types.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/analyses/analysis_results.h"
-#include "trivet/study/analyses/analysis_run.h"
 #include "trivet/study/explain/explanation.h"
 #include "trivet/study/requirements/margin.h"
 
@@ -76,12 +74,11 @@ void add_harmonic(const CaseContext& c, const project::Analyses& analyses,
 
 void add_transient(const CaseContext& c, const project::Analyses& analyses, std::vector<Approach>& approaches,
                    foundation::Problems& warnings) {
-  const auto* of_file = analyses.find<project::TransientAnalysis>("transient");
-  if (!of_file) return;
-  project::TransientAnalysis request = *of_file;
+  if (!analyses.transient) return;
+  project::TransientAnalysis request = *analyses.transient;
   request.selection.quantity = MotionQuantity::displacement;
   request.selection.of = approach_names(c.system);
-  const auto found = std::any_cast<TransientResult>(transient_run.compute(c, request, warnings));
+  const TransientResult found = transient_result(c, request, warnings);
   for (std::size_t i = 0; i < approaches.size(); ++i) approaches[i].transient = found.response.curves[i].largest;
 }
 
@@ -113,7 +110,7 @@ std::string not_counted(const model::System& system, const project::Analyses& an
   };
   add(random, "random motion");
   add(orders, "engine orders");
-  add(history && !analyses.find<project::TransientAnalysis>("transient"), "time histories (no analyses.transient)");
+  add(history && !analyses.transient, "time histories (no analyses.transient)");
   return words;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <any>
 #include <cmath>
 #include <iterator>
 
@@ -14,7 +13,6 @@
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/analyses/analysis_results.h"
-#include "trivet/study/analyses/analysis_run.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {
@@ -37,7 +35,7 @@ class MotionRequirements {
     const std::size_t first = list_.size();
     list_.add_bounds(c_, RequirementKind::rms, limits, "rms of ");
     list_.attempt(first, [&] {
-      const auto* request = analyses_.find<project::RandomAnalysis>("random");
+      const auto& request = analyses_.random;
       const response::RandomLoading loading = response::random_loading(
           c_.system, c_.assembled, request ? request->selection.excitations : std::vector<std::string>());
       if (loading.inputs.empty()) throw without_excitation("random");
@@ -74,12 +72,11 @@ class MotionRequirements {
   }
 
   void set_largest(std::size_t first, const std::vector<project::AmplitudeLimit>& limits, MotionQuantity quantity) {
-    const auto* of_file = analyses_.find<project::TransientAnalysis>("transient");
-    project::TransientAnalysis request = of_file ? *of_file : project::TransientAnalysis();
+    project::TransientAnalysis request = analyses_.transient.value_or(project::TransientAnalysis());
     request.selection.quantity = quantity;
     request.selection.of.clear();
     for (const project::AmplitudeLimit& limit : limits) request.selection.of.push_back(limit.name);
-    const auto found = std::any_cast<TransientResult>(transient_run.compute(c_, request, warnings_));
+    const TransientResult found = transient_result(c_, request, warnings_);
     for (std::size_t i = 0; i < limits.size(); ++i) {
       const response::TimeCurve& curve = found.response.curves[i];
       const bool upwards = std::abs(curve.largest.value) >= std::abs(curve.smallest.value);

@@ -27,7 +27,7 @@ void note_idle_limit(const std::string& element, const std::string& limit, const
 std::vector<project::AmplitudeLimit> deflection_limits(const CaseContext& c, const project::Analyses& analyses,
                                                        bool shock, RequirementList& list) {
   const bool driven = project::is_driven(c.system, shock ? project::Drive::time : project::Drive::harmonic) ||
-      (shock && analyses.find<project::TransientAnalysis>("transient"));
+      (shock && analyses.transient);
   std::vector<project::AmplitudeLimit> limits;
   for (const model::Element& element : c.system.elements()) {
     if (!element.rating) continue;

@@ -83,7 +83,7 @@ std::vector<Stop> stops_of(const model::System& system) {
 }
 
 project::SteadyAnalysis steady_request(const project::Analyses& analyses) {
-  const auto* of_file = analyses.find<project::SteadyAnalysis>("steady");
+  const auto& of_file = analyses.steady;
   const project::Requirements& required = *analyses.requirements;
   const bool has_band = required.band && required.band->from > 0 && std::isfinite(required.band->to);
   if (of_file && of_file->over_load_factor && !has_band)
