@@ -7,7 +7,9 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <cmath>
 #include <complex>
+#include <cstdint>
 
 #include "core/errors.h"
 #include "trivet/engine/result.h"
@@ -23,6 +25,8 @@ using engine::Result;
 
 using ArrayList =
     nb::typed<nb::list, nb::typed<nb::tuple, nb::str, nb::str, nb::typed<nb::tuple, nb::str, nb::ellipsis>, nb::any>>;
+
+using ColumnList = nb::typed<nb::list, nb::typed<nb::tuple, nb::str, nb::str, nb::typed<nb::list, nb::any>>>;
 
 /// Keeps the memory of a view alive.
 struct Owners {
@@ -81,6 +85,26 @@ std::string text_of(const engine::NamedWriters& forms, const std::string& name) 
       return engine::whole(form.second);
     }
   throw nb::key_error(name.c_str());
+}
+
+nb::object python_value(const documents::Json& value) {
+  if (value.is_null()) return nb::none();
+  if (value.is_string()) return nb::cast(value.get<std::string>());
+  if (value.is_boolean()) return nb::cast(value.get<bool>() ? "yes" : "no");
+  if (value.is_number_integer()) return nb::cast(value.get<std::int64_t>());
+  const double number = value.get<double>();
+  return std::isnan(number) ? nb::object(nb::none()) : nb::cast(number);
+}
+
+/// (name, unit, values) of each column.
+ColumnList python_columns(const Result& result, const std::string& table, const DisplayUnits& display) {
+  ColumnList list;
+  for (const documents::TypedColumn& column : result.columns(table, display)) {
+    nb::list values;
+    for (const documents::Json& value : column.values) values.append(python_value(value));
+    list.append(nb::make_tuple(column.name, column.unit, values));
+  }
+  return list;
 }
 
 void bind_units(nb::module_& module) {
@@ -144,6 +168,11 @@ void bind_result(nb::module_& module) {
       .def(
           "table", [](const Result& result, const std::string& name) { return text_of(result.tables, name); },
           nb::arg("name"), "One table as CSV, SI.")
+      .def_prop_ro(
+          "tables_convert", [](const Result& result) { return static_cast<bool>(result.columns); },
+          "can its tables have other units?")
+      .def("columns", python_columns, nb::arg("table"), nb::arg("display"),
+           "(name, unit, values) of each column of a table, in these units.")
       .def_prop_ro(
           "figures", [](const Result& result) { return names_of(result.figures); }, "names of the pictures")
       .def(

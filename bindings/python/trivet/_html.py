@@ -23,7 +23,9 @@ def result(of: Result) -> str:
     notices = notice(of.warnings, "#b00020") + notice(of.failures, "#b00020") + notice(of.notes, "#0072b2")
     if not of.tables:
         return head + notices + f"<pre>{escape(of._core.text(of._converted))}</pre>"
-    return head + notices + table(_tables.shown(_tables.columns(of.to_csv()), of._shown))
+    si_only = of._converted is not None and not of._core.tables_convert
+    units = notice(["In SI units: this table is not converted to others."], "#0072b2") if si_only else ""
+    return head + notices + units + table(_tables.columns(of._si() if si_only else of, of.tables[0]))
 
 
 def project(of: Project) -> str:

@@ -152,7 +152,7 @@ def _mode_panels(result: Result) -> list[Panel]:
 
 
 def _peak_panels(result: Result, names: tuple[str, ...]) -> list[Panel]:
-    table = {column.name: column.values for column in _tables.shown(_tables.columns(result.to_csv()), result._shown)}
+    table = {column.name: column.values for column in _tables.columns(result, result.tables[0])}
     x_label, factor = _axis("angular_frequency", result._shown)
     places = np.asarray(result.array("angular_frequency"), dtype=float) * factor
     panels = []

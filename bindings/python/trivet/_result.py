@@ -253,6 +253,9 @@ class Result:
         changed._converted = changed._shown
         return changed
 
+    def _si(self) -> Result:
+        return Result(self._core, self._project)
+
     @property
     def tables(self) -> list[str]:
         """Names of the tables."""
@@ -266,7 +269,7 @@ class Result:
         """A table of pandas, columns with their units; by default the first table."""
         import pandas
 
-        columns = _tables.shown(_tables.columns(self.to_csv(table)), self._shown)
+        columns = _tables.columns(self, self._table_name(table))
         return pandas.DataFrame({column.heading: column.values for column in columns})
 
     def to_xarray(self) -> xarray.Dataset:

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "trivet/documents/csv_field.h"
+#include "trivet/documents/csv_parts.h"
 #include "trivet/documents/document.h"
-#include "trivet/foundation/invalid_input.h"
 
 /// The tables and curves of a document as CSV.
 namespace trivet::documents {
@@ -58,11 +58,6 @@ std::string csv_rows(const Table& table) {
 double real_part(const std::complex<double>& value) { return value.real(); }
 double size(const std::complex<double>& value) { return std::abs(value); }
 
-std::string unit_in_brackets(const std::string& heading) {
-  const std::size_t bracket = heading.rfind('[');
-  return heading.substr(bracket + 1, heading.size() - bracket - 2);
-}
-
 std::string csv_curves(const Curves& curves) {
   struct Printed {
     const Numbers* values;
@@ -74,7 +69,7 @@ std::string csv_curves(const Curves& curves) {
   const auto heading = [&](const std::string& name) { (text += text.empty() ? "" : ",") += csv_field(name); };
   for (const std::string& name : curves.axis_columns) {
     heading(name);
-    units.push_back(unit_in_brackets(name));
+    units.push_back(parts_of(name).unit);
   }
   for (const Curve& curve : curves.list) {
     if (!(curve.forms & in_csv)) continue;
@@ -98,23 +93,12 @@ std::string csv_curves(const Curves& curves) {
   return text;
 }
 
-const Part* part_with_file(const std::vector<Part>& parts, const std::string& file) {
-  for (const Part& part : parts) {
-    if (const auto* table = std::get_if<Table>(&part.content); table && table->file == file) return &part;
-    if (const auto* curves = std::get_if<Curves>(&part.content); curves && curves->file == file) return &part;
-    if (const auto* group = std::get_if<Group>(&part.content))
-      if (const Part* found = part_with_file(group->parts, file)) return found;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 std::string as_csv(const Document& document, const std::string& file) {
-  const Part* part = part_with_file(document.parts, file);
-  if (!part) throw foundation::InvalidInput("the result has no table \"" + file + "\"");
-  if (const auto* table = std::get_if<Table>(&part->content)) return csv_rows(*table);
-  return csv_curves(std::get<Curves>(part->content));
+  const Part& part = part_with_file(document, file);
+  if (const auto* table = std::get_if<Table>(&part.content)) return csv_rows(*table);
+  return csv_curves(std::get<Curves>(part.content));
 }
 
 }  // namespace trivet::documents

@@ -93,11 +93,21 @@ struct Document {
   }
 };
 
-/// The five forms. Documents are views of results, which must outlive them and their arrays.
+/// The forms. Documents are views of results, which must outlive them and their arrays.
 [[nodiscard]] Json as_json(const Document& document);
 /// The table or curves with this file name. @throws foundation::InvalidInput if there is none
 [[nodiscard]] std::string as_csv(const Document& document, const std::string& file);
 void add_arrays(const Document& document, LabelledArrays& list);
+/// A column as CSV has it, with values in the units of [display]; null: there is none.
+struct TypedColumn {
+  std::string name;
+  std::string unit;  ///< empty: none, or that of the row in the column "unit"
+  std::vector<Json> values;
+};
+/// The columns of the table or curves with this file name. Two that become the same are one: speeds in rad/s and rpm.
+/// @throws foundation::InvalidInput if there is none
+[[nodiscard]] std::vector<TypedColumn> as_columns(const Document& document, const std::string& file,
+                                                  const project::DisplayUnits& display);
 /// @param form  on_screen or in_summary
 [[nodiscard]] std::string as_text(const Document& document, const project::DisplayUnits& display,
                                   Form form = on_screen);

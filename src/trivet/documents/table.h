@@ -49,7 +49,8 @@ struct Column {
   std::vector<std::string> entries = {};              ///< their names; not needed if only JSON and arrays have the list
   std::string entries_axis = {};
   std::string unit = {};  ///< SI; "1" for pure numbers; `unit_of_the_row`: that of the column "unit"; "@NAME": of NAME
-  int digits = 6;         ///< significant ones for people
+  std::function<Kind(std::size_t row)> kind_in_row = {};  ///< of numbers whose rows are of different kinds
+  int digits = 6;                                         ///< significant ones for people
   unsigned forms = everywhere;
 };
 

@@ -84,6 +84,9 @@ Result run_analysis(const Task& task) {
   for (const results::ResultTable& table : results::result_tables(name))
     result.tables.emplace_back(table.file,
                                writer([held, csv = table.csv, &variant] { return csv(variant, held->found); }));
+  result.columns = [held, name, &variant](const std::string& file, const project::DisplayUnits& display) {
+    return documents::as_columns(results::result_document(name, variant, held->found), file, display);
+  };
   result.arrays = [held, name, &variant] { return results::result_arrays(name, variant, held->found); };
   result.held = held;
   return result;

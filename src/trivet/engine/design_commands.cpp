@@ -50,11 +50,18 @@ Result verdict(const Task& task) {
   result.complete = std::ranges::all_of(cases, [](const study::CaseVerdict& one) { return one.not_judged() == 0; });
   result.json = writer([held] { return results::verdict_json(held->found); });
   result.text = writer([held] { return results::verdict_text(held->found); });
-  result.text_in = [held](const project::DisplayUnits& display) {
+  const auto in_units = [held](const project::DisplayUnits& display) {
     study::Verdict shown = held->found;
     for (study::CaseVerdict& one : shown.cases) one.display = display;
     shown.envelope.display = display;
-    return results::verdict_text(shown);
+    return shown;
+  };
+  result.text_in = [in_units](const project::DisplayUnits& display) {
+    return results::verdict_text(in_units(display));
+  };
+  result.columns = [in_units](const std::string& file, const project::DisplayUnits& display) {
+    const study::Verdict shown = in_units(display);
+    return documents::as_columns(results::verdict_table(shown), file, display);
   };
   result.tables.emplace_back("verdict.csv", writer([held] { return results::verdict_csv(held->found); }));
   return result;
@@ -162,6 +169,9 @@ void add_optimum(const std::shared_ptr<const Held<study::CaseResults>>& held, co
   };
   result.text = writer([text = result.text_in, &base] { return text(base.display); });
   result.arrays = [held, &base] { return results::result_arrays("optimize", base, held->found); };
+  result.columns = [held, &base](const std::string& file, const project::DisplayUnits& display) {
+    return documents::as_columns(results::result_document("optimize", base, held->found), file, display);
+  };
   result.tables.emplace_back("optimum.csv",
                              writer([held, &base] { return results::result_csv("optimize", base, held->found); }));
   result.held = held;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "trivet/documents/labelled_arrays.h"
+#include "trivet/documents/document.h"
 #include "trivet/engine/findings.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/project/text/display_units.h"
@@ -47,6 +47,9 @@ struct Result {
   NamedWriters tables = {};   ///< "random.csv", CSV; --csv prints the first
   NamedWriters figures = {};  ///< "front.svg", SVG
   std::function<documents::LabelledArrays()> arrays = {};
+  /// The columns of one of its tables in the units of [display]; empty: its tables are not converted.
+  std::function<std::vector<documents::TypedColumn>(const std::string& table, const project::DisplayUnits& display)>
+      columns = {};
   std::vector<Result> cases = {};  ///< of `run`: the results of each case
 
   std::shared_ptr<const void> held = {};  ///< what the arrays refer to

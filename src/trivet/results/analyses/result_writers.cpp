@@ -138,6 +138,10 @@ std::string result_text(const std::string& analysis, const project::Case& varian
   return written_text(writer_of(analysis), variant, results, on_screen);
 }
 
+Document result_document(const std::string& analysis, const project::Case& variant, const study::CaseResults& results) {
+  return writer_of(analysis).document(variant, results);
+}
+
 std::string result_html(const std::string& analysis, const project::Case& variant, const study::CaseResults& results) {
   const ResultWriter& writer = writer_of(analysis);
   return writer.is_there(variant, results) ? as_html(writer.document(variant, results), variant.display) : "";

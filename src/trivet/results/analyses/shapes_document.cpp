@@ -53,6 +53,8 @@ Table moving_places(std::vector<PlaceOfShape> places, unsigned forms) {
   for (const char* part : {"re", "im"})
     for (std::size_t j = 0; j < model::coordinate_names.size(); ++j)
       headings.push_back(fmt::format("{} {} [{}]", model::coordinate_names[j], part, j < 3 ? "m" : "rad"));
+  Column parts = row.lists("parts", "", "", std::move(headings), parts_of, {.forms = in_csv});
+  parts.kind = Kind::amplitude;
   Table table{
       .key = "places",
       .axis = "place",
@@ -68,7 +70,7 @@ Table moving_places(std::vector<PlaceOfShape> places, unsigned forms) {
                   row.lists("motion", "", "", {},
                             [](const PlaceOfShape& one) -> const auto& { return one.place->motion; },
                             {.forms = in_json}),
-                  row.lists("parts", "", "", std::move(headings), parts_of, {.forms = in_csv})},
+                  std::move(parts)},
       .csv = {"angular_frequency [rad/s]", {"place", "name"}, {"{}", "position"}, {"{}", "parts"}},
       .arrays = {{"place", "name"}, "position"},
       .together = 2,

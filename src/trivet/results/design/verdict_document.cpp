@@ -36,50 +36,55 @@ Table requirement_table(const std::vector<const CaseVerdict*>& cases) {
   std::vector<JudgedRequirement> list;
   for (const CaseVerdict* judged : cases)
     for (const RequirementResult& result : judged->results) list.push_back({judged, &result});
+  const auto kind_in_row = [list](std::size_t i) { return kind_of_numbers(*list[i].result); };
   const Rows row(std::move(list));
+  const auto numbers = [&kind_in_row](Column column) {
+    column.kind_in_row = kind_in_row;
+    return column;
+  };
   const auto of = [](auto member) {
     return [member](const JudgedRequirement& one) { return std::invoke(member, *one.result); };
   };
   const auto shown = [](auto words) {
     return [words](const JudgedRequirement& one) { return words(*one.result, one.in->display); };
   };
-  return {
-      .key = "requirements",
-      .file = "verdict.csv",
-      .rows = row.size(),
-      .columns = {row("case", Kind::words, "", [](const JudgedRequirement& one) { return one.in->case_name; },
-                      {.forms = in_csv}),
-                  row("kind", Kind::words, "", of([](const RequirementResult& r) { return study::name(r.kind); })),
-                  row("subject", Kind::words, "", of(&RequirementResult::subject)),
-                  row("requirement", Kind::words, "", of(&RequirementResult::words), {.forms = in_json | in_csv}),
-                  row("requirement", Kind::words, "requirement", shown(requirement_words), {.forms = for_people}),
-                  row("unit", Kind::words, "", of(&RequirementResult::unit)),
-                  row("allowed", Kind::quantity, "", of(&RequirementResult::allowed)),
-                  row("value", Kind::quantity, "", of([](const RequirementResult& r) { return or_infinite(r.value); }),
-                      {.forms = in_json | in_csv}),
-                  row("value", Kind::number, "value", shown(judged_value), {.forms = for_people}),
-                  row("unbounded", Kind::yes_no, "",
-                      of([](const RequirementResult& r) { return r.value && std::isinf(*r.value); }),
-                      {.forms = in_json}),
-                  row("angular_frequency", Kind::frequency, "",
-                      of([](const RequirementResult& r) { return or_infinite(r.angular_frequency); })),
-                  row("time", Kind::quantity, "", of([](const RequirementResult& r) { return or_infinite(r.time); }),
-                      {.unit = "s"}),
-                  row("place", Kind::words, "at", shown(judged_place), {.forms = for_people}),
-                  row("margin", Kind::number, "margin",
-                      of([](const RequirementResult& r) { return r.value ? or_infinite(r.margin) : std::nullopt; }),
-                      {.digits = 4}),
-                  row("judged", Kind::yes_no, "", of([](const RequirementResult& r) { return r.value.has_value(); }),
-                      {.forms = in_json}),
-                  row("met", Kind::yes_no, "", of(&RequirementResult::met), {.forms = in_json}),
-                  row("met", Kind::words, "", of([](const RequirementResult& r) { return r.met() ? "true" : "false"; }),
-                      {.forms = in_csv}),
-                  row("verdict", Kind::words, "verdict", of(verdict_word), {.forms = for_people}),
-                  row("detail", Kind::words, "", of(&RequirementResult::detail), {.forms = in_json}),
-                  row("reason", Kind::words, "", of(&RequirementResult::reason))},
-      .csv = {"case", "kind", "subject", "requirement", "unit", "allowed", "value", "angular_frequency [rad/s]",
-              "time [s]", "margin", "met", "reason"},
-      .forms = in_json | on_screen | on_page};
+  return {.key = "requirements",
+          .file = "verdict.csv",
+          .rows = row.size(),
+          .columns = {row("case", Kind::words, "", [](const JudgedRequirement& one) { return one.in->case_name; },
+                          {.forms = in_csv}),
+                      row("kind", Kind::words, "", of([](const RequirementResult& r) { return study::name(r.kind); })),
+                      row("subject", Kind::words, "", of(&RequirementResult::subject)),
+                      row("requirement", Kind::words, "", of(&RequirementResult::words), {.forms = in_json | in_csv}),
+                      row("requirement", Kind::words, "requirement", shown(requirement_words), {.forms = for_people}),
+                      row("unit", Kind::words, "", of(&RequirementResult::unit)),
+                      numbers(row("allowed", Kind::quantity, "", of(&RequirementResult::allowed))),
+                      numbers(row("value", Kind::quantity, "",
+                                  of([](const RequirementResult& r) { return or_infinite(r.value); }),
+                                  {.forms = in_json | in_csv})),
+                      row("value", Kind::number, "value", shown(judged_value), {.forms = for_people}),
+                      row("unbounded", Kind::yes_no, "",
+                          of([](const RequirementResult& r) { return r.value && std::isinf(*r.value); }),
+                          {.forms = in_json}),
+                      row("angular_frequency", Kind::frequency, "",
+                          of([](const RequirementResult& r) { return or_infinite(r.angular_frequency); })),
+                      row("time", Kind::quantity, "",
+                          of([](const RequirementResult& r) { return or_infinite(r.time); }), {.unit = "s"}),
+                      row("place", Kind::words, "at", shown(judged_place), {.forms = for_people}),
+                      row("margin", Kind::number, "margin",
+                          of([](const RequirementResult& r) { return r.value ? or_infinite(r.margin) : std::nullopt; }),
+                          {.digits = 4}),
+                      row("judged", Kind::yes_no, "",
+                          of([](const RequirementResult& r) { return r.value.has_value(); }), {.forms = in_json}),
+                      row("met", Kind::yes_no, "", of(&RequirementResult::met), {.forms = in_json}),
+                      row("met", Kind::words, "",
+                          of([](const RequirementResult& r) { return r.met() ? "true" : "false"; }), {.forms = in_csv}),
+                      row("verdict", Kind::words, "verdict", of(verdict_word), {.forms = for_people}),
+                      row("detail", Kind::words, "", of(&RequirementResult::detail), {.forms = in_json}),
+                      row("reason", Kind::words, "", of(&RequirementResult::reason))},
+          .csv = {"case", "kind", "subject", "requirement", "unit", "allowed", "value", "angular_frequency [rad/s]",
+                  "time [s]", "margin", "met", "reason"},
+          .forms = in_json | on_screen | on_page};
 }
 
 Sentence verdict_sentence(const CaseVerdict& judged) {
@@ -179,11 +184,13 @@ std::string verdict_text(const study::Verdict& verdict) {
   return text + (envelope.empty() ? "" : "\n" + envelope);
 }
 
-std::string verdict_csv(const study::Verdict& verdict) {
+Document verdict_table(const study::Verdict& verdict) {
   std::vector<const CaseVerdict*> cases;
   for (const CaseVerdict& judged : verdict.cases) cases.push_back(&judged);
-  return as_csv({{{requirement_table(cases)}}}, "verdict.csv");
+  return {{{requirement_table(cases)}}};
 }
+
+std::string verdict_csv(const study::Verdict& verdict) { return as_csv(verdict_table(verdict), "verdict.csv"); }
 
 json::Json json::verdict(const CaseVerdict& judged) { return as_json(verdict_document(judged)); }
 

@@ -17,7 +17,8 @@ namespace trivet::results {
 
 /// All cases and the envelope.
 [[nodiscard]] std::string verdict_text(const study::Verdict& verdict);
-/// One line per case and requirement, SI.
+/// One row per case and requirement, "verdict.csv".
+[[nodiscard]] Document verdict_table(const study::Verdict& verdict);
 [[nodiscard]] std::string verdict_csv(const study::Verdict& verdict);
 [[nodiscard]] std::string verdict_json(const study::Verdict& verdict);
 

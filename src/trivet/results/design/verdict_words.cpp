@@ -31,11 +31,17 @@ std::string isolation_cell(double transmissibility) {
 
 }  // namespace
 
-DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayUnits& display) {
-  if (r.kind == RequirementKind::avoided_frequencies)
-    return {frequency_unit(display, "rad/s"), "", shown_frequency(display, 1, "rad/s"), false};
+Kind kind_of_numbers(const RequirementResult& r) {
+  if (r.kind == RequirementKind::avoided_frequencies) return Kind::angular_frequency;
   const bool harmonic = r.kind == RequirementKind::amplitude || r.kind == RequirementKind::mount_dynamic_deflection;
-  return harmonic ? amplitude_unit(display, r.unit) : display_unit(display, r.unit);
+  return harmonic ? Kind::amplitude : Kind::quantity;
+}
+
+DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayUnits& display) {
+  const Kind kind = kind_of_numbers(r);
+  if (kind == Kind::angular_frequency)
+    return {frequency_unit(display, "rad/s"), "", shown_frequency(display, 1, "rad/s"), false};
+  return kind == Kind::amplitude ? amplitude_unit(display, r.unit) : display_unit(display, r.unit);
 }
 
 std::string requirement_words(const RequirementResult& r, const project::DisplayUnits& display) {

@@ -5,12 +5,15 @@
 #include <vector>
 
 #include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/table.h"
 #include "trivet/results/format/in_documents.h"
 #include "trivet/study/requirements/verdict.h"
 
 /// A verdict in words, for the screen and the report.
 namespace trivet::results {
 
+/// Of the bound and the value of a requirement.
+[[nodiscard]] documents::Kind kind_of_numbers(const study::RequirementResult& result);
 /// How the bound and the value of a requirement are shown.
 [[nodiscard]] DisplayUnit requirement_unit(const study::RequirementResult& result,
                                            const project::DisplayUnits& display);

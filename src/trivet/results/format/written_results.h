@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/documents/labelled_arrays.h"
+#include "trivet/documents/document.h"
 #include "trivet/results/format/in_documents.h"
 #include "trivet/study/analyses/case_results.h"
 
@@ -19,6 +19,10 @@ namespace trivet::results {
                                      const study::CaseResults& results);
 [[nodiscard]] std::string result_text(const std::string& analysis, const project::Case& variant,
                                       const study::CaseResults& results);
+
+/// All of it, described once; a view of `results`.
+[[nodiscard]] Document result_document(const std::string& analysis, const project::Case& variant,
+                                       const study::CaseResults& results);
 
 /// Its tables and sentences for the page; empty if the case has no such result. Only for results with a document.
 [[nodiscard]] std::string result_html(const std::string& analysis, const project::Case& variant,
