@@ -150,7 +150,7 @@ void read_bodies(TableReader& root, model::Description& description, SymbolTable
 
 namespace {
 
-/// As many as bodies.
+/// Each has up to six coordinates.
 constexpr std::size_t most_nodes = 200;
 
 model::Body read_node(const Node& node, const std::string& name, SymbolTable& symbols, foundation::Problems& problems) {

@@ -61,7 +61,7 @@ struct LimitResult {
   double in_band = 0;
   double in_band_at = 0;  ///< [rad/s]
   double anywhere = 0;
-  bool met = true;  ///< in_band ≤ limit, see response::on_the_limit
+  bool met = true;  ///< in_band ≤ limit, see design::on_the_limit
 };
 
 struct LimitLineResult {
