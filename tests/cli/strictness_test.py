@@ -73,6 +73,22 @@ class Strictness(unittest.TestCase):
             self.code("run", path, "-o", pathlib.Path(self.folder.name) / "results", "--strict"), OVER_A_LIMIT
         )
 
+    def test_a_required_limit_line_is_judged_in_its_band_alone_in_every_case(self):
+        """It is exceeded at the resonance, outside of the band of the requirements, and met in that band."""
+        path = self.file(
+            '[limit_lines.severity]\nof = "mass.z"\nquantity = "displacement"\nlevel = "zero_to_peak"\n'
+            "rows = [[1, 1e-3], [6, 1e-3]]\n"
+            '[requirements]\nband = ["5.5 Hz", "6 Hz"]\nlimit_lines = ["severity"]\nhold_in = [""]\n'
+            "[cases.soft]\nelements.spring.scale = 0.9\n"
+        )
+        done = trivet("run", path, "-o", pathlib.Path(self.folder.name) / "results", "--strict")
+        self.assertEqual(done.returncode, DONE, done.stdout + done.stderr)
+        self.assertTrue(done.stdout.startswith("MET: 1 of 1 requirement\n"), done.stdout)
+        self.assertRegex(done.stdout, r"(?m)^  soft +1 of 1 met ")
+        page = (pathlib.Path(self.folder.name) / "results" / "report.html").read_text()
+        self.assertIn("exceeded; judged as a requirement", page)
+        self.assertNotIn("EXCEEDED", page)
+
     def test_warnings_alone_are_4(self):
         path = self.file("")
         warned = ("--set", "elements.spring.damping={loss_factor=8}")

@@ -30,8 +30,8 @@ void Findings::add(const study::CaseVerdict& judged) {
 
 void Findings::add(const study::CaseResults& results) {
   add(results.warnings);
-  for (const study::LimitResult& limit : results.limits) exceeded_ += !limit.met;
-  for (const study::LimitLineResult& line : results.limit_lines) exceeded_ += !line.comparison.met();
+  for (const study::LimitResult* limit : limits_alone(results)) exceeded_ += !limit->met;
+  for (const study::LimitLineResult* line : limit_lines_alone(results)) exceeded_ += !line->comparison.met();
   if (results.verdict) add(*results.verdict);
   if (results.map) add(*results.map);
   for (const study::DesignMap& map : results.map_pairs) add(map);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/results/format/result_writer.h"
 
@@ -21,6 +23,9 @@ std::string band_words(const std::vector<Band>& bands, const char* separator, co
 }  // namespace
 
 Table limit_line_table(const study::CaseResults& results) {
+  const auto is_alone = [alone = limit_lines_alone(results)](const LimitLineResult& line) {
+    return std::ranges::find(alone, &line) != alone.end();
+  };
   const Rows row(results.limit_lines);
   const auto in_hertz = [](const Band& band) { return fmt::format("{} to {}", hertz(band.from), hertz(band.to)); };
   const auto shown = [&display = results.display](const Band& band) {
@@ -70,7 +75,10 @@ Table limit_line_table(const study::CaseResults& results) {
            row("exceeded", Kind::words, "exceeded" + unit, exceeded_shown, {.forms = for_people}),
            row("kept", Kind::yes_no, "", [](const LimitLineResult& l) { return l.comparison.met(); }),
            row("verdict", Kind::words, "verdict",
-               [](const LimitLineResult& l) { return l.comparison.met() ? "✓ met" : "✗ EXCEEDED"; },
+               [is_alone](const LimitLineResult& l) {
+                 if (l.comparison.met()) return "✓ met";
+                 return is_alone(l) ? "✗ EXCEEDED" : "exceeded; judged as a requirement";
+               },
                {.forms = for_people})},
       .csv = {{"limit line", "name"},
               {"name", "of"},
@@ -92,7 +100,10 @@ Table limit_line_table(const study::CaseResults& results) {
                  "least_margin_db",
                  "at",
                  "kept"},
-      .mark = [&results](std::size_t i) { return results.limit_lines[i].comparison.met() ? Mark::plain : Mark::bad; }};
+      .mark = [&results, is_alone](std::size_t i) {
+        const LimitLineResult& line = results.limit_lines[i];
+        return line.comparison.met() ? Mark::plain : is_alone(line) ? Mark::bad : Mark::minor;
+      }};
 }
 
 namespace {

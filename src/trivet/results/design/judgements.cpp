@@ -60,19 +60,9 @@ void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std:
   }
 }
 
-/// Is this curve judged as a requirement that decides, too? @param name  of a limit line
-bool is_required(const study::CaseResults& case_results, study::RequirementKind kind, const std::string& subject,
-                 const std::string& name = "") {
-  if (!case_results.verdict || !case_results.verdict->decides) return false;
-  const auto& results = case_results.verdict->results;
-  return std::ranges::any_of(results, [&](const study::RequirementResult& r) {
-    return r.kind == kind && r.subject == subject && (name.empty() || r.words.ends_with("\"" + name + "\""));
-  });
-}
-
 void add_limits(const study::CaseResults& case_results, std::size_t which, std::vector<Judgement>& list) {
-  for (const study::LimitResult& limit : case_results.limits) {
-    if (is_required(case_results, study::RequirementKind::amplitude, limit.name)) continue;
+  for (const study::LimitResult* alone : limits_alone(case_results)) {
+    const study::LimitResult& limit = *alone;
     const DisplayUnit unit = amplitude_unit(case_results.display, limit.unit);
     list.push_back({limit.met ? Outcome::met : Outcome::violated, "limit",
                     fmt::format("{} ≤ {}", limit.name, value_text(limit.limit, unit)),
@@ -82,8 +72,8 @@ void add_limits(const study::CaseResults& case_results, std::size_t which, std::
                                 std::isfinite(limit.in_band) ? percent(limit.in_band / limit.limit) : "∞"),
                     limit.in_band > 0 ? limit.limit / limit.in_band : std::numeric_limits<double>::infinity(), which});
   }
-  for (const study::LimitLineResult& line : case_results.limit_lines) {
-    if (is_required(case_results, study::RequirementKind::limit_line, line.of, line.line.name)) continue;
+  for (const study::LimitLineResult* alone : limit_lines_alone(case_results)) {
+    const study::LimitLineResult& line = *alone;
     list.push_back({line.comparison.met() ? Outcome::met : Outcome::violated, "limit line",
                     fmt::format("{} within “{}”", line.of, line.line.name),
                     fmt::format("least margin {:.4g} dB {}", response::margin_level(line.comparison.least_margin),

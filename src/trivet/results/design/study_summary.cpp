@@ -141,13 +141,15 @@ std::string wrong_text(const project::Project& project, const std::vector<Judgem
   std::ranges::copy_if(list, std::back_inserter(judged), [](const auto& one) { return !is_result(one); });
   std::string text = outcome_text("VIOLATED: ", judged, Outcome::violated, cases) + causes_text(cases) +
       outcome_text("NOT JUDGED: ", judged, Outcome::not_judged, cases) + missing_text(project, list, cases);
+  const std::string elsewhere =
+      outcome_text("Violated in cases in which the design need not hold:", judged, Outcome::violated_no_need, cases);
   const std::size_t wrong = number_with(judged, Outcome::violated) + number_with(judged, Outcome::not_judged);
-  if (wrong > 0 || number_with(judged, Outcome::met) == 0) return text;
+  if (wrong > 0 || number_with(judged, Outcome::met) == 0) return text + elsewhere;
   text += "MET: " + shares_words(judged, Outcome::met) + "\n";
   if (const Judgement* least = least_of(judged))
     text += "  least margin: " + least->words + after_colon(least->finding) + owners_words({least->shown_case}, cases) +
         "\n";
-  return text + "\n";
+  return text + "\n" + elsewhere;
 }
 
 /// "6 of 6 met", "2 of 6 VIOLATED", "1 of 6 NOT JUDGED": of requirements, limits and rules of maps.
@@ -163,7 +165,7 @@ std::string verdict_cell(const std::vector<Judgement>& list, std::size_t which) 
   if (all == 0) return "–";
   if (violated > 0) return fmt::format("{} of {} VIOLATED", violated, all);
   if (missing > 0) return fmt::format("{} of {} NOT JUDGED", missing, all);
-  if (no_need > 0) return fmt::format("{} of {} violated, no need", no_need, all);
+  if (no_need > 0) return fmt::format("{} of {} need not hold", no_need, all);
   return fmt::format("{} of {} met", all, all);
 }
 

@@ -123,6 +123,11 @@ struct CaseResults {
 /// forces, or under a force on every coordinate if it has none.
 [[nodiscard]] response::DeepCheck deep_check(const project::Case& variant);
 
+/// Limits and limit lines that no requirement of the case judges, over the band of the response. A requirement may have
+/// another band; it then decides alone, also where the design need not hold.
+[[nodiscard]] std::vector<const LimitResult*> limits_alone(const CaseResults& results);
+[[nodiscard]] std::vector<const LimitLineResult*> limit_lines_alone(const CaseResults& results);
+
 /// Does a connected curve of motions, or a nonlinear mode, end before the end that was requested? Its warning states
 /// where and why.
 [[nodiscard]] bool is_cut_short(const CaseResults& results);

@@ -146,6 +146,7 @@ class CurveRequirements {
       const std::size_t first = list_.size();
       RequirementResult& result = list_.add(RequirementKind::limit_line, line.of,
                                             fmt::format("{} within \"{}\"", line.of, line.line.name), "1", 1);
+      result.line = line.line.name;
       list_.attempt(first, [&] {
         const assembly::Band band = required.band ? *required.band
             : response->band                      ? *response->band

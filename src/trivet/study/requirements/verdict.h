@@ -42,6 +42,7 @@ struct RequirementResult {
   RequirementKind kind = RequirementKind::amplitude;
   std::string subject;                      ///< the result, body or element that is judged; empty: the whole system
   std::string words;                        ///< "machine.seat.z ≤ 0.5 mm"
+  std::string line = {};                    ///< name of the limit line
   std::string unit;                         ///< SI, of `allowed` and `value`
   double allowed = 0;                       ///< bound: largest, or smallest where more is better
   std::optional<double> value;              ///< none: not judged, see `reason`; infinite if unbounded
