@@ -95,6 +95,8 @@ struct Document {
 
 /// The forms. Documents are views of results, which must outlive them and their arrays.
 [[nodiscard]] Json as_json(const Document& document);
+/// The same as text, with line breaks.
+[[nodiscard]] std::string as_json_text(const Document& document);
 /// The table or curves with this file name. @throws foundation::InvalidInput if there is none
 [[nodiscard]] std::string as_csv(const Document& document, const std::string& file);
 void add_arrays(const Document& document, LabelledArrays& list);

@@ -65,4 +65,6 @@ Json as_json(const Document& document) {
   return object;
 }
 
+std::string as_json_text(const Document& document) { return json::text(as_json(document), 1) + "\n"; }
+
 }  // namespace trivet::documents

@@ -19,7 +19,8 @@ std::string text_of(const Table& table, const project::DisplayUnits& display, Fo
   for (std::size_t i = 0; i < std::min(shown.rows.size(), table.most_rows); ++i) text.add(shown.rows[i].cells);
   const std::string rest = shown.rows.size() <= table.most_rows
       ? ""
-      : fmt::format("  (the first {} of {}; --csv or --json gives all)\n", table.most_rows, shown.rows.size());
+      : fmt::format("  (the first {} of {}; {}--json gives all)\n", table.most_rows, shown.rows.size(),
+                    table.file.empty() ? "" : "--csv or ");
   return (table.title.empty() ? "" : table.title + "\n") + text.text() + rest;
 }
 

@@ -17,7 +17,7 @@
 #include "trivet/report/map/map_figure.h"
 #include "trivet/results/design/map_json.h"
 #include "trivet/results/design/optimization_results.h"
-#include "trivet/results/design/selection_results.h"
+#include "trivet/results/design/selection_document.h"
 #include "trivet/results/design/verdict_results.h"
 #include "trivet/results/format/written_results.h"
 #include "trivet/study/optimize/design_front.h"
@@ -249,12 +249,16 @@ Result select(const Task& task) {
   if (!best.met) result.findings.add_infeasible_design();
   const std::vector<project::Node> changes = study::selection_changes(found);
   result.changes = project::setting_words(changes);
-  const std::string written = file.write(changes);
-  result.json = writer([held, warnings = result.warnings] { return results::selection_json(held->found, warnings); });
-  result.text = writer([held, written] {
-    return results::selection_text(held->found) + "\nThe best as settings:\n" +
-        results::selection_settings(held->found) + written;
-  });
+  const std::string settings =
+      "\nThe best as settings:\n" + results::mount_settings(found.choices, best.mounts) + file.write(changes);
+  const auto document = [held, warnings = result.warnings] {
+    return results::selection_document(held->found, warnings);
+  };
+  result.json = writer([document] { return documents::as_json_text(document()); });
+  result.text_in = [document, settings](const project::DisplayUnits& display) {
+    return documents::as_text(document(), display) + settings;
+  };
+  result.text = writer([text = result.text_in, &base = task.variant] { return text(base.display); });
   return result;
 }
 

@@ -269,7 +269,7 @@ const ResultWriter optimize_results = {
 std::string optimum_json(const study::CaseResults& results, const foundation::Problems& warnings) {
   Document document = results.front ? front_document(*results.front) : optimization_document(*results.optimization);
   document.add(Single{.name = "warnings", .value = json::warnings(warnings)});
-  return json::text(as_json(document), 1) + "\n";
+  return as_json_text(document);
 }
 
 }  // namespace trivet::results

@@ -10,7 +10,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/results/design/search_parts.h"
-#include "trivet/results/design/selection_results.h"
+#include "trivet/results/design/selection_document.h"
 
 namespace trivet::results {
 namespace {
