@@ -65,18 +65,21 @@ struct Quantity {
 };
 
 struct Sentence {
-  enum class Place { paragraph, note, item };  ///< a note is below a table
+  /// A note is below a table; the screen breaks the lines of a text.
+  enum class Place { paragraph, note, item, text };
   std::vector<std::variant<std::string, Quantity>> parts;
   Place place = Place::paragraph;
   unsigned forms = for_people;
 };
 
 struct Part;
-/// Parts in an object of their own in JSON, or below a title for people; the page shows them after a click then.
+/// Parts in an object of their own in JSON, or below a title for people, on the screen after a blank line; the page
+/// shows them after a click then.
 struct Group {
   std::string key;  ///< empty: no object of their own
   std::vector<Part> parts;
   std::string title = {};
+  bool in_list = false;  ///< one of the objects of the list `key`; blank lines separate them on the screen
 };
 
 /// `LabelledArrays` are those with more axes than rows and a list in each.

@@ -49,7 +49,10 @@ struct Adding {
   void operator()(const Sentence&) const {}
   void operator()(const LabelledArrays&) const {}
   void operator()(const Group& group) const {
-    add(group.parts, group.key.empty() ? object : object[group.key] = Json::object());
+    Json& place = group.key.empty() ? object : object[group.key];
+    if (group.in_list) return add(group.parts, place.emplace_back(Json::object()));
+    if (!group.key.empty()) place = Json::object();
+    add(group.parts, place);
   }
 };
 

@@ -24,6 +24,24 @@ std::string text_of(const Table& table, const project::DisplayUnits& display, Fo
   return (table.title.empty() ? "" : table.title + "\n") + text.text() + rest;
 }
 
+/// Lines of at most 118 characters; those after the first are indented.
+std::string wrapped(const std::string& text) {
+  constexpr std::size_t width = 118;
+  std::string lines, line;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t space = std::min(text.find(' ', from), text.size());
+    const std::string word = text.substr(from, space - from);
+    if (!line.empty() && width_on_screen(line) + 1 + width_on_screen(word) > width) {
+      lines += line + "\n";
+      line = "    " + word;
+    } else {
+      line += (line.empty() ? "" : " ") + word;
+    }
+    from = space + 1;
+  }
+  return lines + line;
+}
+
 struct Printing {
   const project::DisplayUnits& display;
   Form form;
@@ -35,11 +53,16 @@ struct Printing {
   void operator()(const Sentence& sentence) const {
     if (!(sentence.forms & form)) return;
     const std::string words = shown_sentence(sentence, display);
-    if (!words.empty()) text += (sentence.place == Sentence::Place::paragraph ? "" : "  ") + words + "\n";
+    if (words.empty()) return;
+    const bool indented = sentence.place == Sentence::Place::note || sentence.place == Sentence::Place::item;
+    text += (indented ? "  " : "") + (sentence.place == Sentence::Place::text ? wrapped(words) : words) + "\n";
   }
   void operator()(const Group& group) const {
-    if (!group.title.empty() && !group.parts.empty()) text += group.title + "\n";
+    const bool has_title = !group.title.empty() && !group.parts.empty();
+    if ((has_title || group.in_list) && !text.empty() && !text.ends_with("\n\n")) text += "\n";
+    if (has_title) text += group.title + "\n";
     for (const Part& part : group.parts) std::visit(*this, part.content);
+    if (group.in_list) text += "\n";
   }
   template <typename Other>
   void operator()(const Other&) const {}

@@ -31,6 +31,19 @@ std::string judged_by_verdict(const project::Project& project) {
                      clearances ? ", clearances" : "", project.source);
 }
 
+/// JSON and text of a document. @param document_of  makes it of a case with the wanted units
+template <typename DocumentOf>
+void add_forms(const DocumentOf& document_of, const project::Case& variant, Result& result) {
+  result.json = writer([document_of, &variant] {
+    constexpr int indent = 1;
+    return documents::json::text(as_json(document_of(variant)), indent) + "\n";
+  });
+  result.text_in = [document_of, &variant](const project::DisplayUnits& display) {
+    return as_text(document_of(with_display(variant, display)), display);
+  };
+  result.text = writer([document_of, &variant] { return as_text(document_of(variant), variant.display); });
+}
+
 std::string check_text(const std::vector<study::CaseCheck>& cases) {
   std::string text;
   for (const study::CaseCheck& one : cases) text += results::case_check_text(one);
@@ -67,9 +80,12 @@ Result explain(const Task& task) {
   const auto held = hold(task, std::move(found));
   Result result;
   result.warnings = held->found.warnings;
-  result.json = writer([held, &variant] { return results::explain_json(variant, held->found); });
-  result.text = writer([held, &variant] { return results::explain_text(variant, held->found); });
-  result.tables.emplace_back("explain.csv", writer([held] { return results::explain_csv(held->found); }));
+  const auto document = [held](const project::Case& shown) {
+    return results::explanation_document(shown, held->found);
+  };
+  add_forms(document, variant, result);
+  result.tables.emplace_back("explain.csv",
+                             writer([document, &variant] { return as_csv(document(variant), "explain.csv"); }));
   return result;
 }
 

@@ -104,6 +104,29 @@ TEST(DocumentAsJson, HasTheNumbersInSiAndNullWhereThereIsNone) {
   EXPECT_EQ(all["bodies"], Json({"machine"}));
 }
 
+TEST(GroupsInAList, AreObjectsOfAListAndSeparatedByBlankLines) {
+  Document all;
+  for (const char* name : {"front", "rear"})
+    all.add(Group{.key = "peaks",
+                  .parts = {{Single{.name = "name", .value = name}}, {Sentence{.parts = {name}}}},
+                  .in_list = true});
+  all.add(Sentence{.parts = {"These are all."}});
+  EXPECT_EQ(as_json(all), Json::parse(R"({"peaks": [{"name": "front"}, {"name": "rear"}]})"));
+  EXPECT_EQ(as_text(all, {}), "front\n\nrear\n\nThese are all.\n");
+}
+
+TEST(DocumentOnTheScreen, BreaksTheLinesOfATextAndStartsATitleAfterABlankLine) {
+  std::string words = "1";
+  for (int i = 2; i <= 60; ++i) words += fmt::format(" {}", i);
+  Document all;
+  all.add(Sentence{.parts = {words}, .place = Sentence::Place::text});
+  all.add(Group{.key = "", .parts = {{Sentence{.parts = {"one"}}}}, .title = "More"});
+  const std::string text = as_text(all, {});
+  EXPECT_TRUE(text.ends_with(" 60\n\nMore\none\n")) << text;
+  EXPECT_NE(text.find("\n    "), std::string::npos);
+  EXPECT_LE(text.find('\n'), 118U);
+}
+
 TEST(DocumentAsCsv, HasOneNumberInSeveralUnits) {
   EXPECT_EQ(as_csv(document(), "peaks.csv"),
             fmt::format("name,angular_frequency [rad/s],frequency [Hz],angular_frequency [rpm],amplitude,unit,mode,"

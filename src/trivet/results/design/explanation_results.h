@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
+#include "trivet/documents/document.h"
+#include "trivet/results/format/in_documents.h"
 #include "trivet/study/explain/explanation.h"
 
 namespace trivet::results {
 
-/// JSON (docs/json.md), and one CSV row per peak and parameter.
-[[nodiscard]] std::string explain_json(const project::Case& variant, const study::Explanation& explanation);
-[[nodiscard]] std::string explain_csv(const study::Explanation& explanation);
-
-/// For each explained peak: its sentence, the shares of modes and elements, and the parameters that change it most.
-[[nodiscard]] std::string explain_text(const project::Case& variant, const study::Explanation& explanation);
+/// For each explained peak its sentence, the shares of modes and elements, and the parameters that change it most;
+/// "explain.csv" has one row per peak and parameter.
+[[nodiscard]] Document explanation_document(const project::Case& variant, const study::Explanation& explanation);
 
 }  // namespace trivet::results
