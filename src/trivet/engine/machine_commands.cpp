@@ -156,14 +156,11 @@ Result element(const Task& task) {
   const auto held = hold(task, element_result(task, number));
   Result result;
   result.warnings = held->found.summary.warnings;
-  result.json = writer([held, &variant, number] {
-    return results::element_json(variant, number, held->found.summary, held->found.simple);
-  });
-  result.text_in = [held, number, &variant](const project::DisplayUnits& display) {
-    return results::element_text(with_display(variant, display), number, held->found.summary) +
-        (held->found.simple ? "\n" + results::simplification_text(*held->found.simple) : "");
-  };
-  result.text = writer([text = result.text_in, &variant] { return text(variant.display); });
+  add_forms(
+      [held, number](const project::Case& shown) {
+        return results::element_document(shown, number, held->found.summary, held->found.simple);
+      },
+      variant, result);
   result.figures.emplace_back("element.svg",
                               writer([held, &variant, number] { return report::element_picture(variant, number); }));
   return result;
