@@ -70,7 +70,7 @@ SKIPPED = {
 }
 # Cells of the report: checks of its curves, and formulas of laws.
 NO_NUMBERS = "largest difference|δ\\^"
-SI = "m/s²|m/s|rad/s²|rad/s|N m|N|rad|m|Pa|W|J|s"
+SI = "m/s²|m/s|rad/s²|rad/s|N m/rad|N m|N/m|N|rad|m|Pa|W|J|s"
 UNIT = rf"%|°|dB|rpm|rad/s|Hz|[pnµmkMG]?(?:{SI})(?![\w/²])"
 NUMBER = re.compile(rf"(?<![\w.])(?P<number>[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?P<unit>[\s\u00a0]?(?:{UNIT}))?(?!\w)")
 PREFIXES = {"p": 1e-12, "n": 1e-9, "µ": 1e-6, "m": 1e-3, "k": 1e3, "M": 1e6, "G": 1e9}

@@ -15,7 +15,7 @@
 #include "trivet/results/model/check_text.h"
 #include "trivet/results/model/element_results.h"
 #include "trivet/results/model/project_json.h"
-#include "trivet/results/model/suspension_results.h"
+#include "trivet/results/model/suspension_document.h"
 
 namespace trivet::engine {
 namespace {
@@ -101,13 +101,14 @@ Result suspension(const Task& task) {
   const auto held = hold(task, std::move(found));
   Result result;
   result.warnings = held->found.warnings;
-  result.json = writer([held, &variant] { return results::suspension_json(variant, held->found); });
-  result.text = writer([held, &variant] { return results::suspension_text(variant, held->found); });
-  result.text_in = [held, &variant](const project::DisplayUnits& display) {
-    return results::suspension_text(with_display(variant, display), held->found);
+  const auto document = [held](const project::Case& shown) { return results::suspension_document(shown, held->found); };
+  result.json = writer([document, &variant] { return documents::as_json_text(document(variant)); });
+  result.text_in = [document, &variant](const project::DisplayUnits& display) {
+    return documents::as_text(document(with_display(variant, display)), display);
   };
+  result.text = writer([text = result.text_in, &variant] { return text(variant.display); });
   result.tables.emplace_back("suspension.csv",
-                             writer([held, &variant] { return results::suspension_csv(variant, held->found); }));
+                             writer([document, &variant] { return as_csv(document(variant), "suspension.csv"); }));
   return result;
 }
 
