@@ -38,18 +38,6 @@ std::string heading(const Cell& c) {
 
 }  // namespace
 
-Cell quantity_cell(double value, const std::string& unit) {
-  if (!std::isfinite(value)) return {"∞", true};
-  const UnitPrefix prefix = unit_prefix(std::abs(value), unit);
-  return {fmt::format("{:.4g}\u00a0{}", value * prefix.factor, prefix.unit), true};
-}
-
-Cell quantity_cell(double value, const DisplayUnit& unit) {
-  if (!std::isfinite(value)) return {"∞", true};
-  const UnitPrefix prefix = unit_prefix(std::abs(value), unit);
-  return {fmt::format("{:.4g}\u00a0{}", value * prefix.factor, prefix.unit), true};
-}
-
 std::string aligned_number(double value, int digits) {
   if (!std::isfinite(value)) return "–";
   if (value == 0) return "0";
@@ -60,20 +48,11 @@ std::string aligned_number(double value, int digits) {
   return text;
 }
 
-Cell aligned_cell(double value, int digits) { return {aligned_number(value, digits), true}; }
-
 Cell right(std::string text) { return {std::move(text), true}; }
-
-std::string percent_words(double share) {
-  const double percent = 100 * share;
-  return fmt::format("{:.1f}\u00a0%", std::abs(percent) < 0.05 ? 0 : percent);
-}
-
-Cell percent_cell(double share) { return right(std::isfinite(share) ? percent_words(share) : "∞"); }
 
 void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::DisplayUnits& display) {
   for (const std::string& unit : frequency_units(display))
-    row.push_back(aligned_cell(shown_frequency(display, angular_frequency, unit), 6));
+    row.push_back(right(aligned_number(shown_frequency(display, angular_frequency, unit), 6)));
 }
 
 Cell verdict_cell(bool passed, const std::string& yes, const std::string& no) {

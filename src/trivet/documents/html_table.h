@@ -27,18 +27,11 @@ struct Row {
   std::string style;
 };
 
-/// A value with an SI prefix and four digits: 0.00123 m → "1.23 mm"; "∞" if it is not finite.
-[[nodiscard]] Cell quantity_cell(double value, const std::string& unit);
-/// An SI value as it is shown; only SI units get a prefix.
-[[nodiscard]] Cell quantity_cell(double value, const DisplayUnit& unit);
 /// A number with zeros at the end; "–" if it is not finite.
-[[nodiscard]] Cell aligned_cell(double value, int digits = 5);
 [[nodiscard]] std::string aligned_number(double value, int digits = 5);
 
 /// A right-aligned text: "–", "everywhere".
 [[nodiscard]] Cell right(std::string text);
-[[nodiscard]] Cell percent_cell(double share);
-[[nodiscard]] std::string percent_words(double share);
 /// ω in rad/s and as a frequency in Hz, two cells, or one cell in the unit of the display.
 void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::DisplayUnits& display);
 /// "✓ ok" or "✗ FAILED".

@@ -181,6 +181,8 @@ std::string shown_quantity(const Quantity& quantity, const project::DisplayUnits
     case Kind::both_frequencies:
     case Kind::angular_frequency:
       return number(shown_frequency(display, quantity.value, "rad/s")) + " " + frequency_unit(display, "rad/s");
+    case Kind::number:
+      return number(quantity.value) + " " + quantity.unit;
     default:
       break;
   }

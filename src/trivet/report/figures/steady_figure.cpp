@@ -5,21 +5,15 @@
 #include <cmath>
 #include <set>
 
-#include "trivet/documents/html_table.h"
 #include "trivet/documents/shown_numbers.h"
-#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/nonlinear/branch/stable_motions.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/nonlinear/modes/backbone.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/in_documents.h"
 #include "trivet/report/drawing/result_figures.h"
-#include "trivet/report/tables/analysis_tables.h"
-#include "trivet/results/analyses/steady_changes_text.h"
-#include "trivet/results/analyses/steady_kinds.h"
 #include "trivet/results/format/axis_words.h"
 
 /// Periodic motions of nonlinear machines.
@@ -256,65 +250,6 @@ std::vector<Figure> steady_figures(const study::CaseResults& results) {
                                    "steady-" + file_part(branch->results[c]) + ".svg", rows));
   }
   return figures;
-}
-
-namespace {
-
-/// Detached curves, changes of stability and stretches without stable motion.
-std::string stability_block(const SteadyBranch& branch, const project::DisplayUnits& display) {
-  const std::string text = results::detached_text(branch, display) + results::changes_text(branch, display);
-  return text.empty() ? "" : "<pre>" + escaped(text) + "</pre>\n";
-}
-
-}  // namespace
-
-std::string steady_tables(const study::CaseResults& results) {
-  const auto& branch = results.steady;
-  if (!branch) return "";
-  std::vector<std::vector<Cell>> rows;
-  const auto add_fold = [&](const Fold& fold, const std::string& of) {
-    for (std::size_t c = 0; c < branch->results.size(); ++c) {
-      const double from = fold.point.results[c].half_of_range();
-      if (!(from > 0)) continue;
-      rows.push_back(
-          {{std::string(fold.upper ? "rising " : "falling ") + results::varied_word(*branch) + of},
-           right(fmt::format("{:.6g}", place(*branch, fold.point, results.display))),
-           {branch->results[c]},
-           quantity_cell(from, branch->units[c]),
-           fold.lands ? quantity_cell(fold.lands->results[c].half_of_range(), branch->units[c]) : right("–")});
-    }
-  };
-  for (const Fold& fold : branch->folds) add_fold(fold, "");
-  for (std::size_t i = 0; i < branch->further.size(); ++i)
-    for (const Fold& fold : branch->further[i].folds)
-      if (nonlinear::jumps_at(branch->further[i], fold)) add_fold(fold, fmt::format(", curve {}", i + 1));
-  const std::string about = hint(fmt::format(
-      "Periodic motions connected with {}; {}. {} {} at most "
-      "{:.2g} of the deflections. Motions are deviations from rest.{}{}",
-      results::begun_words(*branch, results.display),
-      branch->search ? fmt::format("{} detached curves were found by a search",
-                                   branch->further_ones(SteadyBranch::Found::detached).size())
-                     : "detached ones are not sought",
-      branch->harmonics, results::harmonics_that_leave_out(branch->harmonics), branch->left_out,
-      branch->at_phase ? fmt::format(" At each load the frequency is the one at which {} lags \"{}\" by {:.4g}°.",
-                                     branch->at_phase->of, branch->at_phase->behind,
-                                     360 / foundation::two_pi * branch->at_phase->lag)
-                       : "",
-      branch->ended.empty() ? "" : " " + branch->ended + "."));
-  const std::string stability =
-      as_html({{{results::stable_table(*branch)}}}, results.display) + stability_block(*branch, results.display);
-  if (rows.empty())
-    return stability + about +
-        hint(branch->changes.empty() && branch->further.empty()
-                 ? "No folds: one motion at each place of this branch, no jumps."
-                 : "No folds on this branch.");
-  return html_table({{"jump of a"},
-                     right("at [" + results::varied_unit(*branch, results.display) + "]"),
-                     {"half of the range of"},
-                     right("before"),
-                     right("after")},
-                    rows) +
-      stability + about;
 }
 
 }  // namespace trivet::report

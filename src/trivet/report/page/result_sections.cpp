@@ -6,7 +6,6 @@
 #include "trivet/documents/html_table.h"
 #include "trivet/report/drawing/result_figures.h"
 #include "trivet/report/drawing/svg_canvas.h"
-#include "trivet/report/tables/analysis_tables.h"
 #include "trivet/results/design/optimization_results.h"
 #include "trivet/results/format/written_results.h"
 
@@ -48,7 +47,7 @@ const std::vector<Shown>& all_shown() {
       {"Run-up", "orders", nullptr, {campbell_figures, waterfall_figures, run_up_figures}},
       {"Transmissibility", "transmissibility", nullptr, {transmissibility_figures}},
       {"Power into the ground", "power", nullptr, {power_figures}},
-      {"Steady motion of the nonlinear machine", nullptr, steady_tables, {steady_figures, orbit_figures}},
+      {"Steady motion of the nonlinear machine", "steady", nullptr, {steady_figures, orbit_figures}},
       {"Nonlinear modes", "backbone", nullptr, {backbone_figures}},
       {"Shock response spectrum", "shock_spectrum", nullptr, {shock_figures}},
       {"Earthquake", "earthquake", nullptr, {}},

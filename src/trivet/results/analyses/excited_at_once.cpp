@@ -3,7 +3,7 @@
 #include <fmt/ranges.h>
 
 #include "trivet/project/analyses/drive.h"
-#include "trivet/results/format/written_results.h"
+#include "trivet/results/format/result_writer.h"
 
 namespace trivet::results {
 namespace {
@@ -19,20 +19,21 @@ std::vector<std::string> selected(const project::Analyses& request, const std::s
 
 }  // namespace
 
-std::string excited_at_once(const project::Case& variant, const std::string& analysis) {
+Sentence excited_part(const project::Case& variant, const std::string& analysis) {
   const std::vector<std::string> chosen = selected(variant.analyses, analysis);
   std::vector<std::string> names;
   for (const model::Excitation& excitation : variant.system.description().excitations) {
     if (model::is_selected(excitation, chosen) && project::drives(excitation, project::drive_of(analysis)))
       names.push_back(excitation.name);
   }
-  return excited_at_once(names);
+  return excited_part(names);
 }
 
-std::string excited_at_once(const std::vector<std::string>& names) {
-  if (names.size() < 2) return "";
-  return fmt::format("Excited simultaneously by {} (set `excitations` of the analysis to select some)\n",
-                     fmt::join(names, ", "));
+Sentence excited_part(const std::vector<std::string>& names) {
+  if (names.size() < 2) return {};
+  return {.parts = {fmt::format("Excited simultaneously by {} (set `excitations` of the analysis to select some)",
+                                fmt::join(names, ", "))},
+          .forms = on_screen | on_page};
 }
 
 }  // namespace trivet::results

@@ -7,10 +7,10 @@
 #include <optional>
 
 #include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/shown_table.h"
 #include "trivet/nonlinear/branch/stable_motions.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
-#include "trivet/results/analyses/steady_changes_text.h"
-#include "trivet/results/format/axis_words.h"
+#include "trivet/results/analyses/steady_parts.h"
 
 namespace trivet::results {
 namespace {
@@ -59,7 +59,7 @@ std::string farthest_motion(const study::CaseResults& results, const nonlinear::
   for (std::size_t r = 0; r < extremes.size(); ++r)
     if (branch.units[r] == branch.units.front())
       keep_higher(highest, std::fmax(std::abs(extremes[r].largest), std::abs(extremes[r].smallest)), branch.results[r],
-                  place_text(branch, *extremes[r].at, results.display, 5) + " " + varied_unit(branch, results.display));
+                  shown_quantity(varied_quantity(branch, branch.parameter(*extremes[r].at), 5), results.display));
   return peak_text(highest, display_unit(results.display, branch.units.front()));
 }
 

@@ -102,17 +102,11 @@ json::Json written_json(const ResultWriter& writer, const project::Case& variant
 
 std::string written_text(const ResultWriter& writer, const project::Case& variant, const study::CaseResults& results,
                          Form form) {
-  if (writer.document) return as_text(writer.document(variant, results), variant.display, form);
-  return (form == in_summary && writer.summary ? writer.summary : writer.text)(variant, results);
+  return as_text(writer.document(variant, results), variant.display, form);
 }
 
 Single warnings_part(const study::CaseResults& results) {
   return {.name = "warnings", .value = json::warnings(results.warnings)};
-}
-
-Sentence excited_part(const project::Case& variant, const std::string& analysis) {
-  const std::string line = excited_at_once(variant, analysis);
-  return {.parts = {line.substr(0, line.find('\n'))}, .forms = on_screen | on_page};
 }
 
 namespace {

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/results/analyses/steady_harmonics.h"
-#include "trivet/results/format/in_documents.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,178 +6,198 @@
 #include <complex>
 #include <vector>
 
-#include "trivet/documents/csv_field.h"
 #include "trivet/documents/shown_numbers.h"
-#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/results/analyses/steady_changes_text.h"
-#include "trivet/results/analyses/steady_kinds.h"
-#include "trivet/results/format/axis_words.h"
+#include "trivet/results/analyses/steady_parts.h"
+#include "trivet/results/format/json_parts.h"
 
+/// Harmonics of all motions found at the parameters that were requested.
 namespace trivet::results {
 
 using nonlinear::ObservedMotion;
 using nonlinear::SteadyBranch;
-using nonlinear::SteadyPoint;
 
 namespace {
 
-/// A motion at a parameter, and its curve: 0 is the connected one, others are numbered as further ones.
-struct FoundMotion {
-  std::size_t curve;
-  const SteadyBranch& of;
-  const SteadyPoint& point;
+/// A harmonic of a motion, which is numbered from 1 at each parameter; 0 is the mean.
+struct HarmonicOf {
+  PointOfCurve motion;
+  std::size_t number;
+  Eigen::Index k;
+
+  [[nodiscard]] std::complex<double> amplitude(std::size_t result) const {
+    const ObservedMotion& of = motion.point->results[result];
+    return k == 0 ? of.mean : of.harmonics(k - 1);
+  }
+  /// Over that of the excitation.
+  [[nodiscard]] double harmonic() const { return static_cast<double>(k) / motion.curve->periods; }
 };
 
-std::vector<FoundMotion> motions_at(const SteadyBranch& branch, double parameter) {
+std::vector<PointOfCurve> motions_at(const SteadyBranch& branch, double parameter) {
   constexpr double same = 1e-9;
-  std::vector<FoundMotion> found;
-  const auto add = [&](std::size_t number, const SteadyBranch& curve) {
-    for (const SteadyPoint& point : curve.at)
-      if (std::abs(curve.parameter(point) - parameter) <= same * parameter) found.push_back({number, curve, point});
-  };
-  add(0, branch);
-  for (std::size_t i = 0; i < branch.further.size(); ++i) add(i + 1, branch.further[i]);
+  std::vector<PointOfCurve> found = points_of_curves(branch, &SteadyBranch::at);
+  std::erase_if(found, [&](const PointOfCurve& one) {
+    return std::abs(one.curve->parameter(*one.point) - parameter) > same * parameter;
+  });
   return found;
 }
 
-/// Of harmonic k of a motion over that of the excitation or the shaft.
-double order_of(const FoundMotion& motion, Eigen::Index k, const SteadyBranch& branch) {
-  return branch.first_harmonic * static_cast<double>(k) / motion.of.periods;
+std::vector<HarmonicOf> harmonics_of(const PointOfCurve& motion, std::size_t number) {
+  std::vector<HarmonicOf> list;
+  for (Eigen::Index k = 0; k <= motion.curve->harmonics; ++k) list.push_back({motion, number, k});
+  return list;
 }
 
-double degrees(double radians) { return 360 / foundation::two_pi * radians; }
-
-std::string phase_text(const std::complex<double>& amplitude) {
-  return amplitude == 0.0 ? "–" : fmt::format("{:.1f}°", degrees(std::arg(amplitude)));
-}
-
-/// Harmonics above round-off and above a millionth of the largest, and those that are excited.
-bool is_shown(const FoundMotion& motion, Eigen::Index k) {
+/// Is it above a millionth of the largest harmonic of any result?
+bool is_shown(const HarmonicOf& one) {
   constexpr double small = 1e-6;
-  return std::ranges::any_of(motion.point.results, [&](const ObservedMotion& result) {
-    return std::abs(result.harmonics(k - 1)) > small * result.harmonics.cwiseAbs().maxCoeff();
-  });
+  return one.k > 0 && std::ranges::any_of(one.motion.point->results, [&](const ObservedMotion& result) {
+           return std::abs(result.harmonics(one.k - 1)) > small * result.harmonics.cwiseAbs().maxCoeff();
+         });
 }
 
-const char* stability_phrase(const SteadyPoint& point) {
-  return point.uncertain ? "of uncertain stability" : point.stable ? "stable" : "unstable";
+/// The largest values on the connected curve: smaller ones are round-off.
+LargestOfKind largest_on(const SteadyBranch& branch) {
+  LargestOfKind largest;
+  for (const nonlinear::SteadyPoint& point : branch.points)
+    for (std::size_t c = 0; c < branch.results.size(); ++c)
+      largest.add(branch.units[c], std::max(point.results[c].largest, -point.results[c].smallest));
+  return largest;
 }
 
-std::string motion_text(const FoundMotion& motion, const SteadyBranch& branch, const project::DisplayUnits& display) {
-  const std::vector<double> kinds = largest_of_kinds(branch);
-  std::vector<std::string> heads = {"harmonic", branch.of_shaft ? "order" : "at [" + frequency_unit(display) + "]"};
-  for (const std::string& result : branch.results) {
-    heads.push_back(result);
-    heads.push_back("phase");
-  }
-  TextTable table(heads, 2);
-  std::vector<std::string> mean = {"mean", ""};
+/// A line for each harmonic, the mean included, SI and rad; for people those that are not small.
+Table harmonic_table(const SteadyBranch& branch, std::vector<HarmonicOf> harmonics) {
+  const Rows row(std::move(harmonics));
+  const auto of_motion = [](auto value) { return [value](const HarmonicOf& one) { return value(one.motion); }; };
+  const auto order = [&branch](const HarmonicOf& one) { return branch.first_harmonic * one.harmonic(); };
+  Table table{
+      .rows = row.size(),
+      .columns = {row("angular_frequency", Kind::frequency, "",
+                      of_motion([](const PointOfCurve& m) { return m.point->angular_frequency; })),
+                  row("load_factor", Kind::number, "",
+                      of_motion([](const PointOfCurve& m) { return m.point->load_factor; })),
+                  row("motion", Kind::number, "", &HarmonicOf::number),
+                  row("curve", Kind::number, "", of_motion([](const PointOfCurve& m) { return m.number; })),
+                  row("periods", Kind::number, "", of_motion([](const PointOfCurve& m) { return m.curve->periods; })),
+                  row("stable", Kind::words, "",
+                      of_motion([](const PointOfCurve& m) { return stability_word(*m.point); })),
+                  row("harmonic", Kind::number, "harmonic", &HarmonicOf::harmonic),
+                  row("order", Kind::number, branch.of_shaft ? "order" : "", order),
+                  row("at", Kind::frequency, branch.of_shaft ? "" : "at",
+                      [order](const HarmonicOf& one) { return order(one) * one.motion.point->angular_frequency; })},
+      .csv = {"angular_frequency [rad/s]",
+              {"load factor", "load_factor"},
+              "motion",
+              "curve",
+              "periods",
+              "stable",
+              "harmonic",
+              "order"},
+      .people = {"harmonic"},
+      .together = 2,
+      .forms = in_csv};
+  const LargestOfKind largest = largest_on(branch);
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
-    mean.push_back(
-        value_text(without_round_off(motion.point.results[c].mean, kinds[c]), display_unit(display, branch.units[c])));
-    mean.emplace_back("");
+    const std::string &name = branch.results[c], &unit = branch.units[c];
+    const std::string amplitude = name + " amplitude", phase = name + " phase", unit_of = "unit of " + name;
+    table.columns.push_back(row(unit_of, Kind::words, "", [unit](std::size_t) { return unit; }));
+    table.columns.push_back(row(amplitude, Kind::amplitude, name,
+                                [c](const HarmonicOf& one) { return std::abs(one.amplitude(c)); },
+                                {.unit = "@" + unit_of, .digits = 4}));
+    table.columns.push_back(row(phase, Kind::number, "",
+                                [c](const HarmonicOf& one) { return std::arg(one.amplitude(c)); }, {.forms = in_csv}));
+    table.columns.push_back(row(phase, Kind::number, "phase",
+                                [c, unit, largest](const HarmonicOf& one) -> Json {
+                                  const std::complex<double> value = one.amplitude(c);
+                                  if (largest.shown(unit, std::abs(value)) == 0) return nullptr;
+                                  return fmt::format("{:.1f}°", 360 / foundation::two_pi * std::arg(value));
+                                },
+                                {.forms = for_people}));
+    table.csv.emplace_back(fmt::format("{} [{}]", amplitude, unit), amplitude);
+    table.csv.emplace_back(phase + " [rad]", phase);
+    for (const std::string& column : {amplitude, phase}) table.people.emplace_back(column, column);
   }
-  table.add(mean);
-  const Eigen::Index harmonics = motion.of.harmonics;
-  int hidden = 0;
-  for (Eigen::Index k = 1; k <= harmonics; ++k) {
-    if (!is_shown(motion, k)) {
-      ++hidden;
-      continue;
-    }
-    const double order = order_of(motion, k, branch);
-    std::vector<std::string> row = {
-        number_text(static_cast<double>(k) / motion.of.periods),
-        number_text(branch.of_shaft ? order : shown_frequency(display, order * motion.point.angular_frequency), 6)};
-    for (std::size_t c = 0; c < branch.results.size(); ++c) {
-      std::complex<double> amplitude = motion.point.results[c].harmonics(k - 1);
-      if (without_round_off(std::abs(amplitude), kinds[c]) == 0) amplitude = 0;
-      row.push_back(value_text(std::abs(amplitude), amplitude_unit(display, branch.units[c])));
-      row.push_back(phase_text(amplitude));
-    }
-    table.add(row);
-  }
-  return table.text() +
-      (hidden > 0 ? fmt::format("  {} of {} harmonics, below 1e-6 of the largest of every result, are not listed\n",
-                                hidden, harmonics)
-                  : "");
+  for (const char* column : {"order", "at"}) table.people.emplace_back(column);
+  return table;
+}
+
+/// The motions at one parameter and their means.
+Table motion_table(const SteadyBranch& branch, std::vector<PointOfCurve> motions) {
+  const Rows row(std::move(motions));
+  Table table{.rows = row.size(),
+              .columns = {row("motion", Kind::number, "motion", [](std::size_t i) { return i + 1; }),
+                          row("curve", Kind::words, "curve",
+                              [](const PointOfCurve& one) {
+                                return (one.number == 0 ? "connected" : fmt::format("curve {}", one.number)) +
+                                    (one.curve->periods == 2 ? ", twice the period" : "");
+                              }),
+                          row("stable", Kind::words, "stable",
+                              [](const PointOfCurve& one) { return stability_word(*one.point); })},
+              .forms = for_people};
+  const LargestOfKind largest = largest_on(branch);
+  for (std::size_t c = 0; c < branch.results.size(); ++c)
+    table.columns.push_back(row(branch.results[c], Kind::quantity, "mean of " + branch.results[c],
+                                [c, largest, unit = branch.units[c]](const PointOfCurve& one) {
+                                  return largest.shown(unit, one.point->results[c].mean);
+                                },
+                                {.unit = branch.units[c], .digits = 4}));
+  return table;
 }
 
 }  // namespace
 
-std::string harmonics_text(const SteadyBranch& branch, const project::DisplayUnits& display) {
-  std::string text;
+void add_harmonics(const SteadyBranch& branch, Document& document) {
+  std::vector<HarmonicOf> all;
   for (const double parameter : branch.requested_at) {
-    const std::vector<FoundMotion> motions = motions_at(branch, parameter);
-    text += fmt::format("At {} {}: {}\n", number_text(shown_varied(branch, parameter, display), 6),
-                        varied_unit(branch, display),
-                        motions.empty()           ? "no motion is known"
-                            : motions.size() == 1 ? "one motion is known"
-                                                  : fmt::format("{} motions are known", motions.size()));
-    for (std::size_t i = 0; i < motions.size(); ++i)
-      text +=
-          fmt::format("Motion {}, {}{}: {}\n", i + 1,
-                      motions[i].curve == 0 ? "connected" : fmt::format("of curve {}", motions[i].curve),
-                      motions[i].of.periods == 2 ? ", of twice the period" : "", stability_phrase(motions[i].point)) +
-          motion_text(motions[i], branch, display);
+    const std::vector<PointOfCurve> motions = motions_at(branch, parameter);
+    document.add(Sentence{.parts = {"At ", varied_quantity(branch, parameter, 6), ": ",
+                                    motions.empty()           ? "no motion is known"
+                                        : motions.size() == 1 ? "one motion is known"
+                                                              : fmt::format("{} motions are known", motions.size())}});
+    document.add(motion_table(branch, motions));
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      const std::vector<HarmonicOf> harmonics = harmonics_of(motions[i], i + 1);
+      all.insert(all.end(), harmonics.begin(), harmonics.end());
+      Table& table = document.add(harmonic_table(branch, harmonics));
+      table.title = fmt::format("Motion {}", i + 1);
+      table.forms = for_people;
+      table.people_rows.emplace();
+      for (std::size_t k = 0; k < harmonics.size(); ++k)
+        if (is_shown(harmonics[k])) table.people_rows->push_back(k);
+      const std::size_t hidden = harmonics.size() - 1 - table.people_rows->size();
+      if (hidden > 0)
+        document.add(
+            steady_item({fmt::format("{} of {} harmonics, below 1e-6 of the largest of every result, are not listed",
+                                     hidden, harmonics.size() - 1)}));
+    }
   }
-  return text +
-      "Amplitudes A and phases φ of A cos(kωt + φ) as deviations from rest; excitations begin at t = 0 as in " +
-      "`response`\n";
+  document.add(Sentence{.parts = {"Amplitudes A and phases φ of A cos(kωt + φ) as deviations from rest; excitations "
+                                  "begin at t = 0 as in `response`"}});
+  document.add(harmonic_table(branch, std::move(all))).file = "steady.csv";
 }
 
-std::string harmonics_csv(const SteadyBranch& branch) {
-  std::string text = "angular_frequency [rad/s],load factor,motion,curve,periods,stable,harmonic,order";
-  for (std::size_t c = 0; c < branch.results.size(); ++c)
-    text += "," + csv_field(fmt::format("{} amplitude [{}]", branch.results[c], branch.units[c])) + "," +
-        csv_field(branch.results[c] + " phase [rad]");
-  text += "\n";
-  for (const double parameter : branch.requested_at) {
-    const std::vector<FoundMotion> motions = motions_at(branch, parameter);
-    for (std::size_t i = 0; i < motions.size(); ++i)
-      for (Eigen::Index k = 0; k <= motions[i].of.harmonics; ++k) {
-        const auto& [curve, of, point] = motions[i];
-        text +=
-            fmt::format("{},{},{},{},{},{},{},{}", point.angular_frequency, point.load_factor, i + 1, curve, of.periods,
-                        stability_word(point), static_cast<double>(k) / of.periods, order_of(motions[i], k, branch));
-        for (const ObservedMotion& result : point.results) {
-          const std::complex<double> amplitude = k == 0 ? std::complex<double>(result.mean) : result.harmonics(k - 1);
-          append_csv_number(text, std::abs(amplitude));
-          append_csv_number(text, std::arg(amplitude));
-        }
-        text += "\n";
-      }
-  }
-  return text;
-}
-
-json::Json json::harmonics(const SteadyBranch& branch) {
+Json harmonics_json(const SteadyBranch& branch) {
+  const auto numbers = [](const Eigen::VectorXd& list) { return std::vector<double>(list.begin(), list.end()); };
   Json list = Json::array();
   for (const double parameter : branch.requested_at) {
     Json one{{branch.over == nonlinear::Parameter::frequency ? "angular_frequency" : "load_factor", parameter},
              {"motions", Json::array()}};
-    for (const FoundMotion& motion : motions_at(branch, parameter)) {
+    for (const PointOfCurve& motion : motions_at(branch, parameter)) {
       Json results = Json::array();
-      for (const ObservedMotion& result : motion.point.results) {
-        Json amplitudes = Json::array(), phases = Json::array();
-        for (const std::complex<double>& amplitude : result.harmonics) {
-          amplitudes.push_back(number(std::abs(amplitude)));
-          phases.push_back(number(std::arg(amplitude)));
-        }
-        results.push_back({{"mean", number(result.mean)},
-                           {"largest", number(result.largest)},
-                           {"smallest", number(result.smallest)},
-                           {"rms", number(result.rms)},
-                           {"amplitudes", std::move(amplitudes)},
-                           {"phases", std::move(phases)}});
-      }
+      for (const ObservedMotion& result : motion.point->results)
+        results.push_back({{"mean", json::number(result.mean)},
+                           {"largest", json::number(result.largest)},
+                           {"smallest", json::number(result.smallest)},
+                           {"rms", json::number(result.rms)},
+                           {"amplitudes", numbers(result.harmonics.cwiseAbs())},
+                           {"phases", numbers(result.harmonics.cwiseArg())}});
       std::vector<double> orders;
-      for (Eigen::Index k = 1; k <= motion.of.harmonics; ++k) orders.push_back(order_of(motion, k, branch));
-      one["motions"].push_back({{"curve", motion.curve},
-                                {"periods", motion.of.periods},
-                                {"stable", motion.point.uncertain ? Json(nullptr) : Json(motion.point.stable)},
+      for (Eigen::Index k = 1; k <= motion.curve->harmonics; ++k)
+        orders.push_back(branch.first_harmonic * static_cast<double>(k) / motion.curve->periods);
+      one["motions"].push_back({{"curve", motion.number},
+                                {"periods", motion.curve->periods},
+                                {"stable", motion.point->uncertain ? Json(nullptr) : Json(motion.point->stable)},
                                 {"orders", orders},
                                 {"results", std::move(results)}});
     }

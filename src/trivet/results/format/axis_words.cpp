@@ -8,7 +8,6 @@
 #include <cmath>
 #include <utility>
 
-#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/results/format/in_documents.h"
@@ -121,12 +120,6 @@ std::string varied_heading(const SteadyBranch& branch, const project::DisplayUni
 double shown_varied(const SteadyBranch& branch, double parameter, const project::DisplayUnits& display) {
   if (branch.over == Parameter::load_factor) return parameter;
   return branch.of_shaft ? parameter * foundation::rpm_per_rad_s : shown_frequency(display, parameter);
-}
-
-std::string begun_words(const SteadyBranch& branch, const project::DisplayUnits& display) {
-  if (!branch.begun_at) return "the one at the lower end of the band";
-  return fmt::format("the one at {} {}", number_text(shown_varied(branch, *branch.begun_at, display), 5),
-                     varied_unit(branch, display));
 }
 
 }  // namespace trivet::results

@@ -35,7 +35,4 @@ namespace trivet::results {
 [[nodiscard]] double shown_varied(const nonlinear::SteadyBranch& branch, double parameter,
                                   const project::DisplayUnits& display);
 
-/// "the one at the lower end of the band", or "the one at 3.2 Hz" where there is no motion at the lower end.
-[[nodiscard]] std::string begun_words(const nonlinear::SteadyBranch& branch, const project::DisplayUnits& display);
-
 }  // namespace trivet::results

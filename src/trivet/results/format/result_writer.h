@@ -17,23 +17,20 @@
 
 namespace trivet::results {
 
-/// Writes the result of one analysis. Each is defined in NAME_document.cpp, or in NAME_results.cpp with a function for
-/// each form.
+/// Writes the result of one analysis. Each is defined in NAME_document.cpp.
 struct ResultWriter {
   const char* name = nullptr;  ///< name of the analysis in [analyses], of its command and of its key in results.json;
                                ///< set by result_writers()
   /// Those of project/analyses/analysis_table.h leave it to result_writers(): their field is there.
   bool (*has_result)(const project::Case& variant, const study::CaseResults& results) = nullptr;
-  /// The result described once; in place of `text` and `summary`, and of `json` and `arrays` if they are null.
+  /// The result described once.
   Document (*document)(const project::Case& variant, const study::CaseResults& results) = nullptr;
   std::vector<const char*> files = {};  ///< of the tables and curves of `document`, for `tables`
-  json::Json (*json)(const project::Case& variant, const study::CaseResults& results) = nullptr;
+  json::Json (*json)(const project::Case& variant,
+                     const study::CaseResults& results) = nullptr;  ///< nullptr: that of `document`
   std::vector<ResultTable> tables = {};  ///< tables of the result folder; --csv prints the first one
-  std::string (*text)(const project::Case& variant, const study::CaseResults& results) = nullptr;  ///< for the screen
-  std::string (*summary)(const project::Case& variant,
-                         const study::CaseResults& results) = nullptr;  ///< shorter text for `run`; nullptr: `text`
-  /// Its numbers. A list of rows has an axis, "peak"; a curve is an array over its frequencies with its own name. Names
-  /// are unique, and an axis has the same size in all arrays.
+  /// Its numbers; nullptr: those of `document`. A list of rows has an axis, "peak"; a curve is an array over its
+  /// frequencies with its own name. Names are unique, and an axis has the same size in all arrays.
   void (*arrays)(const project::Case& variant, const study::CaseResults& results, LabelledArrays& list) = nullptr;
 
   [[nodiscard]] bool is_there(const project::Case& variant, const study::CaseResults& results) const {
@@ -51,6 +48,7 @@ struct ResultWriter {
 [[nodiscard]] Single warnings_part(const study::CaseResults& results);
 /// The excitations that act together, if there are several; not in summaries.
 [[nodiscard]] Sentence excited_part(const project::Case& variant, const std::string& analysis);
+[[nodiscard]] Sentence excited_part(const std::vector<std::string>& names);
 
 extern const ResultWriter modes_results, roots_results, response_results, peaks_results, static_results,
     limit_lines_results, measurements_results, optimize_results, load_sharing_results;

@@ -50,10 +50,6 @@ struct ResultFile {
 /// All results of a case for the screen.
 [[nodiscard]] std::string results_summary(const project::Case& variant, const study::CaseResults& results);
 
-/// Line with the excitations that act together in the result of an analysis; empty if there is only one.
-[[nodiscard]] std::string excited_at_once(const project::Case& variant, const std::string& analysis);
-[[nodiscard]] std::string excited_at_once(const std::vector<std::string>& names);
-
 /// The limits on the response for the page; empty without limits.
 [[nodiscard]] std::string limits_html(const study::CaseResults& results);
 
