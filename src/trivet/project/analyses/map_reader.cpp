@@ -82,20 +82,9 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   if (!table) return;
   TableReader reader(*table, "analyses.map", root.problems());
   MapRequest request;
-  if (result.response) {
-    request.band = result.response->band;
-    request.quantity = result.response->selection.quantity;
-    request.excitations = result.response->selection.excitations;
-  }
-  if (result.peaks) {
-    request.min_prominence = result.peaks->min_prominence;
-    request.peak_tolerance = result.peaks->peak_tolerance;
-  }
   if (reader.has("pairs")) read_pairs(root, reader, result.parameters, request);
   else read_axes(root, reader, result.parameters, request);
-  if (reader.node("band")) request.band = read_band(reader, "band");
-  if (reader.node("excitations")) request.excitations = read_selected_harmonic(reader, symbols);
-  if (const auto quantity = read_quantity(reader)) request.quantity = *quantity;
+  read_scope(reader, symbols, result, request);
   request.limits = read_amplitude_limits(reader, "limits", names, request.quantity);
   request.no_peak = read_no_peak(reader, names, request.quantity);
   read_peak_shares(reader, request.min_prominence, request.peak_tolerance);

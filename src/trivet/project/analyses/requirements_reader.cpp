@@ -193,18 +193,7 @@ void read_requirements(TableReader& root, const ResultNames& names, const Symbol
   reader.also_known({"band", "excitations"});
   if (table->keys.empty()) reader.error("", "an empty table", "there is no requirement", example);
   Requirements found;
-  if (result.response) {
-    found.band = result.response->band;
-    found.quantity = result.response->selection.quantity;
-    found.excitations = result.response->selection.excitations;
-  }
-  if (result.peaks) {
-    found.min_prominence = result.peaks->min_prominence;
-    found.peak_tolerance = result.peaks->peak_tolerance;
-  }
-  if (reader.has("band")) found.band = read_band(reader, "band");
-  if (reader.has("excitations")) found.excitations = read_selected_harmonic(reader, symbols);
-  if (const auto quantity = read_quantity(reader)) found.quantity = *quantity;
+  read_scope(reader, symbols, result, found);
   const bool harmonic = !symbols.harmonic_excitations.empty();
   need(reader, "no_peak", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
   for (const char* key : {"no_jump", "no_contact", "steady"})
