@@ -19,11 +19,18 @@ std::string checks_text(const std::vector<study::CheckLine>& lines) {
 
 std::string mounts_text(const std::vector<study::MountAtRest>& mounts, const project::DisplayUnits& display) {
   if (mounts.empty()) return "";
+  LargestOfKind largest;
+  for (const study::MountAtRest& mount : mounts) {
+    for (const double force : {mount.compression, mount.across}) largest.add("N", force);
+    largest.add("m", mount.deflection);
+  }
+  const auto shown = [&](double value, const char* unit) {
+    constexpr double no_sign = 0;  // -0 + 0 is 0
+    return value_text(largest.shown(unit, value) + no_sign, display_unit(display, unit));
+  };
   TextTable table({"mount at rest", "compression", "across its axis", "deflection"});
   for (const study::MountAtRest& mount : mounts)
-    table.add({mount.name, value_text(mount.compression, display_unit(display, "N")),
-               value_text(mount.across, display_unit(display, "N")),
-               value_text(mount.deflection, display_unit(display, "m"))});
+    table.add({mount.name, shown(mount.compression, "N"), shown(mount.across, "N"), shown(mount.deflection, "m")});
   return table.text();
 }
 
