@@ -55,8 +55,13 @@ int run(CommandLine line) {
   const engine::Result result = session->ask(line.request, progress());
   line.request.ends_search = {};  // from now on Ctrl-C ends the program
   if (result.errors.has_errors()) return complain(line, result.errors);
-  if (!result.failure.empty()) write_error("error: " + engine::on_one_line(result.failure) + "\n");
-  else write_result(line, result);
+  if (!result.failure.empty()) {
+    foundation::Problems failure;
+    failure.error(result.failure, "", "", "");
+    complain(line, failure);
+  } else {
+    write_result(line, result);
+  }
   if (!result.not_written.empty()) write_error("error: " + engine::on_one_line(result.not_written) + "\n");
   const engine::Outcome code = engine::outcome(result, line.strict);
   if (line.strict && result.failure.empty() && result.complete && code != engine::Outcome::done)

@@ -194,8 +194,6 @@ def test_print_follows_the_units(path, analysis, words):
     ("path", "analysis"),
     [
         ("paper/map.toml", "map"),
-        ("genset/mounts.toml", "select"),
-        ("two_stage/pump_on_raft.toml", "explain"),
     ],
 )
 def test_print_that_does_not_convert_says_so(path, analysis):
@@ -206,6 +204,42 @@ def test_print_that_does_not_convert_says_so(path, analysis):
     if result.tables and not result._core.tables_convert:
         with pytest.raises(trivet.InputError, match="its tables are not converted"):
             result.to_dataframe()
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+@pytest.mark.parametrize(
+    ("path", "analysis", "table", "quantities"),
+    [
+        ("track/bogie.toml", "random", "random.csv", ["rms", "three_sigma", "rms_of_derivative", "weighted_rms"]),
+        ("measured_response/machine.toml", "measurements", "measured_curves.csv", ["measured re", "computed im"]),
+        ("two_stage/pump_on_raft.toml", "explain", "explain.csv", ["amplitude"]),
+        ("paper/corrected.toml", "peaks", "peaks.csv", ["amplitude", "prominence"]),
+    ],
+)
+def test_quantities_of_rows_follow_the_unit_of_their_row(path, analysis, table, quantities):
+    result = getattr(trivet.open(example(path)), analysis)()
+    si, inches = result.to_dataframe(table), result.to(length="in").to_dataframe(table)
+    assert any("in" in unit for unit in inches["unit"])
+    for name in quantities:
+        column = next(heading for heading in si.columns if heading.split(" [")[0] == name)
+        factor = [1 / 0.0254 if new != old else 1 for old, new in zip(si["unit"], inches["unit"], strict=True)]
+        np.testing.assert_allclose(inches[column].astype(float), si[column].astype(float) * factor, rtol=1e-14)
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+def test_words_with_a_unit_in_their_heading_stay_in_it():
+    lines = trivet.open(example("genset/genset.toml")).limit_lines()
+    si, rpm = lines.to_dataframe(), lines.to(frequency="rpm").to_dataframe()
+    assert si["compared [Hz]"].tolist() == rpm["compared [Hz]"].tolist()
+    assert rpm["at [rpm]"][0] == pytest.approx(si["at [rad/s]"][0] * 30 / np.pi)
+
+
+def test_html_has_the_tables_of_the_text(machine):
+    peaks = machine.peaks()
+    assert f"{peaks.array('angular_frequency')[0]:.7g}" in peaks.to_html()
+    assert "[rpm]" in peaks.to(frequency="rpm").to_html() and "[rpm]" not in peaks.to_html()
+    with pytest.raises(trivet.InputError, match="no tables for a page"):
+        machine.check().to_html()
 
 
 def test_the_optimum_is_shown_in_other_units():

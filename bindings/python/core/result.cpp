@@ -160,6 +160,13 @@ void bind_result(nb::module_& module) {
             return display && result.text_in ? result.text_in(*display) : engine::whole(result.text);
           },
           nb::arg("display") = nb::none(), "The text of the command line, perhaps in other units.")
+      .def(
+          "html",
+          [](const Result& result, const std::optional<DisplayUnits>& display) {
+            const nb::gil_scoped_release released;
+            return result.html ? result.html(display.value_or(result.display)) : std::string();
+          },
+          nb::arg("display") = nb::none(), "Tables and sentences as a part of a page; empty if it has none.")
       .def_prop_ro(
           "text_converts", [](const Result& result) { return static_cast<bool>(result.text_in); },
           "does the text have other units with another display?")

@@ -284,6 +284,15 @@ class Result:
         about = {"question": self.analysis, "case": self.case, "title": self._core.title}
         return xarray.Dataset(variables, coordinates, about)
 
+    def to_html(self) -> str:
+        """Tables and sentences as the report has them, as a part of a page; in the units that `Result.to` chose, else those of the
+        file."""
+        html = self._core.html(self._converted)
+        if not html:
+            rule = "this command has no tables for a page"
+            raise InputError([problem(self.analysis, "no HTML", rule, "take print, .to_dataframe() or .to_dict()")])
+        return html
+
     def to_json(self) -> str:
         """JSON as docs/json.md describes it, SI."""
         return self._core.json()

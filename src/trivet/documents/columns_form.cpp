@@ -50,12 +50,14 @@ class TableColumns {
   }
 
  private:
+  static std::string unit_column(const Column& column) {
+    return column.unit.starts_with('@') ? column.unit.substr(1) : "unit";
+  }
+
   /// Shapes have a unit for each entry, and no column of units.
   bool is_of_row(const Column& column) const {
-    const bool named = column.unit.starts_with('@');
-    return (named || column.unit == unit_of_the_row) &&
-        std::ranges::find(table_.columns, named ? column.unit.substr(1) : "unit", &Column::name) !=
-        table_.columns.end();
+    return (column.unit.starts_with('@') || column.unit.starts_with(unit_of_the_row)) &&
+        std::ranges::find(table_.columns, unit_column(column), &Column::name) != table_.columns.end();
   }
 
   Kind kind(const Column& column, std::size_t row) const {
@@ -63,7 +65,9 @@ class TableColumns {
   }
 
   Shown in_row(const Column& column, std::size_t row) const {
-    return shown_as(kind(column, row), unit_in_row(table_, column, row), display_);
+    // "unit of the row/s" becomes another unit by the same factor
+    const Column& of_units = *std::ranges::find(table_.columns, unit_column(column), &Column::name);
+    return shown_as(kind(column, row), of_units.value(row).get<std::string>(), display_);
   }
 
   void add(const UsedColumn& used) {
@@ -84,10 +88,11 @@ class TableColumns {
     const bool is_si = display_ == project::DisplayUnits{};
     const auto of_numbers = std::ranges::find(table_.columns, std::string(unit_of_the_row), &Column::unit);
     const bool is_unit = column.name == "unit" && of_numbers != table_.columns.end() && of_numbers->value;
+    const bool names_unit = !parts_of(name).unit.empty();  // such words stay SI
     const auto for_readers = std::ranges::find_if(table_.columns, [&](const Column& other) {
       return &other != &column && other.name == column.name && other.kind == Kind::words && (other.forms & on_screen);
     });
-    const Column& shown = is_si || for_readers == table_.columns.end() ? column : *for_readers;
+    const Column& shown = is_si || names_unit || for_readers == table_.columns.end() ? column : *for_readers;
     TypedColumn& typed = found_.emplace_back(TypedColumn{name, "", {}});
     for (std::size_t i = 0; i < table_.rows; ++i)
       typed.values.push_back(is_unit ? Json(in_row(*of_numbers, i).unit) : shown.value(i));
@@ -170,8 +175,9 @@ std::vector<TypedColumn> as_columns(const Document& document, const std::string&
       table ? TableColumns(*table, display).found() : columns_of(std::get<Curves>(part.content), display);
   std::vector<TypedColumn> different;
   for (TypedColumn& one : all)
-    if (std::ranges::none_of(
-            different, [&](const TypedColumn& other) { return other.name == one.name && other.unit == one.unit; }))
+    if (std::ranges::none_of(different, [&](const TypedColumn& other) {
+          return other.name == one.name && other.unit == one.unit && other.values == one.values;
+        }))
       different.push_back(std::move(one));
   return different;
 }

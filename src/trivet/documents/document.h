@@ -2,6 +2,7 @@
 #pragma once
 
 #include <complex>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
@@ -90,6 +91,7 @@ struct Part {
 /// The parts of a result in their order.
 struct Document {
   std::vector<Part> parts;
+  std::shared_ptr<const void> held = {};  ///< what it refers to, if nothing else keeps it
   template <typename Content>
   Content& add(Content content) {
     return std::get<Content>(parts.emplace_back(Part{std::move(content)}).content);

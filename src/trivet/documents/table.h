@@ -112,6 +112,7 @@ template <typename Row>
 class Rows {
  public:
   explicit Rows(const std::vector<Row>& rows) : rows_(std::shared_ptr<const void>(), &rows) {}
+  explicit Rows(const std::vector<Row>&& rows) = delete;  // a temporary that cannot be kept
   explicit Rows(std::vector<Row>&& rows) : rows_(std::make_shared<const std::vector<Row>>(std::move(rows))) {}
 
   [[nodiscard]] std::size_t size() const { return rows_->size(); }

@@ -74,21 +74,12 @@ Result run_analysis(const Task& task) {
   const auto held = hold(task, std::move(found));
   Result result;
   add_notices(held->found, result);
-  result.json = writer([held, name, &variant] { return results::result_json(name, variant, held->found); });
-  result.text = writer([held, name, &variant] { return results::result_text(name, variant, held->found); });
-  result.text_in = [held, name, &variant](const project::DisplayUnits& display) {
-    study::CaseResults shown = held->found;
-    shown.display = display;
-    return results::result_text(name, with_display(variant, display), shown);
+  const auto document = [held, name](const project::Case& shown) {
+    return results::result_document(name, shown, held->found);
   };
-  for (const results::ResultTable& table : results::result_tables(name))
-    result.tables.emplace_back(table.file,
-                               writer([held, csv = table.csv, &variant] { return csv(variant, held->found); }));
-  result.columns = [held, name, &variant](const std::string& file, const project::DisplayUnits& display) {
-    return documents::as_columns(results::result_document(name, variant, held->found), file, display);
-  };
-  result.arrays = [held, name, &variant] { return results::result_arrays(name, variant, held->found); };
-  result.held = held;
+  std::vector<std::string> files;
+  for (const results::ResultTable& table : results::result_tables(name)) files.emplace_back(table.file);
+  set_forms(in_units(document, variant), held, variant.display, files, result);
   return result;
 }
 
@@ -129,11 +120,6 @@ std::vector<std::string> examples_of(const std::string& name) {
 }
 
 }  // namespace
-
-project::Case with_display(project::Case variant, const project::DisplayUnits& display) {
-  variant.display = display;
-  return variant;
-}
 
 foundation::Problems without_unused(const project::Project& project, const foundation::Problems& warnings) {
   std::set<std::string> unused;

@@ -35,8 +35,27 @@ template <typename Text>
   return [text = std::move(text)](const Sink& sink) { sink(text()); };
 }
 
-/// The case with other units of its tables.
-[[nodiscard]] project::Case with_display(project::Case variant, const project::DisplayUnits& display);
+/// All forms of a result that a document describes.
+/// @param held  what the document refers to
+/// @param own  units of the model
+/// @param files  its tables; the command line prints the first
+/// @param closing  sentences below the text
+void set_forms(std::function<documents::Document(const project::DisplayUnits& display)> document,
+               std::shared_ptr<const void> held, const project::DisplayUnits& own,
+               const std::vector<std::string>& files, Result& result, const std::string& closing = "");
+
+/// The document of a case in the units of a display. @param document_of  makes it of the case with these units
+template <typename DocumentOf>
+[[nodiscard]] auto in_units(DocumentOf document_of, const project::Case& variant) {
+  return [document_of, &variant](const project::DisplayUnits& display) {
+    if (display == variant.display) return document_of(variant);
+    auto shown = std::make_shared<project::Case>(variant);
+    shown->display = display;
+    documents::Document document = document_of(*shown);
+    document.held = shown;
+    return document;
+  };
+}
 
 /// Warnings without those about analyses of the file, which concern no single command.
 [[nodiscard]] foundation::Problems without_unused(const project::Project& project,

@@ -48,22 +48,16 @@ Result verdict(const Task& task) {
   }
   result.warnings.sort_by_origin();
   result.complete = std::ranges::all_of(cases, [](const study::CaseVerdict& one) { return one.not_judged() == 0; });
-  result.json = writer([held] { return results::verdict_json(held->found); });
-  result.text = writer([held] { return results::verdict_text(held->found); });
-  const auto in_units = [held](const project::DisplayUnits& display) {
-    study::Verdict shown = held->found;
-    for (study::CaseVerdict& one : shown.cases) one.display = display;
-    shown.envelope.display = display;
-    return shown;
+  const auto document = [held, &own = task.variant.display](const project::DisplayUnits& display) {
+    if (display == own) return results::whole_verdict(held->found);
+    auto shown = std::make_shared<study::Verdict>(held->found);
+    for (study::CaseVerdict& one : shown->cases) one.display = display;
+    shown->envelope.display = display;
+    documents::Document found = results::whole_verdict(*shown);
+    found.held = shown;
+    return found;
   };
-  result.text_in = [in_units](const project::DisplayUnits& display) {
-    return results::verdict_text(in_units(display));
-  };
-  result.columns = [in_units](const std::string& file, const project::DisplayUnits& display) {
-    const study::Verdict shown = in_units(display);
-    return documents::as_columns(results::verdict_table(shown), file, display);
-  };
-  result.tables.emplace_back("verdict.csv", writer([held] { return results::verdict_csv(held->found); }));
+  set_forms(document, held, task.variant.display, {"verdict.csv"}, result);
   return result;
 }
 
@@ -162,19 +156,11 @@ std::function<bool()> end_of_search(const Task& task) {
 /// All forms of the best design, or of the front. @param settings  at the end of the text, to be copied
 void add_optimum(const std::shared_ptr<const Held<study::CaseResults>>& held, const Task& task,
                  const std::string& settings, Result& result) {
-  const project::Case& base = task.variant;
+  const auto document = [held](const project::Case& shown) {
+    return results::result_document("optimize", shown, held->found);
+  };
+  set_forms(in_units(document, task.variant), held, task.variant.display, {"optimum.csv"}, result, settings);
   result.json = writer([held, warnings = result.warnings] { return results::optimum_json(held->found, warnings); });
-  result.text_in = [held, settings, &base](const project::DisplayUnits& display) {
-    return results::result_text("optimize", with_display(base, display), held->found) + settings;
-  };
-  result.text = writer([text = result.text_in, &base] { return text(base.display); });
-  result.arrays = [held, &base] { return results::result_arrays("optimize", base, held->found); };
-  result.columns = [held, &base](const std::string& file, const project::DisplayUnits& display) {
-    return documents::as_columns(results::result_document("optimize", base, held->found), file, display);
-  };
-  result.tables.emplace_back("optimum.csv",
-                             writer([held, &base] { return results::result_csv("optimize", base, held->found); }));
-  result.held = held;
 }
 
 Result optimum(const Task& task, const NewProjectFile& file) {
@@ -191,7 +177,7 @@ Result optimum(const Task& task, const NewProjectFile& file) {
   const std::vector<project::Node> changes = study::optimum_changes(best);
   result.changes = project::setting_words(changes);
   const std::string settings = "\nThe optimum as settings:\n" + results::optimization_settings(best);
-  add_optimum(held, task, settings + file.write(changes), result);
+  add_optimum(held, task, settings + file.write(changes, result), result);
   return result;
 }
 
@@ -212,7 +198,7 @@ Result front(const Task& task, const NewProjectFile& file) {
   const std::string settings =
       fmt::format("\nPoint {}{} as settings:\n{}", chosen + 1, computed.knee ? ", the knee," : "",
                   results::front_settings(computed, chosen));
-  add_optimum(held, task, settings + file.write(changes), result);
+  add_optimum(held, task, settings + file.write(changes, result), result);
   if (computed.objectives.size() == 2)
     result.figures.emplace_back("front.svg", writer([held, title = task.project->title] {
                                   return report::front_figure(*held->found.front, title).svg;
@@ -250,15 +236,11 @@ Result select(const Task& task) {
   const std::vector<project::Node> changes = study::selection_changes(found);
   result.changes = project::setting_words(changes);
   const std::string settings =
-      "\nThe best as settings:\n" + results::mount_settings(found.choices, best.mounts) + file.write(changes);
-  const auto document = [held, warnings = result.warnings] {
+      "\nThe best as settings:\n" + results::mount_settings(found.choices, best.mounts) + file.write(changes, result);
+  const auto document = [held, warnings = result.warnings](const project::DisplayUnits&) {
     return results::selection_document(held->found, warnings);
   };
-  result.json = writer([document] { return documents::as_json_text(document()); });
-  result.text_in = [document, settings](const project::DisplayUnits& display) {
-    return documents::as_text(document(), display) + settings;
-  };
-  result.text = writer([text = result.text_in, &base = task.variant] { return text(base.display); });
+  set_forms(document, held, task.variant.display, {}, result, settings);
   return result;
 }
 

@@ -31,19 +31,6 @@ std::string judged_by_verdict(const project::Project& project) {
                      clearances ? ", clearances" : "", project.source);
 }
 
-/// JSON and text of a document. @param document_of  makes it of a case with the wanted units
-template <typename DocumentOf>
-void add_forms(const DocumentOf& document_of, const project::Case& variant, Result& result) {
-  result.json = writer([document_of, &variant] {
-    constexpr int indent = 1;
-    return documents::json::text(as_json(document_of(variant)), indent) + "\n";
-  });
-  result.text_in = [document_of, &variant](const project::DisplayUnits& display) {
-    return as_text(document_of(with_display(variant, display)), display);
-  };
-  result.text = writer([document_of, &variant] { return as_text(document_of(variant), variant.display); });
-}
-
 std::string check_text(const std::vector<study::CaseCheck>& cases) {
   std::string text;
   for (const study::CaseCheck& one : cases) text += results::case_check_text(one);
@@ -83,9 +70,7 @@ Result explain(const Task& task) {
   const auto document = [held](const project::Case& shown) {
     return results::explanation_document(shown, held->found);
   };
-  add_forms(document, variant, result);
-  result.tables.emplace_back("explain.csv",
-                             writer([document, &variant] { return as_csv(document(variant), "explain.csv"); }));
+  set_forms(in_units(document, variant), held, variant.display, {"explain.csv"}, result);
   return result;
 }
 
@@ -102,13 +87,7 @@ Result suspension(const Task& task) {
   Result result;
   result.warnings = held->found.warnings;
   const auto document = [held](const project::Case& shown) { return results::suspension_document(shown, held->found); };
-  result.json = writer([document, &variant] { return documents::as_json_text(document(variant)); });
-  result.text_in = [document, &variant](const project::DisplayUnits& display) {
-    return documents::as_text(document(with_display(variant, display)), display);
-  };
-  result.text = writer([text = result.text_in, &variant] { return text(variant.display); });
-  result.tables.emplace_back("suspension.csv",
-                             writer([document, &variant] { return as_csv(document(variant), "suspension.csv"); }));
+  set_forms(in_units(document, variant), held, variant.display, {"suspension.csv"}, result);
   return result;
 }
 
@@ -157,11 +136,10 @@ Result element(const Task& task) {
   const auto held = hold(task, element_result(task, number));
   Result result;
   result.warnings = held->found.summary.warnings;
-  add_forms(
-      [held, number](const project::Case& shown) {
-        return results::element_document(shown, number, held->found.summary, held->found.simple);
-      },
-      variant, result);
+  const auto document = [held, number](const project::Case& shown) {
+    return results::element_document(shown, number, held->found.summary, held->found.simple);
+  };
+  set_forms(in_units(document, variant), held, variant.display, {}, result);
   result.figures.emplace_back("element.svg",
                               writer([held, &variant, number] { return report::element_picture(variant, number); }));
   return result;

@@ -40,11 +40,16 @@ foundation::Expected<std::string> NewProjectFile::text(const std::vector<project
   return project::rewritten_project(project_, settings_, changes, target_);
 }
 
-std::string NewProjectFile::write(const std::vector<project::Node>& changes) const {
+std::string NewProjectFile::write(const std::vector<project::Node>& changes, Result& result) const {
   if (!file_) return "";
-  const auto content = text(changes);
-  if (!content) throw std::runtime_error(foundation::message(content.error().list().front()));
-  file_->publish(*content);
+  try {
+    const auto content = text(changes);
+    if (!content) throw std::runtime_error(foundation::message(content.error().list().front()));
+    file_->publish(*content);
+  } catch (const std::runtime_error& reason) {
+    result.add_not_written(reason.what());
+    return "";
+  }
   return "\nWritten: " + target_ + "\n";
 }
 

@@ -21,7 +21,7 @@ class NewProjectFile {
   [[nodiscard]] const foundation::Problems& problems() const { return problems_; }
 
   /// Writes the file; the line to show. @throws std::runtime_error with the reason; an earlier file stays unchanged
-  [[nodiscard]] std::string write(const std::vector<project::Node>& changes) const;
+  [[nodiscard]] std::string write(const std::vector<project::Node>& changes, Result& result) const;
 
  private:
   [[nodiscard]] foundation::Expected<std::string> text(const std::vector<project::Node>& changes) const;

@@ -8,6 +8,11 @@
 
 namespace trivet::engine {
 
+void Result::add_not_written(const std::string& reason) {
+  not_written += (not_written.empty() ? "" : "; ") + reason;
+  complete = false;
+}
+
 std::string whole(const Writer& writer) {
   std::string text;
   writer([&text](std::string_view piece) { text += piece; });

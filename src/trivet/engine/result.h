@@ -36,12 +36,18 @@ struct Result {
   std::vector<std::string> notes;     ///< free motions, directions that are left out
   std::vector<std::string> changes;   ///< of the best design, as settings: "elements.mount.scale = 1.5"
   std::vector<std::string> remarks;   ///< on files that were written
-  std::string not_written;            ///< why the file of a picture could not be written; empty if it was
+  std::string not_written;            ///< why files of the request could not be written; empty if they were
   bool complete = true;               ///< false: a part could not be computed, or ended early
   Findings findings;
 
+  /// Described once, in the units of a display; a view of what the result holds. Empty: no document describes it.
+  std::function<documents::Document(const project::DisplayUnits& display)> document = {};
+  // Its forms: those of the document, or its own.
   Writer json = {};
   Writer text = {};
+  project::DisplayUnits display = {};  ///< of the model: units of `text`
+  /// Tables and sentences as a part of a page; empty: it has none.
+  std::function<std::string(const project::DisplayUnits& display)> html = {};
   /// The text with the units of another [display]; empty: it has no units that can change.
   std::function<std::string(const project::DisplayUnits& display)> text_in = {};
   NamedWriters tables = {};   ///< "random.csv", CSV; --csv prints the first
@@ -53,6 +59,9 @@ struct Result {
   std::vector<Result> cases = {};  ///< of `run`: the results of each case
 
   std::shared_ptr<const void> held = {};  ///< what the arrays refer to
+
+  /// A file could not be written; the result is there nevertheless, and not complete.
+  void add_not_written(const std::string& reason);
 };
 
 /// The whole text of a form.

@@ -70,12 +70,11 @@ std::unique_ptr<results::PictureFile> new_picture(const KeyReader& keys, const s
 Result run_with_picture(const Task& task) {
   const auto picture = new_picture(task.keys, task.project->source);
   Result result = task.command.run(task);
-  if (!picture) return result;
+  if (!picture || result.figures.empty()) return result;  // a wrong request has none
   try {
     picture->publish(whole(result.figures.front().second));
   } catch (const std::runtime_error& reason) {  // the result is there nevertheless
-    result.not_written = reason.what();
-    result.complete = false;
+    result.add_not_written(reason.what());
   }
   return result;
 }
@@ -121,6 +120,9 @@ Result Session::ask(const Request& request, const foundation::Progress& progress
   try {
     const Command* command = find_command(request.command);
     if (!command) throw InvalidInput("no command is called \"" + request.command + "\"");
+    if (!command->of_one_case && !request.case_name.empty())
+      result.errors.error(request.before_keys + "case \"" + request.case_name + "\"", "",
+                          request.command + " is about the whole project, in all its cases", "remove it");
     const KeyReader keys(*command, request, result.errors);
     if (result.errors.has_errors()) return result;
     const project::Case& variant = case_of(*project_, request.case_name, request.before_keys);

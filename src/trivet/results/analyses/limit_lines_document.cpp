@@ -22,13 +22,13 @@ std::string band_words(const std::vector<Band>& bands, const char* separator, co
 
 }  // namespace
 
-Table limit_line_table(const study::CaseResults& results) {
+Table limit_line_table(const study::CaseResults& results, const project::DisplayUnits& display) {
   const auto is_alone = [alone = limit_lines_alone(results)](const LimitLineResult& line) {
     return std::ranges::find(alone, &line) != alone.end();
   };
   const Rows row(results.limit_lines);
   const auto in_hertz = [](const Band& band) { return fmt::format("{} to {}", hertz(band.from), hertz(band.to)); };
-  const auto shown = [&display = results.display](const Band& band) {
+  const auto shown = [display](const Band& band) {
     return fmt::format("{:.4g} … {:.4g}", shown_frequency(display, band.from), shown_frequency(display, band.to));
   };
   const auto exceeded_json = [](const LimitLineResult& l) {
@@ -39,7 +39,7 @@ Table limit_line_table(const study::CaseResults& results) {
   const auto exceeded_shown = [shown](const LimitLineResult& l) {
     return l.comparison.met() ? std::string("–") : band_words(l.comparison.exceeded, ", ", shown);
   };
-  const std::string unit = " [" + frequency_unit(results.display) + "]";
+  const std::string unit = " [" + frequency_unit(display) + "]";
   return {
       .key = whole_json,
       .axis = "limit_line",
@@ -127,9 +127,9 @@ Table exceeded_bands(const std::vector<LimitLineResult>& lines) {
           .forms = in_arrays};
 }
 
-Document limit_lines_document(const project::Case&, const study::CaseResults& results) {
+Document limit_lines_document(const project::Case& variant, const study::CaseResults& results) {
   Document document;
-  document.add(limit_line_table(results));
+  document.add(limit_line_table(results, variant.display));
   for (const LimitLineResult& l : results.limit_lines)
     document.add(Curves{
         .axis = l.line.name + " angular_frequency",

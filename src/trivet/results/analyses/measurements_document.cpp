@@ -134,26 +134,28 @@ Table measured_lines(const std::vector<const MeasurementComparison*>& measuremen
   for (const ComparedChannel& one : channels_of(measurements))
     for (std::size_t i = 0; i < one.channel->angular_frequency.size(); ++i) lines.push_back({one, i});
   const Rows row(std::move(lines));
-  const auto number = [&row](const char* name, auto value) {
-    return row(name, Kind::number, "", [value](const ComparedLine& one) {
+  const auto number = [&row](const char* name, auto value, Kind kind = Kind::amplitude) {
+    return row(name, kind, "", [value](const ComparedLine& one) {
       const auto i = static_cast<Eigen::Index>(one.line);
       return value(one.channel->measured(i), one.channel->computed(i));
     });
   };
   using Complex = std::complex<double>;
-  return {.file = "measured_curves.csv",
-          .rows = row.size(),
-          .columns = {row("measurement", Kind::words, "", measurement_name),
-                      row("result", Kind::words, "", result_name), row("unit", Kind::words, "", result_unit),
-                      row("omega [rad/s]", Kind::frequency, "",
-                          [](const ComparedLine& one) { return one.channel->angular_frequency[one.line]; }),
-                      number("measured re", [](Complex m, Complex) { return m.real(); }),
-                      number("measured im", [](Complex m, Complex) { return m.imag(); }),
-                      number("computed re", [](Complex, Complex c) { return c.real(); }),
-                      number("computed im", [](Complex, Complex c) { return c.imag(); }),
-                      number("difference [dB]",
-                             [](Complex m, Complex c) { return 20 * std::log10(std::abs(m) / std::abs(c)); })},
-          .forms = in_csv};
+  return {
+      .file = "measured_curves.csv",
+      .rows = row.size(),
+      .columns = {row("measurement", Kind::words, "", measurement_name), row("result", Kind::words, "", result_name),
+                  row("unit", Kind::words, "", result_unit),
+                  row("omega [rad/s]", Kind::frequency, "",
+                      [](const ComparedLine& one) { return one.channel->angular_frequency[one.line]; }),
+                  number("measured re", [](Complex m, Complex) { return m.real(); }),
+                  number("measured im", [](Complex m, Complex) { return m.imag(); }),
+                  number("computed re", [](Complex, Complex c) { return c.real(); }),
+                  number("computed im", [](Complex, Complex c) { return c.imag(); }),
+                  number(
+                      "difference [dB]",
+                      [](Complex m, Complex c) { return 20 * std::log10(std::abs(m) / std::abs(c)); }, Kind::number)},
+      .forms = in_csv};
 }
 
 Curves channel_curves(const ComparedChannel& one) {

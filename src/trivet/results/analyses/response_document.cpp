@@ -191,10 +191,10 @@ Document response_document(const project::Case& variant, const study::CaseResult
   Document document = response_data(results);
   document.add(excited_part(variant, "response")).forms = on_screen;
   document.add(response_summary(result));
-  document.add(characteristics(result, results.display));
+  document.add(characteristics(result, variant.display));
   add_notes(result, document);
   document.add(limit_table(results));
-  Table& lines = document.add(limit_line_table(results));
+  Table& lines = document.add(limit_line_table(results, variant.display));
   lines.forms = on_screen;
   return document;
 }

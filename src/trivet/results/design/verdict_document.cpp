@@ -176,37 +176,23 @@ Document envelope_document(const study::Envelope& envelope) {
                  .forms = people & on_page}}}};
 }
 
-std::string verdict_text(const study::Verdict& verdict) {
-  std::string text;
-  for (const CaseVerdict& judged : verdict.cases)
-    text += (text.empty() ? "" : "\n") + as_text(verdict_document(judged), judged.display);
-  const std::string envelope = as_text(envelope_document(verdict.envelope), verdict.envelope.display);
-  return text + (envelope.empty() ? "" : "\n" + envelope);
-}
-
-Document verdict_table(const study::Verdict& verdict) {
+Document whole_verdict(const study::Verdict& verdict) {
+  Document document = {{{Single{.name = "met", .value = verdict.met()}}}};
   std::vector<const CaseVerdict*> cases;
   for (const CaseVerdict& judged : verdict.cases) cases.push_back(&judged);
-  return {{{requirement_table(cases)}}};
+  document.add(requirement_table(cases)).forms = in_csv;
+  for (const CaseVerdict& judged : verdict.cases) {
+    Group& one = document.add(Group{.key = "cases", .parts = {}, .in_list = true});
+    one.parts.push_back({Single{.name = "case", .value = judged.case_name}});
+    for (Part& part : verdict_document(judged).parts) one.parts.push_back(std::move(part));
+    one.parts.push_back({Single{.name = "warnings", .value = json::warnings(judged.warnings)}});
+  }
+  document.add(Group{.key = "envelope", .parts = envelope_document(verdict.envelope).parts});
+  return document;
 }
-
-std::string verdict_csv(const study::Verdict& verdict) { return as_csv(verdict_table(verdict), "verdict.csv"); }
 
 json::Json json::verdict(const CaseVerdict& judged) { return as_json(verdict_document(judged)); }
 
 json::Json json::envelope(const study::Envelope& envelope) { return as_json(envelope_document(envelope)); }
-
-std::string verdict_json(const study::Verdict& verdict) {
-  json::Json cases = json::Json::array();
-  for (const CaseVerdict& judged : verdict.cases) {
-    json::Json one = {{"case", judged.case_name}};
-    one.update(json::verdict(judged));
-    one["warnings"] = json::warnings(judged.warnings);
-    cases.push_back(std::move(one));
-  }
-  return json::text(
-             {{"met", verdict.met()}, {"cases", std::move(cases)}, {"envelope", json::envelope(verdict.envelope)}}, 1) +
-      "\n";
-}
 
 }  // namespace trivet::results

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
 #include "trivet/documents/document.h"
 #include "trivet/results/format/in_documents.h"
 #include "trivet/study/requirements/verdict.h"
@@ -15,11 +13,7 @@ namespace trivet::results {
 /// Least and largest static values over all cases, "envelope.csv"; nothing for people if they do not differ.
 [[nodiscard]] Document envelope_document(const study::Envelope& envelope);
 
-/// All cases and the envelope.
-[[nodiscard]] std::string verdict_text(const study::Verdict& verdict);
-/// One row per case and requirement, "verdict.csv".
-[[nodiscard]] Document verdict_table(const study::Verdict& verdict);
-[[nodiscard]] std::string verdict_csv(const study::Verdict& verdict);
-[[nodiscard]] std::string verdict_json(const study::Verdict& verdict);
+/// All cases and the envelope; "verdict.csv" has one row per case and requirement.
+[[nodiscard]] Document whole_verdict(const study::Verdict& verdict);
 
 }  // namespace trivet::results

@@ -77,7 +77,7 @@ template <typename Named>
 /// The axis "coordinate" of one motion: x … rz in metres and radians.
 void add_motion_coordinates(Document& document);
 /// The limit lines, also part of the response.
-[[nodiscard]] Table limit_line_table(const study::CaseResults& results);
+[[nodiscard]] Table limit_line_table(const study::CaseResults& results, const project::DisplayUnits& display);
 /// The table of loads, as part of the static results on the screen, if it was requested.
 void add_load_sharing(const study::CaseResults& results, Document& document);
 /// Unit of the numbers on an axis; "1" if they have none, or if it is not known.
