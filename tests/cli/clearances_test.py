@@ -48,6 +48,29 @@ class Clearances(InTemporaryFolder):
         w = 10 * math.pi
         self.near(low["value"], SAG + 30 / math.hypot(K - M * w * w, C * w))
 
+    def test_a_restricted_band_is_named_with_what_it_leaves_out(self):
+        banded = OSCILLATOR + FORCE + '[requirements]\nband = ["2 Hz", "5 Hz"]\n'
+        detail = self.judged(banded)["detail"]
+        self.assertIn(" harmonic over 2 … 5 Hz; ", detail)
+        self.assertTrue(detail.endswith("; not counted: harmonic motion outside of the band"), detail)
+        everywhere = self.judged(OSCILLATOR + FORCE)["detail"]
+        self.assertNotIn("over", everywhere)
+        self.assertNotIn("not counted", everywhere)
+        unused = FORCE.replace("excitations.f", "excitations.g")
+        selected = self.judged(OSCILLATOR + FORCE + unused + '[requirements]\nexcitations = ["f"]\n')["detail"]
+        self.assertTrue(selected.endswith("; not counted: harmonic excitations that are not selected"), selected)
+
+    def test_creep_is_not_counted_and_the_row_says_so(self):
+        start = OSCILLATOR.index("translation = ")
+        stiffness, rest = OSCILLATOR[start:].split("damping", 1)
+        self.file(
+            f'catalogue = 1\ntitle = "t"\nsource = "s"\n[mounts.a]\nmaker = "m"\n{stiffness}creep = 1.2\n', "a.toml"
+        )
+        mount = OSCILLATOR[:start].replace('"bushing"', '"catalogue:a"\ncatalogue = "a.toml"')
+        found = self.judged(mount + rest[rest.index("\n") :])
+        self.near(found["value"], SAG)
+        self.assertTrue(found["detail"].endswith("; not counted: creep"), found["detail"])
+
     def test_motion_away_opens_the_gap(self):
         above = OSCILLATOR.replace('direction = "-z"', 'direction = "z"')
         self.near(self.judged(above)["value"], -SAG)

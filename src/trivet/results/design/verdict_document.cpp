@@ -170,10 +170,12 @@ Document envelope_document(const study::Envelope& envelope) {
                                    [=](const LeftOut& one) { return case_name(one.first); }, {.forms = for_people}),
                           left_out("reason", Kind::words, "reason", &LeftOut::second)},
               .forms = in_json | people}},
-       {Sentence{.parts = {"Every case under its own gravity and constant forces. Compression of a mount is along "
-                           "its axis; the gap left is after the largest dynamic motion."},
-                 .place = Sentence::Place::note,
-                 .forms = people & on_page}}}};
+       {Sentence{
+           .parts = {"Every case under its own gravity and constant forces. Compression of a mount is along "
+                     "its axis, deflection without creep. The gap left is after the motions that the requirement of "
+                     "the clearance counts; its row says which it does not."},
+           .place = Sentence::Place::note,
+           .forms = people & on_page}}}};
 }
 
 Document whole_verdict(const study::Verdict& verdict) {

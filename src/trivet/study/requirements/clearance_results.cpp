@@ -96,10 +96,17 @@ std::vector<Approach> approaches_of(const CaseContext& c, const project::Analyse
   return approaches;
 }
 
-/// Excitations of the model whose motions do not count, in words: "random motion, run-up".
+bool is_restricted(const assembly::Band& band) { return band.from > 0 || std::isfinite(band.to); }
+
+/// What does not count, in words: "random motion, engine orders".
 std::string not_counted(const model::System& system, const project::Analyses& analyses) {
-  bool random = false, orders = false, history = false;
+  const HarmonicScope scope = harmonic_scope(analyses);
+  bool outside = false, unselected = false, random = false, orders = false, history = false;
   for (const model::Excitation& excitation : system.description().excitations) {
+    const bool harmonic = std::holds_alternative<model::Harmonic>(excitation.course),
+               selected = model::is_selected(excitation, scope.excitations);
+    outside = outside || (harmonic && selected && is_restricted(scope.band));
+    unselected = unselected || (harmonic && !selected);
     random = random || std::holds_alternative<model::Random>(excitation.course);
     orders = orders || std::holds_alternative<model::Orders>(excitation.course);
     history = history || std::holds_alternative<model::History>(excitation.course);
@@ -108,24 +115,31 @@ std::string not_counted(const model::System& system, const project::Analyses& an
   const auto add = [&](bool there, const char* what) {
     if (there) words += (words.empty() ? "" : ", ") + std::string(what);
   };
+  add(outside, "harmonic motion outside of the band");
+  add(unselected, "harmonic excitations that are not selected");
   add(random, "random motion");
   add(orders, "engine orders");
   add(history && !analyses.transient, "time histories (no analyses.transient)");
+  add(std::ranges::any_of(system.elements(), [](const model::Element& one) { return one.creep > 1; }), "creep");
   return words;
 }
 
-std::string parts_words(const Approach& approach) {
+/// @param band  of the harmonic motion
+std::string parts_words(const Approach& approach, const assembly::Band& band) {
   std::string words = value_words(approach.at_rest, "m") + " at rest";
   if (approach.harmonic)
     words += " + " +
         (std::isinf(approach.harmonic->amplitude) ? "unbounded" : value_words(approach.harmonic->amplitude, "m")) +
-        " harmonic";
+        " harmonic" +
+        (is_restricted(band)
+             ? fmt::format(" over {:.5g} … {:.5g} Hz", band.from / foundation::two_pi, band.to / foundation::two_pi)
+             : "");
   if (approach.transient) words += " + " + value_words(std::max(0.0, approach.transient->value), "m") + " transient";
   return words;
 }
 
-void judge_approach(const model::Clearance& clearance, const Approach& approach, const std::string& ignored,
-                    RequirementResult& result) {
+void judge_approach(const model::Clearance& clearance, const Approach& approach, const assembly::Band& band,
+                    const std::string& ignored, RequirementResult& result) {
   const double total = approach.total(), left = clearance.gap - total;
   result.value = total;
   result.margin = total > 0 ? margin_of(clearance.gap, total) : foundation::infinity;
@@ -133,7 +147,7 @@ void judge_approach(const model::Clearance& clearance, const Approach& approach,
     result.angular_frequency = approach.harmonic->angular_frequency;
   if (approach.transient && approach.transient->value > 0) result.time = approach.transient->time;
   const bool at_rest = approach.at_rest > clearance.gap;
-  result.detail = parts_words(approach);
+  result.detail = parts_words(approach, band);
   if (at_rest) result.detail += "; closed at rest, overlap " + value_words(approach.at_rest - clearance.gap, "m");
   else if (!result.met() && std::isfinite(left)) result.detail += "; overlap " + value_words(-left, "m");
   else if (!result.met()) result.detail += "; the gap is closed";
@@ -156,6 +170,7 @@ std::vector<RequirementResult> clearance_results(const CaseContext& context, con
   } catch (const foundation::InvalidInput& refused) {
     reason = refused.what();
   }
+  const assembly::Band band = harmonic_scope(analyses).band;
   const std::string ignored = not_counted(context.system, analyses);
   std::vector<RequirementResult> results;
   for (std::size_t i = 0; i < clearances.size(); ++i) {
@@ -166,7 +181,7 @@ std::vector<RequirementResult> clearance_results(const CaseContext& context, con
     result.unit = "m";
     result.allowed = clearances[i].gap;
     result.reason = reason;
-    if (reason.empty()) judge_approach(clearances[i], approaches[i], ignored, result);
+    if (reason.empty()) judge_approach(clearances[i], approaches[i], band, ignored, result);
   }
   return results;
 }
