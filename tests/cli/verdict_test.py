@@ -113,6 +113,10 @@ class Verdict(InTemporaryFolder):
         found = self.one('rms = {"m.z" = "1 mm"}', noise)
         exact = math.sqrt(3 / (4 * C * K))
         self.assertAlmostEqual(found["value"] / exact, 1, 4)  # the band ends: 1e-3 Hz and 400 natural frequencies
+        self.assertEqual(found["detail"], "")
+        felt = noise + '[analyses]\nrandom = {of = ["m.z"], quantity = "acceleration", weighting = "Wk"}\n'
+        beside_weighting = self.one('rms = {"m.z" = "1 mm"}', felt)
+        self.assertEqual((beside_weighting["value"], beside_weighting["detail"]), (found["value"], "unweighted"))
 
     def test_separation_and_decoupling(self):
         two = OSCILLATOR.replace('free = ["z"]', 'free = ["x", "z"]').replace("[1, 1,", f"[{K / 1.44}, 1,")

@@ -49,6 +49,7 @@ class MotionRequirements {
         RequirementResult& result = list_[first + i];
         result.quantity = limits[i].quantity;
         if (request) result.excitations = request->selection.excitations;
+        if (request && (request->weighting || request->contact)) result.detail = "unweighted";
         if (channel.rms || channel.vanishes || channel.infinite_rms) {
           result.value = channel.infinite_rms ? infinity : channel.rms.value_or(0);
           result.margin = margin_of(result.allowed, *result.value);
