@@ -186,7 +186,8 @@ class Display(InTemporaryFolder):
     def test_the_default_written_out_changes_nothing(self):
         written = self.file(MACHINE + '[display]\nlength = "m"\nlevel = "amplitude"\n', "written.toml")
         for analysis in ("modes", "response", "peaks", "static", "random", "transient", "verdict", "suspension"):
-            self.assertEqual(trivet(analysis, written).stdout, trivet(analysis, self.si).stdout)
+            shown = trivet(analysis, written).stdout.replace(str(written), str(self.si))  # warnings name the file
+            self.assertEqual(shown, trivet(analysis, self.si).stdout)
 
     def test_mistakes_name_place_and_remedy(self):
         done = trivet("check", SOURCE / "tests/bad/display_several_mistakes.toml")

@@ -118,6 +118,39 @@ class Verdict(InTemporaryFolder):
         beside_weighting = self.one('rms = {"m.z" = "1 mm"}', felt)
         self.assertEqual((beside_weighting["value"], beside_weighting["detail"]), (found["value"], "unweighted"))
 
+    def test_engine_orders_and_random_motion_that_limits_do_not_count(self):
+        shaft = '[excitations.shaft]\ntype = "orders"\non = "m"\nat = [0, 0, 0]\ntable = [{order = 2, force = [0, 0, 50]}]\n'
+        track = '[excitations.track]\ntype = "random"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\npsd = [[1, 3], [9, 3]]\n'
+        speed = '{limit = "9 mm", speed = ["300 rpm", "600 rpm"]}'
+
+        def words(more, of_m, rms=""):
+            text = OSCILLATOR + more + "[requirements]\n" + rms + '[requirements.limits]\n"m.z" = ' + of_m + "\n"
+            cases = result_of("verdict", self.file(text + "[cases.soft]\nelements.s.scale = 0.5\n"))["cases"]
+            return [w for w in cases[0]["warnings"] if "harmonic excitations only" in w]
+
+        (orders,), (random,) = words(shaft, '"1 mm"'), words(track, '"1 mm"')
+        self.assertIn('requirements.limits: engine orders ("shaft") not counted for m.z; ', orders)
+        self.assertIn('requirements.limits: random motion ("track") not counted for m.z; ', random)
+        self.assertIn("add a limit with speed", orders)
+        self.assertIn("add the rms", random)
+        for where in (trivet("verdict", self.folder / "project.toml").stderr, self.run_of_file()):
+            self.assertEqual(where.count('random motion ("track") not counted for m.z'), 1, where)
+        self.assertIn("random motion (&quot;track&quot;) not counted", (self.folder / "out/report.html").read_text())
+        self.assertNotIn("not counted", trivet("modes", self.folder / "project.toml").stdout)  # it judges nothing
+        self.assertEqual(len(words(shaft + track, '"1 mm"')), 2)
+        self.assertEqual(words("", '"1 mm"'), [])
+        self.assertEqual(words(shaft, '["1 mm", ' + speed + "]"), [])
+        self.assertEqual(words(track, '"1 mm"', 'rms = {"m.z" = "2 mm"}\n'), [])
+        self.assertEqual(words(shaft + track, '{limit = "1 mm", excitations = ["f"]}'), [])  # its row names them
+        of_file = '[analyses]\nresponse = {band = ["1 Hz", "9 Hz"], of = ["m.z"]}\n[limits]\n"m.z" = "1 mm"\n'
+        self.file(OSCILLATOR + shaft + of_file)
+        self.assertIn('limits: engine orders ("shaft") not counted for m.z', self.run_of_file())
+
+    def run_of_file(self):
+        done = trivet("run", self.folder / "project.toml", "-o", self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
     def test_separation_and_decoupling(self):
         two = OSCILLATOR.replace('free = ["z"]', 'free = ["x", "z"]').replace("[1, 1,", f"[{K / 1.44}, 1,")
         results, _ = self.judged(

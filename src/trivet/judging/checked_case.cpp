@@ -7,6 +7,7 @@
 #include "trivet/judging/design_corners.h"
 #include "trivet/judging/rest_state.h"
 #include "trivet/judging/suspicions.h"
+#include "trivet/judging/uncounted_excitations.h"
 #include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/text/document.h"
@@ -41,6 +42,9 @@ foundation::Problems settled_and_checked(project::ReadCase& read, const project:
       if (!project::is_only_setting("transient", filter, read.name))
         check_transient(*read.system, read.analyses, found);
       warn_of_small_motions(*read.system, read.analyses, found);
+      if (project::is_requested("requirements", filter, read.name) ||
+          project::is_requested("limits", filter, read.name))
+        warn_of_uncounted_excitations(*read.system, read.analyses, found);
     }
   }
   project::locate(found, read.document);
