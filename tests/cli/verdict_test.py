@@ -118,6 +118,16 @@ class Verdict(InTemporaryFolder):
         beside_weighting = self.one('rms = {"m.z" = "1 mm"}', felt)
         self.assertEqual((beside_weighting["value"], beside_weighting["detail"]), (found["value"], "unweighted"))
 
+    def test_a_common_band_of_the_limits_is_stated_in_the_units_of_the_display(self):
+        limits = OSCILLATOR + '[requirements]\nband = ["1450 rpm", "1500 rpm"]\nlimits = {"m.z" = %s}\n'
+        common, own = limits % '"1 mm"', limits % '{limit = "1 mm", band = ["1 Hz", "2 Hz"]}'
+        in_rpm = common + '[display]\nfrequency = "rpm"\n'
+        for text, words in ((common, "; limits over 24.17 … 25 Hz\n"), (in_rpm, "; limits over 1450 … 1500 rpm\n")):
+            self.assertIn(words, trivet("verdict", self.file(text)).stdout)
+        self.assertNotIn("limits over", trivet("verdict", self.file(own)).stdout)
+        self.assertEqual(trivet("run", self.file(common), "-o", self.folder / "out").returncode, 0)
+        self.assertIn("; limits over 24.17 … 25 Hz", (self.folder / "out/report.html").read_text())
+
     def test_engine_orders_and_random_motion_that_limits_do_not_count(self):
         shaft = '[excitations.shaft]\ntype = "orders"\non = "m"\nat = [0, 0, 0]\ntable = [{order = 2, force = [0, 0, 50]}]\n'
         track = '[excitations.track]\ntype = "random"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\npsd = [[1, 3], [9, 3]]\n'

@@ -104,6 +104,9 @@ Sentence verdict_sentence(const CaseVerdict& judged) {
         ? "; nothing limits it"
         : fmt::format("; governing: {}, margin {:.4g}", requirement_words(r, judged.display), r.margin);
   }
+  if (const auto& band = judged.common_band)
+    text += fmt::format("; limits over {:.4g} … {:.4g} {}", shown_frequency(judged.display, band->from),
+                        shown_frequency(judged.display, band->to), frequency_unit(judged.display));
   return {.parts = {text + (judged.decides ? "" : "; the design need not hold in this case")}};
 }
 

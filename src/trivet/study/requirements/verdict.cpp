@@ -33,6 +33,17 @@ std::optional<std::size_t> least_margin(const std::vector<RequirementResult>& re
   return judged[design::governing(margins).rule];
 }
 
+/// The band of the requirements, if an amplitude is limited over it.
+std::optional<assembly::Band> common_band(const project::Analyses& analyses,
+                                          const std::vector<RequirementResult>& results) {
+  if (!analyses.requirements) return std::nullopt;
+  const project::Requirements& required = *analyses.requirements;
+  const bool applies = !required.limit_lines.empty() ||
+      std::ranges::any_of(required.limits, [](const auto& limit) { return !limit.band && !limit.speed; }) ||
+      std::ranges::find(results, RequirementKind::mount_dynamic_deflection, &RequirementResult::kind) != results.end();
+  return applies ? required.band : std::nullopt;
+}
+
 /// What causes a governing amplitude or peak, in words; empty if it is no peak.
 std::string cause_of(const project::Case& variant, const RequirementResult& result) {
   const bool clearance = result.kind == RequirementKind::clearance,
@@ -79,6 +90,7 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   for (const RequirementResult& one : result.results)
     if (one.kind == RequirementKind::clearance && one.value && std::isfinite(*one.value))
       result.load_case.values.push_back({one.subject + ", gap left", "m", one.allowed - *one.value});
+  result.common_band = common_band(variant.analyses, result.results);
   result.governing = least_margin(result.results);
   if (result.governing && std::isfinite(result.results[*result.governing].margin))
     result.cause = cause_of(variant, result.results[*result.governing]);

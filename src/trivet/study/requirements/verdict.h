@@ -85,8 +85,9 @@ struct CaseVerdict {
   project::DisplayUnits display;  ///< of its tables
   bool decides = true;            ///< the design has to hold in this case
   std::vector<RequirementResult> results;
-  std::optional<std::size_t> governing;  ///< of the judged ones, that with the least margin
-  std::string cause;                     ///< of a governing amplitude or peak: mode, element and what changes it
+  std::optional<assembly::Band> common_band;  ///< of limits and limit lines without one of their own [rad/s]
+  std::optional<std::size_t> governing;       ///< of the judged ones, that with the least margin
+  std::string cause;                          ///< of a governing amplitude or peak: mode, element and what changes it
   foundation::Problems warnings;
   LoadCase load_case;  ///< what it contributes to the envelope
 
