@@ -88,6 +88,7 @@ struct Table {
   std::vector<Use> json = {}, csv = {}, arrays = {}, people = {};
   std::optional<std::vector<std::size_t>> people_rows = {};         ///< and their order, if not all
   std::size_t most_rows = std::numeric_limits<std::size_t>::max();  ///< on the screen
+  std::function<double(std::size_t row)> height = {};  ///< of more rows it shows the highest; without it the first
   std::size_t together = 1;  ///< columns after the first that the screen does not separate: 2 for amplitude and phase
   std::function<Mark(std::size_t row)> mark = {};
   std::string without_rows = {};  ///< words for people in place of an empty table, which has no title then

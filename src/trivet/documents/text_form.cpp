@@ -2,6 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
 
 #include "trivet/documents/document.h"
 #include "trivet/documents/shown_table.h"
@@ -11,16 +15,33 @@
 namespace trivet::documents {
 namespace {
 
+/// Places of the rows that the screen shows, ascending: of too many the highest, or the first.
+std::vector<std::size_t> kept_rows(const Table& table, std::size_t rows) {
+  std::vector<std::size_t> places(rows);
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  if (rows <= table.most_rows) return places;
+  const auto height = [&](std::size_t place) {
+    const double value = table.height(table.people_rows ? (*table.people_rows)[place] : place);
+    return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
+  };
+  if (table.height) std::ranges::stable_sort(places, std::ranges::greater{}, height);
+  places.resize(table.most_rows);
+  std::ranges::sort(places);
+  return places;
+}
+
 std::string text_of(const Table& table, const project::DisplayUnits& display, Form form) {
   const ShownTable shown = shown_table(table, display, form);
   if (shown.headings.empty()) return "";
   if (shown.rows.empty()) return table.without_rows.empty() ? "" : table.without_rows + "\n";
   TextTable text(shown.headings, table.together, 150, shown.numbers);
-  for (std::size_t i = 0; i < std::min(shown.rows.size(), table.most_rows); ++i) text.add(shown.rows[i].cells);
+  for (const std::size_t place : kept_rows(table, shown.rows.size())) text.add(shown.rows[place].cells);
   const std::string rest = shown.rows.size() <= table.most_rows
       ? ""
-      : fmt::format("  (the first {} of {}; {}--json gives all)\n", table.most_rows, shown.rows.size(),
-                    table.file.empty() ? "" : "--csv or ");
+      : fmt::format(
+            "  (the {} of {}; {}--json gives all)\n",
+            table.height ? fmt::format("{} highest", table.most_rows) : fmt::format("first {}", table.most_rows),
+            shown.rows.size(), table.file.empty() ? "" : "--csv or ");
   return (table.title.empty() ? "" : table.title + "\n") + text.text() + rest;
 }
 

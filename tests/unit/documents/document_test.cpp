@@ -208,4 +208,17 @@ TEST(DocumentForPeople, ShowsChosenRowsInTheirOrder) {
   EXPECT_THAT(as_html(one, {}), HasSubstr("machine.z"));
 }
 
+TEST(DocumentForPeople, ShowsTheHighestOfTooManyRowsInTheirOrder) {
+  Document one;
+  Table& table = one.add(resonance_table());
+  table.people_rows = {2, 1, 0};
+  table.most_rows = 2;
+  const std::vector<double> heights = {2, std::numeric_limits<double>::quiet_NaN(), 1};
+  table.height = [heights](std::size_t row) { return heights[row]; };
+  const std::string text = as_text(one, {});
+  EXPECT_THAT(text, Not(HasSubstr("ground.force.z")));
+  EXPECT_THAT(text, HasSubstr("machine.z"));
+  EXPECT_THAT(text, HasSubstr("(the 2 highest of 3; --csv or --json gives all)"));
+}
+
 }  // namespace document_test

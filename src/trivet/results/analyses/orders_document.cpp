@@ -89,6 +89,7 @@ Table critical_speeds(const RunUp& run) {
           .people = {"speed", "order", "angular_frequency", "name", "amplitude", "relative_height", "nearest_mode"},
           .people_rows = tall_peaks(run),
           .most_rows = 40,
+          .height = [&run](std::size_t i) { return run.critical[i].relative_height; },
           .without_rows = "No critical speed in the range"};
 }
 
