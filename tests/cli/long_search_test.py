@@ -42,6 +42,13 @@ class LongSearch(InTemporaryFolder):
         self.assertTrue(found["cut_short"])
         self.assertTrue(any("ended before it was complete" in str(w) for w in found["warnings"]))
 
+    def test_an_unfinished_search_states_nothing_of_an_optimum(self):
+        command = [one for one in self.long("--time-limit", "1 s") if one != "--json"]
+        text = subprocess.run(command, capture_output=True, text=True, timeout=60).stdout
+        for words in ("Residual", "reached this", "contradict", "what holds the optimum"):
+            self.assertNotIn(words, text)
+        self.assertRegex(text, r"\d+ of 1\d\d\d starts finished")
+
     def interrupted_in_the_search(self):
         """A search after its first SIGINT, and what it wrote to stderr then. A signal before the search begins ends the
         program, so such a run is repeated with a later signal."""

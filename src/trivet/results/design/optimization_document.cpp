@@ -192,12 +192,14 @@ void add_conditions(const Optimization& found, Document& document) {
     document.add(Sentence{.parts = {std::move(words)}, .place = Sentence::Place::note});
   };
   document.add(active_table(found));
-  if (!found.no_slopes.empty())
+  if (found.cut_short) note("What holds the optimum is not known: the search was ended before it was complete.");
+  else if (!found.no_slopes.empty())
     note("What holds the optimum is not known: there are no slopes next to it (" + found.no_slopes + ").");
   else if (found.active.empty()) note("Nothing holds the optimum: no requirement limits it.");
   else note(fmt::format("Residual of the optimality conditions: {:.2g} of the largest slope.", found.residual));
   document.add(gone_peaks_table(found));
-  document.add(Single{.name = "residual", .value = found.no_slopes.empty() ? Json(found.residual) : Json()});
+  document.add(
+      Single{.name = "residual", .value = found.no_slopes.empty() && !found.cut_short ? Json(found.residual) : Json()});
   document.add(Single{.name = "no_slopes", .value = found.no_slopes});
   document.add(conflict_table(found));
 }
@@ -237,6 +239,7 @@ Document optimization_document(const Optimization& found) {
   add_conditions(found, document);
   add("cut_short", found.cut_short);
   add("starts", found.starts);
+  if (found.cut_short) add("finished", found.finished);
   add("agreeing", found.agreeing);
   add("stuck", found.stuck);
   document.add(other_optima(found));

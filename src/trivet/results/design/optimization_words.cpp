@@ -75,7 +75,9 @@ std::string parameter_remark(const study::OptimizedParameter& p) {
 }
 
 std::vector<std::string> search_lines(const Optimization& found) {
-  std::vector<std::string> lines = {fmt::format("{} of {} starts reached this; {}", found.agreeing, found.starts,
+  std::vector<std::string> lines = {fmt::format("{} of {} starts {}; {}",
+                                                found.cut_short ? found.finished : found.agreeing, found.starts,
+                                                found.cut_short ? "finished" : "reached this",
                                                 computed_words(found.evaluations, found.failed, found.first_failure))};
   if (found.stuck > 0) lines.push_back(fmt::format("{} found no usable design.", found.stuck));
   for (const study::OtherOptimum& other : found.others) {

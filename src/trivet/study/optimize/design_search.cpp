@@ -165,12 +165,14 @@ class Search {
   }
 
   /// Climbs from all starts; the results in their order.
-  std::vector<MaxMinPoint> climbed(const std::vector<MaxMinPoint>& starts) const {
+  std::vector<MaxMinPoint> climbed(const std::vector<MaxMinPoint>& starts) {
     std::vector<MaxMinPoint> ends = starts;
     foundation::parallel_for(starts.size(), {.progress = progress_, .task = "climbing"},
                              [&](std::size_t first, std::size_t last) {
-                               for (std::size_t i = first; i < last; ++i)
+                               for (std::size_t i = first; i < last; ++i) {
                                  if (can_climb(starts[i])) ends[i] = max_min(problem_, starts[i].x);
+                                 ++finished_;
+                               }
                              });
     return ends;
   }
@@ -184,6 +186,7 @@ class Search {
   /// No climb met the requirements: climbs to their largest least margin, and from there again if it meets them.
   std::vector<MaxMinPoint> climbed_to_requirements(const std::vector<MaxMinPoint>& chosen, bool on_a_line) {
     problem_ = watch_.over(problem_of_requirements(searched_));
+    finished_ = 0;
     std::vector<MaxMinPoint> ends = on_a_line ? best_on_the_line(chosen) : climbed(at(chosen));
     std::vector<MaxMinPoint> meeting;
     std::ranges::copy_if(ends, std::back_inserter(meeting),
@@ -294,7 +297,8 @@ class Search {
       if (MaxMinPoint other = numerics::point_at(result_.problem, found[i]); rank(other) > rank(result_.best))
         result_.best = std::move(other);
     result_.ends = {result_.best};
-    result_.starts = 1;
+    result_.starts = std::max(result_.starts, wanted_);
+    result_.finished = std::min(finished_.load(), result_.starts);
   }
 
   /// Of equally good ends the one nearest to the given design.
@@ -344,6 +348,7 @@ class Search {
   Watch watch_;
   MaxMinProblem problem_;           ///< of `searched_`, under watch
   std::vector<MaxMinPoint> looks_;  ///< judged by `problem_` as requested
+  std::atomic<int> finished_ = 0;   ///< climbs
   DesignSearch result_;
 };
 

@@ -28,6 +28,7 @@ struct DesignSearch {
   numerics::MaxMinPoint best;       ///< of equally good ends the nearest one to the given design
   std::vector<numerics::MaxMinPoint> ends;
   int starts = 0;
+  int finished = 0;           ///< climbs, of `starts`, that came to their end
   std::size_t looked_at = 0;  ///< designs judged by kernels before, see sampled_starts.h
   bool cut_short = false;     ///< ended by `enough`
   bool falls_short = false;   ///< no end met the requirements: `problem` is their largest least margin

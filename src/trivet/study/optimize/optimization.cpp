@@ -51,6 +51,7 @@ class Description {
         best_(std::move(found.best)),
         ends_(std::move(found.ends)) {
     result_.starts = found.starts;
+    result_.finished = found.finished;
     result_.falls_short = found.falls_short;
     result_.cut_short = found.cut_short;
     result_.looked_at = found.looked_at;
@@ -62,9 +63,11 @@ class Description {
     leave_idle_parameters_as_given();
     describe_parameters();
     describe_verdicts();
-    describe_conditions();
-    describe_gone_peaks();
-    describe_ends();
+    if (!result_.cut_short) {  // an unfinished search knows no optimum
+      describe_conditions();
+      describe_gone_peaks();
+      describe_ends();
+    }
     result_.evaluations = objective_.evaluations();
     result_.failed = objective_.failed();
     result_.first_failure = objective_.first_failure();

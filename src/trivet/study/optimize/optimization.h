@@ -106,7 +106,8 @@ struct Optimization {
   std::string no_slopes;                    ///< why these conditions were not computed
   std::vector<Conflict> conflicts;          ///< if no design meets all requirements
   bool cut_short = false;                   ///< ended by `enough`: the best design so far
-  int starts = 0, agreeing = 0;             ///< `agreeing` of the starts reached the same objective
+  int starts = 0, agreeing = 0;             ///< `agreeing` of the starts reached the same objective; 0 if cut short
+  int finished = 0;                         ///< if cut short: so many of the starts came to their end
   int stuck = 0;                            ///< starts that found no usable design
   std::vector<OtherOptimum> others;         ///< the best three
   std::size_t evaluations = 0, failed = 0;  ///< designs computed, and those of them that have no valid model or values
