@@ -45,6 +45,18 @@ to = 1.1
         # The place that gives both mounts their share of the load lies elsewhere for other mounts.
         self.assertNotAlmostEqual(found["parameters"][0]["optimum"], 0.8, 3)
 
+    def test_words_of_load_ranges_name_those_of_both_mounts(self):
+        text = MACHINE + self.PLACE + REQUIREMENTS + self.SEARCH
+        found = result_of("optimize", self.file(text))["cases"][0]
+        carried = [
+            tuple(
+                next(r["requirement"] for r in found[side]["requirements"] if "front carries" in r["requirement"])
+                for side in ("after", "before")
+            )
+        ][0]
+        self.assertNotEqual(*carried)
+        self.assertIn(f"{carried[0]} (given: {carried[1]})", trivet("optimize", self.file(text)).stdout)
+
     def test_smallest_force(self):
         text = MACHINE + self.PLACE + REQUIREMENTS.replace('"60 EUR"', '"75 EUR"')
         text = text.replace('limits = {"m.z" = "0.6 mm"}', 'limits = {"m.z" = "2 mm"}').replace(

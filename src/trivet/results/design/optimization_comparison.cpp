@@ -31,6 +31,11 @@ Table compared(const std::string& heading, Kind kind, const std::vector<Compared
           .forms = for_people};
 }
 
+/// The words of a requirement; those of both designs if they differ, as load ranges of other mounts do.
+std::string words_of_both(const study::RequirementResult& given, const study::RequirementResult& best) {
+  return given.words == best.words ? best.words : fmt::format("{} (given: {})", best.words, given.words);
+}
+
 /// The requirements of each case by ascending margin.
 std::vector<Compared> compared_requirements(const Optimization& found) {
   using study::RequirementResult;
@@ -42,7 +47,7 @@ std::vector<Compared> compared_requirements(const Optimization& found) {
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return after[i].margin; });
     const auto margin = [](const RequirementResult& r) { return r.value ? Json(r.margin) : Json("not judged"); };
     for (const std::size_t i : order)
-      list.push_back({words_in_case(found, c, after[i].words), margin(before[i]), margin(after[i]),
+      list.push_back({words_in_case(found, c, words_of_both(before[i], after[i])), margin(before[i]), margin(after[i]),
                       verdict_word(after[i]),
                       !after[i].value      ? Mark::doubt
                           : after[i].met() ? Mark::plain
