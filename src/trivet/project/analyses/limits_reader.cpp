@@ -165,27 +165,28 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
         : quantity == "acceleration"                    ? assembly::MotionQuantity::acceleration
                                                         : assembly::MotionQuantity::displacement;
     const auto measured = names.component(request.of, motion_quantity);
-    if (reader.has("of") && !measured)
+    if (reader.has("of") && !measured) {
+      const std::string guess = foundation::nearest_name(request.of, names.components());
       reader.error("of", foundation::quoted(request.of),
                    "a limit line belongs to one component: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"",
-                   "check the name");
+                   guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+    }
+    if (!measured) continue;  // the unit of its rows is not known
     request.line.name = name;
     request.line.rms = reader.choice("level", {"rms", "zero_to_peak"}).value_or("rms") == "rms";
     static constexpr std::array<const char*, 3> units = {"m", "m/s", "m/s²"}, turning = {"rad", "rad/s", "rad/s²"};
-    if (measured && reader.has("quantity") && names.is_force(request.of))
+    if (reader.has("quantity") && names.is_force(request.of))
       warn_of_idle_key(reader, "quantity", "\"" + quantity + "\" of a force", "it applies to motions only",
                        "remove it");
-    if (measured) {
-      const bool force = *measured == Quantity::force || *measured == Quantity::moment;
-      const bool turns = request.of.size() > 3 && request.of[request.of.size() - 2] == 'r';
-      request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")
-                                : (turns ? turning : units)[static_cast<std::size_t>(motion_quantity)];
-    }
-    const ColumnQuantity level = read_bare_unit(reader, measured.value_or(Quantity::pure));
+    const bool force = *measured == Quantity::force || *measured == Quantity::moment;
+    const bool turns = request.of.size() > 3 && request.of[request.of.size() - 2] == 'r';
+    request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")
+                              : (turns ? turning : units)[static_cast<std::size_t>(motion_quantity)];
+    const ColumnQuantity level = read_bare_unit(reader, *measured);
     const auto rows = reader.has("rows") ? read_pairs(reader, "rows", in_hertz(), level)
                                          : read_pairs_of_file(reader, "frequency_hz", "limit", in_hertz(), level);
     reader.finish();
-    if (!rows || !measured) continue;
+    if (!rows) continue;
     for (const double hertz : rows->col(0)) request.line.angular_frequency.push_back(2 * std::numbers::pi * hertz);
     for (const double limit : rows->col(1)) request.line.limit.push_back(level.bare * limit);
     const foundation::Problems findings = assembly::check(request.line, reader.has("rows") ? "rows" : "file");
