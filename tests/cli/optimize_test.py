@@ -144,6 +144,36 @@ class Optimize(InTemporaryFolder):
         )
         self.assertEqual(found["no_families"], [])
 
+    def test_a_case_that_sets_a_number_of_a_parameter_is_named_by_check_and_run(self):
+        text = """trivet = 1
+[bodies.m]
+mass = 10
+free = ["z"]
+[elements.k]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, 4000]
+[parameters.spring]
+path = "elements.k.scale"
+from = 0.5
+to = 2
+[requirements]
+natural_frequencies = {avoid = [["3 Hz", "4 Hz"]]}
+hold_in = HOLD
+[cases.cold]
+elements.k.scale = 1.5
+"""
+        words = 'case "cold" sets elements.k.scale, which the parameter "spring" moves'
+        held = self.file(text.replace("HOLD", '["", "cold"]'))
+        self.assertIn(words, trivet("optimize", held).stderr)
+        freed = self.file(text.replace("HOLD", '[""]'), "freed.toml")
+        for command in (["check"], ["run", "--output", self.folder / "out"]):
+            for project, named in ((held, True), (freed, False)):
+                done = trivet(*command, project)
+                shown = " ".join((done.stdout + done.stderr).split())
+                self.assertEqual(words in shown, named, shown)
+
     def test_cases_without_a_family_are_named(self):
         laws = OSCILLATOR.replace(
             "damping = {translation = [1e-3, 1e-3, 400]}", "damping = {maxwell = {ratios = [0.4], times = [0.005]}}"
@@ -277,7 +307,7 @@ class Optimize(InTemporaryFolder):
 
     def test_lone_valid_design_has_no_slopes(self):
         # One damper rises as the other falls below zero: only the given design, without both, is valid.
-        text = OSCILLATOR.replace("1e-3, 400]", "1e-3, 0]") + "[elements.t]\ntype = \"bushing\"\non = \"m\"\n"
+        text = OSCILLATOR.replace("1e-3, 400]", "1e-3, 0]") + '[elements.t]\ntype = "bushing"\non = "m"\n'
         text += "at = [0, 0, 0]\ntranslation = [1, 1, 1]\ndamping = {translation = [1e-3, 1e-3, 0]}\n"
         text = text.replace(
             'path = "elements.s.translation.z"',

@@ -21,6 +21,7 @@
 #include "trivet/study/explain/element_summary.h"
 #include "trivet/study/optimize/design_front.h"
 #include "trivet/study/optimize/optimization.h"
+#include "trivet/study/optimize/optimum_warnings.h"
 
 namespace trivet::study {
 namespace {
@@ -123,6 +124,7 @@ std::vector<CaseResults> run(const project::Project& project, const foundation::
     if (project.cases.size() > 1) all.back().load_case = load_case_of(variant, all.back());
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());
     if (i == 0) add_optimum(project, step, all.back());
+    if (i == 0 && !project.base().analyses.optimize) all.back().warnings.add(overruled_cases(project));
     if (done) done(i, all.back());
   }
   return all;
@@ -179,6 +181,7 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
         ? modal::lowest_modes(variant.system, assembled, variant.analyses.lowest_modes)
         : modal::modes(variant.system, assembled);
     found.warnings = variant.warnings;
+    if (cases.empty()) found.warnings.add(overruled_cases(project));
     found.warnings.add(modes.warnings);
     if (!modal::cannot_grow(assembled, modes))
       found.warnings.add(is_too_large_for_roots(assembled) ? warning_of_unknown_roots()

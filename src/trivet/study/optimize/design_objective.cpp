@@ -15,6 +15,7 @@
 #include "trivet/study/family/frequency_slopes.h"
 #include "trivet/study/family/packed_slopes.h"
 #include "trivet/study/family/requirement_slopes.h"
+#include "trivet/study/optimize/optimum_warnings.h"
 #include "trivet/study/requirements/requirement_values.h"
 
 namespace trivet::study {
@@ -144,21 +145,6 @@ double lowest_natural_frequency(const model::System& system) {
   return 1;
 }
 
-/// A case must not set a number that a parameter moves: the parameter would undo the case.
-void refuse_overruled_cases(const DesignSpace& space, const project::Project& project,
-                            const std::vector<const project::Case*>& cases) {
-  for (const project::Case* variant : cases)
-    for (const project::DesignAxis& axis : space.axes())
-      for (const project::ParameterPlace& place : axis.places) {
-        const project::ModelNumber number(place.path, axis.unit);
-        if (number.read(*variant) == number.read(project.base())) continue;
-        throw foundation::InvalidInput("optimize: case " + foundation::quoted(variant->name) + " sets " + place.path +
-                                       ", which the parameter " + foundation::quoted(axis.name) +
-                                       " moves; change another number in the case, such as stiffness_factor, or leave "
-                                       "the case out of hold_in");
-      }
-}
-
 }  // namespace
 
 DesignObjective::DesignObjective(const project::Project& project, const project::OptimizeRequest& request,
@@ -167,7 +153,9 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
   const std::vector<std::string> hold_in = cases_to_hold(project);
   for (const project::Case& variant : project.cases)
     if (std::ranges::find(hold_in, variant.name) != hold_in.end()) cases_.push_back(&variant);
-  refuse_overruled_cases(space_, project, cases_);
+  if (const foundation::Problems overruled = overruled_cases(project, request.parameters); !overruled.list().empty())
+    throw foundation::InvalidInput("optimize: " + overruled.list().front().finding + "; " +
+                                   overruled.list().front().remedy);
   for (const project::Case* variant : cases_) {
     requests_.push_back(variant->analyses);
     minimized_.add_to(requests_.back());
