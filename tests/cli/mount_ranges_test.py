@@ -115,6 +115,8 @@ class MountRanges(InTemporaryFolder):
         self.assertAlmostEqual(deflects["value"] / (1.3 * M * G / K), 1, DIGITS)
         self.assertAlmostEqual(deflects["margin"], 6e-3 / (1.3 * M * G / K), DIGITS)
         self.assertIn("creep factor 1.3", deflects["detail"])
+        run = trivet("run", self.file(STRAIGHT + REQUIRED), "--output", self.folder / "out")
+        self.assertIn(" mm, with its creep factor 1.3", run.stdout)
         self.catalogue(
             'load = {x = [-1700, 900], y = [-200, 200], z = [100, 1500]}\nstatic_deflection_limit = "4 mm"\ncreep = 1.3'
         )

@@ -53,8 +53,10 @@ void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std:
     } else {
       if (!result.met()) one.outcome = verdict.decides ? Outcome::violated : Outcome::violated_no_need;
       const std::string value = judged_value(result, verdict.display), place = judged_place(result, verdict.display);
-      one.finding = without_empty(
-          {without_empty({value, place.empty() ? "" : "at " + place}, " "), finite_margin_words(result.margin)}, ", ");
+      const bool is_at = result.angular_frequency || result.time;  // not only a detail
+      one.finding = without_empty({without_empty({value, is_at ? "at " + place : ""}, " "), is_at ? "" : place,
+                                   finite_margin_words(result.margin)},
+                                  ", ");
     }
     list.push_back(std::move(one));
   }

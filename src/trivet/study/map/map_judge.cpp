@@ -74,9 +74,10 @@ bool takes_numbers(const project::Case& variant, const project::MapRequest& requ
 }
 
 std::string words_of(const std::vector<design::MapRule>& rules, std::size_t first, std::size_t last) {
-  std::vector<std::string> words;
-  for (std::size_t r = first; r < last; ++r) words.push_back(rules[r].words);
-  return foundation::comma_separated(words, 4);
+  constexpr std::size_t most = 4;
+  std::string words;
+  for (std::size_t r = first; r < std::min(last, first + most); ++r) words += (r == first ? "" : ", ") + rules[r].words;
+  return last - first > most ? words + fmt::format(" and {} more", last - first - most) : words;
 }
 
 }  // namespace
