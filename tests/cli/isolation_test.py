@@ -400,7 +400,9 @@ catalogue = "maker.toml"
         self.assertEqual(found["best"][0]["mounts"], {"mount": "hard"})
         self.assertGreater(found["best"][0]["transmissibility"], 1)
         self.assertTrue(any("is amplified" in w for w in found["warnings"]))
-        self.assertIn("AMPLIFIES", trivet("select", self.file(machine + operation)).stdout)
+        shown = trivet("select", self.file(machine + operation)).stdout
+        self.assertIn("AMPLIFIES", shown)
+        self.assertIn('transmits: largest force on the ground over "run", 10 … 11 Hz', shown)
         with_isolation = result_of("select", self.file(machine + ISOLATION + operation))
         self.assertFalse(any("is amplified" in w for w in with_isolation["warnings"]))
 

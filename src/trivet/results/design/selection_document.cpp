@@ -155,7 +155,9 @@ void add_designs(const MountSelection& found, std::vector<NamedDesign> best, Doc
                     : "NO combination of mounts meets every requirement; the largest least margin is ",
                 margin_words(first)}});
   best.push_back({found.given, "given"});
+  const bool any = std::ranges::any_of(best, [](const NamedDesign& one) { return one.transmissibility.has_value(); });
   document.add(design_table(found, "rank", std::move(best))).forms = for_people;
+  document.add(Sentence{.parts = {any ? "transmits: " + found.transmissibility : ""}, .place = Sentence::Place::note});
   Group& options = document.add(Group{.title = is_exchange(found)
                                           ? "What each mount reaches with the others of the first combination:"
                                           : "What each mount reaches with the best of the others:"});

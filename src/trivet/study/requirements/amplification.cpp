@@ -124,6 +124,25 @@ std::optional<double> operating_transmissibility(const CaseContext& c, const pro
   return largest;
 }
 
+std::string operating_transmissibility_words(const project::Analyses& analyses) {
+  if (const auto& request = analyses.transmissibility) {
+    const auto& [axis, rotation] = request->direction;
+    const std::string quantity = request->force.empty()
+        ? fmt::format("motion{} over a {} of the ground {} {}",
+                      request->selection.of.empty() ? "" : " of " + request->selection.of.front(),
+                      rotation ? "rotation" : "motion", rotation ? "about" : "along", modal::direction_words(axis))
+        : "force on the ground over " + foundation::quoted(request->force);
+    const std::string band = request->band
+        ? fmt::format("{:.5g} … {:.5g} Hz", request->band->from / foundation::two_pi,
+                      request->band->to / foundation::two_pi)
+        : "over all natural frequencies of each design: [analyses] transmissibility has no band";
+    return fmt::format("largest {}, {}", quantity, band);
+  }
+  if (analyses.requirements && !analyses.requirements->isolation.empty())
+    return "largest transmissibility of the required isolations, where they are required";
+  return "largest transmissibility of an excitation where the machine runs";
+}
+
 foundation::Problems amplification_warnings(const CaseContext& c, const project::Analyses& analyses) {
   foundation::Problems warnings;
   if (speaks_of_the_ground(analyses) || is_too_large_for_roots(c.assembled)) return warnings;

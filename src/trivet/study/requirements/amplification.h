@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "trivet/study/analyses/case_context.h"
@@ -16,6 +17,9 @@ namespace trivet::study {
 [[nodiscard]] std::optional<double> operating_transmissibility(const CaseContext& context,
                                                                const project::Analyses& analyses,
                                                                const std::vector<RequirementResult>& judged);
+
+/// Which quantity that is, and where: "largest motion of seat over a motion of the ground along z, 2 … 60 Hz".
+[[nodiscard]] std::string operating_transmissibility_words(const project::Analyses& analyses);
 
 /// Warns of an excitation that is amplified at its operating frequency (T > 1), if no requirement speaks of forces on
 /// the ground. Operating frequencies: the service speed of an unbalance; the band of `transmissibility` or of the

@@ -147,6 +147,7 @@ MountSelection mount_selection(const project::Project& project, std::size_t most
   for (std::size_t c = 0; c < all.choices().size(); ++c) best = all.with(best, c, result.best.front().mounts[c]);
   const model::System system = all.system(first, best);
   const CaseContext context(system, silent);
+  result.transmissibility = operating_transmissibility_words(first.analyses);
   result.warnings = amplification_warnings(context, first.analyses);
   result.warnings.add(single_mount_warnings(context, first.analyses));
   return result;

@@ -46,6 +46,7 @@ struct MountOption {
 struct MountSelection {
   std::vector<project::MountChoice> choices;
   std::vector<std::string> cases;  ///< in which a design has to hold
+  std::string transmissibility;    ///< which one MountDesign::transmissibility is, in words
   std::size_t combinations = 0;    ///< that were judged, completely or by a bound
   std::size_t all_combinations =
       0;  ///< more than these if mounts were exchanged: then nothing is proven about the others
