@@ -66,6 +66,7 @@ SKIPPED = {
     "element": [(r"(?m)^.*(generates no energy|rigid motion).*$", "a check, whose numbers are its sentence")],
     "map": [(r"(?m)^  \d+ designs? .* one by one.*$", "how it was computed")],
     "orders": [(r"(?m)^note: .*$", "notes on the model, in results.json")],
+    "verdict": [(r"limits over [^;\n]*", "the common band, a key of the file")],
     "power": [(r"\d+\.\d %", "the quotient of two curves at one frequency")],
 }
 # Cells of the report: checks of its curves, and formulas of laws.
