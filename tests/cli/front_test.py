@@ -141,6 +141,21 @@ class Front(InTemporaryFolder):
             self.assertAlmostEqual((1 / a + 1 / b) / total, 1, delta=PLACE)
         self.assertGreater(found["dominated"] + found["coinciding"], 0)
 
+    def test_a_refused_file_beside_a_picture_is_an_error(self):
+        """The model needs a file of its own folder, so it cannot be written to another one."""
+        (self.folder / "more.csv").write_text("name,type,on,at.x,at.y,at.z\nmore,t,a,0,0,0\n")
+        (self.folder / "other").mkdir()
+        project = self.file(
+            TWO
+            + BAND
+            + '[element_types.t]\ntype = "bushing"\ntranslation = [1, 1, 1]\n[tables.elements]\nfile = "more.csv"\n'
+        )
+        picture, target = self.folder / "front.svg", self.folder / "other" / "knee.toml"
+        done = trivet("optimize", project, "--picture", picture, "--write", target)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("tables.elements.file", done.stderr)
+        self.assertFalse(picture.exists() or target.exists())
+
     def test_picture_and_written_knee(self):
         project = self.file(TWO + BAND)
         picture, target = self.folder / "front.svg", self.folder / "knee.toml"
