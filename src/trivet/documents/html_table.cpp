@@ -51,8 +51,7 @@ std::string aligned_number(double value, int digits) {
 Cell right(std::string text) { return {std::move(text), true}; }
 
 void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::DisplayUnits& display) {
-  for (const std::string& unit : frequency_units(display))
-    row.push_back(right(aligned_number(shown_frequency(display, angular_frequency, unit), 6)));
+  row.push_back(right(aligned_number(shown_frequency(display, angular_frequency), 6)));
 }
 
 Cell verdict_cell(bool passed, const std::string& yes, const std::string& no) {

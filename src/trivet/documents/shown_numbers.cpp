@@ -77,9 +77,7 @@ double shown_frequency(const project::DisplayUnits& display, double omega, const
   return usual == "Hz" ? omega / foundation::two_pi : omega;
 }
 
-std::vector<std::string> frequency_units(const project::DisplayUnits& display) {
-  return display.frequency.empty() ? std::vector<std::string>{"rad/s", "Hz"} : std::vector{display.frequency};
-}
+std::vector<std::string> frequency_units(const project::DisplayUnits& display) { return {frequency_unit(display)}; }
 
 std::string frequency_heading(const project::DisplayUnits& display, const std::string& usual) {
   const std::string unit = frequency_unit(display, usual);

@@ -52,12 +52,12 @@ class LargestOfKind {
   std::map<std::string, double> largest_;
 };
 
-/// Unit of a frequency. @param usual  without one in [display]: "rad/s" or "Hz"
+/// Unit of a frequency. @param usual  without one in [display]: "Hz" for people, "rad/s" in columns of data
 [[nodiscard]] std::string frequency_unit(const project::DisplayUnits& display, const std::string& usual = "Hz");
 /// A frequency in that unit. @param omega  [rad/s]
 [[nodiscard]] double shown_frequency(const project::DisplayUnits& display, double omega,
                                      const std::string& usual = "Hz");
-/// Units of the columns of a table that has ω and f: "rad/s" and "Hz", or the one of [display].
+/// The unit of the columns of a table that has frequencies: that of [display], by default Hz.
 [[nodiscard]] std::vector<std::string> frequency_units(const project::DisplayUnits& display);
 /// "ω [rad/s]", "f [Hz]"
 [[nodiscard]] std::string frequency_heading(const project::DisplayUnits& display, const std::string& usual = "Hz");

@@ -62,11 +62,9 @@ class Writing {
   std::vector<std::string> units(const Column& column) const {
     switch (column.kind) {
       case Kind::both_frequencies:
-        return frequency_units(display_);
       case Kind::frequency:
-        return {frequency_unit(display_)};
       case Kind::angular_frequency:
-        return {frequency_unit(display_, "rad/s")};
+        return frequency_units(display_);
       default:
         return {};
     }
@@ -94,8 +92,7 @@ class Writing {
     };
     const bool is_omega = column.heading == "ω" && column.kind != Kind::number;
     if (is_omega || column.kind == Kind::both_frequencies) {
-      for (const std::string& unit : units(column))
-        add((is_omega ? "" : column.heading + " ") + frequency_heading(display_, unit));
+      add((is_omega ? "" : column.heading + " ") + frequency_heading(display_));
     } else if (!units(column).empty()) {
       add(column.heading + " [" + units(column).front() + "]");
     } else if (column.kind == Kind::speed) {
@@ -122,7 +119,6 @@ class Writing {
       return;
     }
     const Json value = column.value(row);
-    if (value.is_null() && units(column).size() == 2) return cells.insert(cells.end(), 2, "–"), void();
     if (value.is_null()) return cells.emplace_back("–"), void();
     if (value.is_string()) return cells.push_back(value.get<std::string>());
     if (value.is_boolean()) return cells.emplace_back(value.get<bool>() ? "yes" : "no"), void();
@@ -146,8 +142,7 @@ class Writing {
       cells.push_back(
           with_unit(largest_.shown(unit, number), display_unit_of(column.kind, unit, display_), column.digits));
     } else {
-      for (const std::string& unit : units(column))
-        cells.push_back(fixed_digits(shown_frequency(display_, number, unit), column.digits));
+      cells.push_back(fixed_digits(shown_frequency(display_, number), column.digits));
     }
   }
 
@@ -177,10 +172,9 @@ std::string shown_quantity(const Quantity& quantity, const project::DisplayUnits
     case Kind::speed:
       return number(converted(quantity.value, "rad/s", "rpm")) + " rpm";
     case Kind::frequency:
-      return number(shown_frequency(display, quantity.value)) + " " + frequency_unit(display);
     case Kind::both_frequencies:
     case Kind::angular_frequency:
-      return number(shown_frequency(display, quantity.value, "rad/s")) + " " + frequency_unit(display, "rad/s");
+      return number(shown_frequency(display, quantity.value)) + " " + frequency_unit(display);
     case Kind::number:
       return number(quantity.value) + " " + quantity.unit;
     default:

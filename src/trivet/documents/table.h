@@ -31,9 +31,9 @@ enum class Kind {
   number,             ///< its unit is in the heading, as [display] has it
   yes_no,             ///< true or false
   share,              ///< in percent
-  frequency,          ///< ω [rad/s], shown in Hz or in the unit of [display]
-  both_frequencies,   ///< ω [rad/s], shown as ω and f, or in the unit of [display]
-  angular_frequency,  ///< ω [rad/s], shown so or in the unit of [display]
+  frequency,          ///< ω [rad/s], shown in the unit of [display], by default Hz
+  both_frequencies,   ///< the same
+  angular_frequency,  ///< the same
   speed,              ///< Ω [rad/s], shown in rpm
   quantity,           ///< with an SI prefix, or in the unit of [display]; in the heading if all have the same unit
   amplitude,          ///< the same of a harmonic quantity: it also has a level

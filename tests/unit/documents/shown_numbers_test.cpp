@@ -38,14 +38,18 @@ TEST(ShownNumbers, OnlySiUnitsGetAPrefix) {
   EXPECT_EQ(documents::value_text(0.0005, documents::display_unit({}, "m")), "500 µm");
 }
 
-TEST(ShownNumbers, FrequenciesAreThoseOfTheTableUnlessTheDisplayHasOne) {
-  EXPECT_THAT(documents::frequency_units({}), testing::ElementsAre("rad/s", "Hz"));
-  EXPECT_EQ(documents::frequency_heading({}, "rad/s"), "ω [rad/s]");
-  EXPECT_EQ(documents::shown_frequency({}, 3, "rad/s"), 3);
+TEST(ShownNumbers, FrequenciesAreInHertzUnlessTheDisplayHasAnotherUnit) {
+  EXPECT_THAT(documents::frequency_units({}), testing::ElementsAre("Hz"));
+  EXPECT_EQ(documents::frequency_heading({}), "f [Hz]");
+  EXPECT_NEAR(documents::shown_frequency({}, 2 * 3.141592653589793), 1, 1e-15);
   project::DisplayUnits display;
+  display.frequency = "rad/s";
+  EXPECT_THAT(documents::frequency_units(display), testing::ElementsAre("rad/s"));
+  EXPECT_EQ(documents::frequency_heading(display), "ω [rad/s]");
+  EXPECT_EQ(documents::shown_frequency(display, 3), 3);
   display.frequency = "rpm";
   EXPECT_THAT(documents::frequency_units(display), testing::ElementsAre("rpm"));
-  EXPECT_EQ(documents::frequency_heading(display, "rad/s"), "f [rpm]");
+  EXPECT_EQ(documents::frequency_heading(display), "f [rpm]");
   EXPECT_NEAR(documents::shown_frequency(display, 3.141592653589793), 30, 1e-12);
 }
 

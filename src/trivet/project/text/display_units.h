@@ -16,7 +16,7 @@ struct DisplayUnits {
   std::string force = "N";
   std::string angle = "rad";
   std::string mass = "kg";
-  std::string frequency;  ///< of axes; empty: as each table and picture has it
+  std::string frequency;  ///< of tables and axes; empty: Hz, but rad/s in typed columns and Excel
   Level level = Level::amplitude;
   bool operator==(const DisplayUnits&) const = default;
 };

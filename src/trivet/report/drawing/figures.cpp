@@ -69,8 +69,8 @@ std::vector<Tick> amplitude_ticks(const Panel& panel, int wanted) {
 /// @param with_x_label  name the frequency axis
 void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks,
                       const project::DisplayUnits& display, bool with_x_label, const std::string& y_label) {
-  const double unit = results::shown_frequency(display, 1, "rad/s");
-  const std::string x_label = with_x_label ? results::frequency_heading(display, "rad/s") : "";
+  const double unit = results::shown_frequency(display, 1);
+  const std::string x_label = with_x_label ? results::frequency_heading(display) : "";
   const int wanted = std::max(3, static_cast<int>(p.width / 70));
   for (const Tick& tick : linear_ticks(p.x_from * unit, p.x_to * unit, wanted)) {
     const PixelPoint low = p.at(tick.value / unit, p.y_from);

@@ -62,10 +62,9 @@ std::string drawing_json(const std::vector<study::CaseResults>& results) {
   }
   Json drawing{{"strokes", strokes()}, {"units", std::move(units)}, {"groups", std::move(groups)}};
   if (display.level != project::Level::amplitude) drawing["level"] = results::level_words(display.level);
-  if (!display.frequency.empty())
-    drawing["frequency"] = {{"unit", display.frequency},
-                            {"factor", results::shown_frequency(display, 1)},
-                            {"label", results::frequency_heading(display)}};
+  drawing["frequency"] = {{"unit", results::frequency_unit(display)},
+                          {"factor", results::shown_frequency(display, 1)},
+                          {"label", results::frequency_heading(display)}};
   return drawing.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

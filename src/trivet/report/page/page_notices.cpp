@@ -196,7 +196,7 @@ std::string glance_table(const std::vector<ShownCase>& cases) {
   headings.push_back({"motion"});
   for (const char* which : {"lowest mode ", "highest mode "})
     for (const std::string& unit : results::frequency_units(display))
-      headings.push_back(right((unit == "Hz" && display.frequency.empty() ? "" : which) + ("[" + unit + "]")));
+      headings.push_back(right(which + ("[" + unit + "]")));
   std::vector<std::vector<Cell>> rows;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const ShownCase& c = cases[i];

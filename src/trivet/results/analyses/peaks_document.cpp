@@ -96,7 +96,7 @@ Sentence without_peak(const response::CurveSummary& curve) {
                            Quantity{curve.highest, curve.unit, Kind::amplitude}},
                  .place = item};
   if (std::isfinite(curve.highest_at))
-    words.parts.insert(words.parts.end(), {" at ω = ", Quantity{curve.highest_at, "rad/s", Kind::angular_frequency}});
+    words.parts.insert(words.parts.end(), {" at ", Quantity{curve.highest_at, "rad/s", Kind::angular_frequency}});
   else words.parts.emplace_back(" as ω → ∞");
   return words;
 }
@@ -105,13 +105,13 @@ Sentence without_peak(const response::CurveSummary& curve) {
 void add_search_notes(const study::CaseResults& results, Document& document) {
   const response::Peaks& found = results.peaks->peaks;
   const auto omega = [](double value) { return Quantity{value, "rad/s", Kind::angular_frequency, 4}; };
-  Sentence note{.parts = {"All peaks at "}, .place = Sentence::Place::note};
+  Sentence note{.parts = {"All peaks "}, .place = Sentence::Place::note};
   if (std::isfinite(found.searched_to))
-    note.parts.insert(note.parts.end(), {omega(found.searched_from), " < ω < ", omega(found.searched_to)});
+    note.parts.insert(note.parts.end(), {"between ", omega(found.searched_from), " and ", omega(found.searched_to)});
   else if (found.searched_from > 0)
     note.parts.insert(note.parts.end(),
-                      {"ω > ", omega(found.searched_from), " (below it the rigid-body mode dominates)"});
-  else note.parts.emplace_back("0 < ω < ∞");
+                      {"above ", omega(found.searched_from), " (below it the rigid-body mode dominates)"});
+  else note.parts.emplace_back("at ω > 0");
   note.parts.emplace_back(fmt::format(", except those lower than {:.6g} of the largest amplitude of their curve.",
                                       results.peaks->min_prominence));
   document.add(std::move(note));

@@ -158,7 +158,7 @@ void add_notes(const ResponseResult& result, Document& document) {
                     "is at most {:.1e} at the tested frequencies",
                     result.curves.solves, result.curves.interpolation_error));
   for (const double omega : result.curves.check.undefined_at)
-    document.add(Sentence{.parts = {"ω = ", Quantity{omega, "rad/s", Kind::angular_frequency, 9},
+    document.add(Sentence{.parts = {Quantity{omega, "rad/s", Kind::angular_frequency, 9},
                                     omega > 0 ? ": no steady state exists (shown as –); it is an undamped resonance"
                                               : ": no steady state exists (shown as –); a body is free to move, or the "
                                                 "motion of the ground is given by its velocity or acceleration and "

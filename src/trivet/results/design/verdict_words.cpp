@@ -39,8 +39,7 @@ Kind kind_of_numbers(const RequirementResult& r) {
 
 DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayUnits& display) {
   const Kind kind = kind_of_numbers(r);
-  if (kind == Kind::angular_frequency)
-    return {frequency_unit(display, "rad/s"), "", shown_frequency(display, 1, "rad/s"), false};
+  if (kind == Kind::angular_frequency) return {frequency_unit(display), "", shown_frequency(display, 1), false};
   return kind == Kind::amplitude ? amplitude_unit(display, r.unit) : display_unit(display, r.unit);
 }
 

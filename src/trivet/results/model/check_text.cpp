@@ -46,10 +46,11 @@ std::string case_check_text(const study::CaseCheck& found) {
     for (const std::string& note : *notes) text += "  note: " + note + "\n";
   if (found.deep)
     text += fmt::format(
-        "  two solvers compared at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed {:.2e} "
+        "  two solvers compared at {} frequencies: largest difference {:.2e} at {:.6g} {}, allowed {:.2e} "
         "(round-off × condition): {}\n",
-        found.deep->frequencies, found.deep->worst_difference, found.deep->at_angular_frequency, found.deep->allowed,
-        found.deep->verdict());
+        found.deep->frequencies, found.deep->worst_difference,
+        documents::shown_frequency(found.display, found.deep->at_angular_frequency),
+        documents::frequency_unit(found.display), found.deep->allowed, found.deep->verdict());
   return text;
 }
 
