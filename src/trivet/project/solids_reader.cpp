@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "trivet/project/body_solids.h"
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/text/source_file.h"
 #include "trivet/solids/rigid_solid.h"
@@ -132,6 +133,19 @@ bool read_solids(TableReader& body, model::Body& result) {
   if (!solid || body.errors() > before) return false;
   result.mass = solid->properties;
   return true;
+}
+
+std::vector<Part> body_solids(const Node& body) {
+  std::vector<Part> parts;
+  const Node* list = body.find("solids");
+  if (!list || list->kind != Node::Kind::array) return parts;
+  foundation::Problems reported_before;
+  for (const Node& solid : list->items) {
+    if (solid.kind != Node::Kind::table) continue;
+    TableReader reader(solid, "solids", reported_before);
+    parts.push_back(read_part(reader, "solid"));
+  }
+  return parts;
 }
 
 }  // namespace trivet::project

@@ -9,6 +9,7 @@
 #include "trivet/documents/html_table.h"
 #include "trivet/foundation/version.h"
 #include "trivet/report/drawing/figures.h"
+#include "trivet/report/drawing/machine_drawing.h"
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/report/page/drawing_json.h"
 #include "trivet/report/page/page_notices.h"
@@ -103,7 +104,10 @@ std::string below_pictures(const ShownCase& shown) {
 
 std::string below_comparison(const ShownCase& shown) {
   const project::Case& variant = shown.variant;
-  return section("modes", "Undamped modes", results::result_html("modes", variant, shown.results)) +
+  return section("machine", "Machine",
+                 "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Drawing of the machine\">" +
+                     machine_drawing(variant) + "</div></figure>\n") +
+      section("modes", "Undamped modes", results::result_html("modes", variant, shown.results)) +
       section("roots", "Damped roots", results::result_html("roots", variant, shown.results)) +
       section("static", "Static results", results::result_html("static", variant, shown.results)) +
       section("inputs", "Inputs", input_tables(variant)) + section("checks", "Checks", checks_table(shown));
