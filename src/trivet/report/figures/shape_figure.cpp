@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/report/drawing/axis_ticks.h"
 #include "trivet/report/drawing/curve_groups.h"
+#include "trivet/report/drawing/machine_symbols.h"
 #include "trivet/report/drawing/plot_panel.h"
 #include "trivet/report/drawing/result_figures.h"
+#include "trivet/report/drawing/view_projection.h"
 #include "trivet/response/machinery/deflection_shape.h"
 
 namespace trivet::report {
@@ -18,22 +19,6 @@ namespace {
 
 using foundation::two_pi;
 constexpr double drawn_excursion = 0.12;  // of the size of the model
-
-/// Projection of ground coordinates [m] onto the paper: right and up.
-struct View {
-  const char* name;
-  const char* right_label;
-  const char* up_label;
-  Eigen::Vector3d right, up;
-};
-
-std::vector<View> views() {
-  const double c = std::cos(std::numbers::pi / 6), s = std::sin(std::numbers::pi / 6);
-  return {{"front", "x", "z", {1, 0, 0}, {0, 0, 1}},
-          {"side", "y", "z", {0, 1, 0}, {0, 0, 1}},
-          {"top", "x", "y", {1, 0, 0}, {0, 1, 0}},
-          {"isometric", "", "", {c, -c, 0}, {-s * c, -s * c, c}}};
-}
 
 using Places = std::vector<response::MovingPlace>;
 
@@ -86,31 +71,20 @@ FarthestPlace farthest_place(const response::DeflectionShape& shape) {
   return best;
 }
 
-/// Centre and size of the model [m], the same for all views.
-struct Frame {
-  Eigen::Vector3d centre;
-  double size;
-};
+constexpr double least_size = 1e-3;  // of a model whose places all coincide [m]
 
-Frame frame(const response::DeflectionShape& shape) {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = -low;
+Bounds bounds_of(const response::DeflectionShape& shape) {
+  Bounds bounds;
   for (const Places* places : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
-    for (const response::MovingPlace& place : *places) {
-      low = low.cwiseMin(place.position);
-      high = high.cwiseMax(place.position);
-    }
-  return {(low + high) / 2, std::max((high - low).norm(), 1e-3)};
+    for (const response::MovingPlace& place : *places) bounds.include(place.position);
+  return bounds;
 }
 
 class Drawing {
  public:
-  Drawing(SvgCanvas& canvas, const View& view, PixelPoint middle, const Frame& frame, double pixels)
-      : canvas_(canvas), view_(view), middle_(middle), frame_(frame), scale_(pixels / frame.size) {}
+  Drawing(SvgCanvas& canvas, const Projection& projection) : canvas_(canvas), projection_(projection) {}
 
-  PixelPoint at(const Eigen::Vector3d& r) const {
-    const Eigen::Vector3d d = r - frame_.centre;
-    return {middle_.x + scale_ * view_.right.dot(d), middle_.y - scale_ * view_.up.dot(d)};
-  }
+  PixelPoint at(const Eigen::Vector3d& r) const { return projection_.at(r); }
   void draw(const Skeleton& s, const std::string& colour, double width) {
     for (const auto& [a, b] : s.springs)
       canvas_.line(at(a), at(b),
@@ -137,21 +111,8 @@ class Drawing {
                      fmt::format("stroke=\"{}\" stroke-width=\"1.2\"", colour));
   }
   SvgCanvas& canvas_;
-  const View& view_;
-  PixelPoint middle_;
-  const Frame& frame_;
-  double scale_;
+  Projection projection_;
 };
-
-void draw_axes(SvgCanvas& canvas, const View& view, PixelPoint corner) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const PixelPoint way{26 * view.right(axis), -26 * view.up(axis)};
-    if (std::hypot(way.x, way.y) < 1) continue;
-    canvas.line(corner, {corner.x + way.x, corner.y + way.y}, "stroke=\"#333\"");
-    canvas.text({corner.x + 1.35 * way.x, corner.y + 1.35 * way.y + 4}, std::string(1, "xyz"[axis]),
-                "text-anchor=\"middle\" fill=\"#333\"");
-  }
-}
 
 /// "15600" rather than "1.56e+04".
 std::string three_digits(double value) {
@@ -161,9 +122,9 @@ std::string three_digits(double value) {
 }
 
 Figure shape_figure(const study::CaseResults& results, const response::DeflectionShape& shape) {
-  const Frame size = frame(shape);
+  const Bounds size = bounds_of(shape);
   const FarthestPlace most = farthest_place(shape);
-  const double scale = most.excursion > 0 ? drawn_excursion * size.size / most.excursion : 0;
+  const double scale = most.excursion > 0 ? drawn_excursion * std::max(size.size(), least_size) / most.excursion : 0;
   const std::string title = case_title(fmt::format("Operating deflection shape at {:.4g} {}",
                                                    results::shown_frequency(results.display, shape.angular_frequency),
                                                    results::frequency_unit(results.display)),
@@ -171,18 +132,19 @@ Figure shape_figure(const study::CaseResults& results, const response::Deflectio
   SvgCanvas canvas(980, 740);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   const Skeleton rest = skeleton(shape, 0, 0), moved = skeleton(shape, most.phase, scale);
-  const std::vector<View> all = views();
+  const auto& all = four_views();
   for (std::size_t v = 0; v < all.size(); ++v) {
     const std::size_t row = v / 2, column = v % 2;
     const PixelPoint corner{40 + 460.0 * static_cast<double>(column), 40 + 325.0 * static_cast<double>(row)};
     canvas.rectangle(corner, 440, 315, "fill=\"none\" stroke=\"#ccc\"");
     canvas.text({corner.x + 8, corner.y + 16}, all[v].name, "fill=\"#333\" font-weight=\"bold\"");
-    Drawing drawing(canvas, all[v], {corner.x + 220, corner.y + 157}, size, 270);
+    Drawing drawing(canvas,
+                    {all[v], 270 / std::max(size.size(), least_size), size.centre(), {corner.x + 220, corner.y + 157}});
     drawing.draw(rest, "#b5b5b5", 1);
     for (const Places* places : {&shape.bodies, &shape.points})
       for (const response::MovingPlace& place : *places) drawing.draw_path(place, scale, series_colour(1));
     drawing.draw(moved, series_colour(0), 1.8);
-    draw_axes(canvas, all[v], {corner.x + 40, corner.y + 280});
+    draw_ground_axes(canvas, all[v], {corner.x + 40, corner.y + 280});
   }
   const UnitPrefix unit = unit_prefix(most.excursion, results::amplitude_unit(results.display, "m"));
   canvas.text(
