@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The commands, project files, options and links in README, docs and the other documents are right: commands are run as
-printed, project files are checked. Each failure names the document and the line."""
+printed, project files are checked, and what tutorials print is compared with the program. Each failure names the document
+and the line.
+
+    documents_test.py --update    writes what the program prints now into tutorials and recipes (document_steps.py)"""
 import dataclasses
 import json
 import os
@@ -9,16 +12,19 @@ import re
 import shlex
 import shutil
 import subprocess
+import sys
 import tempfile
 import tomllib
 import unittest
 
+import document_steps
 from document_fragments import BASES, COARSER, FILES, NOT_A_PROJECT, OUTPUTS, STARTER
 
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 DOCUMENTS = [SOURCE / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "benchmarks/README.md")]
 DOCUMENTS += sorted(path for folder in ("docs", "examples") for path in (SOURCE / folder).rglob("*.md"))
+STEPWISE = [path for path in DOCUMENTS if path.parent.name == "tutorials" or path.name == "recipes.md"]
 EXAMPLES = sorted((SOURCE / "examples").glob("*/*.toml"))
 LANGUAGES = {
     "sh": "commands",
@@ -113,6 +119,8 @@ def blocks_and_prose(path):
 
 READ = {path: blocks_and_prose(path) for path in DOCUMENTS}
 BLOCKS = [block for blocks, _ in READ.values() for block in blocks]
+STEPWISE_NAMES = {str(path.relative_to(SOURCE)) for path in STEPWISE}
+SINGLE = [block for block in BLOCKS if block.document not in STEPWISE_NAMES]  # each for itself
 
 
 def spans(path):
@@ -184,8 +192,45 @@ class Documents(unittest.TestCase):
                 if block.language in ("csv", "text"):
                     self.assertNotRegex(block.text, r"(?m)^\W*trivet \w", f"{block.place}: make it a block of sh")
 
+    def followed(self, path):
+        """The steps of a document with what their commands print; checks their exit codes."""
+        folder = self.work_folder(str(path.relative_to(SOURCE)))
+        done = document_steps.steps(READ[path][0], commands_of)
+        for step in done:
+            if not isinstance(step, document_steps.Step):
+                self.assertTrue(document_steps.file_of(step), f"{step.place}: the first line is not `# NAME.toml`")
+                document_steps.write(step, folder)
+                continue
+            for line, command, remark in step.commands:
+                place = f"{path.relative_to(SOURCE)}:{line}"
+                if not command.startswith("trivet "):
+                    self.assertIn(command, ELSEWHERE, f"{place}: neither of trivet nor in ELSEWHERE")
+                    continue
+                ran = self.shell(command, folder)
+                stated = re.search(r"exit code (\d+)", remark)
+                self.assertEqual(
+                    ran.returncode, int(stated[1]) if stated else 0, f"{place}: {command}\n{ran.stdout}{ran.stderr}"
+                )
+                step.printed += ran.stderr + ran.stdout
+        return [step for step in done if isinstance(step, document_steps.Step)]
+
+    def test_tutorials_print_what_they_show(self):
+        for path in STEPWISE:
+            with self.subTest(document=str(path.relative_to(SOURCE))):
+                for step in self.followed(path):
+                    if step.output:
+                        found = document_steps.difference(step.output.text, step.printed)
+                        self.assertIsNone(found, f"{step.output.place}: {found}; documents_test.py --update")
+
+    def test_outputs_of_tutorials_follow_commands(self):
+        for path in STEPWISE:
+            steps = document_steps.steps(READ[path][0], commands_of)
+            shown = [step.output.place for step in steps if isinstance(step, document_steps.Step) and step.output]
+            texts = [block.place for block in READ[path][0] if block.language == "text"]
+            self.assertEqual(texts, shown, f"{path}: a block of text that follows no commands")
+
     def test_commands_in_blocks_run(self):
-        for block in BLOCKS:
+        for block in SINGLE:
             for line, command, remark in commands_of(block) if block.language == "sh" else ():
                 if command.startswith("trivet "):
                     folder = self.work_folder(block.document)
@@ -266,7 +311,7 @@ class Documents(unittest.TestCase):
         return project
 
     def test_project_files_pass_their_check(self):
-        for block in BLOCKS:
+        for block in SINGLE:
             if block.language == "toml":
                 with self.subTest(place=block.place):
                     done = self.shell("trivet check project.toml", self.project(block).parent)
@@ -277,7 +322,7 @@ class Documents(unittest.TestCase):
         self.assertEqual((set(BASES) | set(COARSER) | set(FILES) | set(NOT_A_PROJECT)) - written, set())
 
     def test_printed_output_is_that_of_the_program(self):
-        for block in BLOCKS:
+        for block in SINGLE:
             if block.language == "text":
                 with self.subTest(place=block.place):
                     where = (block.document, block.heading)
@@ -313,5 +358,24 @@ class Documents(unittest.TestCase):
                     self.assertTrue((SOURCE / text).exists(), f"{path.relative_to(SOURCE)}:{line}: no {text}")
 
 
+def update():
+    """Writes the output of the program of today into the documents. Returns 1 if a shown line has no counterpart."""
+    case, result = Documents(), 0
+    case.setUp()
+    for path in STEPWISE:
+        changes = []
+        for step in case.followed(path):
+            if step.output and document_steps.difference(step.output.text, step.printed):
+                text, lost = document_steps.updated(step.output.text, step.printed)
+                changes.append((step.output, text))
+                for line in lost:
+                    result = 1
+                    print(f"{step.output.place}: nothing printed is like {line!r}; removed", file=sys.stderr)
+        document_steps.rewrite(path, changes)
+        print(f"{path.relative_to(SOURCE)}: {len(changes)} outputs written")
+    case.doCleanups()
+    return result
+
+
 if __name__ == "__main__":
-    unittest.main()
+    sys.exit(update()) if sys.argv[1:] == ["--update"] else unittest.main()
