@@ -12,6 +12,7 @@
 
 #include "cli/command_line.h"
 #include "cli/console.h"
+#include "cli/main_program.h"
 #include "cli/signals.h"
 #include "trivet/engine/program.h"
 
@@ -167,7 +168,7 @@ int run_program(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int trivet::cli::main_program(int argc, char** argv) {
   trivet::engine::keep_freed_memory();
   trivet::cli::occupy_closed_streams();
   trivet::cli::end_cleanly_on_signals();
