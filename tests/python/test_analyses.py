@@ -51,22 +51,28 @@ def test_every_analysis_is_a_method():
         assert method.__doc__.lower().startswith(about.lower()[:20])
 
 
-def test_signatures_are_those_of_the_schema():
-    """The stub that the build writes has the keys of the schema."""
-    import pathlib
-
-    stub = (pathlib.Path(trivet.__file__).parent / "_analyses.pyi").read_text(encoding="utf-8")
+def test_signatures_and_help_have_the_keys_of_the_schema():
+    """The methods that the build writes: each key is an argument, and help() has the words of the command line on it."""
     analyses = json.loads(trivet.schema())["properties"]["analyses"]["properties"]
+    compared = 0
     for name in ANALYSES:
-        part = stub.split(f"def {name}(")[1].split("def ")[0]
+        method = getattr(trivet.Project, name)
+        parameters = inspect.signature(method).parameters
         for key in analyses.get(name, {}).get("properties", {}):
             word = key + "_" if keyword.iskeyword(key) else key
-            assert key == "accept" or f"        {word}: Any = ...," in part
+            if key != "accept":
+                assert repr(parameters[word].default) == "as in the file"
+                assert f"    {word}" in method.__doc__
+                compared += 1
+    assert compared > 60
+    words = _core.file_keys("response")
+    about_of = next(line for line in words.splitlines() if line.split()[0] == "of").split(maxsplit=1)[1]
+    assert f"of: {about_of}" in " ".join(trivet.Project.response.__doc__.split())
 
 
 def test_other_commands_have_the_options_of_their_method():
     own = {
-        "map": {"points", "case"}, "select": {"most", "by"}, "optimize": set(), "verdict": set(), "check": {"deep"},
+        "map": {"points", "case"}, "select": {"most", "by"}, "verdict": set(), "check": {"deep"},
         "explain": {"of", "most", "case"}, "suspension": {"torques", "excitations", "case"},
         "element": {"name", "all", "case"}, "run": {"folder"},
     }  # fmt: skip

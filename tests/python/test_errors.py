@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Wrong input: all problems at once, in the words of the command line; nothing crashes."""
 
+import errno
 import pickle
 import subprocess
 import sys
@@ -119,6 +120,48 @@ def test_files(tmp_path):
         trivet.open(tmp_path / "binary.toml")
     with pytest.raises(TypeError):
         trivet.open(3.5)
+
+
+def test_a_missing_file_is_that_of_python(tmp_path):
+    with pytest.raises(FileNotFoundError, match="absent.toml") as wrong:
+        trivet.open(tmp_path / "absent.toml")
+    assert isinstance(wrong.value, trivet.InputError)
+    assert wrong.value.errno == errno.ENOENT
+    assert wrong.value.filename == str(tmp_path / "absent.toml")
+    assert wrong.value.problems
+
+
+@pytest.mark.parametrize(
+    ("ask", "kind", "words"),
+    [
+        (lambda machine: machine.response()["machine.zz"], KeyError, 'did you mean "machine.z"'),
+        (lambda machine: machine.response().curve("machine.zz"), KeyError, 'did you mean "machine.z"'),
+        (lambda machine: machine.response().curve("angular_frequency"), KeyError, "no such curve"),
+        (lambda machine: machine.peaks().table("peak"), KeyError, "peaks"),
+        (lambda machine: machine.peaks().table()["machine.zz"], KeyError, "machine.z"),
+        (lambda machine: machine.peaks().table().column("amplitud"), KeyError, 'did you mean "amplitude"'),
+        (lambda machine: machine.matrices().array("M"), KeyError, "no such array"),
+        (lambda machine: machine.sweep({"elements.a.scale": [1.0]})["x"], KeyError, "no such result"),
+        (lambda machine: machine["bodies.machine.mas"], KeyError, 'did you mean "bodies.machine.mass"'),
+        (lambda machine: machine["bodies.machine.mass.x"], KeyError, "no such value"),
+        (lambda machine: machine.bodies["machin"], KeyError, 'did you mean "machine"'),
+        (lambda machine: machine.mounts["e"], KeyError, "no such part"),
+        (lambda machine: machine[3], TypeError, "text"),
+        (lambda machine: machine.modes(threads=1.5), TypeError, "whole number"),
+        (lambda machine: machine.modes(case=3), TypeError, "text"),
+        (lambda machine: machine.changed("x"), TypeError, "dict"),
+        (lambda machine: machine.modes().plot(ax=3), TypeError, "axes"),
+        (lambda machine: machine.plot(view="back"), ValueError, "front"),
+        (lambda machine: machine.response(band=("40 Hz", "0 Hz")), ValueError, "band"),
+    ],
+)
+def test_errors_are_of_the_classes_of_python(machine, ask, kind, words):
+    with pytest.raises(kind, match=words) as wrong:
+        ask(machine)
+    assert isinstance(wrong.value, trivet.InputError)
+    assert not str(wrong.value).startswith(("'", '"')), "a KeyError of Python shows its text in quotes"
+    again = pickle.loads(pickle.dumps(wrong.value))
+    assert type(again) is type(wrong.value) and str(again) == str(wrong.value)
 
 
 def test_errors_pickle():

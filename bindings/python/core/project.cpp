@@ -68,13 +68,17 @@ std::vector<std::pair<std::string, std::string>> analyses() {
   return list;
 }
 
-/// (name, what it is for, has it a case, its keys) of commands that need no method of their own in Python.
-std::vector<std::tuple<std::string, std::string, bool, std::vector<std::string>>> commands() {
-  std::vector<std::tuple<std::string, std::string, bool, std::vector<std::string>>> list;
+/// (name, about) of each key.
+using KeyList = std::vector<std::pair<std::string, std::string>>;
+
+/// (name, what it is for, has it a case, its keys besides those of the file and files that it writes) of every command.
+std::vector<std::tuple<std::string, std::string, bool, KeyList>> commands() {
+  std::vector<std::tuple<std::string, std::string, bool, KeyList>> list;
   for (const engine::Command& command : engine::commands()) {
-    std::vector<std::string> keys;
+    KeyList keys;
     if (!command.is_analysis)  // its keys are those of the file, too
-      for (const engine::Key& key : command.keys) keys.emplace_back(key.name);
+      for (const engine::Key& key : command.keys)
+        if (key.kind != engine::KeyKind::file) keys.emplace_back(key.name, key.about);
     list.emplace_back(command.name, command.about, command.of_one_case, std::move(keys));
   }
   return list;
@@ -109,6 +113,7 @@ void bind_project(nb::module_& module) {
             return std::tuple(names_of(parts.bodies), names_of(parts.elements), names_of(parts.excitations));
           },
           "names of bodies, elements and excitations of the base model")
+      .def("model", &Session::model_json, nb::arg("case") = "", "Bodies, elements, … of a case as JSON, SI.")
       .def(
           "to_toml",
           [](const Session& session, const std::string& target) {
@@ -127,6 +132,13 @@ void bind_project(nb::module_& module) {
   module.def("path_keys", &engine::path_keys, nb::arg("path"), "Keys of a path; empty if it is none.");
   module.def("analyses", analyses, "(name, what it answers) of every analysis of a case");
   module.def("commands", commands, "(name, what it answers, is it of one case, its keys) of every command");
+  module.def(
+      "file_keys",
+      [](const std::string& command) {
+        const engine::Command* found = engine::find_command(command);
+        return found ? engine::file_keys(*found) : std::string();
+      },
+      nb::arg("command"), "Keys of a command's table in the project file, as its help lists them.");
   module.def("schema", &engine::project_schema, "The JSON Schema of the project file.");
   module.def("starter", &engine::starter_text, "A commented project file to begin with.");
   module.def("use_unit_database", &engine::use_unit_database, nb::arg("file"));

@@ -140,6 +140,7 @@ void bind_result(nb::module_& module) {
       .def_ro("analysis", &Result::command, "name of the command")
       .def_ro("case", &Result::case_name, "name of the case, \"\" for the base model")
       .def_ro("title", &Result::title, "title of the project")
+      .def_ro("display", &Result::display, "units of the model")
       .def_ro("notes", &Result::notes)
       .def_ro("failures", &Result::failures, "parts that could not be computed, with the reason")
       .def_ro("changes", &Result::changes, "settings of the best design")

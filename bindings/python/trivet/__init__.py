@@ -12,25 +12,34 @@ Numbers are SI. Names, keys and messages are those of the project file and the c
 from trivet import _start
 from trivet._result import Curve, Result
 from trivet._core import Problem, schema, starter, version as __version__
-from trivet._errors import InputError, ModelWarning, NotComputable
+from trivet._errors import InputError, MissingFile, ModelWarning, NotComputable, UnknownName, WrongType
+from trivet._parts import Body, Mount, Parts
 from trivet._project import Project, open
 from trivet._study import Matrices, Run, StateSpace, Sweep
+from trivet._tables import Table
 
 Answer = Result  # its older name
 
 __all__ = [
     "Answer",
+    "Body",
     "Curve",
     "InputError",
     "Matrices",
+    "MissingFile",
     "ModelWarning",
+    "Mount",
     "NotComputable",
+    "Parts",
     "Problem",
     "Project",
     "Result",
     "Run",
     "StateSpace",
     "Sweep",
+    "Table",
+    "UnknownName",
+    "WrongType",
     "__version__",
     "open",
     "schema",

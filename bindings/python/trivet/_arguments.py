@@ -8,13 +8,13 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from trivet import _core
-from trivet._errors import InputError, problem
+from trivet._errors import InputError, WrongType, problem, wrong_type
 from trivet._values import plain
 
 
 def require_text(name: str, value: object) -> None:
     if not isinstance(value, str):
-        raise InputError([problem(name, type(value).__name__, "it must be a text", f'write {name}="…"')])
+        raise wrong_type(name, value, "it must be a text", f'write {name}="…"')
     try:
         value.encode()
     except UnicodeEncodeError as wrong:
@@ -34,7 +34,7 @@ def whole_number(name: str, value: object) -> int:
             raise TypeError
         number = operator.index(value)  # type: ignore[arg-type]
     except TypeError as wrong:
-        raise InputError([problem(name, value, "it must be a whole number", f"write {name}=4")]) from wrong
+        raise WrongType([problem(name, value, "it must be a whole number", f"write {name}=4")]) from wrong
     if not -(2**31) <= number < 2**31:
         raise InputError([problem(name, value, "the number is too large", "give a smaller one")])
     return number
@@ -42,7 +42,7 @@ def whole_number(name: str, value: object) -> int:
 
 def items(name: str, values: object) -> list[Any]:
     if isinstance(values, (str, bytes, Mapping)) or not isinstance(values, Iterable):
-        raise InputError([problem(name, values, "it must be a list", f"write {name}=[…]")])
+        raise WrongType([problem(name, values, "it must be a list", f"write {name}=[…]")])
     return list(values)
 
 
@@ -58,7 +58,7 @@ def swept_values(values: object) -> tuple[list[str], list[list[float | str]]]:
     """Paths of numbers, and the values of each: numbers in SI, or texts with units."""
     if not isinstance(values, Mapping):
         remedy = 'write {"elements.mount.scale": [0.5, 1, 2]}'
-        raise InputError([problem("values", type(values).__name__, "values are a dict from paths to lists", remedy)])
+        raise wrong_type("values", values, "values are a dict from paths to lists", remedy)
     wrong: list[_core.Problem] = []
     lists: list[list[float | str]] = []
     for path, numbers in values.items():

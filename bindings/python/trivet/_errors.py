@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import difflib
 import warnings
 from collections.abc import Iterable
 
@@ -20,8 +21,23 @@ class InputError(ValueError):
         self.problems = tuple(problems)
         super().__init__(_core.message_list(list(self.problems)).strip())
 
+    def __str__(self) -> str:
+        return str(self.args[0])
+
     def __reduce__(self) -> tuple[type[InputError], tuple[list[_core.Problem]]]:
-        return InputError, (list(self.problems),)
+        return type(self), (list(self.problems),)
+
+
+class UnknownName(InputError, KeyError):
+    """There is nothing of this name; the message has the nearest ones."""
+
+
+class WrongType(InputError, TypeError):
+    """An argument is of the wrong type."""
+
+
+class MissingFile(InputError, FileNotFoundError):
+    """The project file does not exist."""
 
 
 class NotComputable(RuntimeError):
@@ -35,6 +51,21 @@ class ModelWarning(UserWarning):
 def problem(path: str, value: object, rule: str, remedy: str) -> _core.Problem:
     """One problem of an argument: where, the value found, the rule, what to do."""
     return _core.Problem(path, f"{value!r}" if not isinstance(value, str) else value, rule, remedy)
+
+
+def unknown_name(subject: str, name: object, what: str, known: Iterable[str]) -> UnknownName:
+    """`what` of this name does not exist: with the nearest names, or all of them."""
+    names = list(known)
+    near = difflib.get_close_matches(str(name), names, 3)
+    if near:
+        remedy = "did you mean " + " or ".join(f'"{one}"' for one in near) + "?"
+    else:
+        remedy = "known: " + ", ".join(names[:12]) + (", …" if len(names) > 12 else "")
+    return UnknownName([problem(subject, f'"{name}"', f"there is no such {what}", remedy if names else "")])
+
+
+def wrong_type(name: str, value: object, rule: str, remedy: str) -> WrongType:
+    return WrongType([problem(name, type(value).__name__, rule, remedy)])
 
 
 def warn(problems: Iterable[_core.Problem]) -> None:

@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trivet import _core, _tables
-from trivet._errors import InputError, problem
+from trivet._errors import InputError, problem, wrong_type
 
 if TYPE_CHECKING:
+    from trivet._project import Project
     from trivet._result import Result, Curve, Numbers
+    from trivet._study import Sweep
 
 #: Colours of the report; people with any colour vision tell them apart.
 _colours = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00")
@@ -47,10 +49,9 @@ class Panel:
     phase: bool = False
 
 
-def picture(result: Result, names: tuple[str, ...], backend: str) -> Any:
+def picture(result: Result, names: tuple[str, ...], backend: str, ax: Any = None) -> Any:
     """A figure of the backend."""
-    drawers = {"matplotlib": _with_matplotlib, "plotly": _with_plotly}
-    if backend not in drawers:
+    if backend not in ("matplotlib", "plotly"):
         rule = 'known are "matplotlib" and "plotly"'
         raise InputError([problem("backend", f'"{backend}"', rule, "choose one of them")])
     panels = _panels(result, names)
@@ -58,7 +59,83 @@ def picture(result: Result, names: tuple[str, ...], backend: str) -> Any:
         remedy = "use .svg()" if result._core.figures else "use .to_dataframe() or print it"
         raise InputError([problem(result.analysis, "nothing to plot", "the result has no curves", remedy)])
     title = result.project.title + (f" · {result.case}" if result.case else "")
-    return drawers[backend](panels, title)
+    if backend == "matplotlib":
+        return _with_matplotlib(panels, title, ax)
+    if ax is not None:
+        raise InputError([problem("ax", "axes", "Plotly draws into its own figure", 'take backend="matplotlib"')])
+    return _with_plotly(panels, title)
+
+
+def curve(shown: Curve, ax: Any) -> Any:
+    """A picture of one curve."""
+    return _with_matplotlib(_curve_panels([shown], shown._shown), "", ax)
+
+
+def sweep(of: Sweep, names: list[str], ax: Any) -> Any:
+    """Amplitudes over the first parameter: a panel for each unit, a line for each value of the others."""
+    first, *others = of.parameters
+    x, units = of.array(first), dict(zip(of.results, of._texts("unit"), strict=True))
+    panels = []
+    for unit in dict.fromkeys(units[name] for name in names):
+        lines = []
+        for name in (one for one in names if units[one] == unit):
+            amplitudes = of[name].reshape(len(x), -1)
+            grids = np.meshgrid(*(of.array(one) for one in others), indexing="ij")
+            for i in range(amplitudes.shape[1]):
+                at = ", ".join(f"{one} {grid.ravel()[i]:.6g}" for one, grid in zip(others, grids, strict=True))
+                lines.append(Line(f"{name}, {at}" if at else name, x, np.asarray(amplitudes[:, i])))
+        panels.append(
+            Panel(f"{first} [{of.unit(first) or '–'}]", _label(_quantity_words.get(unit, "amplitude"), unit), lines)
+        )
+    return _with_matplotlib(panels, of._title, ax)
+
+
+#: Axes of the ground, to the right and up.
+_views = {"front": (0, 2), "side": (1, 2), "top": (0, 1)}
+
+
+def project(shown: Project, view: str, ax: Any) -> Any:
+    """Bodies (centre of mass, points) and mounts of a project, seen along one axis of the ground."""
+    if view not in _views:
+        raise InputError([problem("view", f'"{view}"', "known are " + ", ".join(_views), "choose one of them")])
+    right, up = _views[view]
+    axes, figure = _axes_of(1, [5.0], ax)
+    drawn = axes[0]
+    for i, body in enumerate(shown.bodies.rows()):
+        colour, centre = _colours[i % len(_colours)], body.in_ground(body.center_of_mass)
+        for mount in shown.mounts.rows():
+            if body.name in (mount.body, mount.base):
+                line = (centre[right], mount.place[right]), (centre[up], mount.place[up])
+                drawn.plot(*line, color=colour, linewidth=0.8, alpha=0.5)
+        drawn.plot(centre[right], centre[up], "o", markersize=9, color=colour, label=body.name)
+        for name, at in body.points.items():
+            place = body.in_ground(at)
+            drawn.plot(place[right], place[up], "x", color=colour)
+            drawn.annotate(name, (place[right], place[up]), fontsize=8, xytext=(4, 4), textcoords="offset points")
+    places = np.array([mount.place for mount in shown.mounts.rows()]).reshape(-1, 3)
+    drawn.plot(places[:, right], places[:, up], "s", color="#555555", markersize=6, label="mounts")
+    drawn.set_xlabel(f"{'xyz'[right]} [m]")
+    drawn.set_ylabel(f"{'xyz'[up]} [m]")
+    drawn.set_aspect("equal", adjustable="datalim")
+    drawn.grid(True, color="#e4e4e4", linewidth=0.8)
+    drawn.legend(fontsize=8, frameon=False)
+    if ax is None:
+        figure.suptitle(shown.title, fontsize=11)
+    return figure
+
+
+def _axes_of(count: int, heights: list[float], ax: Any) -> tuple[list[Any], Any]:
+    """(axes of each panel, their figure): new ones, or those given; panels without axes are left out."""
+    if ax is not None:
+        given = list(np.atleast_1d(np.asarray(ax, dtype=object)).ravel())
+        if not given or not all(hasattr(one, "get_figure") for one in given):
+            rule = "it must be axes of Matplotlib, or a list of them"
+            raise wrong_type("ax", ax, rule, "write figure, axes = plt.subplots()")
+        return given[:count], given[0].get_figure()
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
+    return list(figure.subplots(count, 1, squeeze=False, gridspec_kw={"height_ratios": heights})[:, 0]), figure
 
 
 def _panels(result: Result, names: tuple[str, ...]) -> list[Panel]:
@@ -187,13 +264,11 @@ def _measurement_panels(result: Result, names: tuple[str, ...]) -> list[Panel]:
     return panels
 
 
-def _with_matplotlib(panels: list[Panel], title: str) -> Any:
-    from matplotlib.figure import Figure
-
-    heights = [2.6 if not panel.phase else 1.7 for panel in panels]
-    figure = Figure(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
-    all_axes = figure.subplots(len(panels), 1, squeeze=False, gridspec_kw={"height_ratios": heights})[:, 0]
-    figure.suptitle(title, fontsize=11)
+def _with_matplotlib(panels: list[Panel], title: str, ax: Any = None) -> Any:
+    all_axes, figure = _axes_of(len(panels), [2.6 if not panel.phase else 1.7 for panel in panels], ax)
+    panels = panels[: len(all_axes)]
+    if ax is None:
+        figure.suptitle(title, fontsize=11)
     for axes, panel, following in zip(all_axes, panels, [*panels[1:], None], strict=True):
         for i, line in enumerate(panel.lines):
             style = {"color": _colours[i % len(_colours)], "label": line.name}

@@ -3,17 +3,19 @@
 
 from __future__ import annotations
 
-import keyword
+import errno
 import os
 import pathlib
+import tomllib
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import Any, Literal
 
 from trivet import _core, _errors, _html
 from trivet._result import Result
-from trivet._errors import InputError, problem
+from trivet._errors import InputError, MissingFile, WrongType, problem
+from trivet._parts import Body, Mount, Parts, bodies, mounts, value_at
 from trivet._progress import Progress, shown
-from trivet._analyses import Analyses
+from trivet._analyses import Analyses, _file
 from trivet._study import Matrices, Run, StateSpace, Sweep
 from trivet._arguments import (
     frequency,
@@ -80,8 +82,23 @@ class Project(Analyses):
         return self._inner.cases
 
     @property
-    def bodies(self) -> list[str]:
-        return self._inner.parts[0]
+    def bodies(self) -> Parts[Body]:
+        """Names of the bodies; `project.bodies["machine"]` has their numbers."""
+        return bodies(self._inner.parts[0], self._inner.model())
+
+    @property
+    def mounts(self) -> Parts[Mount]:
+        """The elements as a table: name, type, the bodies that they join, place, stiffness along their axes."""
+        return mounts(self._inner.model())
+
+    def __getitem__(self, path: str) -> Any:
+        """A value of the project file with its changes, as it stands there: a number in SI, a text with a unit, a list,
+        a table. Paths are those of `changed`: project["bodies.machine.mass"]. Raises UnknownName."""
+        require_text("path", path)
+        return value_at(path, self._tables())
+
+    def _tables(self) -> dict[str, Any]:
+        return tomllib.loads(self._inner.to_toml())
 
     @property
     def elements(self) -> list[str]:
@@ -139,15 +156,15 @@ class Project(Analyses):
         progress: Progress | bool | None,
     ) -> Result:
         require_case_and_threads(case, threads)
-        changed = self._with_keys(command, keys)
+        changed = self._with_keys(command, _given(keys))
         with shown(progress) as callback:
-            return changed._result(changed._inner.ask(command, case, own, threads, callback))
+            return changed._result(changed._inner.ask(command, case, _given(own), threads, callback))
 
     def _with_keys(self, analysis: str, keys: dict[str, Any]) -> Project:
         """The project with other keys of one analysis."""
         if not keys:
             return self
-        return self.changed({f"analyses.{analysis}.{key_text(_key(key))}": value for key, value in keys.items()})
+        return self.changed({f"analyses.{analysis}.{key_text(key)}": value for key, value in keys.items()})
 
     def _result(self, core: _core.Result) -> Result:
         _errors.warn(core.warnings)
@@ -179,14 +196,6 @@ class Project(Analyses):
         most = whole_number("most", most)
         with shown(progress) as callback:
             return self._result(self._inner.ask("select", "", {"most": most, "by": by}, threads, callback))
-
-    def optimize(self, *, threads: int = 0, progress: Progress | bool | None = None, **keys: Any) -> Result:
-        """The values of [parameters] with the largest least margin, or the smallest amplitudes: [analyses.optimize].
-        `best` is the project with them."""
-        require_case_and_threads("", threads)
-        changed = self._with_keys("optimize", keys)
-        with shown(progress) as callback:
-            return changed._result(changed._inner.ask("optimize", "", {}, threads, callback))
 
     def verdict(self, *, threads: int = 0, progress: Progress | bool | None = None) -> Result:
         """Is every requirement met in every case, which one governs, and by what margin?"""
@@ -343,6 +352,13 @@ class Project(Analyses):
         _errors.warn(core.warnings)
         return Sweep(core.arrays(), core.warnings, self.title)
 
+    def plot(self, *, view: Literal["front", "side", "top"] = "front", ax: Any = None) -> Any:
+        """Places of bodies, their points and the mounts, seen from the front (x, z), the side (y, z) or the top (x, y):
+        a figure of Matplotlib. ax: axes to draw into."""
+        from trivet import _plots
+
+        return _plots.project(self, view, ax)
+
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Project) and self._inner.content == other._inner.content
 
@@ -378,11 +394,20 @@ def open(
     *,
     progress: Progress | bool | None = None,
 ) -> Project:
-    """Reads and checks a project file. changes: as `Project.changed`. Raises InputError with all problems, OSError."""
+    """Reads and checks a project file. changes: as `Project.changed`. Raises InputError with all problems, MissingFile
+    (which is a FileNotFoundError, too), OSError."""
     source = os.fspath(path)
     if isinstance(source, bytes):
         source = os.fsdecode(source)
-    project = Project._read(_core.read_text(source), source, [], _folder_of(source), progress)
+    try:
+        text = _core.read_text(source)
+    except InputError as wrong:
+        if os.path.exists(source):
+            raise
+        missing = MissingFile(wrong.problems)
+        missing.errno, missing.filename = errno.ENOENT, source
+        raise missing from None
+    project = Project._read(text, source, [], _folder_of(source), progress)
     return project.changed(changes) if changes else project
 
 
@@ -390,9 +415,8 @@ def _unpickled(text: str, source: str, settings: list[str], folder: str) -> Proj
     return Project._read(text, source, settings, folder)
 
 
-def _key(word: str) -> str:
-    """The key of a keyword argument: "from_" stands for "from", which is a word of Python."""
-    return word[:-1] if word.endswith("_") and keyword.iskeyword(word[:-1]) else word
+def _given(keys: dict[str, Any]) -> dict[str, Any]:
+    return {key: value for key, value in keys.items() if value is not _file}
 
 
 def _folder_of(source: str) -> str:
@@ -418,4 +442,4 @@ def _torques(torques: Iterable[Iterable[float]]) -> list[list[float]]:
         return [[float(x) for x in torque] for torque in torques]
     except (TypeError, ValueError) as wrong:
         rule = "torques are moments of three numbers each"
-        raise InputError([problem("torques", type(torques).__name__, rule, "write [(0.9, 0, 0.1)]")]) from wrong
+        raise WrongType([problem("torques", type(torques).__name__, rule, "write [(0.9, 0, 0.1)]")]) from wrong

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import copy
-import difflib
 import json
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
@@ -13,7 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from trivet import _core, _html, _tables
-from trivet._errors import InputError, problem
+from trivet._errors import InputError, UnknownName, problem, unknown_name
+from trivet._tables import Table
 
 if TYPE_CHECKING:
     import pandas
@@ -38,8 +38,10 @@ class Curve:
         shown: _core.DisplayUnits,
         harmonic: bool,
         phase: Numbers | None = None,
+        frequency: tuple[str, float] = ("", 1.0),
     ) -> None:
         self._name = name
+        self._frequency = frequency
         self._phase = phase
         self.axis = axis  #: name of the axis: "angular_frequency" [rad/s], "time" [s], …
         self._si = unit, values, places
@@ -98,6 +100,16 @@ class Curve:
         return np.where(phase == -np.pi, np.pi, phase)
 
     @property
+    def frequency(self) -> Numbers:
+        """Frequencies in `frequency_unit`."""
+        return self._along("angular_frequency") * self._frequency[1]
+
+    @property
+    def frequency_unit(self) -> str:
+        """Unit in which the model, or `Result.to`, shows frequencies."""
+        return self._frequency[0]
+
+    @property
     def angular_frequency(self) -> Numbers:
         """[rad/s]"""
         return self._along("angular_frequency")
@@ -116,6 +128,12 @@ class Curve:
         if self.axis != axis:
             raise InputError([problem(self._name, f"a curve over {self.axis}", f"it has no {axis}", "take .places")])
         return self.places
+
+    def plot(self, ax: Any = None) -> Any:
+        """A picture of the curve with Matplotlib: amplitude and phase. ax: axes to draw into, two for the phase too."""
+        from trivet import _plots
+
+        return _plots.curve(self, ax)
 
     def __len__(self) -> int:
         return len(self._si[1])
@@ -189,6 +207,13 @@ class Result:
                 found.update(self._rows_as_curves(name))
         return found
 
+    def curve(self, name: str) -> Curve:
+        """One of the curves, with the units of both axes. Raises UnknownName, which is a KeyError."""
+        curves = self.curves
+        if name not in curves:
+            raise unknown_name(self.analysis, name, "curve", curves)
+        return curves[name]
+
     def _rows_as_curves(self, name: str) -> dict[str, Curve]:
         unit, axes, values = self._arrays[name]
         if len(axes) != 2 or axes[1] not in _plotted_axes or axes[0] not in self._arrays or isinstance(values, list):
@@ -196,7 +221,11 @@ class Result:
         rows, places = self._arrays[axes[0]][2], self._arrays[axes[1]][2]
         names = [f"{name} {row}" for row in rows]
         harmonic = name in self._harmonic
-        return {one: Curve(one, unit, values[i], axes[1], places, self._shown, harmonic) for i, one in enumerate(names)}
+        axis = self._frequency_axis()
+        return {
+            one: Curve(one, unit, values[i], axes[1], places, self._shown, harmonic, None, axis)
+            for i, one in enumerate(names)
+        }
 
     @property
     def angular_frequency(self) -> Numbers:
@@ -234,12 +263,21 @@ class Result:
         values = self._found(name)[2]
         return np.array(values, dtype=np.str_) if isinstance(values, list) else values
 
-    def __getitem__(self, name: str) -> Curve | Numbers:
+    def __getitem__(self, name: str) -> Curve | Numbers | Table:
+        """A curve, an array, or the rows of this name in the first table."""
+        if name not in self._arrays and self.tables and name in (table := self.table()).names:
+            return table[name]
         self._found(name)
         return self._curve(name) if self._is_curve(name) else self.array(name)
 
     def __contains__(self, name: object) -> bool:
         return name in self._arrays
+
+    def table(self, name: str | None = None) -> Table:
+        """A table, by default the first: `result.table()["machine.z"]` has the rows of this name,
+        `.column("amplitude")` the numbers of a column."""
+        found = self._table_name(name)
+        return Table(found.removesuffix(".csv"), _tables.columns(self, found))
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._arrays)
@@ -302,15 +340,16 @@ class Result:
         found: dict[str, Any] = json.loads(self._core.json())
         return found
 
-    def plot(self, *names: str, backend: str = "matplotlib") -> Any:
-        """A picture of all curves, or of those named: with "matplotlib" a figure, with "plotly" a figure of Plotly."""
+    def plot(self, *names: str, ax: Any = None, backend: str = "matplotlib") -> Any:
+        """A picture of all curves, or of those named: with "matplotlib" a figure, with "plotly" a figure of Plotly.
+        ax: axes of Matplotlib to draw into, one for the first part of the picture or a list for all of them."""
         from trivet import _plots
 
         curves = self.curves
         for name in names:
             if name not in curves and name not in self._results():
                 self._found(name)
-        return _plots.picture(self, names, backend)
+        return _plots.picture(self, names, backend, ax)
 
     def svg(self, figure: str | None = None) -> str:
         """A picture of the report, if the command has one: a map, a front, an element."""
@@ -320,8 +359,7 @@ class Result:
                 [problem(self.analysis, "no picture", "map, optimize and element have one", "use .plot()")]
             )
         if figure is not None and figure not in figures:
-            rule, known = "there is no such picture", "known: " + ", ".join(figures)
-            raise InputError([problem(self.analysis, f'"{figure}"', rule, known)])
+            raise unknown_name(self.analysis, figure, "picture", figures)
         return self._core.figure(figure or figures[0])
 
     def __str__(self) -> str:
@@ -340,11 +378,10 @@ class Result:
     def _found(self, name: str) -> tuple[str, tuple[str, ...], Any]:
         if name in self._arrays:
             return self._arrays[name]
-        near = difflib.get_close_matches(str(name), self._arrays, 1)
-        remedy = f'did you mean "{near[0]}"?' if near else "known are " + ", ".join(list(self._arrays)[:12])
         if not self._arrays:
             remedy = "take .to_dict() or .to_dataframe()"
-        raise InputError([problem(self.analysis, f'"{name}"', "there is no such result", remedy)])
+            raise UnknownName([problem(self.analysis, f'"{name}"', "there is no such result", remedy)])
+        raise unknown_name(self.analysis, name, "result", self._arrays)
 
     def _results(self) -> list[str]:
         """Names in the rows of the result, such as those of peaks."""
@@ -362,7 +399,11 @@ class Result:
         unit, axes, values = self._arrays[name]
         phase = self._arrays.get(f"{name} phase", (None, None, None))[2]
         axis, places, harmonic = _kind_of_axis(axes[0]), self._arrays[axes[0]][2], name in self._harmonic
-        return Curve(name, unit, values, axis, places, self._shown, harmonic, phase)
+        return Curve(name, unit, values, axis, places, self._shown, harmonic, phase, self._frequency_axis())
+
+    def _frequency_axis(self) -> tuple[str, float]:
+        """Unit of frequencies that `to` or the model chose, and its factor from rad/s."""
+        return (self._converted or self._core.display).axis()
 
     def _table_name(self, table: str | None) -> str:
         tables = self.tables
@@ -373,9 +414,7 @@ class Result:
         for name in tables:
             if table in (name, name.removesuffix(".csv")):
                 return name
-        raise InputError(
-            [problem(self.analysis, f'"{table}"', "there is no such table", "known: " + ", ".join(tables))]
-        )
+        raise unknown_name(self.analysis, table, "table", tables)
 
 
 #: Axes over which results are curves; other axes number the rows of a table.

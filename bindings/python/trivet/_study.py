@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from trivet import _core, _html
 from trivet._arguments import frequency
-from trivet._errors import InputError, problem
+from trivet._errors import unknown_name
 
 if TYPE_CHECKING:
     import pandas
@@ -68,8 +68,7 @@ class _Arrays:
     def array(self, name: str) -> npt.NDArray[Any]:
         """An array by its name; read-only."""
         if name not in self._arrays:
-            known = ", ".join(self._arrays)
-            raise InputError([problem(type(self).__name__, f'"{name}"', "there is no such array", f"known: {known}")])
+            raise unknown_name(type(self).__name__, name, "array", self._arrays)
         values = self._arrays[name]
         return np.array(values, dtype=np.str_) if isinstance(values, list) else values
 
@@ -141,7 +140,7 @@ class Matrices(_Arrays):
         import pandas
 
         if name not in ("A", "B", "K", "K_loss"):
-            raise InputError([problem("Matrices", f"{name!r}", "there is no such matrix", "known: A, B, K, K_loss")])
+            raise unknown_name("Matrices", name, "matrix", ("A", "B", "K", "K_loss"))
         return pandas.DataFrame(self.array(name), index=self.coordinates, columns=self.coordinates)
 
     def _repr_html_(self) -> str:
@@ -253,11 +252,20 @@ class Sweep(_Arrays):
     def __getitem__(self, result: str) -> Real:
         """Amplitudes of one result."""
         if result not in self.results:
-            raise InputError(
-                [problem("sweep", f'"{result}"', "there is no such result", "known: " + ", ".join(self.results))]
-            )
+            raise unknown_name("sweep", result, "result", self.results)
         amplitudes: Real = self.amplitude[..., self.results.index(result)]
         return amplitudes
+
+    def plot(self, *names: str, ax: Any = None) -> Any:
+        """Amplitudes of the results over the first number, a line for each of the values of the others; a figure of
+        Matplotlib. ax: axes to draw into; several results of different units need as many."""
+        from trivet import _plots
+
+        return _plots.sweep(self, [self._checked(name) for name in names] or self.results, ax)
+
+    def _checked(self, result: str) -> str:
+        self[result]
+        return result
 
     def to_dataframe(self) -> pandas.DataFrame:
         """A row for each design: its numbers, then the amplitudes of the results."""

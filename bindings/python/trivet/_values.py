@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from trivet import _core
-from trivet._errors import InputError, problem
+from trivet._errors import InputError, problem, wrong_type
 
 _bare_key = re.compile(r"[A-Za-z0-9_-]+")
 _key = r"""(?:[A-Za-z0-9_-]+|"(?:[^"\\]|\\.)*"|'[^']*')"""
@@ -123,16 +123,8 @@ def _lines(values: Mapping[str, Any]) -> str:
 def settings_of(changes: Mapping[str, Any]) -> list[tuple[str, str]]:
     """(path, value as TOML) of each change; a table is changed key by key."""
     if not isinstance(changes, Mapping):
-        raise InputError(
-            [
-                problem(
-                    "changes",
-                    type(changes).__name__,
-                    "changes are a dict from paths to values",
-                    'write {"elements.mount.scale": 1.5}',
-                )
-            ]
-        )
+        rule, remedy = "changes are a dict from paths to values", 'write {"elements.mount.scale": 1.5}'
+        raise wrong_type("changes", changes, rule, remedy)
     wrong: list[_core.Problem] = []
     settings = []
     for path, value in changes.items():
