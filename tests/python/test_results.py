@@ -236,7 +236,7 @@ def test_words_with_a_unit_in_their_heading_stay_in_it():
 
 def test_html_has_the_tables_of_the_text(machine):
     peaks = machine.peaks()
-    assert f"{peaks.array('angular_frequency')[0]:.7g}" in peaks.to_html()
+    assert f"{peaks.array('angular_frequency')[0] / (2 * np.pi):.7g}" in peaks.to_html()
     assert "[rpm]" in peaks.to(frequency="rpm").to_html() and "[rpm]" not in peaks.to_html()
     with pytest.raises(trivet.InputError, match="no tables for a page"):
         machine.check().to_html()
