@@ -38,6 +38,40 @@ bool read_inertia(TableReader& body, spatial::MassProperties& mass) {
   return true;
 }
 
+/// Masses beside solids: `parts = [{mass = 120, at = [0, 0, 0.4], inertia = {…}}, …]`, without inertia a point mass.
+std::vector<spatial::MassProperties> read_parts(TableReader& body) {
+  std::vector<spatial::MassProperties> parts;
+  const Node* list = body.node("parts");
+  if (!list) return parts;
+  if (!body.has("solids"))
+    body.error("parts", "parts without solids", "parts are masses beside the solids of a body",
+               "add solids, or describe the body by mass, center_of_mass and inertia");
+  if (list->kind != Node::Kind::array) {
+    body.error("parts", kind_name(list->kind), "it is a list of masses",
+               "write parts = [{mass = 120, at = [0, 0, 0.4]}]");
+    return parts;
+  }
+  for (std::size_t i = 0; i < list->items.size(); ++i) {
+    const std::string name = fmt::format("parts[{}]", i);
+    if (list->items[i].kind != Node::Kind::table) {
+      body.error("parts", kind_name(list->items[i].kind), "a part is a table",
+                 "write {mass = …, at = [x, y, z]}, and inertia if it is not a point mass");
+      continue;
+    }
+    TableReader reader(list->items[i], body.path() + "." + name, body.problems());
+    spatial::MassProperties part;
+    part.mass = reader.required_number("mass", Quantity::mass);
+    if (!(part.mass > 0)) reader.error("mass", fmt::format("{:.6g} kg", part.mass), "a mass must be > 0", "correct it");
+    part.centre = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
+    if (read_inertia(reader, part) && part.mass > 0)
+      for (const spatial::ViolatedBound& bound : spatial::violated_bounds(part))
+        reader.error("inertia", bound.finding, bound.rule, "correct mass, place and inertia");
+    reader.finish();
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 void read_points(TableReader& reader, model::Body& body, SymbolTable& symbols) {
   const Node* table = reader.table("points");
   if (!table) return;
@@ -77,17 +111,19 @@ model::Body read_body(const Node& node, const std::string& name, std::size_t ind
   body.name = name;
   body.allow_unphysical = reader.boolean("allow_unphysical").value_or(false);
   if (reader.has("solids")) {
-    for (const char* key : {"mass", "center_of_mass", "inertia"}) {
+    for (const char* key : {"center_of_mass", "inertia"}) {
       if (reader.has(key))
-        reader.error(key, std::string(key) + " together with solids", "the solids give mass, centre and inertia",
+        reader.error(key, std::string(key) + " together with solids", "the solids give centre and inertia",
                      "remove it, or remove solids");
       static_cast<void>(reader.node(key));
     }
-    static_cast<void>(read_solids(reader, body));
+    static_cast<void>(read_solids(reader, {.lumps = read_parts(reader)}, body));
   } else {
     body.mass.mass = reader.required_number("mass", Quantity::mass);
     body.mass.centre = reader.vector("center_of_mass", Quantity::length).value_or(Eigen::Vector3d::Zero());
     body.has_inertia = read_inertia(reader, body.mass);
+    if (reader.has("parts")) static_cast<void>(read_parts(reader));
+    else reader.also_known({"parts"});
   }
   body.pose.position = reader.vector("position", Quantity::length).value_or(Eigen::Vector3d::Zero());
   body.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
@@ -165,7 +201,7 @@ model::Body read_node(const Node& node, const std::string& name, SymbolTable& sy
   if (!reader.has("position")) reader.missing("position", "give its place in the ground frame: position = [x, y, z]");
   body.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
   read_free(reader, body, symbols);
-  for (const char* key : {"mass", "inertia", "center_of_mass", "solids", "points"}) {
+  for (const char* key : {"mass", "inertia", "center_of_mass", "solids", "parts", "points"}) {
     if (!reader.has(key)) continue;
     reader.error(key, "unknown key", "a node has no mass and is one place: position, orientation and free",
                  "describe a part with mass or several points as a body: [bodies.NAME]");

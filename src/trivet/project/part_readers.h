@@ -8,6 +8,7 @@
 #include "trivet/project/text/known_model.h"
 #include "trivet/project/text/symbol_table.h"
 #include "trivet/project/text/table_reader.h"
+#include "trivet/solids/rigid_solid.h"
 
 namespace trivet::project {
 
@@ -31,7 +32,7 @@ void read_observations(TableReader& root, model::Description& description, Symbo
 
 /// Reads `solids = [{box = [x, y, z], density = 7850, at = […]}, {file = "housing.step", density = …}, …]` into mass,
 /// centre and inertia of the body. Returns false after reporting errors.
-[[nodiscard]] bool read_solids(TableReader& body, model::Body& result);
+[[nodiscard]] bool read_solids(TableReader& body, solids::KnownMass known, model::Body& result);
 
 /// Reads the choices of mounts of [parameters], with the catalogues that they name.
 /// @param written  the document before element types are merged in

@@ -64,10 +64,15 @@ void read_file(TableReader& reader, Part& part) {
   reader.also_known({"solids"});
 }
 
-Part read_part(TableReader& reader, const std::string& name) {
+enum class Density { required, optional };
+
+Part read_part(TableReader& reader, const std::string& name, Density needed) {
   Part part;
   part.name = name;
-  part.density = reader.required_number("density", Quantity::density);
+  part.density = reader.number("density", Quantity::density).value_or(solids::not_given);
+  part.mass = reader.number("mass", Quantity::mass).value_or(solids::not_given);
+  if (needed == Density::required && !reader.has("density") && !reader.has("mass"))
+    reader.missing("density", "give density = 7850, or the mass of the solid, or that of the whole body");
   part.pose.position = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
   part.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
   int shapes = 0;
@@ -82,20 +87,27 @@ Part read_part(TableReader& reader, const std::string& name) {
   if (const auto d = reader.number("sphere", Quantity::length)) part.shape = solids::Sphere{*d};
   if (const auto l = lengths(reader, "cone", 3)) part.shape = solids::Cone{(*l)[0], (*l)[1], (*l)[2]};
   if (reader.has("file")) read_file(reader, part);
-  constexpr double lightest = 10, heaviest = 25e3;
-  if (part.density > 0 && (part.density < lightest || part.density > heaviest)) {
-    foundation::Problems one;
-    one.warning("density", fmt::format("{:.4g} kg/m³", part.density),
-                "solids have 500 to 20000 kg/m³, foams down to 20", "check the unit: a bare number is SI");
-    reader.add(one);
-  }
   reader.finish();
   return part;
 }
 
+/// Warns of a density that no material has.
+void check_density(const Part& part, const solids::PartResult& result, const foundation::Origin& origin,
+                   TableReader& body) {
+  constexpr double lightest = 10, heaviest = 25e3;
+  const double density = result.properties.mass / result.volume;
+  if (density >= lightest && density <= heaviest) return;
+  const bool given = !std::isnan(part.density);
+  body.problems()
+      .warning(body.path() + "." + part.name + (given ? ".density" : ".mass"),
+               fmt::format("{:.4g} kg/m³{}", density, given ? "" : ", mass over volume"),
+               "solids have 500 to 20000 kg/m³, foams down to 20", "check the unit: a bare number is SI")
+      .origin = origin;
+}
+
 }  // namespace
 
-bool read_solids(TableReader& body, model::Body& result) {
+bool read_solids(TableReader& body, solids::KnownMass known, model::Body& result) {
   const Node* list = body.node("solids");
   if (list->kind != Node::Kind::array || list->items.empty()) {
     body.error("solids", list->kind == Node::Kind::array ? "no solid" : kind_name(list->kind), "it is a list of solids",
@@ -112,14 +124,16 @@ bool read_solids(TableReader& body, model::Body& result) {
     }
     TableReader reader(list->items[i], body.path() + "." + name, body.problems());
     const std::size_t before_part = body.errors();
-    Part part = read_part(reader, name);
+    Part part = read_part(reader, name, body.has("mass") ? Density::optional : Density::required);
     if (body.errors() == before_part) parts.push_back(std::move(part));
   }
   if (parts.empty()) return false;
-  const auto solid = solids::rigid_solid(parts);
+  known.whole = body.number("mass", Quantity::mass).value_or(solids::not_given);
+  const auto solid = solids::rigid_solid(parts, known);
   const foundation::Problems& findings = solid ? solid->remarks : solid.error();
   for (foundation::Problem problem : findings.list()) {
-    problem.origin = list->origin;
+    const Node* whole = problem.subject == "mass" ? body.node("mass") : nullptr;
+    problem.origin = whole ? whole->origin : list->origin;
     for (std::size_t i = 0; i < list->items.size(); ++i) {
       const std::string part = fmt::format("solids[{}].", i);
       if (!problem.subject.starts_with(part)) continue;
@@ -131,6 +145,7 @@ bool read_solids(TableReader& body, model::Body& result) {
     body.problems().add(std::move(problem));
   }
   if (!solid || body.errors() > before) return false;
+  for (std::size_t i = 0; i < parts.size(); ++i) check_density(parts[i], solid->parts[i], list->items[i].origin, body);
   result.mass = solid->properties;
   return true;
 }
@@ -143,7 +158,7 @@ std::vector<Part> body_solids(const Node& body) {
   for (const Node& solid : list->items) {
     if (solid.kind != Node::Kind::table) continue;
     TableReader reader(solid, "solids", reported_before);
-    parts.push_back(read_part(reader, "solid"));
+    parts.push_back(read_part(reader, "solid", Density::optional));
   }
   return parts;
 }

@@ -180,10 +180,21 @@ struct Measure {
   }
 };
 
-void check_part(const Part& part, Problems& problems) {
-  if (!(part.density > 0) || !std::isfinite(part.density))
-    problems.error("density", std::isnan(part.density) ? "not given" : fmt::format("{:.6g} kg/m³", part.density),
-                   "a density must be > 0", "give it as in density = \"7850 kg/m^3\"");
+void check_positive(Problems& problems, const char* key, double value, const char* unit, const char* remedy) {
+  if (value > 0 && std::isfinite(value)) return;
+  problems.error(key, std::isnan(value) ? "not given" : fmt::format("{:.6g} {}", value, unit),
+                 fmt::format("a {} must be > 0", key), remedy);
+}
+
+void check_part(const Part& part, const KnownMass& known, Problems& problems) {
+  const bool has_mass = !std::isnan(part.mass), has_density = !std::isnan(part.density);
+  if (has_mass && has_density)
+    problems.error("mass", fmt::format("{:.6g} kg together with density", part.mass),
+                   "the volume gives one of the two from the other", "remove one of them");
+  if (has_mass) check_positive(problems, "mass", part.mass, "kg", "give it as in mass = \"120 kg\"");
+  else if (has_density || std::isnan(known.whole))
+    check_positive(problems, "density", part.density, "kg/m³",
+                   "give it as in density = \"7850 kg/m^3\", or the mass of the solid");
   const Eigen::Matrix3d& r = part.pose.rotation;
   if (!((r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= orthonormal) ||
       !(r.col(0).cross(r.col(1)).dot(r.col(2)) > 0))
@@ -205,29 +216,77 @@ bool representable(const spatial::MassProperties& p) {
       std::isnormal(p.inertia_about_centre.trace());
 }
 
+/// What a part without its own mass weighs before it is scaled to the mass of the whole.
+double weight(const Part& part, double volume) { return (std::isnan(part.density) ? 1 : part.density) * volume; }
+
+/// Factor on the densities of parts without a mass of their own, so that the whole has its mass.
+double density_factor(const std::vector<Part>& parts, const std::vector<VolumeIntegrals>& volumes,
+                      const KnownMass& known, Problems& problems) {
+  if (std::isnan(known.whole)) return 1;
+  check_positive(problems, "mass", known.whole, "kg", "give the mass of solids and parts together");
+  double fixed = 0, shared = 0;
+  std::size_t with_density = 0, sharing = 0;
+  for (const spatial::MassProperties& lump : known.lumps) fixed += lump.mass;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (std::isnan(parts[i].mass)) {
+      shared += weight(parts[i], volumes[i].volume);
+      ++sharing;
+      with_density += std::isnan(parts[i].density) ? 0 : 1;
+    } else fixed += parts[i].mass;
+  }
+  const std::string whole = fmt::format("{:.6g} kg", known.whole);
+  if (sharing == 0)
+    problems.error("mass", whole + ", and every solid has its own mass",
+                   "solids without a mass of their own share the mass of the whole", "remove one of the masses");
+  else if (with_density != 0 && with_density != sharing)
+    problems.error("mass",
+                   fmt::format("{} shared by {} solids, of which {} have a density", whole, sharing, with_density),
+                   "the mass is shared by density times volume, or by volume alone",
+                   "give each of these solids a density or a mass, or none of them");
+  else if (!(known.whole > fixed))
+    problems.error("mass", fmt::format("{}, and solids and parts with their own mass have {:.6g} kg", whole, fixed),
+                   "the whole is heavier than some of its parts", "check the masses and their units");
+  return (known.whole - fixed) / shared;
+}
+
+/// Mass, its centre and its central second moment M = ½ tr(J) I − J, as of a volume of density 1.
+VolumeIntegrals as_volume(const spatial::MassProperties& lump) {
+  const Eigen::Matrix3d& inertia = lump.inertia_about_centre;
+  return {lump.mass, lump.centre, inertia.trace() / 2 * Eigen::Matrix3d::Identity() - inertia};
+}
+
 }  // namespace
 
-Expected<RigidSolid> rigid_solid(const std::vector<Part>& parts, const Progress& progress) {
+Expected<RigidSolid> rigid_solid(const std::vector<Part>& parts, const KnownMass& known, const Progress& progress) {
   RigidSolid solid;
   Problems problems;
   if (parts.empty()) problems.error("solids", "no part", "a body of solids has at least one part", "add a part");
-  VolumeIntegrals total;  // of mass: density times volume
+  std::vector<VolumeIntegrals> volumes;
   for (const Part& part : parts) {
     Problems found, remarks;
-    check_part(part, found);
+    check_part(part, known, found);
     const Expected<VolumeIntegrals> own = std::visit(Measure{progress, remarks}, part.shape);
-    if (!own) found.add(own.error());
-    if (!found.has_errors()) {
-      const VolumeIntegrals here = placed(*own, part.pose);
-      const spatial::MassProperties properties = mass_properties(here, part.density);
-      if (!representable(properties))
-        found.error("density", fmt::format("mass {:.3g} kg of volume {:.3g} m³", properties.mass, own->volume),
-                    "mass and inertia must be numbers > 0", "check the units of the lengths");
-      total = sum(total, {properties.mass, here.centre, part.density * here.second_moment});
-      solid.parts.push_back({part.name, own->volume, properties});
-    }
+    if (own) volumes.push_back(placed(*own, part.pose));
+    else found.add(own.error());
     add_prefixed(solid.remarks, part.name, std::move(remarks));
     add_prefixed(problems, part.name, std::move(found));
+  }
+  if (problems.has_errors()) return tl::unexpected(problems);
+  const double factor = density_factor(parts, volumes, known, problems);
+  if (problems.has_errors()) return tl::unexpected(problems);
+  VolumeIntegrals total;  // of mass: density times volume
+  for (const spatial::MassProperties& lump : known.lumps) total = sum(total, as_volume(lump));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const VolumeIntegrals& here = volumes[i];
+    const double mass = std::isnan(parts[i].mass) ? factor * weight(parts[i], here.volume) : parts[i].mass;
+    const double density = mass / here.volume;
+    const spatial::MassProperties properties = mass_properties(here, density);
+    if (!representable(properties))
+      problems.error(parts[i].name + (std::isnan(parts[i].mass) ? ".density" : ".mass"),
+                     fmt::format("mass {:.3g} kg of volume {:.3g} m³", mass, here.volume),
+                     "mass and inertia must be numbers > 0", "check the units of the lengths");
+    total = sum(total, {mass, here.centre, density * here.second_moment});
+    solid.parts.push_back({parts[i].name, here.volume, properties});
   }
   if (problems.has_errors()) return tl::unexpected(problems);
   solid.properties = mass_properties(total, 1);

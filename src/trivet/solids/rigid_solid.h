@@ -55,12 +55,21 @@ struct StepSolid {
   std::vector<int> solids = {};  ///< their numbers from 1 in the order of the file; empty: all
 };
 
-/// A piece of uniform density.
+/// A piece of uniform density, which is given, or follows from its mass or from that of the whole.
 struct Part {
   std::string name;
   std::variant<Box, Cylinder, Tube, Sphere, Cone, StlSolid, StepSolid> shape;
   double density = not_given;  ///< [kg/m³] > 0
   spatial::Pose pose = {};     ///< of the shape's frame in the body's frame, whose origin is the pole
+  double mass = not_given;     ///< [kg] > 0, instead of density
+};
+
+/// What is known of a body besides its solids.
+struct KnownMass {
+  /// [kg] > 0, of solids and lumps together: solids without a mass of their own share what the others leave in
+  /// proportion to their density × volume, or to their volume if none of them has a density.
+  double whole = not_given;
+  std::vector<spatial::MassProperties> lumps = {};  ///< parts without a shape, from the pole in body axes
 };
 
 struct PartResult {
@@ -70,14 +79,14 @@ struct PartResult {
 };
 
 struct RigidSolid {
-  spatial::MassProperties properties;  ///< of all parts together, from the pole in body axes
+  spatial::MassProperties properties;  ///< of all parts and lumps together, from the pole in body axes
   std::vector<PartResult> parts;
   foundation::Problems remarks;  ///< warnings
 };
 
 /// Mass, centre and inertia of all parts together; overlapping volumes count twice. Subjects of problems are the part's
-/// name and the key, "flange.density".
-[[nodiscard]] foundation::Expected<RigidSolid> rigid_solid(const std::vector<Part>& parts,
+/// name and the key, "flange.density", or "mass" of the whole.
+[[nodiscard]] foundation::Expected<RigidSolid> rigid_solid(const std::vector<Part>& parts, const KnownMass& known = {},
                                                            const foundation::Progress& progress = {});
 
 }  // namespace trivet::solids

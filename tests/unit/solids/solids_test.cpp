@@ -42,6 +42,54 @@ foundation::Expected<RigidSolid> stl_solid(const test::Triangles& triangles) {
 
 // ---- placing and adding
 
+/// Mass, centre and inertia of two results.
+void expect_equal(const spatial::MassProperties& a, const spatial::MassProperties& b) {
+  constexpr double round_off = 1e-13;
+  EXPECT_NEAR(a.mass, b.mass, round_off * b.mass);
+  EXPECT_TRUE(a.centre.isApprox(b.centre, round_off)) << a.centre.transpose() << " and " << b.centre.transpose();
+  EXPECT_TRUE(a.inertia_about_centre.isApprox(b.inertia_about_centre, round_off));
+}
+
+TEST(RigidSolid, AMassInsteadOfADensity) {
+  const Part by_density{"box", Box{0.3, 0.2, 0.1}, 2700};
+  Part by_mass{"box", Box{0.3, 0.2, 0.1}};
+  by_mass.mass = 2700 * 0.3 * 0.2 * 0.1;
+  expect_equal(rigid_solid({by_mass})->properties, rigid_solid({by_density})->properties);
+}
+
+TEST(RigidSolid, PartsWithoutAShapeAddTheirSteinerTerms) {
+  const spatial::MassProperties lump{3, {0.2, 0, 0.4}, Eigen::Vector3d(0.1, 0.15, 0.2).asDiagonal()};
+  Part box{"box", Box{0.3, 0.2, 0.1}};
+  box.mass = 6;
+  const spatial::MassProperties all = rigid_solid({box}, {.lumps = {lump}})->properties;
+  const Eigen::Vector3d d = lump.centre;  // from the centre of the box; reduced mass 3·6/9 = 2 kg
+  const Eigen::Matrix3d own =
+      Eigen::Vector3d(6 * (0.04 + 0.01) / 12, 6 * (0.09 + 0.01) / 12, 6 * (0.09 + 0.04) / 12).asDiagonal();
+  expect_equal(
+      all,
+      {9, d / 3,
+       own + lump.inertia_about_centre + 2 * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose())});
+}
+
+TEST(RigidSolid, TheMassOfTheWholeIsSharedByTheRest) {
+  const Part steel{"steel", Box{0.1, 0.1, 0.1}, 7800},
+      light{"light", Box{0.1, 0.1, 0.2}, 2600, {{0.4, 0, 0}, Eigen::Matrix3d::Identity()}};
+  const spatial::MassProperties lump{4, {0, 0, 0.3}, Eigen::Matrix3d::Zero()};
+  // 7.8 kg and 5.2 kg by their densities; 26 kg are left of 30 kg: twice as much
+  Part heavy = steel, heavier = light;
+  heavy.density *= 2;
+  heavier.density *= 2;
+  expect_equal(rigid_solid({steel, light}, {.whole = 30, .lumps = {lump}})->properties,
+               rigid_solid({heavy, heavier}, {.lumps = {lump}})->properties);
+  // without densities by volume: one and two thirds
+  const Part first{"first", steel.shape}, second{"second", light.shape, not_given, light.pose};
+  const auto shared = rigid_solid({first, second}, {.whole = 30});
+  EXPECT_NEAR(shared->parts[0].properties.mass, 10, 1e-13);
+  EXPECT_NEAR(shared->parts[1].properties.mass, 20, 1e-13);
+  EXPECT_THAT(messages(rigid_solid({steel, first}, {.whole = 30})), HasSubstr("of which 1 have a density"));
+  EXPECT_THAT(messages(rigid_solid({steel}, {.whole = 3, .lumps = {lump}})), HasSubstr("have 4 kg"));
+}
+
 TEST(RigidSolid, ABoxInPiecesIsTheBox) {
   const Part whole{"whole", Box{0.3, 0.2, 0.1}, 2700, {{0.15, 0, 0}, Eigen::Matrix3d::Identity()}};
   const Part left{"left", Box{0.1, 0.2, 0.1}, 2700, {{0.05, 0, 0}, Eigen::Matrix3d::Identity()}};

@@ -206,7 +206,8 @@ std::vector<std::string> draw_names(SvgCanvas& canvas, const DrawnMachine& machi
     const PixelPoint place = labels[i].place, leader = placed[i]->leader;
     if (std::hypot(leader.x - place.x, leader.y - place.y) > near)
       canvas.line(place, leader, "stroke=\"#666\" stroke-width=\"0.6\"");
-    canvas.text(placed[i]->baseline, labels[i].text, fmt::format("fill=\"{}\"", drawing_ink));
+    canvas.text(placed[i]->baseline, labels[i].text,
+                fmt::format("fill=\"{}\" stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"", drawing_ink));
   }
   return left_out;
 }
