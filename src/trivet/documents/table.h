@@ -119,6 +119,7 @@ class Rows {
   [[nodiscard]] std::size_t size() const { return rows_->size(); }
 
   template <typename Value>
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): moved from; unused templates hide it
   Column operator()(std::string name, Kind kind, std::string heading, Value value, ColumnOptions options = {}) const {
     const auto get = [rows = rows_, value](std::size_t i) -> Json { return cell(of(value, *rows, i)); };
     return {.name = std::move(name),
@@ -131,6 +132,7 @@ class Rows {
   }
   /// A column of lists of numbers. @param entries  names of the numbers of a list
   template <typename List>
+  // NOLINTNEXTLINE(performance-unnecessary-value-param): moved from; unused templates hide it
   Column lists(std::string name, std::string heading, std::string axis, std::vector<std::string> entries, List list,
                ColumnOptions options = {}) const {
     const auto get = [rows = rows_, list](std::size_t i) -> Numbers { return of(list, *rows, i); };
