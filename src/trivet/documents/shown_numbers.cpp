@@ -51,7 +51,7 @@ UnitPrefix unit_prefix(double largest, const DisplayUnit& unit) {
 std::string value_text(double value, const DisplayUnit& shown) {
   const UnitPrefix prefix = unit_prefix(std::abs(value), shown);
   const double shown_value = value * prefix.factor;
-  constexpr double four_digits = 1e4, in_full = 1e7;  // 12000 kg, not 1.2e+04 kg
+  constexpr double four_digits = 9999.5, in_full = 1e7;  // four digits would make 12000 kg 1.2e+04 kg
   if (std::abs(shown_value) >= four_digits && std::abs(shown_value) < in_full)
     return fmt::format("{:.0f} {}", shown_value, prefix.unit);
   return fmt::format("{:.4g} {}", shown_value, prefix.unit);

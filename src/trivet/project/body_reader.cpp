@@ -59,15 +59,17 @@ std::vector<spatial::MassProperties> read_parts(TableReader& body) {
       continue;
     }
     TableReader reader(list->items[i], body.path() + "." + name, body.problems());
+    const std::size_t before = body.errors();
     spatial::MassProperties part;
     part.mass = reader.required_number("mass", Quantity::mass);
-    if (!(part.mass > 0)) reader.error("mass", fmt::format("{:.6g} kg", part.mass), "a mass must be > 0", "correct it");
+    if (body.errors() == before && !(part.mass > 0))
+      reader.error("mass", fmt::format("{:.6g} kg", part.mass), "a mass must be > 0", "correct it");
     part.centre = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
-    if (read_inertia(reader, part) && part.mass > 0)
+    if (read_inertia(reader, part) && body.errors() == before)
       for (const spatial::ViolatedBound& bound : spatial::violated_bounds(part))
         reader.error("inertia", bound.finding, bound.rule, "correct mass, place and inertia");
     reader.finish();
-    parts.push_back(part);
+    if (body.errors() == before) parts.push_back(part);
   }
   return parts;
 }

@@ -127,8 +127,9 @@ bool read_solids(TableReader& body, solids::KnownMass known, model::Body& result
     Part part = read_part(reader, name, body.has("mass") ? Density::optional : Density::required);
     if (body.errors() == before_part) parts.push_back(std::move(part));
   }
-  if (parts.empty()) return false;
+  const std::size_t before_mass = body.errors();
   known.whole = body.number("mass", Quantity::mass).value_or(solids::not_given);
+  if (parts.empty() || body.errors() > before_mass) return false;
   const auto solid = solids::rigid_solid(parts, known);
   const foundation::Problems& findings = solid ? solid->remarks : solid.error();
   for (foundation::Problem problem : findings.list()) {

@@ -16,6 +16,14 @@ project::DisplayUnits inches_peak_to_peak() {
   return display;
 }
 
+TEST(ShownNumbers, ThousandsHaveNoPowerOfTen) {
+  const auto kilograms = documents::display_unit({}, "kg");
+  EXPECT_EQ(documents::value_text(12000, kilograms), "12000 kg");
+  EXPECT_EQ(documents::value_text(9999.7, kilograms), "10000 kg");  // four digits round it to 1e+04
+  EXPECT_EQ(documents::value_text(4200.4, kilograms), "4200 kg");
+  EXPECT_EQ(documents::value_text(3e8, kilograms), "3e+08 kg");
+}
+
 TEST(ShownNumbers, OnlyHarmonicAmplitudesHaveALevel) {
   const documents::DisplayUnit amplitude = documents::amplitude_unit(inches_peak_to_peak(), "m");
   EXPECT_EQ(amplitude.label(), "in p-p");
