@@ -13,6 +13,7 @@
 #include "trivet/model/point_mass.h"
 #include "trivet/report/drawing/in_documents.h"
 #include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/tables/folded_parts.h"
 #include "trivet/results/model/model_words.h"
 
 namespace trivet::report {
@@ -132,7 +133,8 @@ std::string elements_tables(const model::Description& d) {
                          : "ground";
   };
   std::vector<std::vector<Cell>> rows;
-  std::string facts, stiffness, viscous;
+  FoldedParts facts("How it was determined: "), laws("Laws of "), stiffness("Stiffness 12×12 of "),
+      viscous("Viscous damping 12×12 of ");
   for (const model::Element& e : d.elements) {
     const spatial::Pose n = model::end_in_ground(d.bodies, e.n), k = model::end_in_ground(d.bodies, e.k);
     rows.push_back({{e.name},
@@ -143,16 +145,16 @@ std::string elements_tables(const model::Description& d) {
                     {vector_words(k.position)},
                     right(number_text(e.law.scale)),
                     {results::damping_words(e.law.damping)}});
-    if (!e.facts.empty()) facts += folded("How " + e.name + " was determined", facts_table(e.facts));
-    if (model::has_laws(e)) facts += folded("Laws of " + e.name, facts_table(results::law_facts(e)));
-    stiffness += folded("Stiffness 12×12 of " + e.name,
-                        hint("Scale included; [N/m], [N/rad], [N m/m], [N m/rad]. The local axes of N " +
-                             axes_words(n.rotation) + "; those of K " + axes_words(k.rotation) + ".") +
-                            matrix_table(end_labels(), elements::stiffness(e.law)));
+    if (!e.facts.empty()) facts.add(e.name, facts_table(e.facts));
+    if (model::has_laws(e)) laws.add(e.name, facts_table(results::law_facts(e)));
+    stiffness.add(e.name,
+                  hint("Scale included; [N/m], [N/rad], [N m/m], [N m/rad]. The local axes of N " +
+                       axes_words(n.rotation) + "; those of K " + axes_words(k.rotation) + ".") +
+                      matrix_table(end_labels(), elements::stiffness(e.law)));
     if (std::holds_alternative<elements::DampingMatrix>(e.law.damping))
-      viscous += folded("Viscous damping 12×12 of " + e.name,
-                        hint("[N s/m], [N s/rad], [N m s/m], [N m s/rad], in the same axes.") +
-                            matrix_table(end_labels(), elements::viscous_damping(e.law)));
+      viscous.add(e.name,
+                  hint("[N s/m], [N s/rad], [N m s/m], [N m s/rad], in the same axes.") +
+                      matrix_table(end_labels(), elements::viscous_damping(e.law)));
   }
   return html_table({{"element"},
                      {"type"},
@@ -163,7 +165,7 @@ std::string elements_tables(const model::Description& d) {
                      right("scale"),
                      {"damping"}},
                     rows) +
-      facts + stiffness + viscous;
+      facts.html() + laws.html() + stiffness.html() + viscous.html();
 }
 
 /// "Fz 18 N, Mx 2 N m": the components that are not zero.
@@ -200,6 +202,10 @@ std::string excitations_table(const model::Description& d) {
                     {vector_words(f.at)},
                     {component_words(forces, f.wrench.force, "N", f.wrench.moment, "N m")},
                     {"–"}});
+  FoldedParts courses("Course of ");
+  for (const model::Excitation& e : d.excitations)
+    if (const std::vector<model::Fact> facts = results::course_facts(e); !facts.empty())
+      courses.add(e.name, facts_table(facts));
   return rows.empty() ? ""
                       : html_table({{"excitation"},
                                     {"type"},
@@ -207,7 +213,8 @@ std::string excitations_table(const model::Description& d) {
                                     {"at, body or ground axes [m]"},
                                     {"components"},
                                     {"phases of the six [°]"}},
-                                   rows);
+                                   rows) +
+          courses.html();
 }
 
 std::string foundations_table(const std::vector<model::Foundation>& foundations) {

@@ -24,4 +24,9 @@ struct ExcitationNumbers {
 };
 [[nodiscard]] ExcitationNumbers excitation_numbers(const model::Excitation& excitation);
 
+/// What an excitation does over speed, frequency or time: each order at 1 rad/s or its fixed part, the range and rms of
+/// a spectrum, the length and largest value of a history, the service speed of a rotor. Empty if nothing is left to
+/// say.
+[[nodiscard]] std::vector<model::Fact> course_facts(const model::Excitation& excitation);
+
 }  // namespace trivet::results
