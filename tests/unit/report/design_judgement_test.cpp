@@ -44,7 +44,7 @@ response = {band = ["0 Hz", "6 Hz"]}
 
 struct Box {
   std::vector<results::Judgement> list;
-  std::string html;
+  std::string html, table;
 };
 
 Box box_of(const std::string& text) {
@@ -53,7 +53,8 @@ Box box_of(const std::string& text) {
   std::vector<const study::CaseResults*> pointers;
   for (const study::CaseResults& one : results) pointers.push_back(&one);
   const std::vector<report::ShownCase> cases = report::shown_cases(project, results);
-  return {results::judgements(pointers), report::judgement_box(cases)};
+  return {results::judgements(pointers), report::judgement_box(cases),
+          report::judgements_table(cases, project.base().display)};
 }
 
 double peak() { return 0.02 / (2 * 0.375 * std::sqrt(1 - 0.375 * 0.375)); }
@@ -64,9 +65,15 @@ TEST(JudgementBox, IsRedOverAViolatedRequirementAndNamesTheWorstItsPlaceAndItsCa
              "[requirements]\nlimits = {\"mass.z\" = \"12 mm\"}\ndamping_ratio = 0.1\nhold_in = [\"\", \"soft\"]\n"
              "[cases.soft]\nelements.spring.scale = 0.25\n");
   EXPECT_THAT(box.html, StartsWith("<div class=\"alert\" role=\"note\"><h2>✗ VIOLATED: 2 of 4 requirements</h2>"));
-  EXPECT_THAT(box.html, HasSubstr("<strong>mass.z ≤ 12 mm</strong>: 28.77 mm at 2.024 Hz, margin 0.4172"));
+  EXPECT_THAT(box.html,
+              HasSubstr("The base model violates <a href=\"#case=0\" data-select=\"0\"><strong>mass.z</strong></a>: "
+                        "28.77 mm at 2.024 Hz, allowed ≤ 12 mm"));
   // A quarter of the stiffness: ω0 and ζ are halved. The softer case is worse, so it is named first.
-  EXPECT_LT(box.html.find("(soft)"), box.html.find("(Base model)"));
+  EXPECT_LT(box.html.find("Case soft violates"), box.html.find("The base model violates"));
+  EXPECT_THAT(box.html, HasSubstr("Case soft violates"));
+  // One row for each requirement, with its worst case.
+  EXPECT_THAT(box.table, AllOf(HasSubstr("≤ 12 mm"), HasSubstr(">soft<"), HasSubstr(">VIOLATED<")));
+  EXPECT_THAT(box.table, Not(HasSubstr("28.77 mm")));
   EXPECT_THAT(box.html, Not(HasSubstr("✓")));
   constexpr double round_off = 1e-9;
   EXPECT_NEAR(box.list.front().margin, 0.012 / peak(), round_off);
@@ -102,12 +109,38 @@ TEST(JudgementBox, IsNotRedByCasesInWhichTheDesignNeedNotHold) {
                          "[cases.soft]\nelements.spring.scale = 0.25\n");
   EXPECT_THAT(box.html, StartsWith("<div class=\"calm\""));
   EXPECT_THAT(box.html, HasSubstr("Violated in cases in which the design need not hold:"));
+  EXPECT_THAT(box.html, HasSubstr("Case soft violates"));
+  // The row of the requirement is that of the case that decides, and names the other one.
+  EXPECT_THAT(box.table, AllOf(HasSubstr("also violated, need not hold"), HasSubstr(">met<"), HasSubstr(">soft<")));
 }
 
 TEST(JudgementBox, DoesNotJudgeAFileWithoutRequirements) {
   const Box box = box_of(machine);
   EXPECT_THAT(box.list, IsEmpty());
-  EXPECT_THAT(box.html, AllOf(HasSubstr("not judged: the file has no requirements"), Not(HasSubstr("✓"))));
+  EXPECT_THAT(box.html, AllOf(HasSubstr("Not judged: the file has no requirements"), Not(HasSubstr("✓"))));
+}
+
+TEST(JudgementBox, IsRedIfOneOfTwoLimitsThatAreNoRequirementIsExceeded) {
+  const Box box = box_of(std::string(machine) + "[limits]\n\"mass.z\" = \"12 mm\"\n" +
+                         "[requirements]\ndamping_ratio = 0.1\n"
+                         "[cases.stiff]\nelements.spring.scale = 100\n");
+  EXPECT_THAT(box.html, StartsWith("<div class=\"alert\""));
+  EXPECT_THAT(box.html, HasSubstr("The base model violates"));
+  EXPECT_THAT(box.html, Not(HasSubstr("Case stiff violates")));
+}
+
+TEST(JudgementBox, IsRedOverAClearanceThatCloses) {
+  // Under gravity the mass of 4 kg sinks by 4·9.80665/900 = 43.6 mm.
+  const auto with = [](const std::string& gap) {
+    std::string text = machine;
+    text.replace(text.find("[bodies.mass]"), 0, "gravity = [0, 0, -9.80665]\n");
+    text.replace(text.find("[elements.spring]"), 0, "points.foot = [0, 0, 0]\n");
+    return box_of(text + "[clearances.floor]\nbetween = [\"mass.foot\", \"ground\"]\ndirection = [0, 0, -1]\ngap = \"" +
+                  gap + "\"\n")
+        .html;
+  };
+  EXPECT_THAT(with("40 mm"), AllOf(StartsWith("<div class=\"alert\""), HasSubstr("clearance"), HasSubstr("floor")));
+  EXPECT_THAT(with("2 m"), StartsWith("<div class=\"calm\""));
 }
 
 TEST(JudgementBox, IsRedByTheRulesOfAMap) {

@@ -22,13 +22,22 @@ std::string listed_judgements(std::vector<Judgement> list, Outcome outcome, cons
   std::ranges::stable_sort(list, [](const auto& a, const auto& b) { return a.margin < b.margin; });
   std::string items;
   for (std::size_t i = 0; i < std::min(most, list.size()); ++i) {
-    const std::string where = cases.size() > 1 ? " (" + cases[list[i].shown_case].name() + ")" : "";
-    items += "<li><strong>" + escaped(list[i].words) + "</strong>" +
-        (list[i].finding.empty() ? "" : ": " + escaped(list[i].finding)) + "<span class=\"where\">" + escaped(where) +
-        "</span></li>\n";
+    const ShownCase& shown = cases[list[i].shown_case];
+    const results::JudgementSentence words =
+        results::judgement_sentence(list[i], shown.results.case_name, cases.size() > 1);
+    items += fmt::format("<li>{} {} <a href=\"#case={}\" data-select=\"{}\"><strong>{}</strong></a>{}</li>\n",
+                         escaped(words.who), words.verb, list[i].shown_case, list[i].shown_case, escaped(words.subject),
+                         escaped(words.rest));
   }
-  if (list.size() > most) items += fmt::format("<li>and {} more, see below</li>\n", list.size() - most);
+  if (list.size() > most)
+    items += fmt::format("<li><a href=\"#judgements\">and {} more</a></li>\n", list.size() - most);
   return "<ul>" + items + "</ul>";
+}
+
+std::vector<Judgement> judgements_of(const std::vector<ShownCase>& cases) {
+  std::vector<const study::CaseResults*> results;
+  for (const ShownCase& one : cases) results.push_back(&one.results);
+  return results::judgements(results);
 }
 
 std::string judgement_part(const std::string& style, const std::string& title, const std::string& html) {
@@ -37,10 +46,14 @@ std::string judgement_part(const std::string& style, const std::string& title, c
 
 }  // namespace
 
+std::string judgements_table(const std::vector<ShownCase>& cases, const project::DisplayUnits& display) {
+  std::vector<std::string> names;
+  for (const ShownCase& one : cases) names.push_back(one.results.case_name);
+  return as_html(results::judgements_document(judgements_of(cases), names), display);
+}
+
 std::string judgement_box(const std::vector<ShownCase>& cases) {
-  std::vector<const study::CaseResults*> results;
-  for (const ShownCase& one : cases) results.push_back(&one.results);
-  const std::vector<Judgement> list = results::judgements(results);
+  const std::vector<Judgement> list = judgements_of(cases);
   const std::size_t violated = number_with(list, Outcome::violated), missing = number_with(list, Outcome::not_judged),
                     no_need = number_with(list, Outcome::violated_no_need), met = number_with(list, Outcome::met);
   const bool bad_data = std::ranges::any_of(cases, [](const ShownCase& c) { return !c.failed_checks().empty(); });
@@ -67,8 +80,7 @@ std::string judgement_box(const std::vector<ShownCase>& cases) {
     html += bad_data ? judgement_part("doubt", "? " + title + "; but checks of the data failed, see below", governing)
                      : judgement_part("calm", "✓ " + title, governing);
   }
-  if (list.empty())
-    html += paragraph("The design is not judged: the file has no requirements, limits, clearances or map.", "note");
+  if (list.empty()) html += paragraph("Not judged: the file has no requirements, limits, clearances or map.", "note");
   if (!beside.empty()) html += "<div class=\"note\" role=\"note\">" + beside + "</div>\n";
   return html;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/documents/shown_table.h"
 #include "trivet/documents/text_table.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/nonlinear/modes/backbone.h"
@@ -36,6 +37,16 @@ std::string at_frequency(double omega, const project::DisplayUnits& display) {
   return fmt::format("at {:.5g} {}", shown_frequency(display, omega), frequency_unit(display));
 }
 
+/// Divides "machine.z ≤ 0.5 mm" into what is judged and its bound.
+void divide_at_bound(Judgement& one) {
+  for (const std::string sign : {" ≤ ", " ≥ "})
+    if (const std::size_t at = one.words.find(sign); at != std::string::npos) {
+      one.subject = one.words.substr(0, at);
+      one.bound = one.words.substr(at + 1);
+      return;
+    }
+}
+
 void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std::vector<Judgement>& list) {
   for (const std::size_t i : by_margin(verdict)) {
     const study::RequirementResult& result = verdict.results[i];
@@ -47,6 +58,7 @@ void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std:
                   result.margin,
                   which,
                   verdict.decides};
+    divide_at_bound(one);
     if (!result.value) {
       one.outcome = Outcome::not_judged;
       one.finding = result.reason;
@@ -54,6 +66,7 @@ void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std:
       if (!result.met()) one.outcome = verdict.decides ? Outcome::violated : Outcome::violated_no_need;
       const std::string value = judged_value(result, verdict.display), place = judged_place(result, verdict.display);
       const bool is_at = result.angular_frequency || result.time;  // not only a detail
+      one.value = value, one.place = place, one.is_at = is_at;
       one.finding = without_empty({without_empty({value, is_at ? "at " + place : ""}, " "), is_at ? "" : place,
                                    finite_margin_words(result.margin)},
                                   ", ");
@@ -73,6 +86,11 @@ void add_limits(const study::CaseResults& case_results, std::size_t which, std::
                                 at_frequency(limit.in_band_at, case_results.display),
                                 std::isfinite(limit.in_band) ? percent(limit.in_band / limit.limit) : "∞"),
                     limit.in_band > 0 ? limit.limit / limit.in_band : std::numeric_limits<double>::infinity(), which});
+    Judgement& one = list.back();
+    divide_at_bound(one);
+    one.value = std::isfinite(limit.in_band) ? value_text(limit.in_band, unit) : "∞";
+    one.place = shown_quantity({.value = limit.in_band_at, .kind = Kind::frequency}, case_results.display);
+    one.is_at = std::isfinite(limit.in_band_at);
   }
   for (const study::LimitLineResult* alone : limit_lines_alone(case_results)) {
     const study::LimitLineResult& line = *alone;
@@ -81,6 +99,14 @@ void add_limits(const study::CaseResults& case_results, std::size_t which, std::
                     fmt::format("least margin {:.4g} dB {}", response::margin_level(line.comparison.least_margin),
                                 at_frequency(line.comparison.least_margin_at, case_results.display)),
                     line.comparison.least_margin, which});
+    Judgement& one = list.back();
+    const double level = response::margin_level(line.comparison.least_margin);
+    one.subject = line.of;
+    one.bound = "within “" + line.line.name + "”";
+    one.value = fmt::format("{:.4g} dB {} the line", std::abs(level), level < 0 ? "above" : "below");
+    one.place =
+        shown_quantity({.value = line.comparison.least_margin_at, .kind = Kind::frequency}, case_results.display);
+    one.is_at = std::isfinite(line.comparison.least_margin_at);
   }
 }
 

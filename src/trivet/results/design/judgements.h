@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/documents/document.h"
 #include "trivet/study/analyses/case_results.h"
 #include "trivet/study/whole_study.h"
 
@@ -26,6 +27,10 @@ struct Judgement {
   double margin = 0;                 ///< 1 on the limit; of judged ones
   std::size_t shown_case = 0;        ///< index of its case
   bool decides = true;               ///< the design has to hold in this case
+  /// The parts of `words` and `finding` for tables and sentences: what is judged, "≤ 0.5 mm" if it has a bound, the
+  /// value, and the frequency, time or part of the machine where it occurs.
+  std::string subject = words, bound = {}, value = {}, place = {};
+  bool is_at = false;  ///< the place is a frequency or a time
 };
 
 /// All verdicts on the cases of a study. A limit that is also a requirement of its case is listed once.
@@ -35,6 +40,18 @@ struct Judgement {
 
 /// "2 of 9 requirements, 1 of 1 limit": of those that decide, and of what is not judged elsewhere.
 [[nodiscard]] std::string shares_words(const std::vector<Judgement>& list, Judgement::Outcome outcome);
+
+/// The verdict in a sentence: "Case cold", "violates", "machine.z", ": 0.6 mm at 20 Hz, allowed ≤ 0.5 mm".
+struct JudgementSentence {
+  std::string who, verb, subject, rest;
+};
+/// @param case_name  "" of the base model  @param several  does the study have several cases?
+[[nodiscard]] JudgementSentence judgement_sentence(const Judgement& one, const std::string& case_name, bool several);
+
+/// Everything that is judged in one table, each with the case that is worst for it; violated ones first.
+/// @param case_names  by `Judgement::shown_case`
+[[nodiscard]] documents::Document judgements_document(const std::vector<Judgement>& list,
+                                                      const std::vector<std::string>& case_names);
 
 /// The judged one with the least margin; nullptr if nothing limits the design.
 [[nodiscard]] const Judgement* least_of(const std::vector<Judgement>& list);
