@@ -52,18 +52,6 @@ void add_verdict(const project::Project& project, const project::Case& variant, 
     if (known.insert(foundation::message(problem)).second) results.warnings.add(problem);
 }
 
-/// Mounts at rest, if that takes no time.
-std::vector<MountAtRest> quick_mounts(const model::System& system, const assembly::Assembled& assembled) {
-  constexpr Eigen::Index quick = 300;  // coordinates, whose position of rest takes some hundredths of a second
-  const model::Description& d = system.description();
-  if (assembled.matrices.size() > quick || (!d.gravity && d.constant_forces.empty())) return {};
-  try {
-    return mounts_at_rest(system, assembled);
-  } catch (const foundation::NotComputable&) {  // the check names rigid-body modes itself
-    return {};
-  }
-}
-
 /// What a case contributes to the envelope of a run: nothing without a verdict or static results.
 LoadCase load_case_of(const project::Case& variant, const CaseResults& results) {
   if (results.verdict) return results.verdict->load_case;
@@ -107,6 +95,17 @@ void add_matrix_lines(const std::string& subject, const std::string& quantity, c
 }
 
 }  // namespace
+
+std::vector<MountAtRest> quick_mounts(const model::System& system, const assembly::Assembled& assembled) {
+  constexpr Eigen::Index quick = 300;  // coordinates, whose position of rest takes some hundredths of a second
+  const model::Description& d = system.description();
+  if (assembled.matrices.size() > quick || (!d.gravity && d.constant_forces.empty())) return {};
+  try {
+    return mounts_at_rest(system, assembled);
+  } catch (const foundation::NotComputable&) {  // the check names rigid-body modes itself
+    return {};
+  }
+}
 
 std::vector<CaseResults> run(const project::Project& project, const foundation::Progress& progress,
                              const std::function<void(std::size_t, const CaseResults&)>& done) {

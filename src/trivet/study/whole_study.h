@@ -43,6 +43,9 @@ struct CaseCheck {
   std::optional<response::DeepCheck> deep;  ///< comparison of two solvers, if requested
 };
 
+/// Mounts at rest, if they can be computed in no time; else none.
+[[nodiscard]] std::vector<MountAtRest> quick_mounts(const model::System& system, const assembly::Assembled& assembled);
+
 /// Checks of all cases of a project. @param deep  compare the solver with a second, independent one
 [[nodiscard]] std::vector<CaseCheck> check(const project::Project& project, bool deep = false);
 
