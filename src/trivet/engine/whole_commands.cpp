@@ -7,6 +7,7 @@
 #include "trivet/engine/key_reader.h"
 #include "trivet/exports/format.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/project/report_settings.h"
 #include "trivet/report/page/study_folder.h"
 #include "trivet/results/design/study_summary.h"
 #include "trivet/results/design/verdict_results.h"
@@ -50,7 +51,10 @@ std::string verdicts_text(const report::WrittenStudy& study) {
 
 Result run(const Task& task) {
   const std::string folder = task.keys.text("output");
-  const HeldStudy held = hold(task, report::write_study(*task.project, folder, task.progress));
+  project::ReportForm form = project::report_settings(*task.project).form;
+  if (task.keys.has("report"))
+    form = task.keys.text("report") == "short" ? project::ReportForm::brief : project::ReportForm::full;
+  const HeldStudy held = hold(task, report::write_study(*task.project, folder, form, task.progress));
   Result result;
   result.remarks = held->found.notes;
   for (std::size_t i = 0; i < task.project->cases.size(); ++i) {
@@ -99,7 +103,11 @@ std::vector<Command> whole_commands() {
                  .about = "result folder",
                  .by_default = "trivet-results",
                  .short_name = "o"},
-                {.name = "full", .kind = KeyKind::flag, .about = "print the tables of all results, too"}},
+                {.name = "full", .kind = KeyKind::flag, .about = "print the tables of all results, too"},
+                {.name = "report",
+                 .kind = KeyKind::choice,
+                 .about = "form of report.html, in place of that of the file",
+                 .choices = {"full", "short"}}},
        .json = false,
        .strict = true,
        .warnings = WarningsPlace::within,

@@ -56,6 +56,11 @@ WrittenCase written_case(const std::string& name, const Node& change, const Node
     return result;
   }
   result.document = written;
+  if (const Node* report = change.find("report"))
+    result.problems
+        .error("cases." + name + ".report", "cannot be changed", "all cases share one report",
+               "write it in [report], or use --set report.KEY=VALUE")
+        .origin = report->origin;
   apply_changes(result.document, change, "", result.problems);
   for (const Node& setting : settings.changes)
     apply_changes(result.document, setting, "", result.problems);  // the command line overrides the case

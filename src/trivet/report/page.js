@@ -155,7 +155,8 @@ function listenToControls() {
     refresh();
   });
   for (const button of document.querySelectorAll('[data-select]'))
-    button.addEventListener('click', () => {
+    button.addEventListener('click', event => {
+      event.preventDefault();
       change({case: Number(button.dataset.select)});
       document.querySelector('.case-head:not([hidden] *)').scrollIntoView();
     });
@@ -172,4 +173,4 @@ if (cases.length) {
   readAddress();
 }
 byId('controls').hidden = !cases.length;
-byId('overview').hidden = !drawable().length;
+if (byId('overview')) byId('overview').hidden = !drawable().length;

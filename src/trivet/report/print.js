@@ -119,7 +119,7 @@ function layOutPages() {
   const parts = cases.map((c, index) => paperCase(index));
   if (!byId('comparison').hidden) parts.unshift(paperComparison());
   const all = html('div', {}, parts);
-  byId('overview').after(all);
+  byId('controls').after(all);
   undo.push(() => all.remove());
   for (const chart of paperCharts) {
     chart.spiky = !chart.phase && isSpiky(chart);

@@ -11,12 +11,15 @@
 #include "trivet/report/drawing/figures.h"
 #include "trivet/report/drawing/machine_drawing.h"
 #include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/page/design_judgement.h"
 #include "trivet/report/page/drawing_json.h"
 #include "trivet/report/page/page_notices.h"
 #include "trivet/report/page/result_sections.h"
+#include "trivet/report/page/title_block.h"
 #include "trivet/report/tables/input_tables.h"
 #include "trivet/results/design/verdict_results.h"
 #include "trivet/results/format/written_results.h"
+#include "trivet/results/model/mounts_document.h"
 
 namespace trivet::report {
 
@@ -35,6 +38,14 @@ namespace {
 void replace(std::string& text, const std::string& place, const std::string& content) {
   const std::size_t at = text.find(place);
   if (at != std::string::npos) text.replace(at, place.size(), content);
+}
+
+/// Leaves out the parts of the page that the short form does not have: between <!-- full --> and <!-- /full -->.
+std::string without_full_parts(std::string page) {
+  const std::string begin = "<!-- full -->", end = "<!-- /full -->";
+  for (std::size_t from = page.find(begin); from != std::string::npos; from = page.find(begin))
+    page.erase(from, page.find(end, from) + end.size() - from);
+  return page;
 }
 
 /// Escapes JSON so that it cannot end the script element around it.
@@ -88,12 +99,32 @@ std::string level_note(const project::DisplayUnits& display) {
       ", except in maps and best designs, where they are zero-to-peak; limits are at the level of what they limit";
 }
 
+/// The machine as its drawing and the table of its mounts show it.
+std::string machine_part(const project::Project& project) {
+  const project::Case& base = project.base();
+  const std::string drawing =
+      "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Drawing of the machine\">" +
+      machine_drawing(base) + "</div></figure>\n";
+  return section("machine", "Machine and mounts", drawing + as_html(results::mounts_document(base), base.display));
+}
+
+std::string overview_part(const std::string& picture, bool is_short) {
+  return "<figure id=\"overview\">\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+         "aria-label=\"Overview picture\">" +
+      picture + "</div>\n<figcaption>Amplitude characteristics (the first group of curves), all on one scale." +
+      (is_short ? "" : "<span class=\"on-screen\"> Interactive charts of the selected case follow below.</span>") +
+      "</figcaption>\n</figure>\n";
+}
+
 std::string above_pictures(const ShownCase& shown, std::size_t cases) {
   const auto& verdict = shown.results.verdict;
+  const std::string requirements = verdict ? as_html(results::verdict_document(*verdict), verdict->display) : "";
   return case_head(shown, cases) +
-      section("requirements", "Requirements",
-              verdict ? as_html(results::verdict_document(*verdict), verdict->display) : "") +
-      section("limits", "Limits", results::limits_html(shown.results));
+      section("requirements", "Requirements in detail",
+              cases > 1 || requirements.empty() ? requirements : folded("All requirements", requirements)) +
+      section("limits", "Limits", results::limits_html(shown.results)) +
+      section("modes", "Undamped modes", results::result_html("modes", shown.variant, shown.results)) +
+      section("roots", "Damped roots", results::result_html("roots", shown.variant, shown.results));
 }
 
 std::string below_pictures(const ShownCase& shown) {
@@ -104,23 +135,20 @@ std::string below_pictures(const ShownCase& shown) {
 
 std::string below_comparison(const ShownCase& shown) {
   const project::Case& variant = shown.variant;
-  return section("machine", "Machine",
-                 "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Drawing of the machine\">" +
-                     machine_drawing(variant) + "</div></figure>\n") +
-      section("modes", "Undamped modes", results::result_html("modes", variant, shown.results)) +
-      section("roots", "Damped roots", results::result_html("roots", variant, shown.results)) +
-      section("static", "Static results", results::result_html("static", variant, shown.results)) +
+  return section("static", "Static results", results::result_html("static", variant, shown.results)) +
       section("inputs", "Inputs", input_tables(variant)) + section("checks", "Checks", checks_table(shown));
 }
 
 }  // namespace
 
 std::string report_page(const project::Project& project, const std::vector<study::CaseResults>& case_results,
-                        const std::string& results) {
+                        const std::string& results, const project::ReportForm form) {
   const std::string title = project.title.empty() ? project.source : project.title;
   const std::string input = std::filesystem::path(project.source).filename().string();
   const std::vector<ShownCase> cases = shown_cases(project, case_results);
-  std::string page = page_html;
+  const project::DisplayUnits display = project.base().display;
+  const bool is_short = form == project::ReportForm::brief;
+  std::string page = is_short ? without_full_parts(page_html) : page_html;
   // From the end to the start, so that inserted text that looks like a placeholder is not replaced.
   replace(page, "{{script}}", page_js);
   replace(page, "{{print}}", print_js);
@@ -128,24 +156,30 @@ std::string report_page(const project::Project& project, const std::vector<study
   replace(page, "{{curves}}", curves_js);
   replace(page, "{{chart_script}}", chart_script);
   replace(page, "{{chart_licence}}", chart_licence);
-  const project::DisplayUnits display = project.base().display;
   replace(page, "{{drawing}}", inside_script(drawing_json(case_results)));
   replace(page, "{{results}}", inside_script(results));
+  replace(page, "{{input_file}}", section("input-file", "Appendix: input file", input_file(project)));
   replace(page, "{{level}}", level_note(display));
   replace(page, "{{units}}", units_note(display));
   replace(page, "{{tables}}", case_blocks(cases, below_comparison));
   replace(page, "{{analyses}}", case_blocks(cases, below_pictures));
   replace(page, "{{heads}}", case_blocks(cases, [&](const ShownCase& c) { return above_pictures(c, cases.size()); }));
   replace(page, "{{cases}}", case_options(cases));
-  replace(page, "{{overview}}", overview(title, case_results).html());
+  // Next to the charts of a single case, its overview would be the same curves again.
+  replace(page, "{{overview}}",
+          is_short || cases.size() > 1 ? overview_part(overview(title, case_results).html(), is_short) : "");
+  replace(page, "{{modes}}",
+          is_short ? section("modes", "Undamped modes" + std::string(cases.size() > 1 ? " of the base model" : ""),
+                             cases.empty() ? "" : results::result_html("modes", cases[0].variant, cases[0].results))
+                   : "");
+  replace(page, "{{machine}}", machine_part(project));
   const study::Envelope envelope = study::envelope_of(case_results);
   replace(page, "{{glance}}",
-          section("glance", "At a glance", glance_table(cases)) +
+          section("glance", "Cases", cases.size() > 1 ? glance_table(cases) : "") +
               section("envelope", "Load cases", as_html(results::envelope_document(envelope), envelope.display)));
+  replace(page, "{{requirements}}", section("judgements", "Requirements", judgements_table(cases, display)));
   replace(page, "{{notices}}", page_notices(cases));
-  replace(page, "{{sha256}}", escaped(project.sha256));
-  replace(page, "{{input}}", escaped(input));
-  replace(page, "{{program}}", fmt::format("trivet {}", foundation::version()));
+  replace(page, "{{title_block}}", title_block(project));
   replace(page, "{{heading}}", escaped(title));
   replace(page, "{{source_on_paper}}", css_string(input));
   replace(page, "{{title_on_paper}}", css_string(title));

@@ -47,7 +47,7 @@ void write_case(results::ResultFolder& folder, const std::string& stem, const pr
 }  // namespace
 
 WrittenStudy write_study(const project::Project& project, const std::string& folder_name,
-                         const foundation::Progress& progress) {
+                         const project::ReportForm form, const foundation::Progress& progress) {
   const std::vector<std::string> names = case_folders(project);
   results::ResultFolder folder(folder_name, names);
   WrittenStudy study;
@@ -58,7 +58,7 @@ WrittenStudy write_study(const project::Project& project, const std::string& fol
   if (!study.envelope.rows.empty())
     folder.write("envelope.csv", as_csv(results::envelope_document(study.envelope), "envelope.csv"));
   folder.write("results.json", results::results_json(project, study.results));
-  folder.write("report.html", report_page(project, study.results, results::page_json(project, study.results)));
+  folder.write("report.html", report_page(project, study.results, results::page_json(project, study.results), form));
   foundation::report_progress(progress, "done", 1);
   study.notes = folder.publish();
   return study;

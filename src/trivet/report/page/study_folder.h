@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/project/report_settings.h"
 #include "trivet/study/whole_study.h"
 
 namespace trivet::report {
@@ -17,6 +18,6 @@ struct WrittenStudy {
 /// Computes all analyses of a project in all its cases and writes tables, pictures, results.json and report.html. The
 /// folder appears when it is complete (docs/decisions/result-folders.md).
 [[nodiscard]] WrittenStudy write_study(const project::Project& project, const std::string& folder,
-                                       const foundation::Progress& progress = {});
+                                       project::ReportForm form, const foundation::Progress& progress = {});
 
 }  // namespace trivet::report

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Title block, short form, mounts and the input file of the report."""
+import hashlib
+import html
+import json
+import os
+import re
+import subprocess
+import unittest
+
+from report_page_test import MACHINE, SCRIPTS, SOURCE, TRIVET, Folder
+
+TITLES = """
+[report]
+project = "Hull <4711>"
+client = "North Yard"
+machine = "Fan & base"
+revision = "B"
+author = "M. Jensen"
+"""
+
+
+def parts(page):
+    """{"Client": "North Yard", …} of the title block."""
+    block = re.search('<dl class="title-block">(.*?)</dl>', page, re.DOTALL).group(1)
+    return {name: html.unescape(value) for name, value in re.findall("<dt>(.*?)</dt><dd>(.*?)</dd>", block)}
+
+
+class Title(Folder):
+    def run_of(self, text, *options):
+        project, out = self.folder / "machine.toml", self.folder / "out"
+        project.write_bytes(text.encode())
+        command = [TRIVET, "run", str(project), "-o", str(out), *options]
+        environment = {**os.environ, "SOURCE_DATE_EPOCH": "86400"}
+        done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment)
+        return done, (out / "report.html").read_bytes().decode() if done.returncode == 0 else ""
+
+    def test_the_title_block_has_the_texts_of_the_file(self):
+        done, page = self.run_of(MACHINE.replace("LIMIT", "1 m") + TITLES)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = parts(page)
+        self.assertEqual(found["Project"], "Hull <4711>")
+        self.assertEqual(found["Client"], "North Yard")
+        self.assertEqual(found["Machine"], "Fan & base")
+        self.assertEqual((found["Revision"], found["Author"]), ("B", "M. Jensen"))
+        self.assertEqual((found["Date"], found["Input"]), ("1970-01-02", "machine.toml"))
+        self.assertEqual(found["SHA-256"], hashlib.sha256((self.folder / "machine.toml").read_bytes()).hexdigest())
+
+    def test_the_command_line_changes_the_title_block_and_a_case_cannot(self):
+        text = MACHINE.replace("LIMIT", "1 m") + TITLES
+        _, page = self.run_of(text, "--set", "report.revision=C")
+        self.assertEqual(parts(page)["Revision"], "C")
+        done, _ = self.run_of(text + '[cases.soft]\nreport.revision = "D"\n')
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("cases.soft.report: cannot be changed", done.stderr)
+
+    def test_unknown_keys_and_forms_are_errors(self):
+        done, _ = self.run_of(MACHINE.replace("LIMIT", "1 m") + '[report]\ncustomer = "x"\nform = "brief"\n')
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("report.customer", done.stderr)
+        self.assertIn("one of full, short is expected here", done.stderr)
+
+    def test_the_input_file_is_in_the_appendix_as_it_was_read(self):
+        text = MACHINE.replace("LIMIT", "1 m") + '# <b>&amp; "ö" {{level}} {{tables}}\r\n\n# end  '
+        done, page = self.run_of(text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        shown = re.search(r'<pre class="input-text"[^>]*>\n(.*?)</pre>', page, re.DOTALL).group(1)
+        self.assertEqual(html.unescape(shown), text)
+        self.assertIn("Cases: stiff, strict.", page)
+
+    def test_the_short_form_has_no_scripts_and_only_the_first_parts(self):
+        text = MACHINE.replace("LIMIT", "1 m")
+        for given, options in ((text, ("--report", "short")), (text + '[report]\nform = "short"\n', ())):
+            _, page = self.run_of(given, *options)
+            self.assertNotIn("<script", page)
+            self.assertNotIn("{{", page)
+            headings = re.findall("<h2>(.*?)</h2>", page)
+            self.assertEqual(
+                headings[1:],
+                [
+                    "Requirements",
+                    "Cases",
+                    "Machine and mounts",
+                    "Undamped modes of the base model",
+                    "Conventions",
+                    "Signatures",
+                ],
+            )
+        _, page = self.run_of(text + '[report]\nform = "short"\n', "--report", "full")
+        self.assertIn("Appendix: input file", page)
+
+    def test_a_single_case_has_no_overview_beside_its_charts(self):
+        text = MACHINE.replace("LIMIT", "1 m")
+        self.assertIn('id="overview"', SCRIPTS.sub("", self.run_of(text)[1]))
+        single = SCRIPTS.sub("", self.run_of(text[: text.index("[cases.stiff]")])[1])
+        self.assertNotIn('id="overview"', single)
+        self.assertNotIn("data-select", single[single.index('id="cases"') :])
+
+
+class Mounts(Folder):
+    def rows(self, example):
+        out = self.folder / "out"
+        command = [TRIVET, "run", str(SOURCE / "examples" / example), "-o", str(out)]
+        subprocess.run(command, check=True, capture_output=True, timeout=600)
+        self.results = json.loads((out / "results.json").read_text())
+        page = SCRIPTS.sub("", (out / "report.html").read_text())
+        section = re.search('<section class="machine">.*?</table>', page, re.DOTALL).group()
+        return [
+            [
+                html.unescape(re.sub("<.*?>", "", cell)).replace("\u00a0", " ")
+                for cell in re.findall("<t[hd].*?</t[hd]>", row)
+            ]
+            for row in section.split("<tr")[1:]
+        ]
+
+    def test_equal_mounts_are_one_row_with_the_numbers_of_the_file(self):
+        heads, *rows = self.rows("genset/genset.toml")
+        self.assertEqual(len(rows), 1)
+        row = dict(zip(heads, rows[0]))
+        self.assertTrue(row["mounts"].startswith("6 × front left, front right"), row)
+        stiffness = {head[:3]: value for head, value in row.items() if head.startswith("k ")}
+        self.assertEqual(
+            {axis: float(k.split()[0]) for axis, k in stiffness.items()}, {"k x": 1.6, "k y": 1.2, "k z": 3.4}
+        )
+        self.assertEqual(float(row["loss factor z at 10 Hz"]), 0.12)
+        # 4200 kg on six mounts: the mean of the least and largest compression is near 6.86 kN.
+        least, largest = (float(number) for number in re.findall(r"[\d.]+", row["compression at rest"]))
+        self.assertTrue(least < 4200 * 9.80665 / 6 / 1000 < largest, row)
+
+
+if __name__ == "__main__":
+    unittest.main()
