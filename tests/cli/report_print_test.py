@@ -259,6 +259,20 @@ class PrintedReport(unittest.TestCase):
                 self.assertGreater(len(heights), 100)
                 self.assertGreater(min(heights), LEAST_HEIGHT)
 
+    def test_the_short_form_of_a_machine_with_many_results_is_at_most_four_pages(self):
+        project, out = SOURCE / "examples/genset/genset.toml", self.folder / "short"
+        command = [TRIVET, "run", str(project), "-o", str(out), "--report", "short"]
+        subprocess.run(command, check=True, capture_output=True, timeout=600)
+        for size in SIZES:
+            with self.subTest(size):
+                paper = self.printed(out / "report.html", size)
+                self.check_pages(paper, size, "Generating set on six mounts on a ship's deck", project.name)
+                self.check_signatures(paper)
+                self.assertLessEqual(len(paper.pages), 4)
+                everything = " ".join(map(paper.text, range(len(paper.pages))))
+                for words in ("VIOLATED", "6 × front left", "Undamped modes", "displacement ["):
+                    self.assertIn(words, everything)
+
     def test_special_characters_of_a_title_are_printed(self):
         title = 'A "quoted" \\ <b>title</b>; } körper'
         project = self.folder / "special.toml"
