@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/plain_text.h"
 
 namespace trivet::project {
 
@@ -52,6 +53,18 @@ tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, 
                               .remedy = std::move(remedy)});
 }
 
+/// What to name in place of a folder.
+std::string project_files_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (auto it = std::filesystem::directory_iterator(folder, error); !error && it != std::filesystem::end(it);
+       it.increment(error))
+    if (it->path().extension() == ".toml") names.push_back(it->path().string());
+  std::ranges::sort(names);
+  if (names.empty()) return "it has no .toml file";
+  return "name a file in it: " + foundation::comma_separated(names);
+}
+
 }  // namespace
 
 foundation::Expected<std::string> read_source(const std::filesystem::path& path, const std::string& kind) {
@@ -59,8 +72,7 @@ foundation::Expected<std::string> read_source(const std::filesystem::path& path,
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
     return refused(path, kind, error ? error.message() : "no such file", "check the path");
-  if (std::filesystem::is_directory(status))
-    return refused(path, kind, "this is a directory", "name the .toml file inside it");
+  if (std::filesystem::is_directory(status)) return refused(path, kind, "this is a directory", project_files_in(path));
   if (!std::filesystem::is_regular_file(status))
     return refused(path, kind, "this is a pipe or a device", "write it to a file first and name that");
   errno = 0;
