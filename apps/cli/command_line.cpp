@@ -7,9 +7,11 @@
 #include <mutex>
 #include <optional>
 
+#include "cli/colours.h"
 #include "cli/console.h"
 #include "cli/progress_line.h"
 #include "cli/signals.h"
+#include "trivet/engine/problem_lines.h"
 #include "trivet/engine/program.h"
 #include "trivet/engine/session.h"
 
@@ -18,7 +20,7 @@ namespace {
 
 int complain(const CommandLine& line, const foundation::Problems& errors) {
   if (line.form == Form::json) write_output(engine::errors_json(errors));
-  write_error(engine::message_list(errors));
+  write_error(painted(engine::message_list_with_lines(errors, line.source), line.paint_errors));
   return static_cast<int>(engine::Outcome::wrong_input);
 }
 
@@ -34,22 +36,28 @@ std::function<bool()> interruption() {
   };
 }
 
+void write_text(const CommandLine& line, const engine::Result& result) {
+  write_output(painted(engine::remarks_before(result), line.paint));
+  const documents::Screen screen{output_width(), line.full};
+  const engine::Sink output = [&line](std::string_view piece) { write_output(painted(piece, line.paint)); };
+  if (result.text_on) output(result.text_on(screen));
+  else result.text(output);
+}
+
 void write_result(const CommandLine& line, const engine::Result& result) {
   const engine::Sink output = [](std::string_view piece) { write_output(piece); };
-  const engine::WarningsPlace place = line.command->warnings;
   for (const std::string& remark : result.remarks) write_error("note: " + engine::on_one_line(remark) + "\n");
-  if (line.form == Form::csv || (line.form == Form::text && place == engine::WarningsPlace::aside))
-    write_error(engine::message_list(result.warnings));
+  if (line.form != Form::json && !line.command->warnings_within)
+    write_error(painted(engine::message_list(engine::shown_warnings(result)), line.paint_errors));
   if (line.form == Form::json) return result.json(output);
   if (line.form == Form::csv) return result.tables.front().second(output);
-  if (place == engine::WarningsPlace::before) write_output(engine::preface(result));
-  result.text(output);
+  write_text(line, result);
 }
 
 }  // namespace
 
 int run(CommandLine line) {
-  const auto session = engine::Session::open({line.project}, line.settings, &line.request);
+  const auto session = engine::Session::open(line.source, line.settings, line.source.text ? nullptr : &line.request);
   if (!session) return complain(line, session.error());
   line.request.ends_search = interruption();
   const engine::Result result = session->ask(line.request, progress());

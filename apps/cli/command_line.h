@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "trivet/engine/command.h"
+#include "trivet/engine/session.h"
 
 namespace trivet::cli {
 
@@ -13,10 +14,12 @@ enum class Form { text, json, csv };
 /// What a command line requests.
 struct CommandLine {
   const engine::Command* command = nullptr;  ///< nullptr for `new` and `schema`
-  std::string project;                       ///< file
-  std::vector<std::string> settings;         ///< of --set
+  engine::Source source;
+  std::vector<std::string> settings;  ///< of --set
   Form form = Form::text;
   bool strict = false;
+  bool full = false;                         ///< every row and column of tables
+  bool paint = false, paint_errors = false;  ///< colours on standard output, on standard error
   engine::Request request;
 };
 

@@ -3,13 +3,18 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 namespace trivet::cli {
 namespace {
@@ -37,6 +42,19 @@ void write_output(std::string_view text) {
 }
 
 int exit_code(int code) { return reader_has_left ? reader_left : code; }
+
+std::size_t output_width() {
+  constexpr std::size_t usual = 100, least = 40, most = 1000;
+  const auto within = [&](std::size_t width) { return std::min(std::max(width, least), most); };
+  if (const char* columns = std::getenv("COLUMNS")) {
+    std::size_t width = 0;
+    const std::string_view text = columns;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), width);
+    if (error == std::errc() && end == text.data() + text.size() && width > 0) return within(width);
+  }
+  winsize size{};
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? within(size.ws_col) : usual;
+}
 
 void write_error(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stderr) == text.size()) std::fflush(stderr);

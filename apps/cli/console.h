@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace trivet::cli {
@@ -16,6 +17,9 @@ void write_output(std::string_view text);
 /// `code`, or 141 if the reader of standard output left before the end: the code that a shell reports for any program
 /// in this case (128 + SIGPIPE).
 [[nodiscard]] int exit_code(int code);
+
+/// Characters in a line of standard output: of the terminal, or COLUMNS if that is set; 100 elsewhere.
+[[nodiscard]] std::size_t output_width();
 
 /// Writes to standard error; errors are ignored.
 void write_error(std::string_view text);

@@ -71,7 +71,7 @@ class Contract(InTemporaryFolder):
         for which in ("modes", "roots", "response", "peaks"):
             extra = ("--at", "1") if which == "response" else ()
             self.assertTrue(any("inertia" in w for w in result_of(which, PRINTED, *extra)["warnings"]), which)
-            self.assertIn("warning", trivet(which, PRINTED, *extra).stdout)
+            self.assertIn("warning", trivet(which, PRINTED, *extra).stderr)
             self.assertIn("warning", trivet(which, PRINTED, *extra, "--csv").stderr)
         self.assertIsNone(result_of("modes", PRINTED)["modes"][0]["angular_frequency"])
         growing = [r for r in result_of("roots", PRINTED)["roots"] if r["kind"] == "growing"]

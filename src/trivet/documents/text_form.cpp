@@ -8,46 +8,77 @@
 #include <numeric>
 
 #include "trivet/documents/document.h"
+#include "trivet/documents/screen.h"
 #include "trivet/documents/shown_table.h"
 #include "trivet/documents/text_table.h"
+#include "trivet/foundation/plain_text.h"
 
 /// A document on the screen.
 namespace trivet::documents {
 namespace {
 
-/// Places of the rows that the screen shows, ascending: of too many the highest, or the first.
-std::vector<std::size_t> kept_rows(const Table& table, std::size_t rows) {
-  std::vector<std::size_t> places(rows);
-  std::iota(places.begin(), places.end(), std::size_t{0});
-  if (rows <= table.most_rows) return places;
+bool is_along_an_axis(const Table& table, Form form) {
+  const std::vector<UsedColumn> columns = used_columns(table, table.people, form);
+  if (columns.empty()) return false;
+  const Kind kind = columns.front().column->kind;
+  return kind == Kind::frequency || kind == Kind::both_frequencies || kind == Kind::angular_frequency ||
+      kind == Kind::speed;
+}
+
+/// Which rows of a table the screen shows, and in words.
+struct KeptRows {
+  std::vector<std::size_t> places;  ///< ascending
+  std::string words;                ///< "20 highest"
+};
+
+/// Of too many rows the highest, those evenly spread along an axis, or the first.
+KeptRows kept_rows(const Table& table, std::size_t rows, std::size_t most, Form form, bool summary) {
+  if (summary && !table.height && is_along_an_axis(table, form))
+    return {spread_rows(rows, most), fmt::format("{} evenly spread", most)};
+  KeptRows kept{std::vector<std::size_t>(rows),
+                fmt::format(fmt::runtime(table.height ? "{} highest" : "first {}"), most)};
+  std::iota(kept.places.begin(), kept.places.end(), std::size_t{0});
   const auto height = [&](std::size_t place) {
     const double value = table.height(table.people_rows ? (*table.people_rows)[place] : place);
     return std::isnan(value) ? std::numeric_limits<double>::infinity() : value;
   };
-  if (table.height) std::ranges::stable_sort(places, std::ranges::greater{}, height);
-  places.resize(table.most_rows);
-  std::ranges::sort(places);
-  return places;
+  if (table.height) std::ranges::stable_sort(kept.places, std::ranges::greater{}, height);
+  kept.places.resize(most);
+  std::ranges::sort(kept.places);
+  return kept;
 }
 
-std::string text_of(const Table& table, const project::DisplayUnits& display, Form form) {
+/// @param screen  null: as wide as text in files, with the rows that the table itself limits
+std::string text_of(const Table& table, const project::DisplayUnits& display, Form form, const Screen* screen) {
+  constexpr std::size_t width_in_files = 150;
   const ShownTable shown = shown_table(table, display, form);
   if (shown.headings.empty()) return "";
   if (shown.rows.empty()) return table.without_rows.empty() ? "" : table.without_rows + "\n";
-  TextTable text(shown.headings, table.together, 150, shown.numbers);
-  for (const std::size_t place : kept_rows(table, shown.rows.size())) text.add(shown.rows[place].cells);
-  const std::string rest = shown.rows.size() <= table.most_rows
-      ? ""
-      : fmt::format(
-            "  (the {} of {}; {}--json gives all)\n",
-            table.height ? fmt::format("{} highest", table.most_rows) : fmt::format("first {}", table.most_rows),
-            shown.rows.size(), table.file.empty() ? "" : "--csv or ");
-  return (table.title.empty() ? "" : table.title + "\n") + text.text() + rest;
+  const std::size_t rows = shown.rows.size();
+  const bool summary = screen && !screen->full;
+  const std::size_t most = !screen ? table.most_rows : summary ? std::min(table.most_rows, rows_in_summary) : rows;
+  TextTable text(shown.headings, table.together, screen ? screen->width : width_in_files, shown.numbers);
+  std::string rest;
+  if (rows <= most) {
+    for (const ShownTable::Row& row : shown.rows) text.add(row.cells);
+  } else {
+    const KeptRows kept = kept_rows(table, rows, most, form, summary);
+    for (const std::size_t place : kept.places) text.add(shown.rows[place].cells);
+    rest = summary ? fmt::format("  … {} more rows, these are the {}: --full\n", rows - most, kept.words)
+                   : fmt::format("  (the {} of {}; {}--json gives all)\n", kept.words, rows,
+                                 table.file.empty() ? "" : "--csv or ");
+  }
+  const std::string title = table.title.empty() ? "" : table.title + "\n";
+  if (!summary) return title + text.text() + rest;
+  const FittedTable fitted = text.fitted();
+  if (!fitted.left_out.empty())
+    rest += fmt::format("  … without {}, for which the screen is too narrow: --full\n",
+                        foundation::comma_separated(fitted.left_out));
+  return title + fitted.text + rest;
 }
 
-/// Lines of at most 118 characters; those after the first are indented.
-std::string wrapped(const std::string& text) {
-  constexpr std::size_t width = 118;
+/// Lines of at most `width` characters; those after the first are indented.
+std::string wrapped(const std::string& text, std::size_t width) {
   std::string lines, line;
   for (std::size_t from = 0; from < text.size();) {
     const std::size_t space = std::min(text.find(' ', from), text.size());
@@ -67,16 +98,19 @@ struct Printing {
   const project::DisplayUnits& display;
   Form form;
   std::string& text;
+  const Screen* screen = nullptr;
 
   void operator()(const Table& table) const {
-    if (table.forms & form) text += text_of(table, display, form);
+    if (table.forms & form) text += text_of(table, display, form, screen);
   }
   void operator()(const Sentence& sentence) const {
     if (!(sentence.forms & form)) return;
     const std::string words = shown_sentence(sentence, display);
     if (words.empty()) return;
+    constexpr std::size_t width_in_files = 118;
+    const std::size_t width = screen ? std::min(screen->width, width_in_files) : width_in_files;
     const bool indented = sentence.place == Sentence::Place::note || sentence.place == Sentence::Place::item;
-    text += (indented ? "  " : "") + (sentence.place == Sentence::Place::text ? wrapped(words) : words) + "\n";
+    text += (indented ? "  " : "") + (sentence.place == Sentence::Place::text ? wrapped(words, width) : words) + "\n";
   }
   void operator()(const Group& group) const {
     const bool has_title = !group.title.empty() && !group.parts.empty();
@@ -94,6 +128,12 @@ struct Printing {
 std::string as_text(const Document& document, const project::DisplayUnits& display, Form form) {
   std::string text;
   for (const Part& part : document.parts) std::visit(Printing{display, form, text}, part.content);
+  return text;
+}
+
+std::string as_text(const Document& document, const project::DisplayUnits& display, const Screen& screen) {
+  std::string text;
+  for (const Part& part : document.parts) std::visit(Printing{display, on_screen, text, &screen}, part.content);
   return text;
 }
 

@@ -18,16 +18,14 @@ bool is_number(const std::string& text) {
 
 constexpr std::size_t gap = 3;  // characters between columns
 
-/// The first column of a row, and the columns `first` … `last` − 1.
-std::string line(const std::vector<std::string>& row, std::size_t first, std::size_t last,
+/// The given columns of a row.
+std::string line(const std::vector<std::string>& row, const std::vector<std::size_t>& columns,
                  const std::vector<std::size_t>& widest, const std::vector<bool>& numeric) {
   std::string text;
-  const auto add = [&](std::size_t c) {
+  for (const std::size_t c : columns) {
     const std::string pad(widest[c] - width_on_screen(row[c]), ' ');
-    text += (c == 0 ? "  " : "   ") + (numeric[c] ? pad + row[c] : row[c] + pad);
-  };
-  add(0);
-  for (std::size_t c = first; c < last; ++c) add(c);
+    text += (text.empty() ? "  " : "   ") + (numeric[c] ? pad + row[c] : row[c] + pad);
+  }
   text.erase(text.find_last_not_of(' ') + 1);
   return text + "\n";
 }
@@ -57,15 +55,20 @@ double without_round_off(double value, double largest) {
   return std::abs(value) > round_off * std::abs(largest) ? value : 0;
 }
 
-std::string TextTable::text() const {
+TextTable::Layout TextTable::layout() const {
   const std::size_t columns = rows_.front().size();
-  std::vector<std::size_t> widest(columns, 0);
-  std::vector<bool> numeric = numbers_.empty() ? std::vector<bool>(columns, true) : numbers_;
+  Layout found{std::vector<std::size_t>(columns, 0), numbers_.empty() ? std::vector<bool>(columns, true) : numbers_};
   for (std::size_t r = 0; r < rows_.size(); ++r)
     for (std::size_t c = 0; c < columns; ++c) {
-      widest[c] = std::max(widest[c], width_on_screen(rows_[r][c]));
-      if (numbers_.empty() && r > 0 && !rows_[r][c].empty() && !is_number(rows_[r][c])) numeric[c] = false;
+      found.widest[c] = std::max(found.widest[c], width_on_screen(rows_[r][c]));
+      if (numbers_.empty() && r > 0 && !rows_[r][c].empty() && !is_number(rows_[r][c])) found.numeric[c] = false;
     }
+  return found;
+}
+
+std::string TextTable::text() const {
+  const std::size_t columns = rows_.front().size();
+  const auto [widest, numeric] = layout();
   std::string text;
   for (std::size_t first = 1; first == 1 || first < columns;) {
     std::size_t last = std::min(first + together_, columns), wide = 2 + widest[0];
@@ -77,9 +80,48 @@ std::string TextTable::text() const {
       next = end;
     }
     if (first > 1) text += "\n";
-    for (const auto& row : rows_) text += line(row, first, last, widest, numeric);
+    std::vector<std::size_t> part = {0};
+    for (std::size_t c = first; c < last; ++c) part.push_back(c);
+    for (const auto& row : rows_) text += line(row, part, widest, numeric);
     first = std::max(last, first + 1);
   }
+  return text;
+}
+
+FittedTable TextTable::fitted() const {
+  const std::size_t columns = rows_.front().size();
+  const auto [widest, numeric] = layout();
+  std::size_t all = 2 - gap;
+  for (const std::size_t width : widest) all += gap + width;
+  if (all <= screen_) return {text(), {}};
+  const bool keeps_last = columns > 2 && !numeric.back();
+  const std::size_t end = columns - (keeps_last ? 1 : 0);
+  std::size_t wide = 2 + widest[0] + (keeps_last ? gap + widest.back() : 0);
+  std::vector<std::size_t> part = {0};
+  for (std::size_t first = 1; first < end;) {
+    const std::size_t last = std::min(first + together_, end);
+    for (std::size_t c = first; c < last; ++c) wide += gap + widest[c];
+    if (wide > screen_) break;
+    for (; first < last; ++first) part.push_back(first);
+  }
+  if (part.size() == 1) return {blocks(), {}};
+  FittedTable found;
+  for (std::size_t c = part.size(); c < end; ++c)
+    if (std::ranges::find(found.left_out, rows_.front()[c]) == found.left_out.end())
+      found.left_out.push_back(rows_.front()[c]);
+  if (keeps_last) part.push_back(columns - 1);
+  for (const auto& row : rows_) found.text += line(row, part, widest, numeric);
+  return found;
+}
+
+std::string TextTable::blocks() const {
+  const std::vector<std::string>& header = rows_.front();
+  std::string text;
+  for (std::size_t r = 1; r < rows_.size(); ++r)
+    for (std::size_t c = 0; c < header.size(); ++c)
+      if (!rows_[r][c].empty())
+        text +=
+            fmt::format("{}{}{}{}\n", c == 0 ? "  " : "    ", header[c], header[c].empty() ? "" : ": ", rows_[r][c]);
   return text;
 }
 

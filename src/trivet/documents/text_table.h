@@ -9,6 +9,12 @@
 
 namespace trivet::documents {
 
+/// A table of which some columns may be left out, with their headings.
+struct FittedTable {
+  std::string text;
+  std::vector<std::string> left_out;
+};
+
 /// A table for the terminal: columns as wide as their widest entry, numbers right-aligned, words left. A table wider
 /// than the screen is split into parts below each other, each with the first column.
 class TextTable {
@@ -21,8 +27,18 @@ class TextTable {
       : rows_{std::move(header)}, together_(together), screen_(screen), numbers_(std::move(numbers)) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   [[nodiscard]] std::string text() const;
+  /// In one part: columns that do not fit are left out from the right, but for the first, and the last if it has words:
+  /// a verdict or a remark. If no other column fits beside them, each row is a block with a line for each column.
+  [[nodiscard]] FittedTable fitted() const;
 
  private:
+  struct Layout {
+    std::vector<std::size_t> widest;
+    std::vector<bool> numeric;
+  };
+  [[nodiscard]] Layout layout() const;
+  [[nodiscard]] std::string blocks() const;
+
   std::vector<std::vector<std::string>> rows_;
   std::size_t together_, screen_;
   std::vector<bool> numbers_;

@@ -97,15 +97,22 @@ Group group_of(const std::string& name) {
 std::vector<Key> keys_of(const std::string& name) {
   if (name == "modes") return {{.name = "lowest", .kind = KeyKind::count, .about = "report only so many modes"}};
   if (name == "response")
-    return {{.name = "at", .kind = KeyKind::text, .about = "single frequencies: 1,2.7,15.6 in rad/s, or with units"},
-            {.name = "band", .kind = KeyKind::text, .about = "FROM,TO in rad/s, or with units", .excludes = "at"}};
+    return {{.name = "at",
+             .kind = KeyKind::text,
+             .about = "single frequencies: 1,2.7,15.6 in rad/s, or with units",
+             .value = "FREQUENCY,…"},
+            {.name = "band",
+             .kind = KeyKind::text,
+             .about = "FROM,TO in rad/s, or with units",
+             .excludes = "at",
+             .value = "FROM,TO"}};
   if (name == "steady")
-    return {
-        {.name = "at",
-         .kind = KeyKind::text,
-         .about =
-             "state the harmonics of all motions found there: \"12 Hz\" or \"750 rpm\", or several: 75,80 in rad/s"},
-        {.name = "deep", .kind = KeyKind::flag, .about = "judge the stability of every point in two ways"}};
+    return {{.name = "at",
+             .kind = KeyKind::text,
+             .about =
+                 "state the harmonics of all motions found there: \"12 Hz\" or \"750 rpm\", or several: 75,80 in rad/s",
+             .value = "FREQUENCY,…"},
+            {.name = "deep", .kind = KeyKind::flag, .about = "judge the stability of every point in two ways"}};
   return {};
 }
 

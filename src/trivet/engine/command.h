@@ -39,18 +39,12 @@ struct Key {
   bool positional = false;      ///< NAME after the project, instead of an option
   const char* excludes = "";    ///< a key that must not be given with it
   const char* short_name = "";  ///< "o": -o
+  const char* value = "";       ///< what is given, in the help: "FROM,TO"; empty: by its kind
 };
 
 enum class Group { whole, machine, harmonic, time, nonlinear, design, data };
 /// The heading of a group in the help: "Frequencies and harmonic curves".
 [[nodiscard]] const char* heading(Group group);
-
-/// Where the warnings of a result are shown with its text.
-enum class WarningsPlace {
-  before,  ///< above it
-  within,  ///< the text contains them
-  aside    ///< apart from it: on standard error
-};
 
 /// What a command runs on. References live as long as the run; what the result keeps, it shares.
 struct Task {
@@ -76,8 +70,8 @@ struct Command {
   bool is_analysis = false;  ///< a table of this name in [analyses] has more keys
   std::vector<Key> keys = {};
   bool json = true, csv = false, strict = false;
-  WarningsPlace warnings = WarningsPlace::before;
-  bool for_programs = false;  ///< arrays alone, without a text
+  bool warnings_within = false;  ///< its text contains the warnings of all cases; otherwise they are on standard error
+  bool for_programs = false;     ///< arrays alone, without a text
   std::vector<std::string> examples = {};
   /// @throws foundation::InvalidInput if the request is wrong, NotComputable if there is no result
   Result (*run)(const Task& task) = nullptr;
@@ -85,6 +79,9 @@ struct Command {
 
 /// All commands that ask something of a project.
 [[nodiscard]] const std::vector<Command>& commands();
+
+/// What a key takes, for the help: "FROM,TO", "FILE", "N"; empty for a flag.
+[[nodiscard]] std::string value_name(const Key& key);
 
 /// nullptr if there is no such command.
 [[nodiscard]] const Command* find_command(std::string_view name);

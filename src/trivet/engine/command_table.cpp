@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "trivet/engine/command_rows.h"
@@ -72,6 +74,25 @@ const std::vector<Command>& commands() {
     return list;
   }();
   return all;
+}
+
+std::string value_name(const Key& key) {
+  if (*key.value != '\0') return key.value;
+  switch (key.kind) {
+    case KeyKind::flag:
+      return "";
+    case KeyKind::count:
+      return "N";
+    case KeyKind::file:
+      return "FILE";
+    case KeyKind::choice:
+      return fmt::format("{}", fmt::join(key.choices, "|"));
+    case KeyKind::text:
+      break;
+  }
+  std::string name = key.name;
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name;
 }
 
 const Command* find_command(std::string_view name) {

@@ -247,7 +247,10 @@ Result select(const Task& task) {
 }  // namespace
 
 Key picture_key(const std::string& drawn) {
-  return {.name = "picture", .kind = KeyKind::file, .about = "draw the " + drawn + " to this SVG file"};
+  return {.name = "picture",
+          .kind = KeyKind::file,
+          .about = "draw the " + drawn + " to this SVG file",
+          .value = "FILE.svg"};
 }
 
 Key write_key(const std::string& best) {
@@ -265,7 +268,6 @@ std::vector<Command> design_commands() {
        .looks_at = judged_tables,
        .csv = true,
        .strict = true,
-       .warnings = WarningsPlace::aside,
        .examples = {"trivet verdict machine.toml", "trivet verdict machine.toml --strict --csv"},
        .run = verdict},
       {.name = "map",
@@ -275,11 +277,11 @@ std::vector<Command> design_commands() {
        .looks_at = with({"map", "parameters"}),
        .keys = {{.name = "points",
                  .kind = KeyKind::text,
-                 .about = "designs along both axes instead of those of the file: 200x150, or 100 for both"},
+                 .about = "designs along both axes instead of those of the file: 200x150, or 100 for both",
+                 .value = "NXxNY"},
                 picture_key("map")},
        .csv = true,
        .strict = true,
-       .warnings = WarningsPlace::aside,
        .examples = {"trivet map machine.toml --picture map.svg", "trivet map machine.toml --points 400 --csv"},
        .run = map},
       {.name = "optimize",
@@ -290,12 +292,11 @@ std::vector<Command> design_commands() {
        .keys = {write_key("optimum"),
                 {.name = "time-limit",
                  .kind = KeyKind::text,
-                 .about =
-                     "end the search after this time with the best design so far: \"10 min\", \"2 h\", or seconds"},
+                 .about = "end the search after this time with the best design so far: \"10 min\", \"2 h\", or seconds",
+                 .value = "TIME"},
                 picture_key("front")},
        .csv = true,
        .strict = true,
-       .warnings = WarningsPlace::aside,
        .examples = {"trivet optimize machine.toml --write best.toml",
                     "trivet optimize machine.toml --time-limit \"10 min\""},
        .run = optimize},
@@ -312,7 +313,6 @@ std::vector<Command> design_commands() {
                  .by_default = "margin"},
                 write_key("best mounts")},
        .strict = true,
-       .warnings = WarningsPlace::aside,
        .examples = {"trivet select machine.toml --most 5", "trivet select machine.toml --by price --write best.toml"},
        .run = select},
   };

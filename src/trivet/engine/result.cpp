@@ -19,14 +19,23 @@ std::string whole(const Writer& writer) {
   return text;
 }
 
-std::string preface(const Result& result) {
+foundation::Problems shown_warnings(const Result& result) {
   foundation::Problems warnings;
   for (const foundation::Problem& warning : result.warnings.list())
     if (std::ranges::find(result.failures, warning.subject) == result.failures.end()) warnings.add(warning);
-  std::string text = foundation::message_list(warnings);
+  return warnings;
+}
+
+std::string remarks_before(const Result& result) {
+  std::string text;
   for (const std::string& failure : result.failures) text += "NOT COMPUTED: " + failure + "\n";
   for (const std::string& note : result.notes) text += "note: " + note + "\n";
   return text.empty() ? text : text + "\n";
+}
+
+std::string preface(const Result& result) {
+  const std::string warnings = foundation::message_list(shown_warnings(result)), remarks = remarks_before(result);
+  return warnings + (remarks.empty() && !warnings.empty() ? "\n" : remarks);
 }
 
 std::string errors_json(const foundation::Problems& errors) { return results::problems_json(errors, {}); }

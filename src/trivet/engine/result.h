@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "trivet/documents/document.h"
+#include "trivet/documents/screen.h"
 #include "trivet/engine/findings.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/project/text/display_units.h"
@@ -50,6 +51,8 @@ struct Result {
   std::function<std::string(const project::DisplayUnits& display)> html = {};
   /// The text with the units of another [display]; empty: it has no units that can change.
   std::function<std::string(const project::DisplayUnits& display)> text_in = {};
+  /// The text fitted to a screen, a summary of it unless it is wanted in full; empty: there is only the whole text.
+  std::function<std::string(const documents::Screen& screen)> text_on = {};
   NamedWriters tables = {};   ///< "random.csv", CSV; --csv prints the first
   NamedWriters figures = {};  ///< "front.svg", SVG
   std::function<documents::LabelledArrays()> arrays = {};
@@ -67,7 +70,11 @@ struct Result {
 /// The whole text of a form.
 [[nodiscard]] std::string whole(const Writer& writer);
 
-/// Warnings, failures and notes of a result for the screen, before its text; empty without any.
+/// The warnings of a result, but for those that its failures state.
+[[nodiscard]] foundation::Problems shown_warnings(const Result& result);
+/// Failures and notes of a result for the screen, before its text; empty without any.
+[[nodiscard]] std::string remarks_before(const Result& result);
+/// Warnings, failures and notes of a result in one text, before it; empty without any.
 [[nodiscard]] std::string preface(const Result& result);
 
 /// The errors of a project or a request as JSON: {"ok", "problems"}.

@@ -19,6 +19,9 @@ void set_forms(std::function<documents::Document(const project::DisplayUnits& di
   result.text_in = [document, closing](const project::DisplayUnits& display) {
     return documents::as_text(document(display), display) + closing;
   };
+  result.text_on = [document, own, closing](const documents::Screen& screen) {
+    return documents::as_text(document(own), own, screen) + closing;
+  };
   result.text = writer([text = result.text_in, own] { return text(own); });
   result.html = [document](const project::DisplayUnits& display) {
     return documents::as_html(document(display), display);

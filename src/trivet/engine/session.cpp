@@ -122,7 +122,8 @@ Result Session::ask(const Request& request, const foundation::Progress& progress
     if (!command) throw InvalidInput("no command is called \"" + request.command + "\"");
     if (!command->of_one_case && !request.case_name.empty())
       result.errors.error(request.before_keys + "case \"" + request.case_name + "\"", "",
-                          request.command + " is about the whole project, in all its cases", "remove it");
+                          request.command + " is about the whole project, in all its cases",
+                          "remove it; its result names each case");
     const KeyReader keys(*command, request, result.errors);
     if (result.errors.has_errors()) return result;
     const project::Case& variant = case_of(*project_, request.case_name, request.before_keys);

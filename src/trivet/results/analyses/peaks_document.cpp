@@ -66,6 +66,7 @@ Table peak_table(const study::CaseResults& results) {
       .csv = {"name", "unit", "angular_frequency [rad/s]", "amplitude", "prominence", "relative_prominence",
               "ratio_to_static", "nearest_mode", "angular_frequency_uncertainty [rad/s]", "amplitude_uncertainty",
               "method"},
+      .height = [&results](std::size_t i) { return response::relative_prominence(results.peaks->peaks.list[i]); },
       .mark =
           [&results](std::size_t i) {
             return counts(results.peaks->peaks.list[i], results.peaks->peak_tolerance) ? Mark::plain : Mark::minor;

@@ -202,7 +202,7 @@ Group peak_group(const project::Case& variant, const Explanation& explanation, c
 Document explanation_document(const project::Case& variant, const Explanation& explanation) {
   Document document;
   for (const foundation::Problem& problem : explanation.warnings.list())
-    document.add(Sentence{.parts = {foundation::message(problem)}});
+    document.add(Sentence{.parts = {foundation::message(problem)}, .forms = on_page});
   for (const std::string& note : explanation.notes) document.add(Sentence{.parts = {"note: " + note}});
   document.add(Single{"peaks", Json::array()});
   for (const ExplainedPeak& peak : explanation.peaks) document.add(peak_group(variant, explanation, peak));

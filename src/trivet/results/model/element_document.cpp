@@ -74,7 +74,8 @@ void add_facts(const model::Element& element, const study::ElementSummary& summa
     document.parts.push_back(note_part(fmt::format("stiffness scaled by {:.6g}", element.law.scale)));
   for (const std::vector<model::Fact>& facts : {element.facts, law_facts(element)})
     for (const model::Fact& fact : facts) document.parts.push_back(note_part(fact.what + ": " + fact.value));
-  for (const auto& problem : summary.warnings.list()) document.parts.push_back(note_part(foundation::message(problem)));
+  for (const auto& problem : summary.warnings.list())
+    document.add(Sentence{.parts = {foundation::message(problem)}, .place = Sentence::Place::note, .forms = on_page});
 }
 
 /// A force or moment on an end, or its displacement. @param component  0 … 11

@@ -180,7 +180,8 @@ Table separation_table(const study::SuspensionResult& found, const project::Disp
 
 Document suspension_document(const project::Case& variant, const study::SuspensionResult& found) {
   Document document;
-  for (const auto& problem : found.warnings.list()) document.add(Sentence{.parts = {foundation::message(problem)}});
+  for (const auto& problem : found.warnings.list())
+    document.add(Sentence{.parts = {foundation::message(problem)}, .forms = on_page});
   Json bodies = Json::array();
   std::vector<OwnMode> modes;
   for (const BodySuspension& suspension : found.bodies) {
