@@ -196,6 +196,8 @@ translation = ["180 N/mm", "180 N/mm", "420 N/mm"]
         for name, y in (("left foot", 0.5), ("right foot", -0.5))
     ),
     (KEYS, "Further analyses"): DRIVEN_FRAME,
+    ("docs/random.md", "Measured levels as excitation"): FRAME + mounts("frame"),
+    ("docs/random.md", "Limit lines in bands"): DRIVEN_FRAME,
     **{(KEYS, heading): FRAME for heading in ON_THE_FRAME},
     (KEYS, "Solids of a body"): "trivet = 1\n" + mounts("frame"),
 }

@@ -78,7 +78,8 @@ Result run_analysis(const Task& task) {
     return results::result_document(name, shown, held->found);
   };
   std::vector<std::string> files;
-  for (const results::ResultTable& table : results::result_tables(name)) files.emplace_back(table.file);
+  for (const results::ResultTable& table : results::result_tables(name))
+    if (!table.is_in || table.is_in(held->found)) files.emplace_back(table.file);
   set_forms(in_units(document, variant), held, variant.display, files, result);
   return result;
 }

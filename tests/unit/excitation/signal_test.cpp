@@ -226,7 +226,7 @@ TEST(Samples, FindingsNameTheRow) {
   EXPECT_THAT(first({{0, 1}, {0}}), HasSubstr("2 times and 1 values"));
   EXPECT_THAT(first({{0, 1}, {0, 5}}), HasSubstr("the last value is held"));
   EXPECT_THAT(first({{0, 1}, {5, 0}}), HasSubstr("the first value is 5"));
-  EXPECT_TRUE(check({{0, 1}, {0, 0}}, "a").list().empty());
+  EXPECT_TRUE(check(Samples{{0, 1}, {0, 0}}, "a").list().empty());
   EXPECT_THROW((void)from_samples({{0, 2, 1}, {0, 0, 0}}), foundation::InvalidInput);
   EXPECT_THROW((void)from_samples({{0, 1e-300}, {0, 1e300}}), foundation::InvalidInput);
 }

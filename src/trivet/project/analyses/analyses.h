@@ -153,10 +153,13 @@ struct Limit {
   double amplitude = 0;
 };
 
-/// A channel of the response with a user's limit line.
+/// A channel with a limit line: of the response, or, in bands, of the random vibration.
 struct LimitLineRequest {
   std::string of;
   assembly::LimitLine line;
+  std::optional<excitation::BandWidth> bands = {};  ///< the line bounds the root mean square in each band
+  std::vector<std::string> excitations = {};        ///< of the random vibration; empty: all
+  std::string source = {};                          ///< the publication of a named line
 };
 
 /// Most designs of one map.

@@ -167,7 +167,7 @@ Analyses read_analyses(TableReader& root, const SymbolTable& symbols) {
     read_optimize(root, reader, names, symbols, analyses);
     reader.finish();
   }
-  read_limit_lines(root, names, analyses);
+  read_limit_lines(root, names, symbols, analyses);
   analyses.limits = read_limits(root, names, analyses.response, quantity_is_clear,
                                 (analyses.map && analyses.map->limits_of_file) || root.has("requirements"));
   use_limits_of_file(analyses);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/excitation/frequency_bands.h"
 #include "trivet/excitation/human_weighting.h"
 #include "trivet/excitation/shock_spectrum.h"
 #include "trivet/model/harmonic_force.h"
@@ -43,6 +44,7 @@ struct RandomAnalysis : Analysis {
   std::optional<excitation::Weighting> weighting;  ///< of the accelerations of all requested motions
   std::optional<excitation::ContactPoint>
       contact;  ///< instead: each axis as people feel it there, with the vibration total value
+  std::optional<excitation::BandWidth> bands = {};  ///< root mean squares in these bands too
 };
 
 /// Operating deflection shapes at single frequencies.

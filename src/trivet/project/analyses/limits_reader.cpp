@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/named_limit_lines.h"
 #include "trivet/project/analyses/selection_reader.h"
+#include "trivet/project/text/bands_reader.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/pairs_reader.h"
 #include "trivet/project/text/shared_keys.h"
@@ -145,11 +148,67 @@ std::optional<assembly::MotionQuantity> read_quantity(TableReader& reader) {
   return motion_quantities[*word == "velocity" ? 1 : *word == "acceleration" ? 2 : 0];
 }
 
-void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result) {
+namespace {
+
+/// `bands` of a limit line, and the random excitations that it judges; a named line is in third octaves.
+/// @returns false if it has an error
+bool read_bands_of_line(TableReader& reader, const SymbolTable& symbols, const Analyses& analyses, bool named,
+                        LimitLineRequest& request) {
+  if (!named && !reader.has("bands")) return true;
+  request.bands = read_bands(reader, "bands");
+  if (named && !reader.has("bands")) request.bands = excitation::BandWidth::third_octave;
+  if (named && request.bands == excitation::BandWidth::octave)
+    reader.error("bands", "\"octave\"", "the named lines are published for third octaves", "remove the key");
+  else if (request.bands && symbols.random_excitations.empty())
+    reader.error(named ? "line" : "bands", "no random excitation in the model",
+                 "a line over bands bounds the root mean square of a random vibration in each band; a sweep of one "
+                 "harmonic after the other has none",
+                 "add [excitations.NAME] with type = \"random\", or remove bands to compare the response");
+  else if (request.bands) {
+    if (analyses.random) request.excitations = analyses.random->selection.excitations;
+    return true;
+  }
+  return false;
+}
+
+/// `line = "VC-E"`: its points from the table of published lines.
+bool read_named_line(TableReader& reader, Quantity measured, LimitLineRequest& request) {
+  const std::string name = reader.required_text("line");
+  for (const char* key : {"rows", "file"})
+    if (reader.has(key)) {
+      reader.error(key, "line and " + std::string(key), "a named line has its points", "keep one of the two");
+      reader.also_known({"rows", "file", "frequency_hz", "limit", "unit"});
+    }
+  const NamedLimitLine* line = named_limit_line(name);
+  if (reader.has("line") && !line)
+    reader.error("line", foundation::quoted(name), "the named lines are " + names_of_limit_lines(),
+                 "name one of these, or give the points of your line as rows");
+  if (line && measured != Quantity::velocity)
+    reader.error("line", foundation::quoted(name) + " for " + foundation::quoted(request.of),
+                 "the named lines bound velocities of translation along x, y or z",
+                 "judge such a component, without another quantity");
+  reader.finish();
+  if (!line || measured != Quantity::velocity) return false;
+  for (const auto& [hertz, velocity] : line->points) {
+    request.line.angular_frequency.push_back(2 * std::numbers::pi * hertz);
+    request.line.limit.push_back(velocity);
+  }
+  request.source = line->source;
+  return !reader.has("rows") && !reader.has("file");
+}
+
+}  // namespace
+
+void read_limit_lines(TableReader& root, const ResultNames& names, const SymbolTable& symbols, Analyses& result) {
   const Node* table = root.table("limit_lines");
   if (!table) return;
   const Node* requirements = root.has("requirements") ? root.node("requirements") : nullptr;
-  if (!result.response && !(requirements && requirements->find("limit_lines") && requirements->find("band")))
+  const auto over_response = [&](const std::string& name) {
+    const Node* line = table->find(name);
+    return !line || line->kind != Node::Kind::table || !(line->find("bands") || line->find("line"));
+  };
+  if (!result.response && !(requirements && requirements->find("limit_lines") && requirements->find("band")) &&
+      std::ranges::any_of(table->keys, over_response))
     root.error("limit_lines", "no response to compare with",
                "limit lines apply to the band of analyses.response, or to that of the requirements that name them",
                "add response = {…} to [analyses]");
@@ -160,6 +219,8 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     TableReader reader(*node, "limit_lines." + name, root.problems());
     LimitLineRequest request;
     request.of = reader.required_text("of");
+    const bool named = reader.has("line");
+    const bool bands_missing = !read_bands_of_line(reader, symbols, result, named, request);
     const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"}).value_or("velocity");
     const auto motion_quantity = quantity == "velocity" ? assembly::MotionQuantity::velocity
         : quantity == "acceleration"                    ? assembly::MotionQuantity::acceleration
@@ -171,9 +232,14 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
                    "a limit line belongs to one component: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"",
                    guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
     }
-    if (!measured) continue;  // the unit of its rows is not known
+    if (!measured || bands_missing) continue;  // the unit of its rows is not known
     request.line.name = name;
     request.line.rms = reader.choice("level", {"rms", "zero_to_peak"}).value_or("rms") == "rms";
+    if (request.bands && !request.line.rms) {
+      reader.error("level", "\"zero_to_peak\"", "the level of a band is a root mean square",
+                   "convert the limits to rms and remove the key");
+      continue;
+    }
     static constexpr std::array<const char*, 3> units = {"m", "m/s", "m/s²"}, turning = {"rad", "rad/s", "rad/s²"};
     if (reader.has("quantity") && names.is_force(request.of))
       warn_of_idle_key(reader, "quantity", "\"" + quantity + "\" of a force", "it applies to motions only",
@@ -182,6 +248,10 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     const bool turns = request.of.size() > 3 && request.of[request.of.size() - 2] == 'r';
     request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")
                               : (turns ? turning : units)[static_cast<std::size_t>(motion_quantity)];
+    if (named) {
+      if (read_named_line(reader, *measured, request)) result.limit_lines.push_back(std::move(request));
+      continue;
+    }
     const ColumnQuantity level = read_bare_unit(reader, *measured);
     const auto rows = reader.has("rows") ? read_pairs(reader, "rows", in_hertz(), level)
                                          : read_pairs_of_file(reader, "frequency_hz", "limit", in_hertz(), level);

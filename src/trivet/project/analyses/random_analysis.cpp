@@ -5,6 +5,7 @@
 #include <array>
 
 #include "trivet/project/analyses/analysis_reader.h"
+#include "trivet/project/text/bands_reader.h"
 #include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
@@ -36,6 +37,7 @@ RandomAnalysis read_random(TableReader& reader, const ResultNames& names, const 
   if (word)
     for (const auto& [name, weighting] : weightings)
       if (*word == name) request.weighting = weighting;
+  request.bands = read_bands(reader, "bands");
   const std::vector<std::string>& of = request.selection.of;
   if (word && std::ranges::all_of(of, [&](const std::string& name) { return names.is_force(name); }))
     warn_of_idle_key(reader, "weighting", "\"" + *word + "\" of forces alone",
@@ -51,6 +53,7 @@ const AnalysisReader random_analysis =
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "weighting": {"enum": ["Wb", "Wc", "Wd", "We", "Wf", "Wj", "Wk", "Wm", "seat", "backrest", "feet",
-     "standing"]}}})json"});
+     "standing"]},
+   "bands": {"$ref": "#/$defs/bands"}}})json"});
 
 }  // namespace trivet::project

@@ -67,6 +67,6 @@ void refuse_limit(TableReader& reader, const ResultNames& names, const std::stri
 [[nodiscard]] std::string other_excitations(const SymbolTable& symbols);
 
 /// Reads `limit_lines` of the file: each is a channel of the response and a line over frequency.
-void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result);
+void read_limit_lines(TableReader& root, const ResultNames& names, const SymbolTable& symbols, Analyses& result);
 
 }  // namespace trivet::project

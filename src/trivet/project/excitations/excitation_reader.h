@@ -29,7 +29,7 @@ enum class ActionNumbers { amplitudes, factors };
 /// Quantity of the course of an action with factors: a force, a moment, or a motion.
 [[nodiscard]] Quantity course_quantity(const model::Action& action);
 
-/// `psd`: rows over frequency, a file, a road class, or one level over a band.
+/// `psd`: rows over frequency, a file, levels of bands, a road class, or one level over a band.
 [[nodiscard]] std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std::string& key,
                                                                 const model::Action& action);
 

@@ -6,6 +6,7 @@
 
 #include "trivet/excitation/spectrum.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/project/excitations/band_levels_reader.h"
 #include "trivet/project/excitations/excitation_reader.h"
 #include "trivet/project/excitations/universal_course.h"
 #include "trivet/project/text/admissible_range.h"
@@ -94,7 +95,8 @@ std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std
   const Node* node = reader.node(key);
   if (!node) {
     reader.missing(key,
-                   "give rows [[frequency in Hz, density per Hz], …], {file = \"psd.csv\"}, {road = \"C\", speed = "
+                   "give rows [[frequency in Hz, density per Hz], …], {file = \"psd.csv\"}, {bands = \"third-octave\", "
+                   "levels = [[\"1 Hz\", \"2.1 µm/s rms\"], …]}, {road = \"C\", speed = "
                    "\"80 km/h\"} or {flat = …, band = […]}");
     return std::nullopt;
   }
@@ -108,6 +110,8 @@ std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std
   std::optional<excitation::Spectrum> spectrum;
   if (psd.has("road")) {
     spectrum = read_road(psd, action);
+  } else if (psd.has("bands")) {
+    spectrum = read_band_levels(psd, action);
   } else if (psd.has("flat")) {
     spectrum = read_flat(psd, read_density_unit(psd, action));
   } else {

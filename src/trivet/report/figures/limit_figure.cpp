@@ -40,6 +40,24 @@ std::string level_of(const assembly::LimitLine& line, const project::DisplayUnit
   return display.level == project::Level::amplitude ? "amplitude" : results::level_words(display.level);
 }
 
+/// A step from edge to edge of each band: its limit and its level.
+struct Steps {
+  std::vector<double> omega, limit, level;
+};
+
+Steps steps_of(const study::LimitLineResult& found, double factor) {
+  Steps steps;
+  const std::vector<double> level = levels(found, factor);
+  for (std::size_t b = 0; b < found.bands.size(); ++b)
+    for (const double edge : {found.bands[b].from(), found.bands[b].to()}) {
+      steps.omega.push_back(edge);
+      steps.limit.push_back(factor * std::sqrt(0.5) *
+                            response::zero_to_peak_limit(found.line, found.comparison.angular_frequency[b]));
+      steps.level.push_back(level[b]);
+    }
+  return steps;
+}
+
 PanelRow limit_row(const study::LimitLineResult& found, const project::DisplayUnits& display) {
   const response::LimitComparison& comparison = found.comparison;
   const auto in_unit = [&](double omega) { return results::shown_frequency(display, omega); };
@@ -57,6 +75,14 @@ PanelRow limit_row(const study::LimitLineResult& found, const project::DisplayUn
   }
   PanelCurve level{{found.of}, {}, levels(found, unit.factor), series_stroke(0)};
   for (const double omega : comparison.angular_frequency) level.x.push_back(in_unit(omega));
+  if (!found.bands.empty()) {
+    const Steps steps = steps_of(found, unit.factor);
+    limit.x.clear();
+    for (const double omega : steps.omega) limit.x.push_back(in_unit(omega));
+    level.x = limit.x;
+    limit.y = steps.limit;
+    level.y = steps.level;
+  }
   if (std::isfinite(comparison.least_margin))
     level.key.push_back(fmt::format("least margin {:+.2f} dB", response::margin_level(comparison.least_margin)));
   if (std::isfinite(comparison.least_margin))
@@ -83,7 +109,7 @@ PanelRow limit_row(const study::LimitLineResult& found, const project::DisplayUn
 std::vector<Figure> limit_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
   for (const study::LimitLineResult& found : results.limit_lines) {
-    if (found.comparison.angular_frequency.size() < 2) continue;
+    if (found.comparison.angular_frequency.size() < (found.bands.empty() ? 2U : 1U)) continue;
     const std::string title =
         case_title(found.of + " and its limit" + (found.line.name.empty() ? "" : " " + found.line.name), results);
     figures.push_back(

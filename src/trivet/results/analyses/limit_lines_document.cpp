@@ -52,6 +52,10 @@ Table limit_line_table(const study::CaseResults& results, const project::Display
            row("of", Kind::words, "result", &LimitLineResult::of),
            row("unit", Kind::words, "", [](const LimitLineResult& l) { return l.line.unit; }),
            row("level", Kind::words, "", [](const LimitLineResult& l) { return l.line.rms ? "rms" : "zero_to_peak"; }),
+           row("bands", Kind::words, "",
+               [](const LimitLineResult& l) { return l.bands.empty() ? "" : name(l.bands.front().width); },
+               {.forms = in_json | in_arrays}),
+           row("source", Kind::words, "", &LimitLineResult::source, {.forms = in_json | in_arrays}),
            row("compared", Kind::words, "",
                [](const LimitLineResult& l) -> Json { return {l.comparison.compared.from, l.comparison.compared.to}; },
                {.forms = in_json}),
@@ -94,6 +98,8 @@ Table limit_line_table(const study::CaseResults& results, const project::Display
                  {"name", "of"},
                  "unit",
                  "level",
+                 "bands",
+                 "source",
                  "compared_from",
                  "compared_to",
                  "least_margin",
@@ -127,6 +133,21 @@ Table exceeded_bands(const std::vector<LimitLineResult>& lines) {
           .forms = in_arrays};
 }
 
+/// Which bands are judged, and where the named lines are published.
+void add_notes_on_bands(const std::vector<LimitLineResult>& lines, Document& document) {
+  const auto note = [&document](std::string words) {
+    document.add(Sentence{.parts = {std::move(words)}, .place = Sentence::Place::note});
+  };
+  std::vector<std::string> sources;
+  for (const LimitLineResult& l : lines) {
+    if (l.bands.empty()) continue;
+    note(fmt::format("{}: root mean square in each {} band, {:.4g} … {:.4g} Hz", l.line.name,
+                     name(l.bands.front().width), l.bands.front().nominal_hz(), l.bands.back().nominal_hz()));
+    if (!l.source.empty() && std::ranges::find(sources, l.source) == sources.end()) sources.push_back(l.source);
+  }
+  for (const std::string& source : sources) note("source of named lines: " + source);
+}
+
 Document limit_lines_document(const project::Case& variant, const study::CaseResults& results) {
   Document document;
   document.add(limit_line_table(results, variant.display));
@@ -138,6 +159,7 @@ Document limit_lines_document(const project::Case& variant, const study::CaseRes
         .list = {{.name = l.line.name + " margin", .unit = "1", .values = l.comparison.margin, .forms = in_arrays}},
         .forms = in_arrays});
   document.add(exceeded_bands(results.limit_lines));
+  add_notes_on_bands(results.limit_lines, document);
   return document;
 }
 

@@ -141,6 +141,45 @@ std::string accuracy_words(const response::RandomResponse& random) {
                      *std::ranges::max_element(errors), random.remark.empty() ? "" : "; " + random.remark);
 }
 
+/// One row per band, one column of root mean squares per result.
+Table band_table(const RandomResult& random) {
+  const response::RandomBands& found = *random.bands;
+  using excitation::FrequencyBand;
+  const Rows row(found.bands);
+  const std::string width = found.bands.empty() ? "" : name(found.bands.front().width);
+  Table table{
+      .key = "bands",
+      .axis = "band",
+      .file = "bands.csv",
+      .title = "Root mean square in each " + width + " band",
+      .rows = row.size(),
+      .columns = {row("midband", Kind::words, "band",
+                      [](const FrequencyBand& b) { return fmt::format("{:.4g} Hz", b.nominal_hz()); }),
+                  row("nominal_hz", Kind::number, "", &FrequencyBand::nominal_hz,
+                      {.unit = "Hz", .forms = in_json | in_arrays}),
+                  row("from", Kind::frequency, "", &FrequencyBand::from, {.forms = in_json | in_csv | in_arrays}),
+                  row("to", Kind::frequency, "", &FrequencyBand::to, {.forms = in_json | in_csv | in_arrays}),
+                  row("rms", Kind::words, "",
+                      [&found](std::size_t b) -> Json {
+                        Json list = Json::array();
+                        for (const std::vector<double>& levels : found.rms) list.push_back(json::number(levels[b]));
+                        return list;
+                      },
+                      {.forms = in_json})},
+      .without_rows = "no frequency band"};
+  table.csv = {{"midband", "midband"}, {"from [rad/s]", "from"}, {"to [rad/s]", "to"}};
+  table.arrays = {{"band", "midband"}, "nominal_hz", "from", "to"};
+  for (std::size_t c = 0; c < found.rms.size(); ++c) {
+    const RandomChannel& channel = random.response.channels[c];
+    table.columns.push_back(row(channel.name, Kind::quantity, channel.name,
+                                [&found, c](std::size_t b) { return found.rms[c][b]; },
+                                {.unit = channel.unit, .forms = in_csv | in_arrays | for_people}));
+    table.csv.push_back({channel.name + " [" + channel.unit + "]", channel.name});
+    table.arrays.push_back({channel.name, channel.name});
+  }
+  return table;
+}
+
 /// Vibration total values as JSON objects with the names of the results as keys.
 void add_total_values(const std::vector<study::TotalValue>& totals, Document& document) {
   if (totals.empty()) return;
@@ -172,6 +211,7 @@ Document random_document(const project::Case&, const study::CaseResults& results
   Document document;
   document.add(Sentence{.parts = {"Random response, ", frequency(found.from), " to ", frequency(found.to)}});
   document.add(random_table(random));
+  if (random.bands) document.add(band_table(random));
   document.add(Sentence{.parts = {accuracy_words(found)}, .place = Sentence::Place::note});
   document.add(Single{.name = "method", .value = response::name(found.method)});
   document.add(Single{.name = "remark", .value = found.remark});
@@ -185,6 +225,10 @@ Document random_document(const project::Case&, const study::CaseResults& results
 
 }  // namespace
 
-const ResultWriter random_results = {.document = random_document, .files = {"random.csv", "densities.csv"}};
+const ResultWriter random_results = {.document = random_document,
+                                     .files = {"random.csv", "densities.csv"},
+                                     .optional_file = {"bands.csv", [](const study::CaseResults& results) {
+                                                         return results.random->bands.has_value();
+                                                       }}};
 
 }  // namespace trivet::results

@@ -73,12 +73,18 @@ ResultWriter of_field(const char* name, ResultWriter writer) {
 }
 
 std::vector<ResultWriter> with_tables(std::vector<ResultWriter> list) {
-  for (ResultWriter& writer : list)
-    for (const char* file : writer.files)
+  for (ResultWriter& writer : list) {
+    const auto add = [&writer](const char* file, bool (*is_in)(const study::CaseResults&)) {
       writer.tables.push_back(
-          {file, [document = writer.document, file](const project::Case& variant, const study::CaseResults& results) {
+          {file,
+           [document = writer.document, file](const project::Case& variant, const study::CaseResults& results) {
              return as_csv(document(variant, results), file);
-           }});
+           },
+           is_in});
+    };
+    for (const char* file : writer.files) add(file, nullptr);
+    if (writer.optional_file.name) add(writer.optional_file.name, writer.optional_file.is_in);
+  }
   return list;
 }
 
@@ -156,7 +162,8 @@ std::vector<ResultFile> result_files(const project::Case& variant, const study::
   std::vector<ResultFile> files;
   for (const ResultWriter& writer : result_writers())
     if (writer.is_there(variant, results))
-      for (const ResultTable& table : writer.tables) files.push_back({table.file, table.csv(variant, results)});
+      for (const ResultTable& table : writer.tables)
+        if (!table.is_in || table.is_in(results)) files.push_back({table.file, table.csv(variant, results)});
   return files;
 }
 

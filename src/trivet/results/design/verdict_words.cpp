@@ -57,6 +57,7 @@ std::string judged_value(const RequirementResult& r, const project::DisplayUnits
   switch (r.kind) {
     case RequirementKind::no_peak:
     case RequirementKind::limit_line:
+    case RequirementKind::band_line:
     case RequirementKind::decoupling:
     case RequirementKind::no_contact:
       return fmt::format("{:.4g} %", 100 * *r.value);

@@ -26,6 +26,12 @@ struct ResultWriter {
   /// The result described once.
   Document (*document)(const project::Case& variant, const study::CaseResults& results) = nullptr;
   std::vector<const char*> files = {};  ///< of the tables and curves of `document`, for `tables`
+  /// One more table, that only some results have.
+  struct OptionalFile {
+    const char* name = nullptr;
+    bool (*is_in)(const study::CaseResults& results) = nullptr;
+  };
+  OptionalFile optional_file = {};
   json::Json (*json)(const project::Case& variant,
                      const study::CaseResults& results) = nullptr;  ///< nullptr: that of `document`
   std::vector<ResultTable> tables = {};  ///< tables of the result folder; --csv prints the first one

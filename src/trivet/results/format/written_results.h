@@ -32,6 +32,7 @@ namespace trivet::results {
 struct ResultTable {
   const char* file;  ///< "random.csv"
   std::function<std::string(const project::Case& variant, const study::CaseResults& results)> csv;
+  bool (*is_in)(const study::CaseResults& results) = nullptr;  ///< nullptr: every result has it
 };
 /// The tables of a result; `result_csv` is the first one.
 [[nodiscard]] const std::vector<ResultTable>& result_tables(const std::string& analysis);

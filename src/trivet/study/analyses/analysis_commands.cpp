@@ -42,7 +42,8 @@ Analyses response_of(const Case& variant) {
   request.limits = variant.analyses.limits;
   request.lowest_modes = project::modes_beside_a_response;
   if (request.response->at.empty())
-    request.limit_lines = variant.analyses.limit_lines;  // lines are compared over a band
+    for (const project::LimitLineRequest& line : variant.analyses.limit_lines)
+      if (!line.bands) request.limit_lines.push_back(line);  // lines are compared over a band
   return request;
 }
 
@@ -79,9 +80,13 @@ Analyses limit_lines_of(const Case& variant) {
   if (variant.analyses.limit_lines.empty())
     throw foundation::InvalidInput(
         "limit_lines: none given; add [limit_lines.NAME] with of = \"BODY.z\" and rows = [[10, 2e-3], [60, 2e-3]]");
-  Analyses request = response_of(variant);
-  request.response->at.clear();
-  request.limit_lines = variant.analyses.limit_lines;
+  const auto& lines = variant.analyses.limit_lines;
+  Analyses request;
+  if (std::ranges::any_of(lines, [](const project::LimitLineRequest& line) { return !line.bands; })) {
+    request = response_of(variant);
+    request.response->at.clear();
+  }
+  request.limit_lines = lines;
   return request;
 }
 

@@ -10,6 +10,7 @@
 #include "trivet/project/analyses/analysis_types.h"
 #include "trivet/response/machinery/run_up.h"
 #include "trivet/response/machinery/transmissibility.h"
+#include "trivet/response/random/random_bands.h"
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/frequency_grid.h"
 #include "trivet/response/steady/frequency_response.h"
@@ -42,6 +43,7 @@ struct RandomResult {
   response::RandomCurves curves;         ///< densities [unit²/(rad/s)]
   std::vector<std::string> inputs;       ///< inputs of the variance shares
   std::vector<TotalValue> total_values;  ///< if a contact with people is given
+  std::optional<response::RandomBands> bands;
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
 };
 

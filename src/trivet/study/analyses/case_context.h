@@ -66,6 +66,11 @@ void require_rigid_ground(const CaseContext& context, const std::string& analysi
                                                               const project::ChannelSelection& selection,
                                                               const assembly::Band& band);
 
+/// The random vibration compared with a line over frequency bands: the root mean square in every band whose nominal
+/// midband frequency the line covers, where the excitations have density, with the limit at that frequency.
+/// @throws foundation::NotComputable, InvalidInput with the reason if there is no result
+[[nodiscard]] LimitLineResult band_line_result(const CaseContext& context, const project::LimitLineRequest& request);
+
 /// Warnings about results of a case that a user may misread: frequency-dependent elements in undamped modes, forces
 /// of constraints, loads without effect, massless springs above their own first natural frequency.
 /// @param search_to  upper end of the searched band [rad/s]; 0: the highest natural frequency

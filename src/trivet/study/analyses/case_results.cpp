@@ -171,11 +171,14 @@ class CaseStudy {
       }
     }
     for (const AnalysisRun& analysis : analysis_runs()) attempt([&] { analysis.compute(c_, analyses, result); });
-    if (result.response && !analyses.limit_lines.empty())
+    std::vector<project::LimitLineRequest> over_response = analyses.limit_lines;
+    std::erase_if(over_response, [](const project::LimitLineRequest& line) { return line.bands.has_value(); });
+    if (result.response && !over_response.empty())
       attempt([&] {
-        result.limit_lines =
-            limit_line_results(c_, analyses.limit_lines, analyses.response->selection, result.response->band);
+        result.limit_lines = limit_line_results(c_, over_response, analyses.response->selection, result.response->band);
       });
+    for (const project::LimitLineRequest& line : analyses.limit_lines)
+      if (line.bands) attempt([&] { result.limit_lines.push_back(band_line_result(c_, line)); });
     if (result.response && !analyses.measurements.empty())
       attempt([&] { result.measurements = measurement_comparisons(c_, analyses, result.response->band); });
   }

@@ -67,7 +67,10 @@ struct LimitResult {
 struct LimitLineResult {
   std::string of;
   assembly::LimitLine line;
+  /// Of a line over bands: one margin per band at its nominal midband frequency; exceeded bands from edge to edge.
   response::LimitComparison comparison;
+  std::vector<excitation::FrequencyBand> bands = {};  ///< empty: a line over the response
+  std::string source = {};                            ///< of a named line
 };
 
 struct CaseResults {

@@ -27,8 +27,8 @@ std::vector<const LimitResult*> limits_alone(const CaseResults& results) {
 
 std::vector<const LimitLineResult*> limit_lines_alone(const CaseResults& results) {
   return alone(results.limit_lines, results, [](const RequirementResult& requirement, const LimitLineResult& line) {
-    return requirement.kind == RequirementKind::limit_line && requirement.subject == line.of &&
-        requirement.line == line.line.name;
+    const RequirementKind kind = line.bands.empty() ? RequirementKind::limit_line : RequirementKind::band_line;
+    return requirement.kind == kind && requirement.subject == line.of && requirement.line == line.line.name;
   });
 }
 

@@ -72,6 +72,10 @@ RandomResult random_result(const CaseContext& c, const project::RandomAnalysis& 
   result.response = response::random_response(c.assembled, channels, loading, options, c.progress);
   if (request.contact) result.total_values = total_values(channels, result.response, axes);
   result.curves = response::random_curves(c.assembled, channels, loading, {}, c.progress);
+  if (request.bands) {
+    const auto bands = excitation::bands_between(*request.bands, result.response.from, result.response.to);
+    result.bands = response::random_bands(c.assembled, channels, loading, bands, {}, c.progress);
+  }
   return result;
 }
 

@@ -70,12 +70,13 @@ bool is_constant(RequirementKind kind) { return kind == RequirementKind::price |
 project::Analyses differenced_alone(project::Analyses analyses, const std::vector<RequirementResult>& given,
                                     const model::System& system) {
   analyses.limits.clear();
-  analyses.limit_lines.clear();
+  std::erase_if(analyses.limit_lines, [](const project::LimitLineRequest& line) { return !line.bands; });
   if (!analyses.requirements) return analyses;
   const project::Requirements& all = *analyses.requirements;
   project::Requirements differenced;
   differenced.band = all.band;
   differenced.excitations = all.excitations;
+  differenced.limit_lines = all.limit_lines;
   differenced.largest = all.largest;
   differenced.no_contact = all.no_contact;
   differenced.steady = all.steady;

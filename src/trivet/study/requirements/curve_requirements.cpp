@@ -142,7 +142,12 @@ class CurveRequirements {
       const auto& named = required.limit_lines;
       const bool request = !analyses_.requirements || std::ranges::find(named, line.line.name) != named.end();
       const auto& response = analyses_.response;
-      if (!request || !(response || required.band)) continue;
+      if (!request) continue;
+      if (line.bands) {
+        add_band_line(line);
+        continue;
+      }
+      if (!(response || required.band)) continue;
       const std::size_t first = list_.size();
       RequirementResult& result = list_.add(RequirementKind::limit_line, line.of,
                                             fmt::format("{} within \"{}\"", line.of, line.line.name), "1", 1);
@@ -165,6 +170,21 @@ class CurveRequirements {
   }
 
  private:
+  void add_band_line(const project::LimitLineRequest& line) {
+    const std::size_t place = list_.size();
+    list_.add(RequirementKind::band_line, line.of, fmt::format("{} within \"{}\"", line.of, line.line.name), "1", 1)
+        .line = line.line.name;
+    list_.attempt(place, [&] {
+      const LimitLineResult found = band_line_result(c_, line);
+      RequirementResult& result = list_[place];
+      result.margin = found.comparison.least_margin;
+      result.value = result.margin > 0 ? 1 / result.margin : infinity;  // share of the line
+      result.angular_frequency = found.comparison.least_margin_at;
+      result.quantity = quantity_of(line.line);
+      result.excitations = line.excitations;
+    });
+  }
+
   /// " in 20 … 26 Hz under run"
   static std::string scope_words(const project::AmplitudeLimit& limit) {
     std::string words;

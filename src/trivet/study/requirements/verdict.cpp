@@ -101,6 +101,7 @@ const char* name(RequirementKind kind) {
   static constexpr std::array names = {"amplitude",
                                        "no_peak",
                                        "limit_line",
+                                       "band_line",
                                        "avoided_frequencies",
                                        "separation",
                                        "damping_ratio",

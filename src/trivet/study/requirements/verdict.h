@@ -16,6 +16,7 @@ enum class RequirementKind {
   amplitude,
   no_peak,
   limit_line,
+  band_line,  ///< a limit line over frequency bands of random vibration
   avoided_frequencies,
   separation,
   damping_ratio,

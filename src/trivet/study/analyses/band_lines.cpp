@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/response/random/random_bands.h"
+#include "trivet/study/analyses/case_context.h"
+#include "trivet/study/analyses/case_results.h"
+
+namespace trivet::study {
+namespace {
+
+using excitation::FrequencyBand;
+
+/// The nominal midband frequency [rad/s], at which a line is read; an end of the line that differs by round-off is
+/// meant.
+double read_at(const FrequencyBand& band, const assembly::LimitLine& line) {
+  constexpr double rounding = 1e-9;
+  const double nominal = foundation::two_pi * band.nominal_hz();
+  for (const double point : line.angular_frequency)
+    if (std::abs(nominal - point) <= rounding * point) return point;
+  return nominal;
+}
+
+assembly::Band range_of(const response::RandomLoading& loading) {
+  assembly::Band range{foundation::infinity, 0};
+  for (const response::RandomInput& input : loading.inputs) {
+    range.from = std::min(range.from, input.spectrum.from());
+    range.to = std::max(range.to, input.spectrum.to());
+  }
+  return range;
+}
+
+std::vector<FrequencyBand> judged_bands(const project::LimitLineRequest& request, const assembly::Band& range) {
+  std::vector<FrequencyBand> bands = excitation::bands_between(*request.bands, range.from, range.to);
+  const auto& points = request.line.angular_frequency;
+  std::erase_if(bands, [&](const FrequencyBand& band) {
+    const double at = read_at(band, request.line);
+    return at < points.front() || at > points.back();
+  });
+  if (bands.empty())
+    throw foundation::NotComputable(
+        fmt::format("limit line \"{}\" runs from {:.4g} to {:.4g} Hz, the random excitation from {:.4g} to {:.4g} Hz: "
+                    "they have no {} band in common",
+                    request.line.name, points.front() / foundation::two_pi, points.back() / foundation::two_pi,
+                    range.from / foundation::two_pi, range.to / foundation::two_pi, name(*request.bands)));
+  return bands;
+}
+
+}  // namespace
+
+LimitLineResult band_line_result(const CaseContext& c, const project::LimitLineRequest& request) {
+  const response::RandomLoading loading = response::random_loading(c.system, c.assembled, request.excitations);
+  if (loading.inputs.empty()) throw without_excitation("random");
+  const std::vector<FrequencyBand> bands = judged_bands(request, range_of(loading));
+  const std::vector<assembly::Channel> channel =
+      assembly::channels(c.system, c.assembled, {request.of}, quantity_of(request.line));
+  const response::RandomBands found = response::random_bands(c.assembled, channel, loading, bands, {}, c.progress);
+  LimitLineResult result{.of = request.of, .line = request.line, .bands = bands, .source = request.source};
+  response::LimitComparison& comparison = result.comparison;
+  comparison.compared = {bands.front().from(), bands.back().to()};
+  comparison.margin.resize(to_index(bands.size()));
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    const double at = read_at(bands[b], request.line), level = found.rms.front()[b];
+    if (std::isnan(level))
+      throw foundation::NotComputable(
+          fmt::format("limit line \"{}\": {} has no root mean square in the band of {:.4g} Hz", request.line.name,
+                      request.of, bands[b].nominal_hz()));
+    const double margin = response::zero_to_peak_limit(request.line, at) / (std::numbers::sqrt2 * level);
+    comparison.angular_frequency.push_back(at);
+    comparison.margin(to_index(b)) = margin;
+    if (margin < comparison.least_margin || b == 0) {
+      comparison.least_margin = margin;
+      comparison.least_margin_at = at;
+    }
+    if (margin >= 1) continue;
+    auto& exceeded = comparison.exceeded;
+    if (!exceeded.empty() && exceeded.back().to == bands[b].from()) exceeded.back().to = bands[b].to();
+    else exceeded.push_back({bands[b].from(), bands[b].to()});
+  }
+  return result;
+}
+
+}  // namespace trivet::study
