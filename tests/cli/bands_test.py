@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Third octaves as excitation, result and limit line, in every form."""
+import csv
+import json
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+TRIVET = os.environ["TRIVET"]
+SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
+EXAMPLE = SOURCE / "examples/microscope/microscope.toml"
+ROUND_OFF = 1e-9
+
+# One mass of 100 kg on a spring along z, 9 Hz, over a moving ground.
+ONE_MASS = """trivet = 1
+[bodies.mass]
+mass = 100
+inertia = {about = "pole", xx = 0, yy = 0, zz = 0}
+free = ["z"]
+[elements.spring]
+type = "matrix"
+on = "mass"
+at = [0, 0, 0]
+stiffness = [[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,319775.5,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]
+damping = {proportional = 0.002}
+"""
+GROUND = """[excitations.floor]
+type = "random"
+base = true
+translation = [0, 0, 1]
+psd = {psd}
+"""
+
+
+def run(*arguments, text=None):
+    """The answer of the program to a project, given as text or by the arguments."""
+    with tempfile.TemporaryDirectory() as folder:
+        if text is not None:
+            file = pathlib.Path(folder) / "project.toml"
+            file.write_text(text, encoding="utf-8")
+            arguments = (arguments[0], str(file), *arguments[1:])
+        return subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=300)
+
+
+def result(*arguments, text=None):
+    answer = run(*arguments, "--json", text=text)
+    return json.loads(answer.stdout)
+
+
+def only_case(document):
+    return document["cases"][0] if "cases" in document else document
+
+
+class BandsTest(unittest.TestCase):
+    def test_levels_of_the_ground_come_back_whatever_they_measure(self):
+        """The floor itself, as the motion of a mass on a spring that is stiff against the band."""
+        levels = [("8 Hz", 2.0), ("10 Hz", 3.5), ("12.5 Hz", 0.4)]
+        exact = [10 ** (n / 10) for n in (9, 10, 11)]
+        for unit, order in (("µm", 0), ("µm/s rms", 1), ("µm/s²", 2)):
+            rows = ", ".join(f'["{hertz}", "{level} {unit}"]' for hertz, level in levels)
+            psd = '{bands = "third-octave", levels = [' + rows + "]}"
+            quantity = ["displacement", "velocity", "acceleration"][order]
+            stiff = ONE_MASS.replace("319775.5", "3e13").replace("0.002", "1e-12")
+            text = (
+                stiff
+                + GROUND.replace("{psd}", psd)
+                + f'[analyses]\nrandom = {{of = ["mass.z"], quantity = "{quantity}", bands = "third-octave"}}\n'
+            )
+            bands = only_case(result("random", text=text))["bands"]
+            self.assertEqual([band["midband"] for band in bands], [hertz for hertz, _ in levels])
+            for band, (_, level), midband in zip(bands, levels, exact):
+                self.assertAlmostEqual(band["rms"][0] / (1e-6 * level), 1, delta=1e-7)
+                self.assertAlmostEqual(band["from"] * band["to"] / (2 * math.pi * midband) ** 2, 1, delta=ROUND_OFF)
+
+    def test_bands_add_up_to_the_total_in_every_form(self):
+        document = only_case(result("random", str(EXAMPLE)))
+        for place, total in enumerate(document["results"]):
+            squares = sum(band["rms"][place] ** 2 for band in document["bands"])
+            self.assertAlmostEqual(math.sqrt(squares) / total["rms"], 1, delta=1e-7)
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([TRIVET, "run", str(EXAMPLE), "-o", folder + "/out"], capture_output=True, timeout=300)
+            tables = sorted(pathlib.Path(folder).rglob("*bands.csv"))
+            self.assertTrue(tables)
+            with open(tables[0], encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+            self.assertEqual(len(rows), len(document["bands"]))
+            for row, band in zip(rows, document["bands"]):
+                self.assertAlmostEqual(
+                    float(row["table.objective.z [m/s]"]), band["rms"][2], delta=1e-9 * band["rms"][2]
+                )
+        self.assertIn("31.5 Hz", run("random", str(EXAMPLE)).stdout)
+
+    def test_the_verdict_is_whether_the_line_is_met(self):
+        met = run("verdict", str(EXAMPLE))
+        self.assertEqual(met.returncode, 0, met.stdout + met.stderr)
+        limit = '\n[limit_lines.strict]\nof = "table.objective.z"\nline = "VC-G"\n'
+        text = EXAMPLE.read_text(encoding="utf-8").replace("floor.csv", str(EXAMPLE.parent / "floor.csv"))
+        text = text.replace('limit_lines = ["', 'limit_lines = ["strict", "').replace(
+            "[requirements]", limit + "\n[requirements]"
+        )
+        broken = run("verdict", "--strict", text=text)
+        self.assertNotEqual(broken.returncode, 0, broken.stdout)
+        self.assertIn("strict", broken.stdout)
+
+    def test_a_line_is_read_at_the_nominal_frequency_of_every_band(self):
+        """Over a floor that is the motion: margins are limit over level, also where the exact midband is beside the line."""
+        rows = ", ".join(f'["{f} Hz", "10 µm/s rms"]' for f in (3.15, 4, 5, 6.3, 8, 10))
+        stiff = ONE_MASS.replace("319775.5", "3e13").replace("0.002", "1e-12")
+        text = stiff + GROUND.replace("{psd}", '{bands = "third-octave", levels = [' + rows + "]}")
+        text += (
+            '[limit_lines.a]\nof = "mass.z"\nline = "VC-A"\n[limit_lines.own]\nof = "mass.z"\nbands = "third-octave"\n'
+        )
+        text += 'rows = [["4 Hz", "9 µm/s"], ["5 Hz", "9 µm/s"], ["5 Hz", "20 µm/s"], ["10 Hz", "20 µm/s"]]\n'
+        named, own = only_case(result("limit_lines", text=text))
+        self.assertEqual(named["bands"], "third-octave")
+        self.assertIn("SPIE", named["source"])
+        self.assertAlmostEqual(named["least_margin"], 5, delta=1e-6)
+        edges = [2 * math.pi * 10 ** (n / 20) for n in (11, 21)]  # of 4 and of 10 Hz: the line begins at 4 Hz
+        for found, edge in zip(named["compared"], edges):
+            self.assertAlmostEqual(found / edge, 1, delta=ROUND_OFF)
+        self.assertAlmostEqual(own["least_margin"], 0.9, delta=1e-7)
+        (exceeded,) = own["exceeded"]
+        self.assertAlmostEqual(exceeded[0] / edges[0], 1, delta=ROUND_OFF)
+        self.assertAlmostEqual(exceeded[1] / (2 * math.pi * 10 ** (15 / 20)), 1, delta=ROUND_OFF)  # 4 and 5 Hz
+        self.assertFalse(own["kept"])
+
+
+if __name__ == "__main__":
+    unittest.main()
