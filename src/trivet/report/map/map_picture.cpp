@@ -36,7 +36,7 @@ std::vector<std::vector<PixelPoint>> MapPicture::rings(const std::vector<design:
 }
 
 bool MapPicture::is_free(const Box& box) const {
-  return is_inside(panel, box) && std::ranges::none_of(taken, [&](const Box& t) { return t.meets(box); });
+  return is_inside(panel, box) && std::ranges::none_of(taken, [&](const Box& t) { return t.overlaps(box); });
 }
 
 void Key::heading(const std::string& text) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/report/drawing/label_placement.h"
 #include "trivet/report/drawing/plot_panel.h"
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/study/map/design_map.h"
@@ -16,13 +17,6 @@ inline constexpr const char* halo =
 
 /// Style of the layer over the colours of feasible designs.
 inline constexpr const char* lighter = "fill=\"white\" fill-opacity=\"0.72\" stroke=\"none\"";
-
-struct Box {
-  double left = 0, top = 0, right = 0, bottom = 0;
-  [[nodiscard]] bool meets(const Box& o) const {
-    return left < o.right && o.left < right && top < o.bottom && o.top < bottom;
-  }
-};
 
 /// Approximate width of a line of 11 pixels height.
 [[nodiscard]] double width_of(const std::string& text);
