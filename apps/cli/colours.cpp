@@ -6,6 +6,8 @@
 #include <array>
 #include <cctype>
 #include <cstdlib>
+#include <string>
+#include <string_view>
 
 namespace trivet::cli {
 namespace {

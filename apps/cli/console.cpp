@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -44,7 +45,7 @@ void write_output(std::string_view text) {
 int exit_code(int code) { return reader_has_left ? reader_left : code; }
 
 std::size_t output_width() {
-  constexpr std::size_t usual = 100, least = 40, most = 1000;
+  constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max(), least = 40, most = 1000;
   const auto within = [&](std::size_t width) { return std::min(std::max(width, least), most); };
   if (const char* columns = std::getenv("COLUMNS")) {
     std::size_t width = 0;
@@ -53,7 +54,7 @@ std::size_t output_width() {
     if (error == std::errc() && end == text.data() + text.size() && width > 0) return within(width);
   }
   winsize size{};
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? within(size.ws_col) : usual;
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? within(size.ws_col) : unlimited;
 }
 
 void write_error(std::string_view text) {

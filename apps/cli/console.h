@@ -18,7 +18,8 @@ void write_output(std::string_view text);
 /// in this case (128 + SIGPIPE).
 [[nodiscard]] int exit_code(int code);
 
-/// Characters in a line of standard output: of the terminal, or COLUMNS if that is set; 100 elsewhere.
+/// Characters in a line of standard output: COLUMNS if that is set, otherwise those of the terminal; no limit in a file
+/// or a pipe.
 [[nodiscard]] std::size_t output_width();
 
 /// Writes to standard error; errors are ignored.

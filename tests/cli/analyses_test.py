@@ -57,8 +57,8 @@ earthquake = {direction = "x", rows = [[0.02, 3], [0.1, 9], [0.5, 9], [2, 2]]}
 MEASURED = "frequency [Hz],device.z re [m/N],device.z im [m/N]\n5,1e-5,-1e-6\n10,4e-5,-2e-5\n20,-2e-6,-1e-7\n"
 
 
-def trivet(*arguments, code=0):
-    run = subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True)
+def trivet(*arguments, code=0, **options):
+    run = subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True, **options)
     assert run.returncode == code, (arguments, run.returncode, run.stderr)
     return run
 
@@ -142,7 +142,7 @@ class Analyses(unittest.TestCase):
         for analysis in ANALYSES:
             if analysis in ("random", "transient", "orders", "transmissibility", "static"):
                 continue
-            text = trivet(analysis, self.machine).stdout
+            text = trivet(analysis, self.machine, "--full", env={**os.environ, "COLUMNS": str(WIDEST)}).stdout
             for line in text.splitlines():
                 if line.startswith("  "):
                     self.assertLessEqual(
@@ -150,7 +150,7 @@ class Analyses(unittest.TestCase):
                         WIDEST + 100 * line.lstrip().startswith(("backward", "rows between", "searched")),
                         line,
                     )
-        text = trivet("response", self.machine).stdout
+        text = trivet("response", self.machine, "--full", env={**os.environ, "COLUMNS": str(WIDEST)}).stdout
         parts = text[text.index("Amplitude and phase") :].split("\n\n")  # after warnings and notes
         self.assertGreater(len(parts), 1)
         self.assertTrue(all("f [Hz]" in part for part in parts))

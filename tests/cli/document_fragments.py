@@ -188,6 +188,7 @@ translation = ["180 N/mm", "180 N/mm", "420 N/mm"]
     (KEYS, "Element types"): GENSET,
     (KEYS, "Tables of bodies and elements"): GENSET + SHARED_MOUNT,
     (KEYS, "Units of tables and pictures"): FRAME + mounts("frame"),
+    (KEYS, "Report"): FRAME + mounts("frame"),
     (KEYS, "Excitations"): MACHINE_AND_ENGINE,
     (KEYS, "Flexible foundations"): FRAME
     + mounts("frame", ["hull", "hull", "deck", "measured"])

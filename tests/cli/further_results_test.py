@@ -58,7 +58,7 @@ steady = {of = ["mass.z"], band = ["4 rad/s", "18 rad/s"], harmonics = 15}
             shown, data = trivet("steady", path), trivet("steady", path, "--json")
             run = trivet("run", path, "-o", pathlib.Path(folder) / "results")
         self.assertEqual([shown.returncode, data.returncode, run.returncode], [1, 1, 1])
-        self.assertIn("ends before the end of the band", shown.stdout)
+        self.assertIn("ends before the end of the band", shown.stderr)
         self.assertIn("connected with the one at ", shown.stdout)
         found = json.loads(data.stdout)
         self.assertIn("rests for a part of the period", found["ended"])

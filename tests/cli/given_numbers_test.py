@@ -95,7 +95,8 @@ class Analyses(InTemporaryFolder):
         for command in ("modes", "roots", "response", "peaks", "explain", "suspension"):
             with self.subTest(command=command):
                 done = trivet(command, path)
-                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertEqual(done.returncode, 0)
+                self.assertNotIn("error: ", done.stderr)
         self.assertEqual(trivet("element", path, "mount").returncode, 0)
         for command in (("static",), ("check",), ("run", "-o", str(self.folder / "out"))):
             done = trivet(command[0], path, *command[1:])

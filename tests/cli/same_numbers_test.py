@@ -55,6 +55,7 @@ WITHOUT = {
     "check": "its JSON lists problems, not the checks that passed",
     "export": "its arrays are checked below",
     "earthquake": "no example has one",
+    "help": "no numbers of a machine",
     "new": "no numbers of a machine",
     "schema": "no numbers of a machine",
 }
@@ -69,8 +70,8 @@ SKIPPED = {
     "verdict": [(r"limits over [^;\n]*", "the common band, a key of the file")],
     "power": [(r"\d+\.\d %", "the quotient of two curves at one frequency")],
 }
-# Cells of the report: checks of its curves, and formulas of laws.
-NO_NUMBERS = "largest difference|δ\\^"
+# Cells of the report: checks of its curves, formulas of laws, and excitations as given.
+NO_NUMBERS = r"largest difference|δ\^|^\d+ rpm$| at -?[\d.]+°"
 SI = "m/s²|m/s|rad/s²|rad/s|N m/rad|N m|N/m|N|rad|m|Pa|W|J|s"
 UNIT = rf"%|°|dB|rpm|rad/s|Hz|[pnµmkMG]?(?:{SI})(?![\w/²])"
 NUMBER = re.compile(rf"(?<![\w.])(?P<number>[-+−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?)(?P<unit>[\s\u00a0]?(?:{UNIT}))?(?!\w)")

@@ -316,7 +316,7 @@ class Acceptances(InTemporaryFolder):
             path = written(self.folder, self.machine)
             return subprocess.run(
                 [TRIVET, "response", path, *options], capture_output=True, text=True, timeout=60
-            ).stdout
+            ).stderr
 
         for found in (response([0, 0.5]), response(None, "--band", "0,0.5")):
             self.assertIn('suspicion "band": no natural frequency is in it', found)
