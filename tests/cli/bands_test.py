@@ -127,6 +127,29 @@ class BandsTest(unittest.TestCase):
         self.assertAlmostEqual(exceeded[1] / (2 * math.pi * 10 ** (15 / 20)), 1, delta=ROUND_OFF)  # 4 and 5 Hz
         self.assertFalse(own["kept"])
 
+    def test_a_measured_history_has_the_level_of_its_tones_in_their_bands(self):
+        """3 mm/s at 10 Hz and 1 mm/s at 25 Hz, peak values, for 64 s."""
+        pi = math.pi
+        rows = "time,value [mm/s]\n" + "".join(
+            f"{i / 128},{3 * math.sin(2 * pi * 10 * i / 128) + math.cos(2 * pi * 25 * i / 128)}\n" for i in range(8192)
+        )
+        stiff = ONE_MASS.replace("319775.5", "3e13").replace("0.002", "1e-12")
+        psd = '{history = {file = "floor.csv"}, resolution = "0.25 Hz"}\nquantity = "velocity"'
+        text = (
+            stiff
+            + GROUND.replace("{psd}", psd)
+            + '[analyses]\nrandom = {of = ["mass.z"], quantity = "velocity", bands = "third-octave"}'
+        )
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "floor.csv").write_text(rows)
+            project = pathlib.Path(folder) / "project.toml"
+            project.write_text(text)
+            found = only_case(result("random", str(project)))
+        levels = {band["midband"]: band["rms"][0] for band in found["bands"]}
+        self.assertAlmostEqual(levels["10 Hz"] / (3e-3 / math.sqrt(2)), 1, delta=1e-7)
+        self.assertAlmostEqual(levels["25 Hz"] / (1e-3 / math.sqrt(2)), 1, delta=1e-7)
+        self.assertLess(levels["16 Hz"], 1e-9)
+
 
 if __name__ == "__main__":
     unittest.main()

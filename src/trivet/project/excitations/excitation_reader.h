@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
 
+#include "trivet/project/text/column_units.h"
 #include "trivet/project/text/symbol_table.h"
 
 namespace trivet::project {
@@ -26,10 +28,14 @@ enum class ActionNumbers { amplitudes, factors };
                                                               const model::Description& description,
                                                               const SymbolTable& symbols, ActionNumbers numbers);
 
+/// `rows`, or `file` with columns `time` and `value` or a time response of a universal file: times [s] and values in
+/// the unit of the bare numbers of `value`, n × 2.
+[[nodiscard]] std::optional<Eigen::MatrixXd> read_rows_over_time(TableReader& history, const ColumnQuantity& value);
+
 /// Quantity of the course of an action with factors: a force, a moment, or a motion.
 [[nodiscard]] Quantity course_quantity(const model::Action& action);
 
-/// `psd`: rows over frequency, a file, levels of bands, a road class, or one level over a band.
+/// `psd`: rows over frequency, a file, a measured history, levels of bands, a road class, or one level over a band.
 [[nodiscard]] std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std::string& key,
                                                                 const model::Action& action);
 

@@ -115,15 +115,18 @@ std::optional<excitation::Signal> read_samples(TableReader& history, Quantity me
   const double scale = history.number("scale", Quantity::pure).value_or(1);
   const ColumnQuantity value = read_bare_unit(history, measured);
   const bool hold = history.choice("after", {"hold", "zero"}).value_or("hold") == "hold";
-  const bool universal = !history.has("rows") && names_universal_file(history);
-  const auto rows = history.has("rows") ? read_pairs(history, "rows", Quantity::time, value)
-      : universal                       ? read_time_response(history, value)
-                  : read_pairs_of_file(history, "time", "value", Quantity::time, value, most_rows_over_time);
+  const auto rows = read_rows_over_time(history, value);
   return rows ? signal_from_rows(history, history.has("rows") ? "rows" : "file", *rows, scale * value.bare, hold)
               : std::nullopt;
 }
 
 }  // namespace
+
+std::optional<Eigen::MatrixXd> read_rows_over_time(TableReader& history, const ColumnQuantity& value) {
+  if (history.has("rows")) return read_pairs(history, "rows", Quantity::time, value);
+  if (names_universal_file(history)) return read_time_response(history, value);
+  return read_pairs_of_file(history, "time", "value", Quantity::time, value, most_rows_over_time);
+}
 
 std::optional<excitation::Signal> read_history(TableReader& reader, const std::string& key,
                                                const model::Action& action) {

@@ -8,6 +8,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/project/excitations/band_levels_reader.h"
 #include "trivet/project/excitations/excitation_reader.h"
+#include "trivet/project/excitations/measured_spectrum_reader.h"
 #include "trivet/project/excitations/universal_course.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/pairs_reader.h"
@@ -112,6 +113,8 @@ std::optional<excitation::Spectrum> read_spectrum(TableReader& reader, const std
     spectrum = read_road(psd, action);
   } else if (psd.has("bands")) {
     spectrum = read_band_levels(psd, action);
+  } else if (psd.has("history")) {
+    spectrum = read_measured_spectrum(psd, action);
   } else if (psd.has("flat")) {
     spectrum = read_flat(psd, read_density_unit(psd, action));
   } else {
