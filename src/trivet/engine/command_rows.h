@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "trivet/engine/command.h"
@@ -47,7 +48,7 @@ void set_forms(std::function<documents::Document(const project::DisplayUnits& di
 /// The document of a case in the units of a display. @param document_of  makes it of the case with these units
 template <typename DocumentOf>
 [[nodiscard]] auto in_units(DocumentOf document_of, const project::Case& variant) {
-  return [document_of, &variant](const project::DisplayUnits& display) {
+  return [document_of = std::move(document_of), &variant](const project::DisplayUnits& display) {
     if (display == variant.display) return document_of(variant);
     auto shown = std::make_shared<project::Case>(variant);
     shown->display = display;

@@ -27,14 +27,14 @@ std::string kind_words(const Json& schema) {
 }
 
 /// The schema itself, or the definition that it refers to.
-const Json& resolved(const Json& schema, const Json& whole) {
-  if (!schema.contains("$ref")) return schema;
+const Json* resolved(const Json& schema, const Json& whole) {
+  if (!schema.contains("$ref")) return &schema;
   const std::string name = schema["$ref"].get<std::string>();
-  return whole.at("$defs").at(name.substr(name.rfind('/') + 1));
+  return &whole.at("$defs").at(name.substr(name.rfind('/') + 1));
 }
 
 const Json* properties_of(const Json& schema, const Json& whole) {
-  const Json& own = resolved(schema, whole);
+  const Json& own = *resolved(schema, whole);
   if (own.contains("properties")) return &own["properties"];
   for (const char* alternatives : {"anyOf", "oneOf"})
     if (own.contains(alternatives))
@@ -109,7 +109,7 @@ std::string file_keys(const Command& command) {
   std::string text;
   for (const auto& [key, value] : keys->items()) {
     if (key == "accept") continue;
-    const Json& own = resolved(value, whole);
+    const Json& own = *resolved(value, whole);
     const std::string words = value.contains("description") ? value["description"].get<std::string>()
         : own.contains("description")                       ? own["description"].get<std::string>()
                                                             : kind_words(own);
