@@ -4,7 +4,7 @@
     documented_lists.py SOURCE TRIVET
 
 Layers and sub-folders: CMake, the table of ARCHITECTURE.md and that of docs/api.md. Commands: the help of
-the program, the tables of README.md, and the documents. Documents: the index
+the program, the tables of docs/commands.md, and the other documents. Documents: the index
 docs/README.md. Version: CMake, which Python's package reads, CITATION.cff, the newest
 heading of CHANGELOG.md and `trivet --version`."""
 import pathlib
@@ -52,12 +52,11 @@ documents = {
     path: path.read_text(encoding="utf-8") for path in [source / "README.md", *sorted((source / "docs").rglob("*.md"))]
 }
 for command in commands:
-    if not re.search(rf"\btrivet {command}\b|`{command}`", documents[source / "README.md"]):
-        problems.append(f"README.md: the command {command} is missing")
-    if not any(
-        re.search(rf"\btrivet {command}\b|`{command}`", one) for path, one in documents.items() if path.parent != source
-    ):
-        problems.append(f"docs: no document names the command {command}")
+    named = [path for path, one in documents.items() if re.search(rf"\btrivet {command}\b|`{command}`", one)]
+    if source / "docs/commands.md" not in named:
+        problems.append(f"docs/commands.md: the command {command} is missing")
+    if not any(path.name != "commands.md" and path.parent != source for path in named):
+        problems.append(f"docs: no document but commands.md names the command {command}")
 for path, one in documents.items():
     for called in re.findall(r"^(?:\$ )?trivet ([a-z_]+)", one, re.MULTILINE):
         if called not in commands:
