@@ -138,7 +138,7 @@ OBSERVED = (SOURCE / "examples/genset/load_cases.toml").read_text().split("[rela
 REQUIRED = (SOURCE / "examples/compressor/requirements.toml").read_text().split("[requirements]")
 
 BASES = {
-    ("README.md", "Elements that compute their own 12×12"): FRAME,
+    ("docs/elements/README.md", "Elements"): FRAME,
     ("docs/elements/catalogue.md", "Catalogues of mounts"): FRAME
     + """[elements.mount]
 type = "catalogue:M 50/25 55 ShA"

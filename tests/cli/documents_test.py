@@ -25,6 +25,7 @@ SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 DOCUMENTS = [SOURCE / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "benchmarks/README.md")]
 DOCUMENTS += sorted(path for folder in ("docs", "examples") for path in (SOURCE / folder).rglob("*.md"))
 STEPWISE = [path for path in DOCUMENTS if path.parent.name == "tutorials" or path.name == "recipes.md"]
+STEPWISE += [SOURCE / "README.md"]
 EXAMPLES = sorted((SOURCE / "examples").glob("*/*.toml"))
 LANGUAGES = {
     "sh": "commands",
@@ -166,6 +167,7 @@ class Documents(unittest.TestCase):
         (self.folder / "bin").mkdir()
         (self.folder / "bin/trivet").symlink_to(pathlib.Path(TRIVET).resolve())
         self.environment = {**os.environ, "PATH": f"{self.folder / 'bin'}:{os.environ['PATH']}"}
+        self.environment.pop("COLUMNS", None)  # of the terminal of whoever runs this test
 
     def shell(self, command, folder):
         return subprocess.run(
