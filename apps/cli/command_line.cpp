@@ -48,7 +48,8 @@ void write_result(const CommandLine& line, const engine::Result& result) {
   const engine::Sink output = [](std::string_view piece) { write_output(piece); };
   for (const std::string& remark : result.remarks) write_error("note: " + engine::on_one_line(remark) + "\n");
   if (line.form != Form::json && !line.command->warnings_within)
-    write_error(painted(engine::message_list(engine::shown_warnings(result)), line.paint_errors));
+    write_error(painted(engine::message_list(line.form == Form::csv ? result.warnings : engine::shown_warnings(result)),
+                        line.paint_errors));
   if (line.form == Form::json) return result.json(output);
   if (line.form == Form::csv) return result.tables.front().second(output);
   write_text(line, result);

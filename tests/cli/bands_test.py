@@ -5,6 +5,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -94,15 +95,17 @@ class BandsTest(unittest.TestCase):
         self.assertIn("31.5 Hz", run("random", str(EXAMPLE)).stdout)
 
     def test_the_verdict_is_whether_the_line_is_met(self):
-        met = run("verdict", str(EXAMPLE))
+        met = run("verdict", "--strict", str(EXAMPLE))
         self.assertEqual(met.returncode, 0, met.stdout + met.stderr)
+        self.assertIn("meets its requirements", met.stdout)
+        self.assertRegex(met.stdout, r"2\.5\d+ µm/s rms of 3\.12 µm/s rms")
         limit = '\n[limit_lines.strict]\nof = "table.objective.z"\nline = "VC-G"\n'
         text = EXAMPLE.read_text(encoding="utf-8").replace("floor.csv", str(EXAMPLE.parent / "floor.csv"))
         text = text.replace('limit_lines = ["', 'limit_lines = ["strict", "').replace(
             "[requirements]", limit + "\n[requirements]"
         )
         broken = run("verdict", "--strict", text=text)
-        self.assertNotEqual(broken.returncode, 0, broken.stdout)
+        self.assertEqual(broken.returncode, 3, broken.stdout)
         self.assertIn("strict", broken.stdout)
 
     def test_a_line_is_read_at_the_nominal_frequency_of_every_band(self):
@@ -126,6 +129,37 @@ class BandsTest(unittest.TestCase):
         self.assertAlmostEqual(exceeded[0] / edges[0], 1, delta=ROUND_OFF)
         self.assertAlmostEqual(exceeded[1] / (2 * math.pi * 10 ** (15 / 20)), 1, delta=ROUND_OFF)  # 4 and 5 Hz
         self.assertFalse(own["kept"])
+
+    def test_named_lines_are_those_of_schema_and_document(self):
+        line = json.loads(run("schema").stdout)["properties"]["limit_lines"]["additionalProperties"]["properties"][
+            "line"
+        ]
+        psd = '{bands = "third-octave", levels = [["8 Hz", "1 µm/s"]]}'
+        text = ONE_MASS + GROUND.replace("{psd}", psd) + '[limit_lines.a]\nof = "mass.z"\nline = "VC-Z"\n'
+        refused = run("check", text=text).stderr.partition("named lines are ")[2]
+        self.assertEqual(re.findall(r'"(.*?)"', refused.partition(";")[0]), line["enum"])
+        document = (SOURCE / "docs/random.md").read_text(encoding="utf-8")
+        for name in line["enum"]:
+            self.assertIn(f"`{name}`", document)
+
+    def test_bands_below_a_tenth_of_a_hertz_are_judged(self):
+        """A density that begins at 0 Hz; the floor moves the mass as it is."""
+        stiff = ONE_MASS.replace("319775.5", "3e13").replace("0.002", "1e-12")
+        text = stiff + GROUND.replace("{psd}", '{rows = [[0, 1e-12], [1, 1e-12]], interpolation = "linear"}')
+        text += '[limit_lines.slow]\nof = "mass.z"\nbands = "octave"\nquantity = "displacement"\nrows = [["0.03 Hz", 1e-12], ["0.07 Hz", 1e-12]]\n'
+        (slow,) = only_case(result("limit_lines", text=text))
+        width = 10 ** (3 / 20) - 10 ** (-3 / 20)
+        midband = 10 ** (-12 / 10)  # 0.063 Hz; the band below has 0.0316 Hz
+        level = math.sqrt(1e-12 * midband * width)
+        self.assertAlmostEqual(slow["least_margin"] / (1e-12 / level), 1, delta=1e-6)
+
+    def test_a_criterion_that_is_judged_in_part_says_so(self):
+        levels = ", ".join(f'["{f} Hz", "1 µm/s rms"]' for f in (50, 63))
+        text = ONE_MASS + GROUND.replace("{psd}", '{bands = "third-octave", levels = [' + levels + "]}")
+        text += '[limit_lines.a]\nof = "mass.z"\nline = "VC-E"\n[requirements]\nlimit_lines = ["a"]\n'
+        found = run("verdict", text=text)
+        self.assertIn("judged in 50 … 63 Hz of 1 … 80 Hz", found.stdout)
+        self.assertIn('suspicion "measured range"', found.stdout + found.stderr)
 
     def test_a_measured_history_has_the_level_of_its_tones_in_their_bands(self):
         """3 mm/s at 10 Hz and 1 mm/s at 25 Hz, peak values, for 64 s."""

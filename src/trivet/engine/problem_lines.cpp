@@ -28,16 +28,19 @@ std::string line_of(const foundation::Origin& origin, const Source& source) {
   return line.substr(0, line.find_last_not_of(" \t\r") + 1);
 }
 
-/// The place of the value of the key that ends the subject; npos if the line does not have the key.
+/// The place of the value of the key that ends the subject; npos if the line has the key not once.
 std::size_t value_of_key(const std::string& line, const std::string& subject) {
   const std::string key = subject.substr(subject.rfind('.') + 1);
-  if (key.empty()) return std::string::npos;
+  std::size_t found = std::string::npos;
+  if (key.empty()) return found;
   for (std::size_t at = line.find(key); at != std::string::npos; at = line.find(key, at + 1)) {
     const bool begins = at == 0 || std::string_view(" \t{,.\"").find(line[at - 1]) != std::string_view::npos;
     const std::size_t equals = line.find_first_not_of(" \t\"", at + key.size());
-    if (begins && equals != std::string::npos && line[equals] == '=') return line.find_first_not_of(" \t", equals + 1);
+    if (!begins || equals == std::string::npos || line[equals] != '=') continue;
+    if (found != std::string::npos) return std::string::npos;  // one of several values: the line is marked
+    found = line.find_first_not_of(" \t", equals + 1);
   }
-  return std::string::npos;
+  return found;
 }
 
 /// One past the end of a value of TOML that begins there.

@@ -45,13 +45,20 @@ double error_of_line(std::size_t segments) {
 }  // namespace
 
 MeasuredSpectrum measured_spectrum(const std::vector<double>& values, double step, double resolution_hz) {
-  const std::size_t length = segment_length(1 / (step * resolution_hz));
-  const auto refuse = [&](const std::string& why) {
-    throw foundation::InvalidInput(fmt::format("lines every {:.6g} Hz need segments of {:.6g} s, {} samples; {}",
-                                               resolution_hz, static_cast<double>(length) * step, length, why));
+  const double available = static_cast<double>(values.size());
+  const auto refuse = [&](double samples, const std::string& why) {
+    throw foundation::InvalidInput(fmt::format("lines every {:.6g} Hz need segments of {:.6g} s, {:.0f} samples; {}",
+                                               resolution_hz, samples * step, samples, why));
   };
-  if (length > values.size()) refuse(fmt::format("the record has {:.6g} s", static_cast<double>(values.size()) * step));
-  if (length < fewest_samples) refuse(fmt::format("at least {} are needed", fewest_samples));
+  const auto too_short = [&](double samples) {
+    refuse(samples, fmt::format("the record has {:.6g} s", available * step));
+  };
+  const double least = 1 / (step * resolution_hz);
+  if (!(least <= available + 1)) too_short(std::ceil(least));
+  const std::size_t length = segment_length(least);
+  if (length > values.size()) too_short(static_cast<double>(length));
+  if (length < fewest_samples)
+    refuse(static_cast<double>(length), fmt::format("at least {} are needed", fewest_samples));
   const Eigen::Index n = to_index(length);
   const Eigen::VectorXd window = hann_window(n);
   const Eigen::Map<const Eigen::VectorXd> record(values.data(), to_index(values.size()));
@@ -70,10 +77,14 @@ MeasuredSpectrum measured_spectrum(const std::vector<double>& values, double ste
   spectrum.resolution_hz = 1 / (step * static_cast<double>(length));
   spectrum.line_error = error_of_line(spectrum.segments);
   spectrum.table.interpolation = SpectrumTable::Interpolation::linear;
-  for (Eigen::Index k = 1; k < n / 2; ++k) {  // without the mean, and the line at half the sampling rate
-    spectrum.table.frequencies_hz.push_back(static_cast<double>(k) * spectrum.resolution_hz);
-    spectrum.table.densities_per_hz.push_back(density * squares(k));
-  }
+  const auto add = [&](double place, Eigen::Index line) {
+    spectrum.table.frequencies_hz.push_back(place * spectrum.resolution_hz);
+    spectrum.table.densities_per_hz.push_back(density * squares(line));
+  };
+  const Eigen::Index last = n / 2 - 1;  // the line at half the sampling rate is left out
+  add(0.5, 1);
+  for (Eigen::Index k = 1; k <= last; ++k) add(static_cast<double>(k), k);
+  add(static_cast<double>(last) + 0.5, last);
   return spectrum;
 }
 

@@ -17,7 +17,8 @@ struct MeasuredSpectrum {
 };
 
 /// Averaged periodograms of Welch (IEEE Trans. Audio Electroacoust. 15 (1967) 70–73): segments that overlap by half,
-/// each without its mean, weighted by a Hann window. One-sided. A sine of amplitude A adds A²/2 to the mean square.
+/// each without its mean, weighted by a Hann window. One-sided. The mean square is the sum of the lines: the first and
+/// last density also hold for half a line beyond. A sine of amplitude A, two lines or more above 0, adds A²/2.
 /// @param values        samples at equal distances [unit]
 /// @param step          of the samples > 0 [s]
 /// @param resolution_hz largest distance of lines > 0 [Hz]; the length of a segment is the next one above with no prime

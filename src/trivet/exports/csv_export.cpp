@@ -36,7 +36,8 @@ std::vector<std::string> write_csv(const Content& content, const Target& target,
       continue;
     }
     for (const results::ResultTable& table : results::result_tables(group.name))
-      write_bytes(target.path() / table.file, table.csv(content.variant, *group.results));
+      if (!table.is_in || table.is_in(*group.results))
+        write_bytes(target.path() / table.file, table.csv(content.variant, *group.results));
   }
   return lost;
 }

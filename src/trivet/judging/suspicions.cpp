@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/judging/acceptances.h"
 #include "trivet/plausibility/inertia_slips.h"
 #include "trivet/project/analyses/analysis_types.h"
@@ -125,6 +126,33 @@ void add_speeds_of_isolation(const project::Case& variant, plausibility::Stated&
   for (const project::Node& table : isolation->items) add_of(table);
 }
 
+/// The ranges in which [limits], [requirements.limits] and limit lines over the response are judged, and lines over
+/// bands.
+void add_limited_ranges(const project::Analyses& requested, plausibility::Stated& stated) {
+  constexpr assembly::Band everywhere{0, foundation::infinity};
+  const auto& response = requested.response;
+  const auto& required = requested.requirements;
+  const assembly::Band own = response && response->band ? *response->band : everywhere;
+  const assembly::Band common = required && required->band ? *required->band : own;
+  const std::string subject = required && required->band ? "requirements.band" : "analyses.response.band";
+  const auto add = [&](const std::string& name, const assembly::Band& band) {
+    stated.limited_ranges.push_back({name, band.from, band.to});
+  };
+  if (!requested.limits.empty()) add("analyses.response.band", own);
+  if (required)
+    for (const project::AmplitudeLimit& limit : required->limits)
+      if (const auto& band = limit.speed ? limit.speed : limit.band) add("requirements.limits", *band);
+      else add(subject, common);
+  for (const project::LimitLineRequest& request : requested.limit_lines) {
+    const auto& points = request.line.angular_frequency;
+    if (points.empty()) continue;
+    if (request.bands)
+      stated.band_lines.push_back(
+          {"limit_lines." + request.line.name, points.front(), points.back(), request.excitations});
+    else add(subject, {std::max(common.from, points.front()), std::min(common.to, points.back())});
+  }
+}
+
 void add_analyses(const project::Case& variant, plausibility::Stated& stated) {
   const project::Analyses& requested = variant.analyses;
   const auto add = [&](const std::string& analysis, const std::optional<assembly::Band>& band) {
@@ -146,6 +174,7 @@ void add_analyses(const project::Case& variant, plausibility::Stated& stated) {
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,
                                         request.of, std::ranges::max(line.limit), line.unit == "m/s", true});
   add_windows_of_requirements(variant, stated);
+  add_limited_ranges(requested, stated);
   const project::Node* orders = find(variant.document, "analyses", "orders");
   const project::Node* speeds = orders ? orders->find("speed") : nullptr;
   const auto& run_up = requested.orders;

@@ -58,6 +58,19 @@ Eigen::MatrixXd strain_energies(const assembly::Assembled& assembled, const Eige
   return energies;
 }
 
+/// φᵀK_fφ of all foundations.
+double foundation_strain_energy(const model::System& system, const assembly::Assembled& assembled,
+                                const Eigen::VectorXd& phi) {
+  double sum = 0;
+  const auto& foundations = system.description().foundations;
+  for (std::size_t f = 0; f < foundations.size(); ++f) {
+    const Eigen::MatrixXd& stiffness = foundations[f].stiffness;
+    const Eigen::VectorXd motion = phi.segment(assembled.layout.foundation_row(f), stiffness.rows());
+    sum += motion.dot(stiffness * motion);
+  }
+  return sum;
+}
+
 /// @param momentum  Aφ
 /// @param strain    φᵀK_eφ of every element
 void share_energy(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi,
@@ -81,7 +94,10 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
   assert(std::abs(mode.kinetic_energy_share.sum() + mode.foundation_kinetic_energy_share +
                   mode.element_kinetic_energy_share.sum() - 1) <= of_sums * share.cwiseAbs().sum() &&
          "bodies, foundations and elements share all coordinates, each once");
-  if (mode.eigenvalue_squared == 0 || assembled.elements.empty()) return;
+  if (mode.eigenvalue_squared == 0) return;
+  const double in_foundations = foundation_strain_energy(system, assembled, phi), in_elements = std::abs(strain.sum());
+  if (in_foundations > 0) mode.foundation_strain_energy_share = in_foundations / (in_foundations + in_elements);
+  if (assembled.elements.empty()) return;
   // A foundation mode that moves no mount stores all its energy in the foundation: shares of round-off mean nothing.
   constexpr double round_off = 1e-12;
   // So do those of energies that cancel: of struts under compression against springs.
@@ -201,25 +217,41 @@ double highest_natural_frequency(const model::System& system, const assembly::As
   return highest > 0 ? highest : 1;
 }
 
+namespace {
+
+/// Energy of the foundations over the magnitude of that of all elements; infinite if the elements have none.
+double foundations_to_elements(const Mode& mode) {
+  return mode.foundation_strain_energy_share / (1 - mode.foundation_strain_energy_share);
+}
+
+}  // namespace
+
 Eigen::VectorXd stored_energy(const Mode& mode) {
   if (!mode.strain_energy_share || mode.strain_energy_share->size() == 0) return {};
   const double sign = mode.eigenvalue_squared < 0 ? -1 : 1;  // of the sum, over which the shares are
   const Eigen::VectorXd energies = sign * *mode.strain_energy_share;
-  const double stored = energies.cwiseMax(0).sum();
-  if (!(stored > 0)) return {};
+  const double in_elements = energies.cwiseMax(0).sum();
+  if (!(in_elements > 0)) return {};
   // The largest positive energy is one of the terms of their sum.
-  assert(energies.maxCoeff() <= stored && "no element stores more than all together");
-  return energies / stored;
+  assert(energies.maxCoeff() <= in_elements && "no element stores more than all together");
+  return energies / (in_elements + foundations_to_elements(mode));
 }
 
 std::optional<MostStrained> most_strained(const Mode& mode) {
   const Eigen::VectorXd energies = stored_energy(mode);
-  if (energies.size() == 0) return std::nullopt;
+  if (energies.size() == 0) {
+    if (mode.foundation_strain_energy_share > 0) return MostStrained{.in_foundations = true, .share = 1};
+    return std::nullopt;
+  }
   constexpr double same_share = 5e-4;
   Eigen::Index most = 0;
-  const double share = energies.maxCoeff(&most);
+  const double share = energies.maxCoeff(&most), given_back = -energies.cwiseMin(0).sum();
+  const double in_foundations = 1 - energies.cwiseMax(0).sum();
+  if (in_foundations > share)
+    return MostStrained{.in_foundations = true, .share = in_foundations, .given_back = given_back};
   const auto alike = ((energies.array() - share).abs() < same_share).count() - 1;
-  return MostStrained{to_size(most), share, static_cast<int>(alike), -energies.cwiseMin(0).sum()};
+  return MostStrained{
+      .element = to_size(most), .share = share, .alike = static_cast<int>(alike), .given_back = given_back};
 }
 
 std::string given_back_words(double given_back) {

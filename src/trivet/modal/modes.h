@@ -34,7 +34,9 @@ struct Mode {
   Eigen::VectorXd principal_kinetic_energy_share;  ///< of the bodies alone, along and about the central principal axes;
                                                    ///< all ≥ 0, sums to 1
   std::optional<Eigen::VectorXd>
-      strain_energy_share;             ///< per element, sums to 1; empty if ω² = 0 or no element is strained
+      strain_energy_share;  ///< per element, sums to 1; empty if ω² = 0 or no element is strained
+  /// φᵀK_fφ of all foundations over the sum of it and of the magnitude of that of all elements: 0 … 1.
+  double foundation_strain_energy_share = 0;
   std::vector<spatial::Screw> screws;  ///< per body
   std::string name;                    ///< for display
 };
@@ -71,20 +73,21 @@ struct Modes {
 // Where the strain energy of a mode is, in words. Energies of elements with a negative stiffness, of struts under
 // compression or of weight above a mount are negative: then shares of the sum, Mode::strain_energy_share, exceed 1.
 
-/// Energy of every element over the sum of the positive ones: at most 1, negative where an element gives back. Empty as
-/// the shares of the mode are, or if no element stores energy.
+/// Energy of every element over the sum of the positive ones and that of the foundations: at most 1, negative where an
+/// element gives back. Empty as the shares of the mode are, or if no element stores energy.
 [[nodiscard]] Eigen::VectorXd stored_energy(const Mode& mode);
 
 /// Energies of a mode or a vibration that are given back, over those that are stored, from which on words say so.
 constexpr double noticeably_given_back = 0.005;
 
 struct MostStrained {
+  bool in_foundations = false;  ///< instead of an element
   std::size_t element = 0;
   double share = 0;       ///< of what is stored, 0 … 1
   int alike = 0;          ///< further elements with the same share but for rounding
   double given_back = 0;  ///< by elements with negative energy, over what is stored, ≥ 0
 };
-/// The element with the most strain energy; none if `stored_energy` is empty.
+/// The element with the most strain energy, or the foundations; none if nothing stores energy.
 [[nodiscard]] std::optional<MostStrained> most_strained(const Mode& mode);
 
 /// ", 77 % of it given back" for a noticeable share; else empty.

@@ -66,6 +66,12 @@ void judge_dampers(const model::System& system, Suspicions& found);
 /// that would move the machine too far.
 void judge_rotors(const model::System& system, const std::vector<Rotor>& rotors, Suspicions& found);
 
+/// Limits on amplitudes of which none holds at the service speed of a rotor.
+void judge_service_speeds(const std::vector<Rotor>& rotors, const std::vector<LimitedRange>& ranges, Suspicions& found);
+
+/// Random excitations that end within a limit line over bands.
+void judge_measured_ranges(const model::System& system, const std::vector<BandLine>& lines, Suspicions& found);
+
 /// Bands and spectra without a resonance, transients that end too early, pulses that last too long.
 void judge_analyses(const model::System& system, const Stated& stated, Suspicions& found);
 

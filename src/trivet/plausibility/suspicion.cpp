@@ -99,6 +99,8 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
     judge_limits(system, stated.allowed_motions, all, found);
     judge_foundations(system, all, found);
     judge_ground_motion(system, all, found);
+    judge_measured_ranges(system, stated.band_lines, found);
+    judge_service_speeds(stated.rotors, stated.limited_ranges, found);
   }
   if (!bodies_doubtful && blamed.empty()) judge_analyses(system, stated, found);
   return found;

@@ -58,6 +58,8 @@ inline constexpr const char* kinds[] = {
     "scale",
     "limit",
     "ground motion",
+    "measured range",
+    "service speed",
 };
 
 /// A frequency range of an analysis or of an exciting spectrum. [rad/s]
@@ -94,6 +96,19 @@ struct AllowedMotion {
   bool is_line = false;  ///< of a limit line; its rows are in SI
 };
 
+/// A range over which amplitudes are limited. [rad/s]
+struct LimitedRange {
+  std::string subject;  ///< "analyses.response.band"
+  double from = 0, to = 0;
+};
+
+/// A limit line over the bands of a random vibration. [rad/s]
+struct BandLine {
+  std::string subject;  ///< "limit_lines.floor"
+  double from = 0, to = 0;
+  std::vector<std::string> excitations;  ///< empty: all
+};
+
 /// Pistons, with the oscillating part of their rods.
 struct Engine {
   std::string subject;  ///< "excitations.crank.engine.oscillating_mass"
@@ -115,6 +130,8 @@ struct Stated {
   std::vector<Rotor> rotors;
   std::vector<Speed> speeds;
   std::vector<AllowedMotion> allowed_motions;
+  std::vector<LimitedRange> limited_ranges;
+  std::vector<BandLine> band_lines;
   std::vector<Engine> engines;
   std::optional<TimeAnalysis> transient;
   /// Table and kind of each suspicion that the user has accepted; an accepted value causes no suspicion about other

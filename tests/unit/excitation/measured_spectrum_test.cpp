@@ -20,11 +20,7 @@ using test::RelativelyNear;
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double round_off = 1e-11;  // sums of thousands of squares
 
-double mean_square_of_lines(const MeasuredSpectrum& spectrum) {
-  double sum = 0;
-  for (const double density : spectrum.table.densities_per_hz) sum += density * spectrum.resolution_hz;
-  return sum;
-}
+double mean_square_of(const MeasuredSpectrum& spectrum) { return mean_square(from_table(spectrum.table)); }
 
 // Segments, Parseval: a sine on a line has its power on this line and its two neighbours.
 TEST(MeasuredSpectrum, ASineOnALineHasItsMeanSquare) {
@@ -34,9 +30,17 @@ TEST(MeasuredSpectrum, ASineOnALineHasItsMeanSquare) {
   const MeasuredSpectrum found = measured_spectrum(record, step, 0.5);
   EXPECT_EQ(found.segments, 4096 / 256 - 1);  // the next number of samples above 512 without larger primes is itself
   EXPECT_DOUBLE_EQ(found.resolution_hz, 0.5);
-  EXPECT_DOUBLE_EQ(found.table.frequencies_hz.front(), 0.5);
-  EXPECT_THAT(mean_square_of_lines(found), RelativelyNear(amplitude * amplitude / 2, round_off));
-  EXPECT_LT(found.table.densities_per_hz[60], 1e-20);  // 30.5 Hz
+  EXPECT_DOUBLE_EQ(found.table.frequencies_hz.front(), 0.25);  // the first line, at 0.5 Hz, holds from here
+  EXPECT_THAT(mean_square_of(found), RelativelyNear(amplitude * amplitude / 2, round_off));
+  EXPECT_LT(found.table.densities_per_hz[61], 1e-20);  // 30.5 Hz
+}
+
+TEST(MeasuredSpectrum, ToneOnALowLineKeepsItsMeanSquareToo) {
+  for (const double hertz : {1.0, 1.5, 126.5}) {  // lines 2, 3 and 253 of 255
+    std::vector<double> record;
+    for (int i = 0; i < 2048; ++i) record.push_back(std::sin(two_pi * hertz * i / 256));
+    EXPECT_THAT(mean_square_of(measured_spectrum(record, 1.0 / 256, 0.5)), RelativelyNear(0.5, round_off)) << hertz;
+  }
 }
 
 // x_i = a x_(i-1) + e_i has the one-sided density 2 dt σ²/|1 - a exp(-i ω dt)|².
@@ -64,13 +68,14 @@ TEST(MeasuredSpectrum, ColouredNoiseHasTheDensityOfItsFilter) {
 TEST(MeasuredSpectrum, ALineEveryThirdOfAHertzHasSegmentsWithoutLargePrimes) {
   const MeasuredSpectrum found = measured_spectrum(std::vector<double>(5000, 1.5), 0.01, 1 / 3.01);  // 301 samples
   EXPECT_NEAR(found.resolution_hz, 1 / 3.2, 1e-15);                                                  // 320 samples
-  EXPECT_EQ(mean_square_of_lines(found), 0);
+  for (const double density : found.table.densities_per_hz) EXPECT_EQ(density, 0);
 }
 
 TEST(MeasuredSpectrum, ARecordThatIsTooShortOrTooCoarseIsRefused) {
   EXPECT_THROW((void)measured_spectrum(std::vector<double>(99, 1), 0.01, 1), foundation::InvalidInput);
   EXPECT_NO_THROW((void)measured_spectrum(std::vector<double>(100, 1), 0.01, 1));
   EXPECT_THROW((void)measured_spectrum(std::vector<double>(100, 1), 0.01, 20), foundation::InvalidInput);
+  EXPECT_THROW((void)measured_spectrum(std::vector<double>(100, 1), 0.01, 1e-30), foundation::InvalidInput);
 }
 
 }  // namespace measured_spectrum_test

@@ -195,6 +195,29 @@ TEST(RayleighDamping, IsAlphaAPlusBetaK) {
   EXPECT_LE((m.B - 0.3 * m.A - 0.002 * m.K).norm(), few_roundings);
 }
 
+// A mass on a spring on a floor, [[k, -k], [-k, k + K]] φ = ω² diag(m, M) φ: the spring has k (φ1 - φ2)², the floor K
+// φ2².
+TEST(Modes, KnowTheStrainEnergyOfFoundations) {
+  constexpr double m = 6, M = 5, k = 60, K = 400;
+  const auto project = test::project(
+      "trivet = 1\n[bodies.cube]\nmass = 6\nfree = [\"z\"]\n[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = "
+      "[0, 0, 0]\ntranslation = [60, 60, 60]\nrotation = [40, 40, 90]\nfoundation = \"floor\"\n[foundations.floor]\n"
+      "type = \"impedance\"\nmass = 5\nfree = [\"z\"]\ntranslation = [400, 400, 400]\n");
+  const modal::Modes modes = modal::modes(project.base().system);
+  ASSERT_EQ(modes.list.size(), 2u);
+  for (const modal::Mode& mode : modes.list) {
+    const double a = m * M, b = -(m * (k + K) + M * k), c = k * K;
+    const double squared = (-b + (mode.number == 1 ? -1 : 1) * std::sqrt(b * b - 4 * a * c)) / (2 * a);
+    const double floor = 1 - m * squared / k;  // for a unit motion of the mass
+    const double in_spring = k * (1 - floor) * (1 - floor), in_floor = K * floor * floor;
+    EXPECT_NEAR(mode.foundation_strain_energy_share, in_floor / (in_spring + in_floor), round_off) << mode.number;
+    const auto most = modal::most_strained(mode);
+    ASSERT_TRUE(most);
+    EXPECT_EQ(most->in_foundations, mode.number == 2);
+    EXPECT_NEAR(most->share, std::max(in_floor, in_spring) / (in_spring + in_floor), round_off);
+  }
+}
+
 TEST(Modes, HaveNoStrainSharesIfAFoundationMovesNoMount) {
   const auto project =
       test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, "
@@ -209,6 +232,10 @@ TEST(Modes, HaveNoStrainSharesIfAFoundationMovesNoMount) {
     else EXPECT_NEAR(mode.strain_energy_share->sum(), 1, round_off) << mode.number;
   }
   EXPECT_EQ(without, 1);
+  for (const modal::Mode& mode : modes.list)
+    if (!mode.strain_energy_share) {
+      EXPECT_TRUE(modal::most_strained(mode)->in_foundations);
+    }
 }
 
 }  // namespace modal_test

@@ -362,6 +362,37 @@ TEST(Plausibility, DetectsWindowsAndBandsOfRequirementsInHertzWithoutTheUnit) {
   EXPECT_THAT(of_band("[\"1 Hz\", \"2 Hz\"]"), IsEmpty());  // an operating range without a resonance
 }
 
+TEST(Plausibility, DetectsLimitsThatMissTheServiceSpeed) {
+  const std::string rotor =
+      "[excitations.rotor]\ntype = \"unbalance\"\non = \"cube\"\nat = [0, 0, 0]\naxis = \"x\"\ngrade = 6.3\nrotor_mass "
+      "= "
+      "\"40 kg\"\nservice_speed = \"600 rpm\"\n[analyses]\nresponse = {band = [\"1 Hz\", \"20 Hz\"]}\n";
+  const auto with = [&](const std::string& limits) { return kinds(Cube{.more = rotor + limits}.text()); };
+  EXPECT_THAT(with("[limits]\n\"cube.z\" = \"1 mm\"\n"), IsEmpty());
+  EXPECT_THAT(with("[requirements]\nlimits = {\"cube.z\" = {limit = \"1 mm\", band = [\"1 Hz\", \"9 Hz\"]}}\n"),
+              ElementsAre("service speed"));
+  EXPECT_THAT(with("[requirements]\nlimits = {\"cube.z\" = {limit = \"1 mm\", band = [\"1 Hz\", \"10 Hz\"]}}\n"),
+              IsEmpty());
+  EXPECT_THAT(with("[requirements]\nband = [\"11 Hz\", \"19 Hz\"]\nlimits = {\"cube.z\" = \"1 mm\"}\n"),
+              ElementsAre("service speed"));
+  EXPECT_THAT(with("[requirements]\nisolation = {least = \"50 %\"}\n"), IsEmpty());  // no amplitude is limited
+}
+
+TEST(Plausibility, DetectsFloorsThatEndWithinALimitLine) {
+  const auto with = [&](const std::string& from, const std::string& line) {
+    return kinds(
+        Cube{.more = "[excitations.floor]\ntype = \"random\"\nbase = true\ntranslation = [0, 0, 1]\npsd = {flat = "
+                     "\"1e-12 m^2/Hz\", band = [\"" +
+                 from + " Hz\", \"100 Hz\"]}\n[limit_lines.floor]\nof = \"cube.z\"\n" + line}
+            .text());
+  };
+  EXPECT_THAT(with("0.891", "line = \"VC-E\"\n"), IsEmpty());
+  EXPECT_THAT(with("1.12", "line = \"VC-E\"\n"), ElementsAre("measured range"));
+  const std::string rows = "bands = \"third-octave\"\nrows = [[\"4 Hz\", \"1 mm/s\"], [\"50 Hz\", \"1 mm/s\"]]\n";
+  EXPECT_THAT(with("3.9", rows), IsEmpty());
+  EXPECT_THAT(with("4.2", rows), ElementsAre("measured range"));
+}
+
 TEST(Plausibility, DetectsProductsOfInertiaAboutThePoleWithTheOtherSign) {
   // m = 100 kg at (0.2, 0.2, 0), a cube of 0.6 m: Jxy about the pole is m x y = 4 kg m²
   const auto body = [](double xy) {

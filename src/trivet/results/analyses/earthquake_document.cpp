@@ -60,6 +60,7 @@ Table mode_shares(const EarthquakeResponse& e) {
                           {.unit = "kg", .digits = 5}),
                       row("spectral_acceleration", Kind::number, "spectral acceleration",
                           &ModalShare::spectral_acceleration, {.unit = "m/s²", .digits = 5})},
+          .height = [&e](std::size_t i) { return e.modes[i].effective_mass; },
           .folded = true};
 }
 

@@ -35,8 +35,8 @@ json::Json screws(const Mode& mode) {
 std::string most_strained(const project::Case& variant, const Mode& mode, bool with_others) {
   const auto most = modal::most_strained(mode);
   if (!most) return "–";
-  return variant.system.elements()[most->element].name + " " + percent(most->share) +
-      modal::given_back_words(most->given_back) +
+  const std::string where = most->in_foundations ? "foundations" : variant.system.elements()[most->element].name;
+  return where + " " + percent(most->share) + modal::given_back_words(most->given_back) +
       (with_others && most->alike > 0 ? fmt::format(", {} more with the same share", most->alike) : "");
 }
 
@@ -45,10 +45,12 @@ std::string motion_words(const Mode& mode) {
       (mode.repeated ? " (repeated root: one vector of an orthonormal basis)" : "");
 }
 
-/// Shares of the kinetic energy of a body: "93.1 % / 6.9 %".
+/// Shares of a body in the kinetic energy of the machine with its foundations and the masses of elements:
+/// "93.1 % / 6.9 %".
 std::string kinetic_words(const Mode& mode, std::size_t body) {
+  const double elsewhere = mode.foundation_kinetic_energy_share + mode.element_kinetic_energy_share.sum();
   const auto sum = [&](Eigen::Index from) {
-    return percent(mode.principal_kinetic_energy_share.segment(6 * to_index(body) + from, 3).sum());
+    return percent((1 - elsewhere) * mode.principal_kinetic_energy_share.segment(6 * to_index(body) + from, 3).sum());
   };
   return sum(0) + " / " + sum(3);
 }
@@ -109,6 +111,10 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
                         return mode.strain_energy_share ? Numbers(*mode.strain_energy_share) : Numbers();
                       },
                       for_programs),
+                  row("foundation_strain_energy_share", Kind::number, "", &Mode::foundation_strain_energy_share,
+                      {.forms = in_json}),
+                  row("foundation_kinetic_energy_share", Kind::number, "", &Mode::foundation_kinetic_energy_share,
+                      {.forms = in_json}),
                   row("screws", Kind::words, "", screws, {.forms = in_json}), row("name", Kind::words, "", &Mode::name),
                   row("strained", Kind::words, "most strain energy in",
                       [&variant](const Mode& mode) { return most_strained(variant, mode, false); },
@@ -128,6 +134,8 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
                "principal_kinetic_energy_share",
                "element_kinetic_energy_share",
                "strain_energy_share",
+               "foundation_strain_energy_share",
+               "foundation_kinetic_energy_share",
                "screws",
                "name"},
       .csv = {{"mode", "number"},
@@ -173,9 +181,10 @@ Document modes_document(const project::Case& variant, const study::CaseResults& 
   document.add(Words{.axis = "element", .list = names_of(variant.system.elements())});
   document.add(
       coordinate_table(row, "Mode shapes at the poles: x, y, z [m], θx, θy, θz [rad], unit modal mass", shape));
-  document.add(coordinate_table(
-      row, "Shares of kinetic energy by coordinate at the poles (they sum to 1; single ones may be outside 0 … 1)",
-      kinetic));
+  document.add(coordinate_table(row,
+                                "Shares of kinetic energy by coordinate at the poles (with those of elements and "
+                                "foundations they sum to 1; single ones may be outside 0 … 1)",
+                                kinetic));
   document.add(Single{.name = "free_motions", .value = results.free_motions});
   document.add(warnings_part(results));
   return document;

@@ -39,7 +39,7 @@ std::string at_frequency(double omega, const project::DisplayUnits& display) {
 
 /// Divides "machine.z ≤ 0.5 mm" into what is judged and its bound.
 void divide_at_bound(Judgement& one) {
-  for (const std::string sign : {" ≤ ", " ≥ "})
+  for (const std::string sign : {" ≤ ", " ≥ ", " within \""})
     if (const std::size_t at = one.words.find(sign); at != std::string::npos) {
       one.subject = one.words.substr(0, at);
       one.bound = one.words.substr(at + 1);
@@ -96,14 +96,16 @@ void add_limits(const study::CaseResults& case_results, std::size_t which, std::
     const study::LimitLineResult& line = *alone;
     list.push_back({line.comparison.met() ? Outcome::met : Outcome::violated, "limit line",
                     fmt::format("{} within “{}”", line.of, line.line.name),
-                    fmt::format("least margin {:.4g} dB {}", response::margin_level(line.comparison.least_margin),
+                    fmt::format("least margin {} dB {}",
+                                documents::number_text(response::margin_level(line.comparison.least_margin), 4),
                                 at_frequency(line.comparison.least_margin_at, case_results.display)),
                     line.comparison.least_margin, which});
     Judgement& one = list.back();
     const double level = response::margin_level(line.comparison.least_margin);
     one.subject = line.of;
     one.bound = "within “" + line.line.name + "”";
-    one.value = fmt::format("{:.4g} dB {} the line", std::abs(level), level < 0 ? "above" : "below");
+    one.value =
+        fmt::format("{} dB {} the line", documents::number_text(std::abs(level), 4), level < 0 ? "above" : "below");
     one.place =
         shown_quantity({.value = line.comparison.least_margin_at, .kind = Kind::frequency}, case_results.display);
     one.is_at = std::isfinite(line.comparison.least_margin_at);

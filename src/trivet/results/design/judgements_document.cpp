@@ -23,26 +23,31 @@ struct WorstCase {
 /// Least for the worst: violated before not judged before met, then by the margin.
 bool is_worse(const Judgement& a, const Judgement& b) {
   const auto rank = [](const Judgement& one) {
-    static constexpr std::array order = {Outcome::violated, Outcome::not_judged, Outcome::met,
-                                         Outcome::violated_no_need};
+    static constexpr std::array order = {Outcome::violated, Outcome::violated_no_need, Outcome::not_judged,
+                                         Outcome::met};
     return std::ranges::find(order, one.outcome) - order.begin() + (one.decides ? 0 : 4);
   };
   if (rank(a) != rank(b)) return rank(a) < rank(b);
   return a.margin < b.margin;
 }
 
+/// Do both judge the same, in whatever case?
+bool is_same(const Judgement& a, const Judgement& b) {
+  return std::string(a.kind) == b.kind && a.words == b.words &&
+      (a.kind != std::string("answer") || a.finding == b.finding);
+}
+
 std::vector<WorstCase> worst_cases(const std::vector<Judgement>& list, const std::vector<std::string>& case_names) {
   std::vector<WorstCase> rows;
   for (const Judgement& one : list) {
-    auto row = std::ranges::find_if(rows, [&](const WorstCase& known) {
-      return std::string(known.worst->kind) == one.kind && known.worst->words == one.words &&
-          (known.worst->kind != std::string("answer") || known.worst->finding == one.finding);
-    });
+    auto row = std::ranges::find_if(rows, [&](const WorstCase& known) { return is_same(one, *known.worst); });
     if (row == rows.end()) row = rows.insert(rows.end(), {&one, ""});
     else if (is_worse(one, *row->worst)) row->worst = &one;
-    if (one.outcome == Outcome::violated_no_need)
-      row->also += (row->also.empty() ? "" : ", ") + shown_case_name(case_names[one.shown_case]);
   }
+  for (WorstCase& row : rows)
+    for (const Judgement& one : list)
+      if (one.outcome == Outcome::violated_no_need && is_same(one, *row.worst) && &one != row.worst)
+        row.also += (row.also.empty() ? "" : ", ") + shown_case_name(case_names[one.shown_case]);
   std::ranges::stable_sort(rows, [](const WorstCase& a, const WorstCase& b) { return is_worse(*a.worst, *b.worst); });
   return rows;
 }

@@ -29,6 +29,17 @@ std::string isolation_cell(double transmissibility) {
   return fmt::format("{:.4g} % ({})", percent * response::isolation_efficiency(transmissibility), ratio);
 }
 
+/// "2.557 of 3.12 µm/s rms (81.94 %)"
+std::string level_on_line(const RequirementResult& r, const project::DisplayUnits& display) {
+  constexpr double percent = 100;
+  const std::string share = fmt::format("{:.4g} %", percent * *r.value);
+  if (!r.on_line) return share;
+  DisplayUnit unit = display_unit(display, r.on_line->unit);
+  unit.level = r.on_line->rms ? " rms" : "";
+  const std::string limit = value_text(r.on_line->limit, unit);
+  return fmt::format("{} of {} ({})", value_text(*r.value * r.on_line->limit, unit), limit, share);
+}
+
 }  // namespace
 
 Kind kind_of_numbers(const RequirementResult& r) {
@@ -55,9 +66,10 @@ std::string judged_value(const RequirementResult& r, const project::DisplayUnits
   if (!r.value) return "";
   if (std::isinf(*r.value)) return "∞";
   switch (r.kind) {
-    case RequirementKind::no_peak:
     case RequirementKind::limit_line:
     case RequirementKind::band_line:
+      return level_on_line(r, display);
+    case RequirementKind::no_peak:
     case RequirementKind::decoupling:
     case RequirementKind::no_contact:
       return fmt::format("{:.4g} %", 100 * *r.value);

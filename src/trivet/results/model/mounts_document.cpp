@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include "trivet/assembly/assembled.h"
@@ -14,11 +13,9 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/machinery/load_sharing.h"
 #include "trivet/results/format/in_documents.h"
 #include "trivet/results/model/model_words.h"
-#include "trivet/study/requirements/mount_loads.h"
-#include "trivet/study/whole_study.h"
+#include "trivet/study/analyses/load_case.h"
 
 namespace trivet::results {
 namespace {
@@ -86,25 +83,19 @@ MountKind kind_of(const model::Element& element) {
   return kind;
 }
 
-/// Largest share of the maker's ranges that the load of each catalogue mount takes, by element.
-std::map<std::string, double> utilisations(const model::System& system, const assembly::Assembled& assembled) {
-  std::map<std::string, double> shares;
-  for (const response::RatedLoad& rated : response::rated_loads(system, assembled)) {
-    const model::Element& element = system.elements()[rated.element];
-    double largest = 0;
-    for (int j = 0; j < 3; ++j)
-      if (const auto& range = element.rating->load[static_cast<std::size_t>(j)])
-        largest = std::max(largest, study::share_of_range(rated.load(j), *range));
-    if (element.rating->has_load_range()) shares[element.name] = largest;
+/// Mounts at rest; none if nothing loads the machine, or if they cannot be computed, for this reason.
+std::vector<study::MountAtRest> mounts_at_rest(const model::System& system, std::string& reason) {
+  if (!system.description().gravity && system.description().constant_forces.empty()) return {};
+  try {
+    return study::mounts_at_rest(system, assembly::assemble(system));
+  } catch (const foundation::NotComputable& refused) {
+    reason = refused.what();
+    return {};
   }
-  return shares;
 }
 
-std::vector<MountKind> kinds_of(const model::System& system) {
-  const assembly::Assembled assembled = assembly::assemble(system);
-  const std::vector<study::MountAtRest> at_rest = study::quick_mounts(system, assembled);
-  const std::map<std::string, double> shares =
-      at_rest.empty() ? std::map<std::string, double>() : utilisations(system, assembled);
+std::vector<MountKind> kinds_of(const model::System& system, std::string& reason) {
+  const std::vector<study::MountAtRest> at_rest = mounts_at_rest(system, reason);
   std::vector<MountKind> kinds;
   for (const model::Element& element : system.elements()) {
     if (element.is_foundation) continue;
@@ -117,7 +108,7 @@ std::vector<MountKind> kinds_of(const model::System& system) {
     kind->load.add(rest->compression);
     kind->across.add(rest->across);
     kind->deflection.add(rest->deflection);
-    if (const auto share = shares.find(element.name); share != shares.end()) kind->utilisation.add(share->second);
+    if (rest->utilisation) kind->utilisation.add(*rest->utilisation);
   }
   return kinds;
 }
@@ -154,7 +145,8 @@ double largest_of(const std::vector<MountKind>& kinds, std::initializer_list<Spr
 }  // namespace
 
 Document mounts_document(const project::Case& variant) {
-  std::vector<MountKind> kinds = kinds_of(variant.system);
+  std::string not_at_rest;
+  std::vector<MountKind> kinds = kinds_of(variant.system, not_at_rest);
   Document document;
   if (kinds.empty()) return document;
   const auto any = [&](auto has) { return std::ranges::any_of(kinds, has); };
@@ -201,6 +193,8 @@ Document mounts_document(const project::Case& variant) {
                                   has_load ? "Compression is along the axis of the mount, negative in tension. " : "",
                                   has_utilisation ? "Utilisation: largest static load over the maker's limit." : ""},
                         .place = Sentence::Place::note});
+  if (!not_at_rest.empty())
+    document.add(Sentence{.parts = {"No loads at rest: " + not_at_rest}, .place = Sentence::Place::note});
   return document;
 }
 

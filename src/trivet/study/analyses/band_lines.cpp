@@ -37,8 +37,10 @@ assembly::Band range_of(const response::RandomLoading& loading) {
 }
 
 std::vector<FrequencyBand> judged_bands(const project::LimitLineRequest& request, const assembly::Band& range) {
-  std::vector<FrequencyBand> bands = excitation::bands_between(*request.bands, range.from, range.to);
+  constexpr double edge = 0.5;  // an octave begins at 0.7 of its midband frequency
   const auto& points = request.line.angular_frequency;
+  std::vector<FrequencyBand> bands =
+      excitation::bands_between(*request.bands, std::max(range.from, edge * points.front()), range.to);
   std::erase_if(bands, [&](const FrequencyBand& band) {
     const double at = read_at(band, request.line);
     return at < points.front() || at > points.back();

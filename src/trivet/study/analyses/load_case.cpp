@@ -10,6 +10,7 @@
 #include "trivet/nonlinear/machine/static_machine.h"
 #include "trivet/response/machinery/load_sharing.h"
 #include "trivet/response/steady/at_rest.h"
+#include "trivet/study/requirements/mount_loads.h"
 
 namespace trivet::study {
 namespace {
@@ -57,6 +58,14 @@ std::vector<MountAtRest> mounts_at_rest(const model::System& moving, const assem
   if (result.empty()) return result;
   const response::StaticResponse rest = response::static_response(system, assembled, words);
   const std::vector<response::RatedLoad> rated = response::rated_loads(system, assembled);
+  const auto utilisation = [&](const response::RatedLoad& one) -> std::optional<double> {
+    const model::Rating& rating = *system.elements()[one.element].rating;
+    if (!rating.has_load_range()) return std::nullopt;
+    double largest = 0;
+    for (int j = 0; j < 3; ++j)
+      if (const auto& range = rating.load[to_size(j)]) largest = std::max(largest, share_of_range(one.load(j), *range));
+    return largest;
+  };
   constexpr std::size_t values_per_mount = 12, axial_deflection = 8;  // six forces, then six deflections
   for (std::size_t m = 0; m < result.size(); ++m) {
     const std::size_t first = values_per_mount * m;
@@ -65,7 +74,10 @@ std::vector<MountAtRest> mounts_at_rest(const model::System& moving, const assem
     force = response::mount_axes(system, system.elements()[mounts[m]]).transpose() * force;
     // What is compared with the ranges of its maker is the same everywhere.
     for (const response::RatedLoad& one : rated)
-      if (one.element == mounts[m]) force = -one.load;
+      if (one.element == mounts[m]) {
+        force = -one.load;
+        result[m].utilisation = utilisation(one);
+      }
     // A stop is pressed from either side; its axis points towards it.
     result[m].compression = system.elements()[mounts[m]].type == "stop" ? std::abs(force.z()) : -force.z();
     result[m].across = force.head<2>().norm();

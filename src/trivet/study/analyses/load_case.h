@@ -16,10 +16,11 @@ namespace trivet::study {
 /// A mount under the static load of a case. Mounts: elements from the ground or a foundation, and those of a catalogue.
 /// The axis of a stop points towards it: a positive deflection closes it.
 struct MountAtRest {
-  std::string name;        ///< of the element
-  double compression = 0;  ///< along its axis from end N to end K; negative: tension; of a stop ≥ 0 [N]
-  double across = 0;       ///< magnitude of the force across the axis [N]
-  double deflection = 0;   ///< of end K against end N along the axis; negative: towards N [m]
+  std::string name;                        ///< of the element
+  double compression = 0;                  ///< along its axis from end N to end K; negative: tension; of a stop ≥ 0 [N]
+  double across = 0;                       ///< magnitude of the force across the axis [N]
+  double deflection = 0;                   ///< of end K against end N along the axis; negative: towards N [m]
+  std::optional<double> utilisation = {};  ///< largest share of a load range of its maker; none without a range
 
   bool operator==(const MountAtRest&) const = default;
 };

@@ -164,6 +164,7 @@ class CurveRequirements {
         result.angular_frequency = found.comparison.least_margin_at;
         result.quantity = quantity_of(line.line);
         result.excitations = selection.excitations;
+        result.on_line = on_line(line.line, found.comparison.least_margin_at);
         result.candidates = maxima_below_line(result, line.line, found.comparison);
       });
     }
@@ -182,7 +183,29 @@ class CurveRequirements {
       result.angular_frequency = found.comparison.least_margin_at;
       result.quantity = quantity_of(line.line);
       result.excitations = line.excitations;
+      result.detail = judged_part(line, found);
+      result.on_line = on_line(line.line, found.comparison.least_margin_at);
     });
+  }
+
+  static RequirementResult::OnLine on_line(const assembly::LimitLine& line, double at) {
+    const double limit = response::zero_to_peak_limit(line, at);
+    return {line.rms ? limit / std::numbers::sqrt2 : limit, line.unit, line.rms};
+  }
+
+  /// "judged in 50 … 63 Hz of 1 … 80 Hz" if the bands do not cover the line; else empty.
+  static std::string judged_part(const project::LimitLineRequest& line, const LimitLineResult& found) {
+    constexpr double same_end = 1e-9;
+    const auto& points = line.line.angular_frequency;
+    const auto& bands = found.bands;
+    const double from = points.front() / foundation::two_pi, to = points.back() / foundation::two_pi;
+    const auto beside = [&](int by) {
+      return excitation::FrequencyBand{bands.front().width, (by < 0 ? bands.front() : bands.back()).index + by}
+          .nominal_hz();
+    };
+    if (beside(-1) < from * (1 - same_end) && beside(1) > to * (1 + same_end)) return "";
+    return fmt::format("judged in {:.4g} … {:.4g} Hz of {:.4g} … {:.4g} Hz", bands.front().nominal_hz(),
+                       bands.back().nominal_hz(), from, to);
   }
 
   /// " in 20 … 26 Hz under run"

@@ -41,9 +41,17 @@ enum class RequirementKind {
 /// One requirement with its value in one case.
 struct RequirementResult {
   RequirementKind kind = RequirementKind::amplitude;
-  std::string subject;                      ///< the result, body or element that is judged; empty: the whole system
-  std::string words;                        ///< "machine.seat.z ≤ 0.5 mm"
-  std::string line = {};                    ///< name of the limit line
+  std::string subject;    ///< the result, body or element that is judged; empty: the whole system
+  std::string words;      ///< "machine.seat.z ≤ 0.5 mm"
+  std::string line = {};  ///< name of the limit line
+  /// The line where it is nearest. `value` is the share of it.
+  struct OnLine {
+    double limit = 0;  ///< [unit]
+    std::string unit;  ///< SI
+    bool rms = true;   ///< root mean square; otherwise zero-to-peak
+    bool operator==(const OnLine&) const = default;
+  };
+  std::optional<OnLine> on_line = {};
   std::string unit;                         ///< SI, of `allowed` and `value`
   double allowed = 0;                       ///< bound: largest, or smallest where more is better
   std::optional<double> value;              ///< none: not judged, see `reason`; infinite if unbounded
