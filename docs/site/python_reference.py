@@ -48,8 +48,12 @@ def _is_property(node):
     return any(getattr(decorator, "id", "") == "property" for decorator in node.decorator_list)
 
 
-def _members(node):
-    """Public methods and properties of a class: signature and text."""
+def _members(node, source):
+    """Public fields, methods and properties of a class: signature and text; that of a field is its comment `#:`."""
+    for member in node.body:
+        if isinstance(member, ast.AnnAssign) and not member.target.id.startswith("_"):
+            comment = source[member.end_lineno - 1].partition("#: ")[2]
+            yield f"{member.target.id} → {ast.unparse(member.annotation)}", comment
     for member in node.body:
         if not isinstance(member, ast.FunctionDef) or member.name.startswith("_"):
             continue
@@ -57,9 +61,6 @@ def _members(node):
             yield f"{member.name} → {ast.unparse(member.returns)}", _text(member)
         else:
             yield _signature(member), _text(member)
-    for member in node.body:
-        if isinstance(member, ast.AnnAssign) and not member.target.id.startswith("_"):
-            yield f"{member.target.id} → {ast.unparse(member.annotation)}", ""
 
 
 def _row(signature, text):
@@ -86,8 +87,8 @@ def page(package, schema):
     """The page in Markdown. @param package  the folder of the sources; schema  that of the project file"""
     lines = [HEAD]
     for name, module in _public(package):
-        tree = ast.parse((package / f"{module}.py").read_text(encoding="utf-8"))
-        node = next(node for node in tree.body if getattr(node, "name", None) == name)
+        source = (package / f"{module}.py").read_text(encoding="utf-8")
+        node = next(node for node in ast.parse(source).body if getattr(node, "name", None) == name)
         lines += [f"## trivet.{name} {{#{name}}}", ""]
         if isinstance(node, ast.FunctionDef):
             lines += ["```python", _signature(node), "```", "", _text(node), ""]
@@ -97,7 +98,7 @@ def page(package, schema):
         lines += [_text(node), ""]
         if bases:
             lines += [f"Base classes: `{', '.join(bases)}`.", ""]
-        lines += _table(_members(node))
+        lines += _table(_members(node, source.splitlines()))
         if name == "Project":
             lines += ["Analyses, each with the keys of its table, which replace those of the file:", ""]
             lines += _table(_analyses(schema, node))

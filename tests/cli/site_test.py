@@ -67,6 +67,7 @@ class Site(unittest.TestCase):
     def test_python_reference_has_methods_with_their_text(self):
         page = python_reference.page(SOURCE / "bindings/python/trivet", SCHEMA)
         self.assertRegex(page, r"\| `response\(of=….*\) → Result` \| Keys: ")
+        self.assertIn("| `mass → float` | [kg] |", page)
         self.assertRegex(page, r"\| `changed\(changes: .*\) → Project` \| \w+")
 
 
