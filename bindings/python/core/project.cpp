@@ -141,7 +141,6 @@ void bind_project(nb::module_& module) {
       nb::arg("command"), "Keys of a command's table in the project file, as its help lists them.");
   module.def("schema", &engine::project_schema, "The JSON Schema of the project file.");
   module.def("starter", &engine::starter_text, "A commented project file to begin with.");
-  module.def("use_unit_database", &engine::use_unit_database, nb::arg("file"));
   module.def("in_unit", &engine::in_unit, nb::arg("value"), nb::arg("from_unit"), nb::arg("to_unit"),
              "A number in another unit of the same quantity.");
   module.def("angular_frequency", &engine::angular_frequency, nb::arg("text"), "A frequency with its unit in rad/s.");

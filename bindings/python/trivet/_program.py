@@ -12,5 +12,4 @@ spec = importlib.util.spec_from_file_location("_core", compiled)
 assert spec and spec.loader
 core = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(core)
-core.use_unit_database(str(package / "units" / "udunits2.xml"))
 sys.exit(core.main_program(["trivet", *sys.argv[1:]]))

@@ -3,13 +3,9 @@
 
 import atexit
 import os
-import pathlib
 import sys
 
 from trivet import _core
-
-_units = pathlib.Path(__file__).parent / "units" / "udunits2.xml"
-_core.use_unit_database(str(_units))
 
 
 @atexit.register

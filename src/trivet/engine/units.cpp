@@ -33,6 +33,4 @@ double angular_frequency(const std::string& text) {
 
 std::vector<std::string> path_keys(const std::string& path) { return project::path_keys(path); }
 
-void use_unit_database(const std::string& file) { project::use_unit_database(file); }
-
 }  // namespace trivet::engine

@@ -26,7 +26,4 @@ using DisplayUnits = project::DisplayUnits;
 /// Keys of a path such as elements."front left".scale; empty if it is not one.
 [[nodiscard]] std::vector<std::string> path_keys(const std::string& path);
 
-/// The file of unit definitions, if it is not at its usual place.
-void use_unit_database(const std::string& file);
-
 }  // namespace trivet::engine

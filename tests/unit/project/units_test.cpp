@@ -3,8 +3,8 @@
 
 #include <numbers>
 #include <string>
+#include <tuple>
 #include <utility>
-#include <vector>
 
 #include "support/matchers.h"
 #include "trivet/project/text/units.h"
@@ -140,33 +140,68 @@ TEST(Units, CompareTwoUnits) {
   EXPECT_FALSE(unit_ratio("m", "").has_value());
 }
 
-TEST(Units, AreTheSameWithAndWithoutTheDatabase) {
-  using trivet::project::Quantity, trivet::project::to_si, trivet::project::unit_ratio;
-  for (const auto& [unit, quantity] :
-       std::vector<std::pair<std::string, Quantity>>{{"mm", Quantity::length},
-                                                     {"cm", Quantity::length},
-                                                     {"Hz", Quantity::angular_frequency},
-                                                     {"rpm", Quantity::angular_velocity},
-                                                     {"deg", Quantity::angle},
-                                                     {"g", Quantity::mass},
-                                                     {"t", Quantity::mass},
-                                                     {"ms", Quantity::time},
-                                                     {"mm/s", Quantity::velocity},
-                                                     {"kN", Quantity::force},
-                                                     {"kN m", Quantity::moment},
-                                                     {"N/mm", Quantity::force_per_length},
-                                                     {"kN/m", Quantity::force_per_length},
-                                                     {"kN/mm", Quantity::force_per_length},
-                                                     {"kN m/rad", Quantity::moment_per_angle},
-                                                     {"N s/mm", Quantity::damping_force_per_length},
-                                                     {"kN s/m", Quantity::damping_force_per_length},
-                                                     {"kPa", Quantity::pressure},
-                                                     {"bar", Quantity::pressure},
-                                                     {"MPa", Quantity::pressure},
-                                                     {"GPa", Quantity::pressure},
-                                                     {"N/mm2", Quantity::pressure}})
-    EXPECT_EQ(to_si("1.2345678 " + unit, quantity).value(), 1.2345678 * unit_ratio(unit, si_unit(quantity)).value())
-        << unit;
+/// Factors of usual units are the nearest numbers to what they mean: "5 N/mm" is 5000 N/m to the last digit.
+TEST(Units, UsualOnesAreExact) {
+  for (const auto& [unit, quantity, factor] : {std::tuple{"mm", Quantity::length, 1e-3},
+                                               {"cm", Quantity::length, 1e-2},
+                                               {"Hz", Quantity::angular_frequency, 2 * pi},
+                                               {"rpm", Quantity::angular_velocity, 2 * pi / 60},
+                                               {"deg", Quantity::angle, pi / 180},
+                                               {"g", Quantity::mass, 1e-3},
+                                               {"t", Quantity::mass, 1e3},
+                                               {"ms", Quantity::time, 1e-3},
+                                               {"mm/s", Quantity::velocity, 1e-3},
+                                               {"kN", Quantity::force, 1e3},
+                                               {"kN m", Quantity::moment, 1e3},
+                                               {"N/mm", Quantity::force_per_length, 1e3},
+                                               {"kN/mm", Quantity::force_per_length, 1e6},
+                                               {"kN m/rad", Quantity::moment_per_angle, 1e3},
+                                               {"N s/mm", Quantity::damping_force_per_length, 1e3},
+                                               {"kPa", Quantity::pressure, 1e3},
+                                               {"bar", Quantity::pressure, 1e5},
+                                               {"MPa", Quantity::pressure, 1e6},
+                                               {"GPa", Quantity::pressure, 1e9},
+                                               {"N/mm2", Quantity::pressure, 1e6}})
+    EXPECT_EQ(to_si(std::string("1.2345678 ") + unit, quantity).value(), 1.2345678 * factor) << unit;
+}
+
+TEST(Units, ReadProductsFromLeftToRight) {
+  constexpr double round_off = 1e-12, pound_force = 4.4482216152605, inch = 0.0254;
+  for (const Conversion& c : {Conversion{"3 lbf-in", Quantity::moment, 3 * pound_force * inch},
+                              {"3 in.lbf", Quantity::moment, 3 * pound_force * inch},
+                              {"1 lbf s/in", Quantity::damping_force_per_length, pound_force / inch},
+                              {"1 lbf/in*s", Quantity::damping_force_per_length, pound_force / inch},
+                              {"1 kg/(m s2)", Quantity::pressure, 1},
+                              {"1 N per mm", Quantity::force_per_length, 1000},
+                              {"1 m/s/s", Quantity::acceleration, 1},
+                              {"1 m s-1", Quantity::velocity, 1},
+                              {"1 cm^3", Quantity::volume, 1e-6},
+                              {"1 (mm)3", Quantity::volume, 1e-9},
+                              {"2 Newtons", Quantity::force, 2},
+                              {"1 psi", Quantity::pressure, pound_force / (inch * inch)},
+                              {"1 kg m2/s2", Quantity::moment, 1}}) {
+    const auto found = to_si(c.text, c.quantity);
+    ASSERT_TRUE(found.has_value()) << c.text << ": " << found.error();
+    EXPECT_THAT(*found, trivet::test::RelativelyNear(c.si, round_off)) << c.text;
+  }
+  for (const char* wrong : {"m^", "m/", "(m", "m)", "m0", "m12", "/m", "lbfs/in", "m//s", "N-", "kkg", "lbf in-"})
+    EXPECT_FALSE(trivet::project::unit_ratio(wrong, wrong).has_value()) << wrong;
+  EXPECT_TRUE(trivet::project::unit_ratio("lbf s/in", "lbf s/in").has_value());
+}
+
+TEST(Units, ReadTemperaturesWithTheirZero) {
+  constexpr double round_off = 1e-12;
+  for (const Conversion& c : {Conversion{"20 °C", Quantity::temperature, 293.15},
+                              {"-40 degF", Quantity::temperature, 233.15},
+                              {"68 °F", Quantity::temperature, 293.15},
+                              {"-40 degC", Quantity::temperature, 233.15},
+                              {"3 K", Quantity::temperature, 3}}) {
+    const auto found = to_si(c.text, c.quantity);
+    ASSERT_TRUE(found.has_value()) << c.text << ": " << found.error();
+    EXPECT_THAT(*found, trivet::test::RelativelyNear(c.si, round_off)) << c.text;
+  }
+  EXPECT_EQ(trivet::project::unit_ratio("degC", "degC"), 1);
+  EXPECT_FALSE(trivet::project::unit_ratio("degF", "degC").has_value());
 }
 
 /// SI prefixes before customary units are slips: "mmi" is no thousandth of a mile.

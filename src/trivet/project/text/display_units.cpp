@@ -33,7 +33,7 @@ constexpr std::array<Kind, 5> kinds = {{{"length", "m", "\"mm\", \"in\" or \"mil
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// "m/s²" → "m/s2", which the unit database reads.
+/// "m/s²" → "m/s2", which `parsed_unit` reads.
 std::string with_plain_powers(std::string unit) {
   for (const auto& [power, digit] : {std::pair{"²", "2"}, std::pair{"³", "3"}, std::pair{"·", " "}})
     for (std::size_t at = unit.find(power); at != std::string::npos; at = unit.find(power))

@@ -38,7 +38,7 @@ std::string with_word_replaced(std::string_view unit, std::string_view word, std
   return result;
 }
 
-std::string database_spelling(std::string_view unit, std::string_view si) {
+std::string one_spelling(std::string_view unit, std::string_view si) {
   static constexpr std::array<std::pair<const char*, const char*>, 12> signs = {{{"⁻", "-"},
                                                                                  {"¹", "1"},
                                                                                  {"²", "2"},

@@ -60,10 +60,6 @@ enum class Quantity {
 /// dimensions here: Hz is 2π rad/s, "5 rad" is not a pure number and "5 J" is not a moment.
 [[nodiscard]] tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity);
 
-/// Reads the units from this copy of the database of UDUNITS-2 instead of that of the system. Call it before the first
-/// unit is read, from one thread.
-void use_unit_database(const std::string& file);
-
 // Units that belong to no single quantity: those of spectral densities, and the ratio of two units (units.cpp).
 
 /// SI unit of a spectral density of this quantity over hertz, "(m/s2)2/Hz", and the value in it of a text:
@@ -77,9 +73,9 @@ void use_unit_database(const std::string& file);
 
 // Units as people write them, for `units` only.
 
-/// The unit in the spelling of the database: superscripts as digits, "short ton" as one word, and 1/min, min⁻¹ and
-/// U/min as rpm if a rotational speed is expected. @param si  the expected SI unit
-[[nodiscard]] std::string database_spelling(std::string_view unit, std::string_view si);
+/// The unit in the spelling of the table of units: superscripts as digits, "short ton" as one word, and 1/min, min⁻¹
+/// and U/min as rpm if a rotational speed is expected. @param si  the expected SI unit
+[[nodiscard]] std::string one_spelling(std::string_view unit, std::string_view si);
 
 /// Why a unit with a word of several meanings is rejected, with the words to choose from; empty for any other.
 [[nodiscard]] std::string reason_against_ambiguous(std::string_view unit, std::string_view si);
