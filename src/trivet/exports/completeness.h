@@ -5,11 +5,6 @@
 
 namespace trivet::exports {
 
-/// Throws if a MATLAB file of version 5 without compression is cut off anywhere: matio does not report a full disk.
-/// Every element must end where the element that contains it ends, and structures and cells have all their parts.
-/// @throws std::runtime_error with the file
-void require_complete_matlab_file(const std::filesystem::path& path);
-
 /// Throws if an Excel workbook is cut off anywhere: libxlsxwriter does not report a disk that is full while it writes
 /// the sheets. The archive must have its directory at its end, every part its checksum, and every part must end with
 /// the tag that it begins with.

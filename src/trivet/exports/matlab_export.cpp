@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
-#include <matio.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <memory>
+#include <complex>
+#include <optional>
+#include <utility>
 
 #include "trivet/assembly/loads.h"
-#include "trivet/exports/completeness.h"
 #include "trivet/exports/format_table.h"
+#include "trivet/exports/mat_file.h"
 #include "trivet/exports/unique_names.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
@@ -23,14 +24,6 @@ namespace {
 
 using results::LabelledArray;
 using Complex = std::complex<double>;
-
-struct FreeVariable {
-  void operator()(matvar_t* variable) const { Mat_VarFree(variable); }
-};
-using Variable = std::unique_ptr<matvar_t, FreeVariable>;
-struct CloseFile {
-  void operator()(mat_t* file) const { Mat_Close(file); }
-};
 
 /// Bytes that a variable of version 5 may have.
 constexpr double most_bytes = 2147483647;
@@ -46,25 +39,6 @@ std::string field_name(const std::string& name) {
   if (field.empty() || std::isalpha(static_cast<unsigned char>(field[0])) == 0) field = "n_" + field;
   field.resize(std::min(field.size(), longest - room_for_number));
   return field;
-}
-
-Variable made_variable(matvar_t* variable) {
-  if (!variable) throw std::runtime_error("a MATLAB variable cannot be created: not enough memory");
-  return Variable(variable);
-}
-
-Variable mat_text(const char* name, const std::string& words) {
-  std::u16string units = utf16(words);
-  std::array<std::size_t, 2> sizes = {units.empty() ? std::size_t{0} : 1, units.size()};
-  return made_variable(Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UTF16, 2, sizes.data(), units.data(), 0));
-}
-
-Variable cell_of_texts(const char* name, const std::vector<std::string>& texts) {
-  std::array<std::size_t, 2> sizes = {texts.size(), 1};
-  Variable cell = made_variable(Mat_VarCreate(name, MAT_C_CELL, MAT_T_CELL, 2, sizes.data(), nullptr, 0));
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    Mat_VarSetCell(cell.get(), static_cast<int>(i), mat_text(nullptr, texts[i]).release());
-  return cell;
 }
 
 /// Numbers by columns: a vector is a column, a matrix has rows and columns, and more axes follow.
@@ -92,45 +66,17 @@ std::vector<T> by_columns(const std::vector<std::size_t>& shape, const std::vect
   return result;
 }
 
-Variable mat_real(const char* name, std::vector<std::size_t> sizes, std::vector<double> numbers) {
-  return made_variable(
-      Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, static_cast<int>(sizes.size()), sizes.data(), numbers.data(), 0));
+MatBytes variable_of(const LabelledArray& array) {
+  if (array.is_text()) return mat_texts("", array.texts());
+  if (array.is_complex()) return mat_complex("", sizes_of(array), by_columns(array.shape, array.complex_numbers()));
+  return mat_real("", sizes_of(array), by_columns(array.shape, array.real_numbers()));
 }
 
-Variable mat_complex(const char* name, std::vector<std::size_t> sizes, const std::vector<Complex>& numbers) {
-  if (numbers.empty()) return mat_real(name, std::move(sizes), {});  // matio frees what it did not allocate
-  std::vector<double> re, im;
-  for (const Complex& number : numbers) {
-    re.push_back(number.real());
-    im.push_back(number.imag());
-  }
-  mat_complex_split_t split{re.data(), im.data()};
-  return made_variable(Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, static_cast<int>(sizes.size()), sizes.data(),
-                                     &split, MAT_F_COMPLEX));
-}
-
-Variable variable_of(const LabelledArray& array, const char* name) {
-  if (array.is_text()) return cell_of_texts(name, array.texts());
-  if (array.is_complex()) return mat_complex(name, sizes_of(array), by_columns(array.shape, array.complex_numbers()));
-  return mat_real(name, sizes_of(array), by_columns(array.shape, array.real_numbers()));
-}
-
-/// A structure of variables, which it takes over.
-Variable mat_structure(const char* name, std::vector<std::pair<std::string, Variable>> fields) {
-  std::vector<const char*> names;
-  for (const auto& field : fields) names.push_back(field.first.c_str());
-  std::array<std::size_t, 2> sizes = {1, 1};
-  Variable result =
-      made_variable(Mat_VarCreateStruct(name, 2, sizes.data(), names.data(), static_cast<unsigned>(names.size())));
-  for (auto& field : fields) Mat_VarSetStructFieldByName(result.get(), field.first.c_str(), 0, field.second.release());
-  return result;
-}
-
-using Fields = std::vector<std::pair<std::string, Variable>>;
+using Fields = std::vector<std::pair<std::string, MatBytes>>;
 
 /// Groups with names, units and axes of their fields.
-std::vector<Variable> group_variables(const Content& content, std::vector<std::string>& notes) {
-  std::vector<Variable> variables;
+MatBytes group_variables(const Content& content, std::vector<std::string>& notes) {
+  MatBytes variables;
   bool all_the_same = true;
   std::vector<std::string> fields, names, units, axes;
   for (const Group& group : content.groups) {
@@ -141,28 +87,27 @@ std::vector<Variable> group_variables(const Content& content, std::vector<std::s
       if (field != array.name && std::exchange(all_the_same, false))
         notes.push_back(fmt::format(
             "names of fields have at most 63 letters, digits and _: {} is {}; about.name has all", array.name, field));
-      of_group.emplace_back(field, variable_of(array, nullptr));
+      of_group.emplace_back(field, variable_of(array));
       fields.push_back(group.name + "." + field);
       names.push_back(array.name);
       units.push_back(array.unit);
       axes.push_back(fmt::format("{}", fmt::join(array.axes, " × ")));
     }
-    variables.push_back(mat_structure(field_name(group.name).c_str(), std::move(of_group)));
+    variables += mat_structure(field_name(group.name), of_group);
   }
   Fields about;
-  about.emplace_back("source", mat_text(nullptr, content.words()));
-  about.emplace_back("sha256", mat_text(nullptr, content.project.sha256));
-  about.emplace_back("field", cell_of_texts(nullptr, fields));
-  about.emplace_back("name", cell_of_texts(nullptr, names));
-  about.emplace_back("unit", cell_of_texts(nullptr, units));
-  about.emplace_back("axes", cell_of_texts(nullptr, axes));
-  variables.push_back(mat_structure("about", std::move(about)));
-  return variables;
+  about.emplace_back("source", mat_text("", content.words()));
+  about.emplace_back("sha256", mat_text("", content.project.sha256));
+  about.emplace_back("field", mat_texts("", fields));
+  about.emplace_back("name", mat_texts("", names));
+  about.emplace_back("unit", mat_texts("", units));
+  about.emplace_back("axes", mat_texts("", axes));
+  return variables + mat_structure("about", about);
 }
 
 /// Frequencies around the natural ones, and displacements of the bodies there. Empty without excitation or if
 /// constant matrices do not describe the system.
-std::optional<Variable> check_variable(const Content& content) {
+std::optional<MatBytes> check_variable(const Content& content) {
   if (!content.find("matrices")) return std::nullopt;
   const model::System& system = content.variant.system;
   const study::SystemMatrices named = study::system_matrices(content.variant);
@@ -186,10 +131,10 @@ std::optional<Variable> check_variable(const Content& content) {
   for (std::size_t k = 0; k < omega.size(); ++k)
     for (const response::Curve& curve : found.curves) q.push_back(curve.value(static_cast<Eigen::Index>(k)));
   Fields check;
-  check.emplace_back("omega", mat_real(nullptr, {omega.size(), 1}, omega));
-  check.emplace_back("row", mat_real(nullptr, {rows.size(), 1}, rows));
-  check.emplace_back("q", mat_complex(nullptr, {rows.size(), omega.size()}, q));
-  return mat_structure("check", std::move(check));
+  check.emplace_back("omega", mat_real("", {omega.size(), 1}, omega));
+  check.emplace_back("row", mat_real("", {rows.size(), 1}, rows));
+  check.emplace_back("q", mat_complex("", {rows.size(), omega.size()}, q));
+  return mat_structure("check", check);
 }
 
 constexpr const char* check_script_start =
@@ -235,28 +180,19 @@ void require_size(const Content& content) {
 
 std::vector<std::string> write_matlab(const Content& content, const Target& target, const foundation::Progress&) {
   require_size(content);
-  const std::string path = target.path().string(), name = target.path().filename().string();
+  const std::string name = target.path().filename().string();
   std::vector<std::string> notes;
-  {
-    const std::unique_ptr<mat_t, CloseFile> file(
-        Mat_CreateVer(path.c_str(), "MATLAB 5.0 MAT-file, written by Trivet", MAT_FT_MAT5));
-    if (!file) throw std::runtime_error(fmt::format("cannot write {}", path));
-    std::vector<Variable> variables = group_variables(content, notes);
-    std::optional<Variable> check = check_variable(content);
-    if (check && is_quotable(name)) {
-      variables.push_back(std::move(*check));
-      write_bytes(target.side(), check_script(name));
-    } else if (check) {
-      notes.emplace_back("no check script: it cannot quote the name of the file; choose one without '");
-    } else if (content.find("matrices")) {
-      notes.emplace_back(
-          "no check script: it needs a harmonic excitation and matrices that describe the system exactly");
-    }
-    for (const Variable& variable : variables)
-      if (Mat_VarWrite(file.get(), variable.get(), MAT_COMPRESSION_NONE) != 0)
-        throw std::runtime_error(fmt::format("cannot write {} to {}; is the disk full?", variable->name, path));
+  MatBytes bytes = mat_header("MATLAB 5.0 MAT-file, written by Trivet") + group_variables(content, notes);
+  const std::optional<MatBytes> check = check_variable(content);
+  if (check && is_quotable(name)) {
+    bytes += *check;
+    write_bytes(target.side(), check_script(name));
+  } else if (check) {
+    notes.emplace_back("no check script: it cannot quote the name of the file; choose one without '");
+  } else if (content.find("matrices")) {
+    notes.emplace_back("no check script: it needs a harmonic excitation and matrices that describe the system exactly");
   }
-  require_complete_matlab_file(target.path());
+  write_bytes(target.path(), bytes);
   return notes;
 }
 
