@@ -2,24 +2,25 @@
 # Every library comes from the system (Debian 12 package names in scripts/packages).
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(tl-expected REQUIRED)
-find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
-find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Boost 1.74 REQUIRED CONFIG)  # headers of Boost.Math, included by source files only
 find_package(hwy REQUIRED)
-find_package(NLopt REQUIRED)
-find_package(PkgConfig REQUIRED)
-pkg_check_modules(MD REQUIRED IMPORTED_TARGET libmd)
-find_package(ZLIB REQUIRED)
-# Formats of `trivet export`; without one of these the format says so.
-pkg_check_modules(MATIO IMPORTED_TARGET matio)
-pkg_check_modules(HDF5 IMPORTED_TARGET hdf5-serial)
-find_library(HDF5_HL_LIBRARY hdf5_serial_hl)
-pkg_check_modules(XLSXWRITER IMPORTED_TARGET xlsxwriter)
-find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)
-find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
+if(TRIVET_PORTABLE)
+  include(static_libraries)
+else()
+  find_package(fmt REQUIRED)
+  find_package(tomlplusplus REQUIRED)
+  find_package(NLopt REQUIRED)
+  find_package(PkgConfig REQUIRED)
+  pkg_check_modules(MD REQUIRED IMPORTED_TARGET libmd)
+  find_package(ZLIB REQUIRED)
+  # Formats of `trivet export`; without one of these the format says so.
+  pkg_check_modules(HDF5 IMPORTED_TARGET hdf5-serial)
+  find_library(HDF5_HL_LIBRARY hdf5_serial_hl)
+  pkg_check_modules(XLSXWRITER IMPORTED_TARGET xlsxwriter)
+endif()
 
 # ccache makes a second build of the same sources nearly free.
 find_program(CCACHE_PROGRAM ccache)

@@ -14,3 +14,6 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trivet-config.cmake.in
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/trivet-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/trivet-config.cmake ${PROJECT_BINARY_DIR}/trivet-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/trivet)
+if(TRIVET_PORTABLE)
+  install(FILES ${CMAKE_CURRENT_LIST_DIR}/static_libraries.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/trivet)
+endif()

@@ -19,8 +19,8 @@ set(TRIVET_WARNINGS -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wold-style-cast
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-free-nonheap-object;-Wno-psabi>)
 
 # One precompiled header for all layers, except those that are OPTIMIZED (-O3) in this type of build, because it
-# stores the optimisation options. In debug builds, which have sanitizers, layers of WORDS (reading, writing) are not
-# optimised and have another header.
+# stores the optimisation options. Layers of WORDS (reading, writing) are not optimised in debug builds, which have
+# sanitizers, and for size in portable ones; there they have another header.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "// Compiles cmake/precompiled.h.\n")
 function(add_precompiled name)
   add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
@@ -31,14 +31,20 @@ function(add_precompiled name)
   target_precompile_headers(${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
 endfunction()
 add_precompiled(trivet_precompiled)
+set(TRIVET_WORDS_OPTION "")
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")
-  add_precompiled(trivet_precompiled_words -O0)
+  set(TRIVET_WORDS_OPTION -O0)
+elseif(TRIVET_PORTABLE)  # a third smaller
+  set(TRIVET_WORDS_OPTION -Os)
+endif()
+if(TRIVET_WORDS_OPTION)
+  add_precompiled(trivet_precompiled_words ${TRIVET_WORDS_OPTION})
 endif()
 
 # The precompiled header and the options of a target that only reads and writes.
 function(compile_words target)
-  if(CMAKE_BUILD_TYPE STREQUAL "Debug")
-    target_compile_options(${target} PRIVATE -O0)
+  if(TARGET trivet_precompiled_words)
+    target_compile_options(${target} PRIVATE ${TRIVET_WORDS_OPTION})
     target_precompile_headers(${target} REUSE_FROM trivet_precompiled_words)
   else()
     target_precompile_headers(${target} REUSE_FROM trivet_precompiled)
