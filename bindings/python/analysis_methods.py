@@ -82,7 +82,8 @@ def argument(key: str) -> str:
 
 def type_of(command: str, key: str) -> str:
     """The type of a key in the schema, where it is plain; other values may be numbers, texts with units, lists, arrays."""
-    value = analyses.get(command, {}).get("properties", {}).get(key, {})
+    tables = analyses if _core.file_table(command) != command else schema["properties"]
+    value = tables.get(command, {}).get("properties", {}).get(key, {})
     if "$ref" in value:
         value = schema["$defs"][value["$ref"].rpartition("/")[2]]
     if "enum" in value and all(isinstance(one, str) for one in value["enum"]):
@@ -102,7 +103,7 @@ def method(name: str, about: str, of_one_case: bool, own: list[tuple[str, str]])
     if own:
         parts.append("        Keys:\n" + "\n".join(paragraph(*key) for key in own))
     if file_keys:
-        head = f"        Keys of [analyses.{name}], which replace those of the file:\n"
+        head = f"        Keys of [{_core.file_table(name)}], which replace those of the file:\n"
         parts.append(head + "\n".join(paragraph(*key) for key in file_keys))
     which = "case: a case of the project instead of the base model.\n        " if of_one_case else ""
     parts.append(

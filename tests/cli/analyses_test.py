@@ -45,6 +45,8 @@ rows = [[2, 1e-3], [40, 1e-3]]
 [measurements.shaker]
 file = "shaker.csv"
 force = "motor"
+[operation]
+speeds = ["600 rpm", ["300 rpm", "500 rpm"]]
 [analyses]
 response = {band = ["2 Hz", "40 Hz"]}
 power = {band = ["2 Hz", "40 Hz"]}
@@ -64,10 +66,10 @@ def trivet(*arguments, code=0, **options):
 
 
 def analyses():
-    """All tables of [analyses] except the map and the search, the limit lines and the measurements; MACHINE or an
-    example must contain each."""
+    """All tables of [analyses] except the map and the search, the operation, the limit lines and the measurements;
+    MACHINE or an example must contain each."""
     analyses = json.loads(trivet("schema").stdout)["properties"]["analyses"]["properties"]
-    return [*(name for name in analyses if name not in ("map", "optimize")), "limit_lines", "measurements"]
+    return [*(name for name in analyses if name not in ("map", "optimize")), "operation", "limit_lines", "measurements"]
 
 
 ANALYSES = analyses()
@@ -112,6 +114,7 @@ class Analyses(unittest.TestCase):
         bare = self.folder / "bare.toml"
         bare.write_text(MACHINE[: MACHINE.index("[limit_lines")])
         for analysis, words in (
+            ("operation", "speed"),
             ("orders", "speed"),
             ("transmissibility", "force"),
             ("shapes", "at ="),

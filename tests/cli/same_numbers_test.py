@@ -31,6 +31,7 @@ COMMANDS = [
     ("response", "paper/corrected.toml"),
     ("peaks", "genset/genset.toml"),
     ("static", "genset/load_cases.toml"),
+    ("operation", "fan/fan.toml"),
     ("random", "optical_table/table.toml"),
     ("transient", "transport_shock/device.toml"),
     ("orders", "roll_stop/idle.toml"),
@@ -92,6 +93,8 @@ def derived(node):
         return
     if all(is_number(node.get(key)) for key in ("largest", "smallest")):
         yield (node["largest"] - node["smallest"]) / 2
+    if is_number(node.get("transmitted")):  # operation: forces as root mean squares, the level of the example
+        yield from (node[key] / math.sqrt(2) for key in ("exciting", "transmitted"))
     if "change_size" in node:  # explain: a slope times the change that the text names
         yield from (node[key] * node["change_size"] for key in ("height", "frequency") if is_number(node[key]))
     if is_number(node.get("multiplier")):  # optimize: percent for each percent

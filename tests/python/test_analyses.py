@@ -4,6 +4,7 @@
 import inspect
 import json
 import keyword
+import math
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from trivet import _core
 ANALYSES = [name for name, _ in _core.analyses()]
 #: An example that has each analysis.
 REQUESTED_IN = {
+    "operation": "fan/fan.toml",
     "random": "track/bogie.toml",
     "transient": "transport_shock/device.toml",
     "shock_spectrum": "transport_shock/device.toml",
@@ -53,12 +55,13 @@ def test_every_analysis_is_a_method():
 
 def test_signatures_and_help_have_the_keys_of_the_schema():
     """The methods that the build writes: each key is an argument, and help() has the words of the command line on it."""
-    analyses = json.loads(trivet.schema())["properties"]["analyses"]["properties"]
+    file = json.loads(trivet.schema())["properties"]
     compared = 0
     for name in ANALYSES:
+        tables = file if _core.file_table(name) == name else file["analyses"]["properties"]
         method = getattr(trivet.Project, name)
         parameters = inspect.signature(method).parameters
-        for key in analyses.get(name, {}).get("properties", {}):
+        for key in tables.get(name, {}).get("properties", {}):
             word = key + "_" if keyword.iskeyword(key) else key
             if key != "accept":
                 assert repr(parameters[word].default) == "as in the file"
@@ -79,6 +82,16 @@ def test_other_commands_have_the_options_of_their_method():
     for name, options in own.items():
         found = set(inspect.signature(getattr(trivet.Project, name)).parameters) - {"self", "keys"}
         assert found - {"threads"} == options | {"progress"}, name
+
+
+def test_the_operation_takes_its_keys_from_a_table_of_its_own():
+    fan = trivet.open(example("fan/fan.toml"))
+    told = json.loads(fan.operation(speeds=["1450 rpm", ["600 rpm", "900 rpm"]], of="fan.bearing.z").to_json())
+    velocities = [row for row in told["values"] if row["quantity"] == "velocity"]
+    assert [(row["name"], round(row["to"] * 30 / math.pi)) for row in velocities] == [
+        ("fan.bearing.z", 1450),
+        ("fan.bearing.z", 900),
+    ]
 
 
 @pytest.mark.filterwarnings("ignore::trivet.ModelWarning")

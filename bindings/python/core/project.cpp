@@ -133,6 +133,13 @@ void bind_project(nb::module_& module) {
   module.def("analyses", analyses, "(name, what it answers) of every analysis of a case");
   module.def("commands", commands, "(name, what it answers, is it of one case, its keys) of every command");
   module.def(
+      "file_table",
+      [](const std::string& command) {
+        const engine::Command* found = engine::find_command(command);
+        return found ? engine::file_table(*found) : std::string();
+      },
+      nb::arg("command"), "Path of a command's table in the project file.");
+  module.def(
       "file_keys",
       [](const std::string& command) {
         const engine::Command* found = engine::find_command(command);

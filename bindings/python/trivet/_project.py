@@ -164,7 +164,7 @@ class Project(Analyses):
         """The project with other keys of one analysis."""
         if not keys:
             return self
-        return self.changed({f"analyses.{analysis}.{key_text(key)}": value for key, value in keys.items()})
+        return self.changed({f"{_core.file_table(analysis)}.{key_text(key)}": value for key, value in keys.items()})
 
     def _result(self, core: _core.Result) -> Result:
         _errors.warn(core.warnings)

@@ -35,16 +35,40 @@ void set_band(const Task& task, project::Analyses& analyses) {
   analyses.limit_lines = task.variant.analyses.limit_lines;
 }
 
+/// Speeds or frequencies under `at`, all above 0. @throws InvalidInput
+std::vector<double> single_frequencies(const Task& task) {
+  const std::vector<double> at = task.keys.frequencies("at");
+  for (const double omega : at)
+    if (!(omega > 0))
+      throw InvalidInput(
+          fmt::format("{} {}: a speed or frequency is above 0", task.keys.written("at"), task.keys.text("at")));
+  return at;
+}
+
+/// The operation at the speeds of the request in place of those of the file, which need not have any.
+project::Analyses operation_at(const Task& task) {
+  project::Analyses analyses;
+  if (task.variant.analyses.operation) analyses.operation = task.variant.analyses.operation;
+  else analyses.operation.emplace().selection.of.clear();
+  analyses.operation->speeds.clear();
+  for (const double speed : single_frequencies(task)) analyses.operation->speeds.push_back({speed, speed});
+  return analyses;
+}
+
 /// The analysis of the file, or one with defaults, with the keys of the request in place of those of the file.
 project::Analyses with_keys(const Task& task) {
-  project::Analyses analyses = study::analysis_command(task.command.name).request(task.variant);
   const std::string& name = task.command.name;
+  if (name == "operation" && task.keys.has("at")) return operation_at(task);
+  project::Analyses analyses = study::analysis_command(name).request(task.variant);
   if (name == "modes" && task.keys.has("lowest")) analyses.lowest_modes = task.keys.count("lowest");
   if (name == "response" && task.keys.has("at")) {
     analyses.response->at = task.keys.frequencies("at");
     analyses.response->band.reset();
     analyses.limit_lines.clear();
   }
+  if (name == "transmissibility" && task.keys.has("at")) analyses.transmissibility->at = single_frequencies(task);
+  if (name == "orders" && task.keys.has("at")) analyses.orders->at = single_frequencies(task);
+  if (name == "power" && task.keys.has("at")) analyses.power->at = single_frequencies(task);
   if (name == "response" && task.keys.has("band")) set_band(task, analyses);
   if (name != "steady") return analyses;
   project::SteadyAnalysis& steady = *analyses.steady;
@@ -107,6 +131,21 @@ std::vector<Key> keys_of(const std::string& name) {
              .about = "FROM,TO in rad/s, or with units",
              .excludes = "at",
              .value = "FROM,TO"}};
+  if (name == "operation")
+    return {{.name = "at",
+             .kind = KeyKind::text,
+             .about = "speeds in place of those of the file: \"980 rpm\", or several with units",
+             .value = "SPEED,…"}};
+  if (name == "orders")
+    return {{.name = "at",
+             .kind = KeyKind::text,
+             .about = "tell single speeds besides: \"980 rpm\", or several with units",
+             .value = "SPEED,…"}};
+  if (name == "transmissibility" || name == "power")
+    return {{.name = "at",
+             .kind = KeyKind::text,
+             .about = "tell single frequencies besides: \"980 rpm\" or \"16.3 Hz\", or several with units",
+             .value = "FREQUENCY,…"}};
   if (name == "steady")
     return {{.name = "at",
              .kind = KeyKind::text,
@@ -122,6 +161,11 @@ std::vector<std::string> examples_of(const std::string& name) {
   if (name == "response")
     return {"trivet response machine.toml --band \"5 Hz,60 Hz\"",
             "trivet response machine.toml --at \"16.3 Hz\" --csv"};
+  if (name == "operation")
+    return {"trivet operation machine.toml --at \"980 rpm\"", "trivet operation machine.toml --case winter --csv"};
+  if (name == "orders" || name == "transmissibility" || name == "power")
+    return {"trivet " + name + " machine.toml --at \"980 rpm\"",
+            "trivet " + name + " machine.toml --case winter --csv"};
   if (name == "steady")
     return {"trivet steady machine.toml --at \"12 Hz\"", "trivet steady machine.toml --deep --json"};
   return {"trivet " + name + " machine.toml", "trivet " + name + " machine.toml --case winter --csv"};

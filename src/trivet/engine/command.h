@@ -86,6 +86,9 @@ struct Command {
 /// nullptr if there is no such command.
 [[nodiscard]] const Command* find_command(std::string_view name);
 
+/// Path of the command's table in the project file: "analyses.orders", "operation".
+[[nodiscard]] std::string file_table(const Command& command);
+
 /// Keys of the command's table in the project file with their descriptions, from the schema: "  band  …" per line.
 [[nodiscard]] std::string file_keys(const Command& command);
 

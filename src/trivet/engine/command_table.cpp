@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "trivet/engine/command_rows.h"
+#include "trivet/project/analyses/drive.h"
 #include "trivet/project/schema.h"
 
 namespace trivet::engine {
@@ -100,11 +101,14 @@ const Command* find_command(std::string_view name) {
   return found == commands().end() ? nullptr : &*found;
 }
 
+std::string file_table(const Command& command) { return project::table_path(command.name); }
+
 std::string file_keys(const Command& command) {
   const Json whole = Json::parse(project::project_schema());
-  const Json& analyses = whole["properties"]["analyses"]["properties"];
-  if (!analyses.contains(command.name)) return "";
-  const Json* keys = properties_of(analyses[command.name], whole);
+  const Json& file = whole["properties"];
+  const Json& tables = file_table(command) == command.name ? file : file["analyses"]["properties"];
+  if (!tables.contains(command.name)) return "";
+  const Json* keys = properties_of(tables[command.name], whole);
   if (!keys) return "";
   std::string text;
   for (const auto& [key, value] : keys->items()) {
@@ -115,7 +119,7 @@ std::string file_keys(const Command& command) {
                                                             : kind_words(own);
     text += fmt::format("  {:<18} {}\n", key, words);
   }
-  return text.empty() ? text : "Keys of [analyses." + command.name + "] in the file:\n" + text;
+  return text.empty() ? text : "Keys of [" + file_table(command) + "] in the file:\n" + text;
 }
 
 }  // namespace trivet::engine

@@ -30,7 +30,7 @@ namespace {
 using foundation::InvalidInput;
 
 /// Tables of the file that decide whether a design is good.
-const std::vector<std::string> judged_tables = {"requirements", "clearances", "limits", "limit_lines",
+const std::vector<std::string> judged_tables = {"requirements", "clearances", "limits", "limit_lines", "operation",
                                                 "response",     "peaks",      "random", "transient"};
 
 std::vector<std::string> with(std::vector<std::string> tables) {

@@ -26,7 +26,9 @@ using foundation::InvalidInput;
 std::string judged_by_verdict(const project::Project& project) {
   const project::Analyses& request = project.base().analyses;
   const bool clearances = !project.base().system.description().clearances.empty();
-  if (!request.requirements && !clearances && request.limits.empty() && request.limit_lines.empty()) return "";
+  if (!request.requirements && !clearances && request.limits.empty() && request.limit_lines.empty() &&
+      !(request.operation && !request.operation->limits.empty()))
+    return "";
   return fmt::format("Not judged here: requirements{} and limits, in all cases. Judge them by: trivet verdict {}\n",
                      clearances ? ", clearances" : "", project.source);
 }

@@ -79,6 +79,7 @@ void warn_of_small_motions(const model::System& system, const project::Analyses&
   if (request.transient) warn("analyses.transient");
   if (request.random) warn("analyses.random");
   if (request.orders) warn("analyses.orders");
+  if (request.operation) warn("operation");
   if (request.earthquake) warn("analyses.earthquake");
 }
 

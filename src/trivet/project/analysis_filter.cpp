@@ -41,6 +41,8 @@ std::string analysis_of(const std::string& subject) {
   std::string first = subject.substr(0, subject.find('.'));
   for (const char* table : {"limits", "limit_lines", "measurements", "requirements", "parameters"})
     if (first == table) return first;
+  for (const AnalysisReader& reader : analysis_readers())
+    if (reader.at_top && first == reader.name) return first;
   if (first != "analyses") return "";
   if (subject == first) return first;
   const std::size_t from = first.size() + 1;

@@ -68,9 +68,11 @@ void add_element_laws(Json& definitions) {
   }
 }
 
-void add_analyses(Json& analyses) {
+void add_analyses(Json& file) {
+  Json& analyses = file["analyses"]["properties"];
   for (const AnalysisReader& analysis : analysis_readers())
-    analyses[analysis.name] = closed(parsed(analysis.name, analysis.keys), {{"accept", reference("accept")}}, {}, {});
+    (analysis.at_top ? file : analyses)[analysis.name] =
+        closed(parsed(analysis.name, analysis.keys), {{"accept", reference("accept")}}, {}, {});
 }
 
 }  // namespace
@@ -78,7 +80,7 @@ void add_analyses(Json& analyses) {
 std::string project_schema() {
   Json schema = Json::parse(schema_text);
   add_element_laws(schema["$defs"]);
-  add_analyses(schema["properties"]["analyses"]["properties"]);
+  add_analyses(schema["properties"]);
   return schema.dump(1) + "\n";
 }
 

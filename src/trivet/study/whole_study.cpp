@@ -22,6 +22,7 @@
 #include "trivet/study/optimize/design_front.h"
 #include "trivet/study/optimize/optimization.h"
 #include "trivet/study/optimize/optimum_warnings.h"
+#include "trivet/study/requirements/requirement_values.h"
 
 namespace trivet::study {
 namespace {
@@ -118,7 +119,8 @@ std::vector<CaseResults> run(const project::Project& project, const foundation::
                  (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
     };
     all.push_back(case_results(variant, variant.analyses, step));
-    if (project.base().analyses.requirements || !project.base().system.description().clearances.empty())
+    if (project.base().analyses.requirements || judges_operation(project.base().analyses) ||
+        !project.base().system.description().clearances.empty())
       add_verdict(project, variant, step, all.back());
     if (project.cases.size() > 1) all.back().load_case = load_case_of(variant, all.back());
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());

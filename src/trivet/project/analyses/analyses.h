@@ -205,6 +205,7 @@ struct Analyses {
   std::vector<MountChoice> choices;    ///< those that choose mounts
   std::optional<OptimizeRequest> optimize;
   // The independent ones: analysis_table.h
+  std::optional<OperationAnalysis> operation;
   std::optional<RandomAnalysis> random;
   std::optional<TransientAnalysis> transient;
   std::optional<OrdersAnalysis> orders;

@@ -162,11 +162,12 @@ Analyses read_analyses(TableReader& root, const SymbolTable& symbols) {
                      "give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
       analyses.load_sharing = root.has("gravity");
     }
-    read_independent_analyses(reader, names, symbols, analyses);
+    read_independent_analyses(reader, false, names, symbols, analyses);
     read_map(root, reader, names, symbols, analyses);
     read_optimize(root, reader, names, symbols, analyses);
     reader.finish();
   }
+  read_independent_analyses(root, true, names, symbols, analyses);
   read_limit_lines(root, names, symbols, analyses);
   analyses.limits = read_limits(root, names, analyses.response, quantity_is_clear,
                                 (analyses.map && analyses.map->limits_of_file) || root.has("requirements"));

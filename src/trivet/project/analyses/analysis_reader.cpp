@@ -41,16 +41,16 @@ std::vector<std::pair<std::string, const Analysis&>> independent_analyses(const 
   return list;
 }
 
-void read_independent_analyses(TableReader& analyses, const ResultNames& names, const SymbolTable& symbols,
-                               Analyses& result) {
+void read_independent_analyses(TableReader& owner, const bool at_top, const ResultNames& names,
+                               const SymbolTable& symbols, Analyses& result) {
   for (const AnalysisReader& analysis : analysis_readers()) {
-    const Node* table = analyses.table(analysis.name);
+    const Node* table = analysis.at_top == at_top ? owner.table(analysis.name) : nullptr;
     if (!table) continue;
     const bool driven = analysis.drive == Drive::none || (analysis.moves_by_itself && analysis.moves_by_itself(*table));
     if (!driven && excitations_for(analysis.drive, symbols).empty())
-      analyses.error(analysis.name, missing_excitation(analysis.drive).finding, "this analysis needs one",
-                     missing_excitation(analysis.drive).remedy);
-    TableReader reader(*table, std::string("analyses.") + analysis.name, analyses.problems());
+      owner.error(analysis.name, missing_excitation(analysis.drive).finding, "this analysis needs one",
+                  missing_excitation(analysis.drive).remedy);
+    TableReader reader(*table, table_path(analysis.name), owner.problems());
     analysis.read(reader, names, symbols, result);
     reader.finish();
   }

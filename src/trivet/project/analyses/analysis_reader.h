@@ -17,7 +17,8 @@ namespace trivet::project {
 
 /// How one analysis is read. Each is defined in NAME_analysis.cpp.
 struct AnalysisReader {
-  const char* name = nullptr;                            ///< of its table in [analyses]; set by analysis_readers()
+  const char* name = nullptr;                            ///< of its table; set by analysis_readers()
+  bool at_top = false;                                   ///< its table is one of the file, not of [analyses]
   Drive drive = Drive::none;                             ///< the model must have an excitation of this kind
   bool searches_peaks = false;                           ///< its cost is that of a search for peaks
   bool of_large_systems = false;                         ///< measured up to `most_coordinates`
@@ -57,8 +58,9 @@ TRIVET_ANALYSES(TRIVET_READER)
 /// All of them by their names, in the order of the table.
 [[nodiscard]] const std::vector<AnalysisReader>& analysis_readers();
 
-/// Reads the analyses of the file into `result`, and reports missing excitations.
-void read_independent_analyses(TableReader& analyses, const ResultNames& names, const SymbolTable& symbols,
+/// Reads the analyses whose tables are in [analyses], or at the top of the file, into `result`, and reports missing
+/// excitations.
+void read_independent_analyses(TableReader& owner, bool at_top, const ResultNames& names, const SymbolTable& symbols,
                                Analyses& result);
 
 /// Reports analyses that do not suit the model.

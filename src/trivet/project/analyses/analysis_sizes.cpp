@@ -172,7 +172,7 @@ foundation::Problems too_large(const model::Description& description, const Anal
     const Analysis* analysis = reader.of(request);
     if (!analysis) continue;
     const double count = reader.curves ? reader.curves(request) : sizes.curves(analysis->selection.of);
-    const std::string subject = std::string("analyses.") + reader.name;
+    const std::string subject = table_path(reader.name);
     if (!reader.of_large_systems) sizes.check_coordinates(subject);
     if (reader.searches_peaks) sizes.check_search(subject, count);
     else sizes.check_curves(subject, count);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// The independent analyses of [analyses], in the order of their results: each is a command, a table of [analyses] and
-/// a part of the results. The files and objects of an analysis have its name:
+/// The independent analyses of [analyses], in the order of their results: each is a command, a table of [analyses] (or,
+/// of `operation`, of the file) and a part of the results. The files and objects of an analysis have its name:
 ///
 ///   project/analyses/NAME_analysis.cpp   NAME_analysis   how its keys are read, and what it needs of the model
 ///   study/analyses/NAME_run.cpp          NAME_run        how it is computed
@@ -13,6 +13,7 @@
 /// those that every model has (modes, roots, static), have fields too, and functions of their own.
 // clang-format off
 #define TRIVET_ANALYSES(row) \
+  row(operation) \
   row(random) \
   row(transient) \
   row(orders) \

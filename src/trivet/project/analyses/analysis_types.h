@@ -11,6 +11,7 @@
 #include "trivet/excitation/shock_spectrum.h"
 #include "trivet/model/harmonic_force.h"
 #include "trivet/project/analyses/analysis.h"
+#include "trivet/project/analyses/requirements.h"
 
 namespace trivet::project {
 
@@ -31,13 +32,23 @@ struct EarthquakeAnalysis : Analysis {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
 };
 
+/// What happens at the speeds at which the machine runs: the table [operation]. Results named by `selection.of`; none:
+/// all coordinates and all points.
+struct OperationAnalysis : Analysis {
+  std::vector<assembly::Band> speeds;  ///< [rad/s]; from = to: one speed, else a range
+  std::vector<AmplitudeLimit> limits;  ///< of amplitudes at these speeds, without a scope of their own
+};
+
 /// Run-up: all orders over the speed of the shaft.
 struct OrdersAnalysis : Analysis {
-  assembly::Band speed;  ///< [rad/s]
+  assembly::Band speed;         ///< [rad/s]
+  std::vector<double> at = {};  ///< single speeds that are told besides [rad/s]
 };
 
 /// Mean power into the ground at each mount.
-struct PowerAnalysis : BandAnalysis {};
+struct PowerAnalysis : BandAnalysis {
+  std::vector<double> at = {};  ///< single frequencies that are told besides [rad/s]
+};
 
 /// Root mean squares and spectral densities under the random excitations.
 struct RandomAnalysis : Analysis {
@@ -85,8 +96,9 @@ struct TransientAnalysis : Analysis {
 /// Force on the ground over one force excitation, or motion of the wanted bodies and points over a unit motion of the
 /// whole ground.
 struct TransmissibilityAnalysis : BandAnalysis {
-  std::string force;           ///< the excitation; empty: a motion of the ground
-  model::Direction direction;  ///< of a motion
+  std::string force;            ///< the excitation; empty: a motion of the ground
+  model::Direction direction;   ///< of a motion
+  std::vector<double> at = {};  ///< single frequencies that are told besides [rad/s]
 };
 
 }  // namespace trivet::project

@@ -13,6 +13,12 @@ Drive drive_of(const std::string& analysis) {
   return Drive::harmonic;
 }
 
+std::string table_path(const std::string& analysis) {
+  for (const AnalysisReader& reader : analysis_readers())
+    if (reader.at_top && reader.name == analysis) return analysis;
+  return "analyses." + analysis;
+}
+
 bool drives(const model::Excitation& excitation, Drive drive) {
   switch (drive) {
     case Drive::harmonic:

@@ -10,6 +10,9 @@ namespace trivet::project {
 /// Kind of excitations that act in a result.
 enum class Drive { none, harmonic, random, time, orders, harmonic_or_orders };
 
+/// Path of the table of an analysis in the file: "analyses.orders", "operation".
+[[nodiscard]] std::string table_path(const std::string& analysis);
+
 /// Kind of excitations of an analysis; harmonic for response and peaks.
 [[nodiscard]] Drive drive_of(const std::string& analysis);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/request_readers.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> requested(const An
   if (request.peaks && !of_response) all.emplace_back("analyses.peaks.of", request.peaks->selection.of);
   if (request.static_of) all.emplace_back("analyses.static.of", *request.static_of);
   for (const auto& [name, analysis] : independent_analyses(request))
-    all.emplace_back("analyses." + name + ".of", analysis.selection.of);
+    all.emplace_back(table_path(name) + ".of", analysis.selection.of);
   if (request.map) {
     all.emplace_back("analyses.map.no_peak", request.map->no_peak);
     for (const AmplitudeLimit& limit : request.map->limits)

@@ -2,6 +2,7 @@
 #include "trivet/project/analyses/analysis_types.h"
 
 #include "trivet/project/analyses/analysis_reader.h"
+#include "trivet/project/analyses/request_readers.h"
 #include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
@@ -13,6 +14,7 @@ OrdersAnalysis read_orders_analysis(TableReader& reader, const ResultNames& name
   if (!reader.has("speed"))
     reader.missing("speed", "give the range of shaft speeds: speed = [\"600 rpm\", \"3000 rpm\"]");
   request.speed = read_band(reader, "speed").value_or(assembly::Band{0, 1});
+  request.at = read_single_frequencies(reader);
   return request;
 }
 
@@ -24,7 +26,9 @@ const AnalysisReader orders_analysis = read_into<&Analyses::orders, read_orders_
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "speed": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2,
-     "description": "shaft speeds, rad/s or with a unit"}},
+     "description": "shaft speeds, rad/s or with a unit"},
+   "at": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1,
+     "description": "single speeds told besides, rad/s or with a unit"}},
   "required": ["speed"]})json"});
 
 }  // namespace trivet::project

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/analyses/analysis_reader.h"
+#include "trivet/project/analyses/request_readers.h"
 #include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
@@ -10,6 +11,7 @@ PowerAnalysis read_power(TableReader& reader, const ResultNames&, const SymbolTa
   PowerAnalysis request;
   request.selection.excitations = read_selected(reader, symbols.harmonic_excitations, "harmonic");
   request.band = read_band(reader, "band");
+  request.at = read_single_frequencies(reader);
   return request;
 }
 
@@ -18,6 +20,8 @@ PowerAnalysis read_power(TableReader& reader, const ResultNames&, const SymbolTa
 const AnalysisReader power_analysis = read_into<&Analyses::power, read_power>(
     {.drive = Drive::harmonic, .searches_peaks = true, .keys = R"json({"properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
-   "band": {"$ref": "#/$defs/band"}}})json"});
+   "band": {"$ref": "#/$defs/band"},
+   "at": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1,
+     "description": "single frequencies told besides, rad/s or with a unit"}}})json"});
 
 }  // namespace trivet::project

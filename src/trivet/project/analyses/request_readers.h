@@ -25,6 +25,9 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
 /// Reports requested results that do not exist because no element holds that direction of a node.
 void refuse_left_out_results(const model::System& system, const Analyses& request, foundation::Problems& problems);
 
+/// `at`: single frequencies or speeds [rad/s], > 0, that an analysis over a range tells besides; none without the key.
+[[nodiscard]] std::vector<double> read_single_frequencies(TableReader& reader);
+
 // What the analyses of periodic motions of nonlinear machines share.
 
 /// `harmonics` or `tolerance`; 0 harmonics: as many as the tolerance needs.

@@ -6,6 +6,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/analysis_reader.h"
+#include "trivet/project/analyses/request_readers.h"
 #include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
@@ -43,6 +44,7 @@ TransmissibilityAnalysis read_transmissibility(TableReader& reader, const Result
                    guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
     }
   request.band = read_band(reader, "band");
+  request.at = read_single_frequencies(reader);
   if (!request.force.empty()) request.selection = {.of = {"ground"}, .excitations = {request.force}};
   return request;
 }
@@ -72,6 +74,8 @@ const AnalysisReader transmissibility_analysis = read_into<&Analyses::transmissi
    "base": {"$ref": "#/$defs/direction"},
    "rotation": {"type": "boolean"},
    "of": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}]},
-   "band": {"$ref": "#/$defs/band"}}})json"});
+   "band": {"$ref": "#/$defs/band"},
+   "at": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1,
+     "description": "single frequencies told besides, rad/s or with a unit"}}})json"});
 
 }  // namespace trivet::project

@@ -6,7 +6,7 @@
 namespace trivet::project {
 
 /// Tables that may have a key `accept`, about themselves.
-inline constexpr const char* accepting_tables[] = {"damping", "limits", "requirements"};
+inline constexpr const char* accepting_tables[] = {"damping", "limits", "requirements", "operation"};
 /// Tables of tables that may have one.
 inline constexpr const char* holders_of_accepting_tables[] = {"bodies",      "elements", "excitations",
                                                               "foundations", "analyses", "limit_lines"};

@@ -42,6 +42,7 @@ const std::vector<Shown>& all_shown() {
       {"Map of designs", "map", nullptr, {map_figures}},
       {"Best design", nullptr, best_design, {}},
       {"Front", nullptr, front_between, {front_figures}},
+      {"At the operating speed", "operation", nullptr, {}},
       {"Random response", "random", nullptr, {random_figures}},
       {"Time history", "transient", nullptr, {transient_figures}},
       {"Run-up", "orders", nullptr, {campbell_figures, waterfall_figures, run_up_figures}},

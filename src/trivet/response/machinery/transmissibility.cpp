@@ -149,7 +149,11 @@ Transmission force_transmission(const model::System& system, const assembly::Ass
 
 ExcitationTransmission excitation_transmission(const model::System& system, const assembly::Assembled& assembled,
                                                const std::string& excitation) {
-  const model::HarmonicForce force = model::harmonic_force(system, excitation);
+  return excitation_transmission(system, assembled, model::harmonic_force(system, excitation));
+}
+
+ExcitationTransmission excitation_transmission(const model::System& system, const assembly::Assembled& assembled,
+                                               const model::HarmonicForce& force) {
   const Eigen::Matrix3d& to_ground = system.bodies()[*force.action.body].pose.rotation;
   std::vector<Eigen::Vector3d> axes = {(to_ground * force.in_phase_with_largest().real()).normalized()};
   if (force.rotates()) axes = axes_of_ellipse(to_ground.cast<Complex>() * force.vector);
@@ -165,7 +169,7 @@ ExcitationTransmission excitation_transmission(const model::System& system, cons
   action.body = force.action.body;
   action.at = force.action.at;
   action.amplitude.segment<3>(force.rotation ? 3 : 0) = force.vector / largest;
-  ExcitationTransmission result{{assembly::loading(assembled, action), {}}, {}};
+  ExcitationTransmission result{{assembly::loading(assembled, action), {}}, {}, largest};
   const auto ground = assembly::channels(system, assembled, {"ground"}, assembly::MotionQuantity::displacement);
   for (const Eigen::Vector3d& axis : axes) {
     result.directions.push_back({axis, force.rotation});

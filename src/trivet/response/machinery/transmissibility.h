@@ -33,10 +33,15 @@ struct Transmission {
 /// @throws foundation::InvalidInput as `applied_force`, except for rotating forces
 struct ExcitationTransmission : Transmission {
   std::vector<model::Direction> directions;  ///< of the channels
+  double exciting = 0;  ///< largest magnitude of the force [N], or moment [N m], over a period; that of its course is 1
 };
 [[nodiscard]] ExcitationTransmission excitation_transmission(const model::System& system,
                                                              const assembly::Assembled& assembled,
                                                              const std::string& excitation);
+/// The same of a force that need not be an excitation of the model, such as one order of a shaft.
+[[nodiscard]] ExcitationTransmission excitation_transmission(const model::System& system,
+                                                             const assembly::Assembled& assembled,
+                                                             const model::HarmonicForce& force);
 
 /// Absolute motion of bodies (at their poles) and of their points per unit rigid motion of the whole ground about
 /// `base_at` (ground frame).

@@ -123,14 +123,35 @@ Group campbell_diagram(const response::Campbell& campbell) {
                        .folded = true}}}};
 }
 
+/// Every result at single speeds, all orders together.
+Table orders_at(const std::vector<std::vector<study::OperatingValue>>& at) {
+  using study::OperatingValue;
+  std::vector<OperatingValue> list;
+  for (const auto& values : at) list.insert(list.end(), values.begin(), values.end());
+  const Rows row(std::move(list));
+  return {.key = "at",
+          .axis = "single",
+          .title = "At single speeds: all orders together",
+          .rows = row.size(),
+          .columns = {row("speed", Kind::speed, "speed", &OperatingValue::at),
+                      row("name", Kind::words, "result", &OperatingValue::name),
+                      row("unit", Kind::words, "", &OperatingValue::unit),
+                      row("amplitude", Kind::amplitude, "amplitude", &OperatingValue::amplitude),
+                      row("rms", Kind::quantity, "", &OperatingValue::rms),
+                      row("bound", Kind::quantity, "", &OperatingValue::bound),
+                      row("order", Kind::number, "most in order", &OperatingValue::order)}};
+}
+
 Document orders_document(const project::Case&, const study::CaseResults& results) {
   const study::OrdersResult& found = *results.orders;
-  return {{{run_up_curves(found.run_up)},
-           {order_table(found.run_up)},
-           {overall_table(found.run_up)},
-           {critical_speeds(found.run_up)},
-           {campbell_diagram(found.campbell)},
-           {warnings_part(results)}}};
+  Document document{{{run_up_curves(found.run_up)},
+                     {order_table(found.run_up)},
+                     {overall_table(found.run_up)},
+                     {critical_speeds(found.run_up)},
+                     {campbell_diagram(found.campbell)}}};
+  if (!found.at.empty()) document.add(orders_at(found.at));
+  document.add(warnings_part(results));
+  return document;
 }
 
 }  // namespace

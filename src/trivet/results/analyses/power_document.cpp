@@ -67,6 +67,34 @@ Table power_rows(const char* key, const char* axis, const char* name, const std:
           .forms = for_programs};
 }
 
+/// The power at one mount, or at all of them, at one of the single frequencies.
+struct PowerAt {
+  double angular_frequency = 0;
+  std::string mount;
+  double power = 0, fed = 0;
+};
+
+Table powers_at(const PowerFlow& p) {
+  std::vector<PowerAt> list;
+  for (Eigen::Index i = 0; i < to_index(p.angular_frequency.size()); ++i) {
+    const double fed = p.by_forces(i) + std::max(p.by_ground(i), 0.0);
+    const auto add = [&](const std::string& mount, double power) {
+      list.push_back({p.angular_frequency[static_cast<std::size_t>(i)], mount, power, fed});
+    };
+    for (std::size_t m = 0; m < p.mounts.size(); ++m) add(p.mounts[m], p.into_ground(to_index(m), i));
+    add("all mounts", p.into_ground_in_total(i));
+  }
+  const Rows row(std::move(list));
+  return {.key = "at",
+          .axis = "single",
+          .title = "At single frequencies",
+          .rows = row.size(),
+          .columns = {row("angular_frequency", Kind::frequency, "f", &PowerAt::angular_frequency),
+                      row("mount", Kind::words, "mount", &PowerAt::mount),
+                      row("into_ground", Kind::quantity, "power into the ground", &PowerAt::power, {.unit = "W"}),
+                      row("fed", Kind::quantity, "input power", &PowerAt::fed, {.unit = "W"})}};
+}
+
 Document power_document(const project::Case& variant, const study::CaseResults& results) {
   const PowerFlow& p = *results.power;
   Curves curves{.axis = "angular_frequency",
@@ -88,7 +116,7 @@ Document power_document(const project::Case& variant, const study::CaseResults& 
   const auto more = [&](std::vector<Curve> list) {
     return Curves{.axis = "angular_frequency", .list = std::move(list), .forms = 0};
   };
-  return {
+  Document document{
       {{excited_part(variant, "power")},
        {largest_powers(p)},
        {std::move(curves)},
@@ -100,8 +128,10 @@ Document power_document(const project::Case& variant, const study::CaseResults& 
               total("dissipated_by_system", p.dissipated_by_system)})},
        {Sentence{.parts = {"Only a flexible foundation or moving ground takes power; rigid ground at rest does not."},
                  .place = Sentence::Place::note,
-                 .forms = on_page}},
-       {warnings_part(results)}}};
+                 .forms = on_page}}}};
+  if (results.power_at) document.add(powers_at(*results.power_at));
+  document.add(warnings_part(results));
+  return document;
 }
 
 }  // namespace

@@ -94,18 +94,51 @@ Table transmissibility_peaks(const response::Peaks& peaks) {
       .forms = for_programs};
 }
 
+/// One curve at one of the single frequencies.
+struct TransmittedAt {
+  std::size_t curve, place;
+};
+
+Table transmitted_at(const TransmissibilityResult& t) {
+  std::vector<TransmittedAt> list;
+  for (std::size_t i = 0; i < t.at.angular_frequency.size(); ++i)
+    for (std::size_t c = 0; c < t.at.curves.size(); ++c) list.push_back({c, i});
+  const auto size = [&t](const TransmittedAt& one) {
+    return std::abs(t.at.curves[one.curve].value(static_cast<Eigen::Index>(one.place)));
+  };
+  const auto efficiency = [&t, size](const TransmittedAt& one) {
+    return t.is_share(one.curve) ? Json() : Json(isolation_efficiency(size(one)));
+  };
+  const Rows row(std::move(list));
+  return {.key = "at",
+          .axis = "single",
+          .title = "At single frequencies",
+          .rows = row.size(),
+          .columns = {row("angular_frequency", Kind::frequency, "f",
+                          [&t](const TransmittedAt& one) { return t.at.angular_frequency[one.place]; }),
+                      row("name", Kind::words, "result",
+                          [&t](const TransmittedAt& one) { return t.at.curves[one.curve].name; }),
+                      row("transmissibility", Kind::number, "|T|", size),
+                      row("level_db", Kind::number, "level",
+                          [size](const TransmittedAt& one) { return transmissibility_level(size(one)); },
+                          {.unit = "dB", .digits = 4}),
+                      row("isolation", Kind::share, "isolation", efficiency)}};
+}
+
 Document transmissibility_document(const project::Case&, const study::CaseResults& results) {
   const TransmissibilityResult& t = *results.transmissibility;
   const std::string shares = t.curves.curves.size() > 1 && t.is_share(1)
       ? "the force of a single mount is only a share; isolation is that of the total force on the ground"
       : "";
-  return {{{Single{.name = "of", .value = t.words}},
-           {Sentence{.parts = {"Transmissibility: " + t.words}}},
-           {transmissibility_curves(t)},
-           {transmissibility_table(t)},
-           {Sentence{.parts = {shares}, .place = Sentence::Place::note}},
-           {transmissibility_peaks(t.peaks)},
-           {warnings_part(results)}}};
+  Document document{{{Single{.name = "of", .value = t.words}},
+                     {Sentence{.parts = {"Transmissibility: " + t.words}}},
+                     {transmissibility_curves(t)},
+                     {transmissibility_table(t)},
+                     {Sentence{.parts = {shares}, .place = Sentence::Place::note}},
+                     {transmissibility_peaks(t.peaks)}}};
+  if (!t.at.angular_frequency.empty()) document.add(transmitted_at(t));
+  document.add(warnings_part(results));
+  return document;
 }
 
 }  // namespace

@@ -8,10 +8,12 @@
 #include <iterator>
 
 #include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/shown_table.h"
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/message_list.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/results/analyses/highest_peak.h"
+#include "trivet/results/analyses/operation_words.h"
 #include "trivet/results/design/judgements.h"
 #include "trivet/results/design/map_summary.h"
 #include "trivet/results/design/optimization_results.h"
@@ -244,6 +246,32 @@ std::string designs_text(const Cases& cases) {
   return text;
 }
 
+/// What happens at the speeds of the machine: an item on each line, or, of many speeds and cases, a line for each.
+std::string operation_text(const Cases& cases) {
+  constexpr std::size_t few = 2, most = 12;
+  std::vector<Shared> list;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (cases[i].operation)
+      for (const study::OperatingSpeed& at : cases[i].operation->speeds)
+        add(list, shown_sentence(operation_sentence(at), cases[i].display), i);
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, list.size()); ++k) {
+    std::string words = list[k].text;
+    const std::size_t end = words.find(": ");
+    const std::string owners = owners_words(list[k].cases, cases);
+    if (list.size() <= few) {
+      words.replace(end, 2, owners + "\n  ");
+      for (std::size_t at = words.find("; "); at != std::string::npos; at = words.find("; ", at))
+        words.replace(at, 2, "\n  ");
+    } else {
+      words.insert(end, owners);
+    }
+    text += words + "\n";
+  }
+  if (list.size() > most) text += fmt::format("  and {} more; --full lists all\n", list.size() - most);
+  return text.empty() ? text : text + "\n";
+}
+
 /// The warning without the name of its case, which follows it if it is not common to all.
 std::string warning_words(const foundation::Problem& problem, const std::string& case_name) {
   std::string text = foundation::message(problem);
@@ -274,8 +302,8 @@ std::string study_summary(const project::Project& project, const std::vector<stu
   std::vector<const study::CaseResults*> all;
   for (const study::CaseResults& one : results) all.push_back(&one);
   const std::vector<Judgement> list = judgements(all);
-  return wrong_text(project, list, results) + cases_text(project, list, results) + designs_text(results) +
-      warnings_and_notes(results);
+  return wrong_text(project, list, results) + operation_text(results) + cases_text(project, list, results) +
+      designs_text(results) + warnings_and_notes(results);
 }
 
 }  // namespace trivet::results

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/results/analyses/operation_words.h"
 #include "trivet/results/design/verdict_results.h"
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/results/format/json_parts.h"
@@ -128,6 +129,8 @@ Document verdict_document(const CaseVerdict& judged) {
     const RequirementResult& result = judged.results[i];
     return !result.value ? Mark::doubt : result.met() ? Mark::plain : Mark::bad;
   };
+  if (judged.operation)
+    for (const study::OperatingSpeed& at : judged.operation->speeds) document.add(operation_sentence(at));
   std::vector<std::string> reasons;
   for (const RequirementResult& r : judged.results)
     if (!r.value && std::ranges::find(reasons, r.reason) == reasons.end()) reasons.push_back(r.reason);

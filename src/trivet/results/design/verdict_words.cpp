@@ -44,7 +44,8 @@ std::string level_on_line(const RequirementResult& r, const project::DisplayUnit
 
 Kind kind_of_numbers(const RequirementResult& r) {
   if (r.kind == RequirementKind::avoided_frequencies) return Kind::angular_frequency;
-  const bool harmonic = r.kind == RequirementKind::amplitude || r.kind == RequirementKind::mount_dynamic_deflection;
+  const bool harmonic = r.kind == RequirementKind::amplitude || r.kind == RequirementKind::operation ||
+      r.kind == RequirementKind::mount_dynamic_deflection;
   return harmonic ? Kind::amplitude : Kind::quantity;
 }
 

@@ -16,6 +16,7 @@
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 #include "trivet/response/transient/transient.h"
+#include "trivet/study/analyses/operation_types.h"
 
 namespace trivet::study {
 
@@ -28,6 +29,7 @@ struct OrdersResult {
   response::RunUp run_up;
   response::Campbell campbell;
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
+  std::vector<std::vector<OperatingValue>> at = {};  ///< every result at single speeds, if they are requested
 };
 
 /// Vibration total value √Σ (k a_w)² of one body or point, over the axes with a factor k. [ISO 2631-1:1997 section 8.2]
@@ -67,11 +69,17 @@ struct TransmissibilityResult {
   std::vector<response::Crossover> crossovers;
   assembly::Band band;
   std::vector<design::LargestAmplitude> in_band;  ///< per curve
-  bool of_force = false;  ///< forces on the ground, in total and of each mount; otherwise motions
+  bool of_force = false;                ///< forces on the ground, in total and of each mount; otherwise motions
+  response::FrequencyResponse at = {};  ///< the same curves at single frequencies, if they are requested
 
   /// True for the force of one of several mounts over the whole exciting force: a share, not a measure of isolation.
   [[nodiscard]] bool is_share(std::size_t curve) const { return of_force && curve > 0 && curves.curves.size() > 2; }
 };
+
+/// Computes what happens at the speeds of the machine.
+/// @throws foundation::NotComputable if nothing runs at a speed, foundation::InvalidInput for an unknown result
+[[nodiscard]] OperationResult operation_result(const CaseContext& context, const project::OperationAnalysis& request,
+                                               foundation::Problems& warnings);
 
 /// Largest magnitude over the band of the analysis: of the total force on the ground, or of the first wanted motion.
 /// @throws foundation::NotComputable, InvalidInput if the model does not have it

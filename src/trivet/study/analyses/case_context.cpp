@@ -116,6 +116,7 @@ void warn_of_guide_forces(const CaseContext& c, const project::Analyses& analyse
   }
   for (const auto& [name, analysis] : project::independent_analyses(analyses))
     of.insert(of.end(), analysis.selection.of.begin(), analysis.selection.of.end());
+  if (analyses.operation) of.emplace_back("ground");
   if (std::ranges::none_of(of, [](const std::string& word) { return word.starts_with("ground"); })) return;
   for (const model::Body& body : c.system.bodies())
     if (body.is_constrained())

@@ -99,11 +99,12 @@ struct CaseResults {
   std::shared_ptr<const DesignFront> front;          ///< the same with `front`
   std::vector<std::string> failures;                 ///< requests that could not be computed, with the reason
   // Those of analysis_table.h:
+  std::optional<OperationResult> operation;
   std::optional<RandomResult> random;
   std::optional<TransientResult> transient;
   std::optional<OrdersResult> orders;
   std::optional<TransmissibilityResult> transmissibility;
-  std::optional<response::PowerFlow> power;
+  std::optional<response::PowerFlow> power, power_at;  ///< over the band; at single frequencies, if they are requested
   std::optional<std::vector<response::DeflectionShape>> shapes;
   std::optional<nonlinear::SteadyBranch> steady;
   std::optional<std::vector<nonlinear::Backbone>> backbone;

@@ -7,6 +7,7 @@
 #include "trivet/response/machinery/power.h"
 #include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/analyses/analysis_run.h"
+#include "trivet/study/analyses/summed_orders.h"
 
 namespace trivet::study {
 
@@ -21,9 +22,12 @@ OrdersResult orders_result(const CaseContext& c, const project::OrdersAnalysis& 
         "\"unbalance\"");
   response::RunUpOptions options;
   options.speed = request.speed;
-  return {
-      response::run_up(c.assembled, channels_of(c, request.selection), orders, c.modes, c.roots(), options, c.progress),
-      response::campbell(orders, c.modes, c.roots(), request.speed), request.selection.quantity};
+  const std::vector<assembly::Channel> channels = channels_of(c, request.selection);
+  OrdersResult result{response::run_up(c.assembled, channels, orders, c.modes, c.roots(), options, c.progress),
+                      response::campbell(orders, c.modes, c.roots(), request.speed), request.selection.quantity};
+  const SummedOrders summed(c, channels, orders, 0);
+  for (const double speed : request.at) result.at.push_back(summed.largest({speed, speed}));
+  return result;
 }
 
 }  // namespace
@@ -54,8 +58,27 @@ response::PowerFlow power_result(const CaseContext& c, const project::BandAnalys
 
 }  // namespace
 
-const AnalysisRun power_run = computed_by<&project::Analyses::power, &CaseResults::power, power_result>(
-    "mean power into the ground at each mount");
+namespace {
+
+void compute_power(const CaseContext& c, const project::Analyses& requested, CaseResults& into) {
+  if (!requested.power) return;
+  into.power = power_result(c, *requested.power, into.warnings);
+  if (requested.power->at.empty()) return;
+  const assembly::Loading loading =
+      assembly::harmonic_loading(c.system, c.assembled, requested.power->selection.excitations);
+  into.power_at = response::power_flow(c.system, c.assembled, loading, requested.power->at, c.progress);
+}
+
+constexpr AnalysisRun run_of_power() {
+  AnalysisRun run = computed_by<&project::Analyses::power, &CaseResults::power, power_result>(
+      "mean power into the ground at each mount");
+  run.compute = compute_power;
+  return run;
+}
+
+}  // namespace
+
+const AnalysisRun power_run = run_of_power();
 
 namespace {
 

@@ -54,6 +54,8 @@ TransmissibilityResult transmissibility_result(const CaseContext& c, const proje
   result.curves = response::frequency_response(
       c.assembled, transmission.channels, transmission.loading,
       grid_over(c, transmission.channels, transmission.loading, result.peaks, result.band));
+  if (!request.at.empty())
+    result.at = response::frequency_response(c.assembled, transmission.channels, transmission.loading, request.at);
   result.crossovers = response::crossovers(c.assembled, transmission, result.peaks);
   return result;
 }

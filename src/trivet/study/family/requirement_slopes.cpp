@@ -35,6 +35,7 @@ RequirementSlopes::RequirementSlopes(const CaseContext& context, const DesignNei
 bool RequirementSlopes::are_missing(RequirementKind kind, const model::System& system) {
   switch (kind) {
     case RequirementKind::band_line:
+    case RequirementKind::operation:
     case RequirementKind::largest:
     case RequirementKind::no_jump:
     case RequirementKind::no_contact:

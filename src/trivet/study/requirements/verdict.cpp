@@ -11,6 +11,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/analyses/case_context.h"
 #include "trivet/study/explain/explanation.h"
 #include "trivet/study/requirements/amplification.h"
@@ -63,11 +64,22 @@ std::string cause_of(const project::Case& variant, const RequirementResult& resu
   return "";
 }
 
+/// What happens at the speeds of the machine, for those who ask for the verdict alone.
+void tell_operation(const project::Case& variant, const foundation::Progress& progress, CaseVerdict& judged) {
+  try {
+    judged.operation =
+        operation_result(CaseContext(variant.system, progress), *variant.analyses.operation, judged.warnings);
+  } catch (const foundation::NotComputable& reason) {
+    judged.warnings.warning(reason.what(), "not computed", "", "");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> cases_to_hold(const project::Project& project) {
   if (const auto& requirements = project.base().analyses.requirements) return requirements->hold_in;
-  if (project.base().system.description().clearances.empty()) return project::Requirements().hold_in;
+  if (project.base().system.description().clearances.empty() && !judges_operation(project.base().analyses))
+    return project::Requirements().hold_in;
   std::vector<std::string> all;
   for (const project::Case& variant : project.cases) all.push_back(variant.name);
   return all;
@@ -102,6 +114,7 @@ const char* name(RequirementKind kind) {
                                        "no_peak",
                                        "limit_line",
                                        "band_line",
+                                       "operation",
                                        "avoided_frequencies",
                                        "separation",
                                        "damping_ratio",
@@ -147,7 +160,7 @@ std::optional<std::size_t> Verdict::governing_case() const {
 Verdict verdict(const project::Project& project, const foundation::Progress& progress) {
   const project::Analyses& request = project.base().analyses;
   if (!request.requirements && request.limits.empty() && request.limit_lines.empty() &&
-      project.base().system.description().clearances.empty())
+      project.base().system.description().clearances.empty() && !judges_operation(request))
     throw foundation::InvalidInput(
         "verdict: neither requirements nor limits nor clearances; add [requirements] with limits = {\"BODY.x\" = \"1 "
         "mm\"}, no_peak = "
@@ -162,6 +175,7 @@ Verdict verdict(const project::Project& project, const foundation::Progress& pro
                  (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
     };
     result.cases.push_back(case_verdict(variant, hold_in, step));
+    if (variant.analyses.operation) tell_operation(variant, step, result.cases.back());
   }
   std::vector<const LoadCase*> load_cases;
   for (const CaseVerdict& judged : result.cases) load_cases.push_back(&judged.load_case);

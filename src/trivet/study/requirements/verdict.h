@@ -8,6 +8,7 @@
 #include "trivet/foundation/interruption.h"
 #include "trivet/project/project.h"
 #include "trivet/study/analyses/load_case.h"
+#include "trivet/study/analyses/operation_types.h"
 
 /// Does a machine meet its requirements, which one governs, and by what margin? Formulas: docs/design.md.
 namespace trivet::study {
@@ -17,6 +18,7 @@ enum class RequirementKind {
   no_peak,
   limit_line,
   band_line,  ///< a limit line over frequency bands of random vibration
+  operation,  ///< an amplitude at a speed of the machine, or over a range of them
   avoided_frequencies,
   separation,
   damping_ratio,
@@ -98,7 +100,8 @@ struct CaseVerdict {
   std::optional<std::size_t> governing;       ///< of the judged ones, that with the least margin
   std::string cause;                          ///< of a governing amplitude or peak: mode, element and what changes it
   foundation::Problems warnings;
-  LoadCase load_case;  ///< what it contributes to the envelope
+  LoadCase load_case;                        ///< what it contributes to the envelope
+  std::optional<OperationResult> operation;  ///< at the speeds of the machine, if the file has them
 
   [[nodiscard]] std::size_t not_judged() const;
   [[nodiscard]] bool met() const;  ///< every requirement is judged and met
@@ -115,7 +118,8 @@ struct Verdict {
 };
 
 /// Names of the cases in which the design has to hold: those of the requirements. Without requirements every case of a
-/// file with clearances, because nothing may touch in any; else the base model.
+/// file with clearances, because nothing may touch in any, or with limits at the speeds of the machine; else the base
+/// model.
 [[nodiscard]] std::vector<std::string> cases_to_hold(const project::Project& project);
 
 /// Judges one case. @param hold_in  names of the cases in which the design has to hold

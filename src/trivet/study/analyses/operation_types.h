@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/band.h"
+
+/// What happens at the speeds at which a machine runs. All excitations run with it: its orders, and at order 1
+/// unbalances and harmonic forces. Formulas: docs/analyses.md.
+namespace trivet::study {
+
+/// Largest value of one result at a speed, or over a range of speeds.
+struct OperatingValue {
+  std::string name, unit;  ///< SI
+  double rms = 0;          ///< √(Σ |y_k|² / 2) over the orders k; infinite at an undamped resonance
+  double bound = 0;        ///< Σ |y_k| there: all orders in phase
+  double at = 0;           ///< Ω [rad/s]
+  double order = 0;        ///< that with the largest part
+
+  /// Zero-to-peak: of one order its amplitude, of several √2 times their root mean square.
+  [[nodiscard]] double amplitude() const { return std::numbers::sqrt2 * rms; }
+};
+
+/// A motion as displacement [m] or [rad] and as velocity [m/s] or [rad/s].
+struct OperatingMotion {
+  OperatingValue displacement, velocity;
+};
+
+/// Force on the ground over one exciting force in one order, where it is largest.
+struct OperatingIsolation {
+  std::string excitation;
+  double order = 0;
+  std::string direction;  ///< "along z", "about x"
+  std::string reason;     ///< why there is none; then the numbers have no meaning
+  double transmissibility = 0;
+  double at = 0;        ///< Ω [rad/s]
+  double exciting = 0;  ///< there [N] or [N m]
+  std::string unit = "N";
+
+  [[nodiscard]] double transmitted() const { return transmissibility * exciting; }
+};
+
+/// How far the excitation of one order is from a natural frequency.
+struct OperatingMode {
+  int mode = 0;                  ///< number, from 1
+  double angular_frequency = 0;  ///< undamped natural frequency [rad/s]
+  double order = 0;
+  double ratio = 0;                         ///< order · Ω / natural frequency, at the speed where it is nearest to 1
+  double at = 0;                            ///< Ω [rad/s]
+  bool passes = false;                      ///< a range of speeds passes through the resonance
+  std::optional<double> modal_force_share;  ///< as in the Campbell diagram; none: no force acts
+  bool excited = true;                      ///< false: the order does not excite the mode
+
+  [[nodiscard]] double distance() const { return ratio - 1; }
+  [[nodiscard]] bool is_near() const;
+};
+
+/// An excitation at 80 … 120 % of a natural frequency is near to resonance: a lightly damped vibration is more than
+/// twice as large there as at rest.
+inline constexpr double near_resonance = 0.2;
+
+inline bool OperatingMode::is_near() const { return std::abs(distance()) <= near_resonance * (1 + 1e-9); }
+
+struct OperatingSpeed {
+  assembly::Band speed;  ///< Ω [rad/s]; from = to: one speed
+  std::vector<OperatingMotion> motions;
+  std::vector<OperatingValue> forces;  ///< total on the ground, then of each mount; then other requested ones
+  std::vector<OperatingIsolation> isolation;
+  std::vector<OperatingMode> modes;  ///< by order, then ascending
+
+  [[nodiscard]] bool is_range() const { return speed.from < speed.to; }
+};
+
+struct OperationResult {
+  std::vector<std::string> excitations;  ///< that run
+  std::vector<double> orders;            ///< ascending
+  std::vector<OperatingSpeed> speeds;    ///< as in the file
+};
+
+/// "980 rpm", "600 … 900 rpm"
+[[nodiscard]] std::string speed_words(const assembly::Band& speed);
+
+}  // namespace trivet::study

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/requirements/requirement_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/design/design_rules.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/response/machinery/operating_loads.h"
+#include "trivet/study/analyses/summed_orders.h"
+#include "trivet/study/requirements/requirement_list.h"
+
+namespace trivet::study {
+namespace {
+
+void set_operating_value(const OperatingValue& found, const assembly::Band& speed, RequirementResult& result) {
+  result.value = found.amplitude();
+  result.margin = design::margin({design::DesignRule::Kind::amplitude, 0, result.allowed}, found.amplitude());
+  result.angular_frequency = found.order * found.at;
+  if (speed.from < speed.to) result.detail = fmt::format("{:.5g} rpm", found.at * foundation::rpm_per_rad_s);
+}
+
+}  // namespace
+
+bool judges_operation(const project::Analyses& analyses) {
+  return analyses.operation && !analyses.operation->limits.empty();
+}
+
+void add_operation_requirements(const CaseContext& c, const project::Analyses& analyses, RequirementList& list) {
+  if (!judges_operation(analyses)) return;
+  const project::OperationAnalysis& request = *analyses.operation;
+  const std::size_t first = list.size(), limits = request.limits.size();
+  for (const assembly::Band& speed : request.speeds) {
+    const std::size_t of_speed = list.size();
+    list.add_bounds(c, RequirementKind::operation, request.limits, "");
+    for (std::size_t i = 0; i < limits; ++i) {
+      RequirementResult& result = list[of_speed + i];
+      result.words += (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
+      result.quantity = request.limits[i].quantity;
+      result.excitations = request.selection.excitations;
+    }
+  }
+  list.attempt(first, [&] {
+    const auto loads = response::operating_loads(c.system, c.assembled, request.selection.excitations);
+    if (loads.empty()) throw without_excitation("operation");
+    std::vector<assembly::Channel> channels;
+    for (const project::AmplitudeLimit& limit : request.limits)
+      channels.push_back(assembly::channels(c.system, c.assembled, {limit.name}, limit.quantity).front());
+    double fastest = 0;
+    for (const assembly::Band& speed : request.speeds)
+      if (speed.from < speed.to) fastest = std::max(fastest, speed.to);
+    const SummedOrders summed(c, channels, loads, fastest);
+    for (std::size_t s = 0; s < request.speeds.size(); ++s) {
+      const std::vector<OperatingValue> values = summed.largest(request.speeds[s]);
+      for (std::size_t i = 0; i < limits; ++i)
+        set_operating_value(values[i], request.speeds[s], list[first + s * limits + i]);
+    }
+  });
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What happens at the speeds of a machine: amplitudes, forces, isolation and distance to resonance against the closed
+forms of one mass on a spring, and where they are told."""
+import json
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+TRIVET = os.environ["TRIVET"]
+FAN = pathlib.Path(os.environ["TRIVET_SOURCE"]) / "examples/fan/fan.toml"
+RPM = math.pi / 30
+MASS, STIFFNESS, DASHPOT = 40.0, 36000.0, 120.0  # ω₀ = 30 rad/s, ζ = 0.05
+NATURAL = math.sqrt(STIFFNESS / MASS)
+RATIO = DASHPOT / (2 * math.sqrt(STIFFNESS * MASS))
+UNBALANCE = 0.02  # m e [kg m]
+MACHINE = f"""trivet = 1
+[bodies.m]
+mass = {MASS}
+free = ["z"]
+[elements.s]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, {STIFFNESS}]
+damping = {{translation = [0, 0, {DASHPOT}]}}
+"""
+ROTOR = f"""[excitations.rotor]
+type = "unbalance"
+on = "m"
+at = [0, 0, 0]
+axis = "x"
+mass_eccentricity = {UNBALANCE}
+"""
+ORDERS = """[excitations.shaft]
+type = "orders"
+on = "m"
+at = [0, 0, 0]
+table = [{order = 2, force = [0, 0, 50]}, {order = 3, force_per_speed2 = [0, 0, 0.05]}]
+"""
+
+
+def stiffness(omega):
+    """Dynamic stiffness of the mass on its spring."""
+    return complex(STIFFNESS - MASS * omega**2, DASHPOT * omega)
+
+
+def transmissibility(omega):
+    return abs(complex(STIFFNESS, DASHPOT * omega) / stiffness(omega))
+
+
+def of_rotor(speed):
+    """Amplitude under the unbalance."""
+    return abs(UNBALANCE * speed**2 / stiffness(speed))
+
+
+def of_orders(speed):
+    """Amplitudes in the orders 2 and 3."""
+    return abs(50 / stiffness(2 * speed)), abs(0.05 * speed**2 / stiffness(3 * speed))
+
+
+class Operation(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = pathlib.Path(folder.name) / "machine.toml"
+
+    def trivet(self, text, *arguments, code=0):
+        self.file.write_text(text)
+        run = subprocess.run([TRIVET, arguments[0], self.file, *arguments[1:]], capture_output=True, text=True)
+        self.assertEqual(run.returncode, code, run.stderr)
+        return run
+
+    def operation(self, text, *arguments):
+        return json.loads(self.trivet(text, "operation", "--json", *arguments).stdout)
+
+    def value(self, found, name, quantity="displacement", speed=0):
+        rows = [row for row in found["values"] if row["name"] == name and row["quantity"] == quantity]
+        return rows[speed]
+
+    def near(self, found, expected, share=1e-9):
+        self.assertLessEqual(abs(found - expected), share * abs(expected), (found, expected))
+
+    def test_one_mass_under_unbalance_has_the_closed_form(self):
+        found = self.operation(MACHINE + ROTOR + '[operation]\nspeeds = ["980 rpm", "200 rpm"]\n')
+        for i, rpm in enumerate((980, 200)):
+            speed = rpm * RPM
+            amplitude = of_rotor(speed)
+            r = speed / NATURAL
+            self.near(amplitude, UNBALANCE / MASS * r**2 / math.hypot(1 - r**2, 2 * RATIO * r))  # Den Hartog
+            self.near(self.value(found, "m.z", speed=i)["amplitude"], amplitude)
+            self.near(self.value(found, "m.z", speed=i)["rms"], amplitude / math.sqrt(2))
+            self.near(self.value(found, "m.z", "velocity", i)["amplitude"], speed * amplitude)
+            force = amplitude * abs(complex(STIFFNESS, DASHPOT * speed))
+            for name in ("ground.force.z", "s.force.z"):
+                self.near(self.value(found, name, "force", i)["amplitude"], force)
+            (along_z,) = [
+                row for row in found["isolation"] if row["direction"] == "along z" and abs(row["from"] - speed) < 1e-9
+            ]
+            self.near(along_z["transmissibility"], transmissibility(speed))
+            self.near(along_z["exciting"], UNBALANCE * speed**2)
+            self.near(along_z["transmitted"], force)
+            self.near(along_z["isolation"], 1 - transmissibility(speed))
+            self.near(along_z["isolation_db"], -20 * math.log10(transmissibility(speed)))
+            mode = found["modes"][i]
+            self.near(mode["ratio"], speed / NATURAL)
+            self.near(mode["distance"], speed / NATURAL - 1)
+        self.assertEqual(found["excitations"], ["rotor"])
+        self.assertEqual(found["orders"], [1])
+
+    def test_amplification_is_told_plainly(self):
+        text = self.trivet(MACHINE + ROTOR + '[operation]\nspeeds = ["300 rpm"]\n', "operation").stdout
+        transmitted = transmissibility(300 * RPM)
+        self.assertGreater(transmitted, 1)
+        self.assertIn(f"AMPLIFIED: T = {transmitted:.4g}, isolation {100 * (1 - transmitted):.4g} %", text)
+
+    def test_a_range_has_its_exact_peak(self):
+        found = self.operation(
+            MACHINE + ROTOR + '[operation]\nspeeds = [["200 rpm", "600 rpm"], ["350 rpm", "600 rpm"]]\n'
+        )
+        peak = self.value(found, "m.z")
+        self.near(peak["at"], NATURAL / math.sqrt(1 - 2 * RATIO**2), 1e-8)
+        self.near(peak["amplitude"], UNBALANCE / MASS / (2 * RATIO * math.sqrt(1 - RATIO**2)))
+        beside = self.value(found, "m.z", speed=1)
+        self.near(beside["at"], 350 * RPM)
+        self.near(beside["amplitude"], of_rotor(350 * RPM))
+        worst = max(row["transmissibility"] for row in found["isolation"] if row["from"] < 300 * RPM)
+        r2 = (math.sqrt(1 + 8 * RATIO**2) - 1) / (4 * RATIO**2)
+        self.near(worst, transmissibility(NATURAL * math.sqrt(r2)))
+        inside, beyond = found["modes"]
+        self.assertTrue(inside["passes"])
+        self.near(inside["at"], NATURAL)
+        self.assertFalse(beyond["passes"])
+        self.near(beyond["ratio"], 350 * RPM / NATURAL)
+
+    def test_orders_sum_as_root_mean_square(self):
+        speed = 100 * RPM
+        found = self.operation(MACHINE + ORDERS + '[operation]\nspeeds = ["100 rpm"]\n')
+        second, third = of_orders(speed)
+        value = self.value(found, "m.z")
+        self.near(value["rms"], math.hypot(second, third) / math.sqrt(2))
+        self.near(value["bound"], second + third)
+        self.assertEqual(value["order"], 2 if second > third else 3)
+        velocity = self.value(found, "m.z", "velocity")
+        self.near(velocity["rms"], math.hypot(2 * speed * second, 3 * speed * third) / math.sqrt(2))
+        shares = {row["order"]: row["transmissibility"] for row in found["isolation"]}
+        for order, ratio in shares.items():
+            self.near(ratio, transmissibility(order * speed))
+
+    def test_the_largest_sum_of_orders_in_a_range_is_that_of_a_fine_scan(self):
+        # Heavy damping: the largest sum is at no peak of a single order.
+        heavy = MACHINE.replace(f"0, {DASHPOT}", "0, 1200.0")
+
+        def total(speed):
+            def under(order, force):
+                omega = order * speed
+                return abs(force / complex(STIFFNESS - MASS * omega**2, 1200 * omega))
+
+            return math.hypot(under(2, 50), under(3, 0.05 * speed**2)) / math.sqrt(2)
+
+        found = self.value(self.operation(heavy + ORDERS + '[operation]\nspeeds = [["20 rpm", "400 rpm"]]\n'), "m.z")
+        steps = 200_000
+        scan = max(total((20 + 380 * i / steps) * RPM) for i in range(steps + 1))
+        self.assertGreaterEqual(found["rms"], scan * (1 - 1e-12))
+        self.near(found["rms"], scan, 1e-8)
+        self.near(found["rms"], total(found["at"]))
+
+    def test_unbalance_and_orders_of_one_act_together(self):
+        together = ROTOR + ORDERS.replace("order = 2, force = [0, 0, 50]", "order = 1, force = [0, 0, 50]")
+        found = self.operation(MACHINE + together + '[operation]\nspeeds = ["200 rpm"]\n')
+        self.assertEqual(found["orders"], [1, 3])
+        only = self.operation(MACHINE + together + '[operation]\nspeeds = ["200 rpm"]\nexcitations = ["rotor"]\n')
+        self.near(self.value(only, "m.z")["amplitude"], of_rotor(200 * RPM))
+
+    def test_speeds_of_a_request_replace_those_of_the_file(self):
+        found = self.operation(MACHINE + ROTOR, "--at", "980 rpm,1450 rpm")
+        self.assertEqual(sorted({round(row["to"] / RPM) for row in found["values"]}), [980, 1450])
+        self.near(self.value(found, "m.z", speed=1)["amplitude"], of_rotor(1450 * RPM))
+        self.assertIn("above 0", self.trivet(MACHINE + ROTOR, "operation", "--at", "0 rpm", code=2).stderr)
+        self.assertIn('speeds = ["980 rpm"]', self.trivet(MACHINE + ROTOR, "operation", code=2).stderr)
+
+    def test_resonance_is_warned_of(self):
+        near = self.trivet(MACHINE + ROTOR + '[operation]\nspeeds = ["250 rpm"]\n', "operation").stderr
+        self.assertIn("250 rpm: order 1 is at 87.27 % of mode 1 (4.775 Hz)", near)
+        through = self.trivet(MACHINE + ROTOR + '[operation]\nspeeds = [["200 rpm", "600 rpm"]]\n', "operation").stderr
+        self.assertIn("200 … 600 rpm: order 1 passes through mode 1 at 286.5 rpm", through)
+        far = self.trivet(MACHINE + ROTOR + '[operation]\nspeeds = ["980 rpm"]\n', "operation").stderr
+        self.assertNotIn("resonance", far)
+
+    def test_limits_are_judged_in_every_case(self):
+        amplitude = of_rotor(980 * RPM)
+        text = (
+            MACHINE
+            + ROTOR
+            + f'[operation]\nspeeds = ["980 rpm", ["200 rpm", "400 rpm"]]\nlimits."m.z" = "{2e3 * amplitude} mm"\n'
+            + f"[cases.stiff]\nelements.s.translation = [0, 0, {4 * STIFFNESS}]\n"
+        )
+        found = json.loads(self.trivet(text, "verdict", "--json").stdout)
+        at, over = found["cases"][0]["requirements"]
+        self.assertEqual(at["kind"], "operation")
+        self.assertIn("at 980 rpm", at["requirement"])
+        self.near(at["margin"], 2)
+        self.near(at["value"], amplitude)
+        self.near(over["value"], UNBALANCE / MASS / (2 * RATIO * math.sqrt(1 - RATIO**2)))
+        self.assertTrue(all(case["decides"] for case in found["cases"]))
+        self.assertFalse(found["met"])
+        said = self.trivet(text, "verdict").stdout
+        self.assertIn("At 980 rpm: largest velocity", said)
+        self.assertIn("At 200 … 400 rpm: largest velocity", said)
+
+    def test_the_fan_has_its_numbers_in_summary_report_and_files(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = subprocess.run([TRIVET, "run", FAN, "-o", folder], capture_output=True, text=True, check=True)
+            for words in ("At 980 rpm", "largest velocity", "largest force on the ground", "isolation from"):
+                self.assertIn(words, run.stdout)
+            results = json.loads((pathlib.Path(folder) / "results.json").read_text())["cases"][0]
+            self.assertTrue(results["verdict"]["met"])
+            modes = [mode["angular_frequency"] / (2 * math.pi) for mode in results["modes"]["modes"]]
+            self.assertAlmostEqual(modes[0], 2.28, delta=0.01)
+            self.assertAlmostEqual(modes[-1], 9.11, delta=0.01)
+            page = (pathlib.Path(folder) / "report.html").read_text()
+            self.assertIn("At the operating speed", page)
+
+    def test_other_analyses_tell_single_frequencies_too(self):
+        text = (
+            MACHINE + ROTOR + '[analyses]\ntransmissibility = {base = "z"}\norders = {speed = ["100 rpm", "900 rpm"]}\n'
+        )
+        (at,) = json.loads(self.trivet(text, "transmissibility", "--json", "--at", "980 rpm").stdout)["at"]
+        self.near(at["transmissibility"], transmissibility(980 * RPM))
+        self.near(at["isolation"], 1 - transmissibility(980 * RPM))
+        (at,) = json.loads(self.trivet(text, "orders", "--json", "--at", "980 rpm").stdout)["at"]
+        self.near(at["amplitude"], of_rotor(980 * RPM))
+        at = json.loads(self.trivet(text, "power", "--json", "--at", "980 rpm").stdout)["at"]
+        self.assertEqual([row["mount"] for row in at], ["s", "all mounts"])
+        speed = 980 * RPM
+        self.near(at[0]["fed"], DASHPOT * (speed * of_rotor(speed)) ** 2 / 2)  # all of it is dissipated
+        self.assertNotIn("at", json.loads(self.trivet(text, "orders", "--json").stdout))
+
+
+if __name__ == "__main__":
+    unittest.main()
