@@ -58,7 +58,7 @@ void write_result(const CommandLine& line, const engine::Result& result) {
 }  // namespace
 
 int run(CommandLine line) {
-  const auto session = engine::Session::open(line.source, line.settings, line.source.text ? nullptr : &line.request);
+  const auto session = engine::Session::open(line.source, line.settings, &line.request);
   if (!session) return complain(line, session.error());
   line.request.ends_search = interruption();
   const engine::Result result = session->ask(line.request, progress());

@@ -39,3 +39,17 @@ class Terminal(InTemporaryFolder):
         piped = trivet("modes", "-", "--json", input=trivet("new").stdout)
         self.assertEqual(piped.returncode, 0, piped.stderr)
         self.assertIn("genset.toml", trivet("modes", GENSET.parent).stderr)
+
+    def test_standard_input_is_as_strict_as_a_file(self):
+        """An error in requirements stops a verdict, not the modes."""
+        wrong = trivet("new").stdout + '[requirements]\nlimits = {"nobody.z" = "1 mm"}\n'
+        for path, given in ((self.file(wrong), ""), ("-", wrong)):
+            self.assertEqual(trivet("modes", path, input=given).returncode, 0)
+            self.assertEqual(trivet("verdict", path, input=given).returncode, 2)
+
+    def test_a_value_is_marked_only_if_its_key_is_in_the_line_once(self):
+        bodies = "trivet = 1\nbodies = {a = {mass = 10}, b = {mass = -3}}\n"
+        message = trivet("check", self.file(bodies)).stderr
+        self.assertIn("bodies.b.mass", message)
+        marked = message.partition("bodies.b.mass")[2].splitlines()[2]
+        self.assertEqual(marked, "    | " + "^" * len(bodies.splitlines()[1]))

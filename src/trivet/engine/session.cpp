@@ -84,13 +84,13 @@ Result run_with_picture(const Task& task) {
 foundation::Expected<Session> Session::open(const Source& source, const std::vector<std::string>& settings,
                                             const Request* only_for) {
   foundation::remove_abandoned_folders();
+  foundation::Expected<std::string> text = source.text ? *source.text : project::read_source(source.name);
+  if (!text) return tl::make_unexpected(std::move(text.error()));
   if (only_for) {
-    auto read = judging::read_project_for(looked_at(only_for), source.name, settings);
+    auto read = judging::project_from_text_for(looked_at(only_for), *text, source.name, settings, source.folder);
     if (!read) return tl::make_unexpected(std::move(read.error()));
     return of(std::move(*read), "", settings);
   }
-  foundation::Expected<std::string> text = source.text ? *source.text : project::read_source(source.name);
-  if (!text) return tl::make_unexpected(std::move(text.error()));
   auto read = judging::project_from_text(*text, source.name, settings, source.folder);
   if (!read) return tl::make_unexpected(std::move(read.error()));
   return of(std::move(*read), std::move(*text), settings);

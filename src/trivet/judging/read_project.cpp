@@ -114,31 +114,26 @@ foundation::Expected<Project> judged(project::WrittenProject written, const Anal
   return project;
 }
 
-foundation::Expected<Project> project_for(const AnalysisFilter& filter, const std::string& text,
-                                          const std::string& source, const std::vector<std::string>& settings,
-                                          const std::string& folder = "") {
+}  // namespace
+
+foundation::Expected<Project> project_from_text_for(const AnalysisFilter& filter, const std::string& text,
+                                                    const std::string& source, const std::vector<std::string>& settings,
+                                                    const std::string& folder) {
   auto written = project::written_project(text, source, settings, folder);
   if (!written) return tl::make_unexpected(written.error());
   return judged(std::move(*written), filter);
 }
 
-}  // namespace
-
 foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,
                                                 const std::vector<std::string>& settings, const std::string& folder) {
-  return project_for({}, text, source, settings, folder);
-}
-
-foundation::Expected<Project> read_project_for(const AnalysisFilter& filter, const std::filesystem::path& path,
-                                               const std::vector<std::string>& settings) {
-  const auto text = project::read_source(path);
-  if (!text) return tl::make_unexpected(text.error());
-  return project_for(filter, *text, path.string(), settings);
+  return project_from_text_for({}, text, source, settings, folder);
 }
 
 foundation::Expected<Project> read_project(const std::filesystem::path& path,
                                            const std::vector<std::string>& settings) {
-  return read_project_for({}, path, settings);
+  const auto text = project::read_source(path);
+  if (!text) return tl::make_unexpected(text.error());
+  return project_from_text(*text, path.string(), settings);
 }
 
 foundation::Expected<Project> changed_project(const Project& project, const std::vector<std::string>& settings) {

@@ -22,10 +22,13 @@ namespace trivet::judging {
                                                                        const std::vector<std::string>& settings = {},
                                                                        const std::string& folder = "");
 
-/// As `read_project`, but analyses with errors that were not requested are removed from the analyses of their case.
-[[nodiscard]] foundation::Expected<project::Project> read_project_for(const project::AnalysisFilter& filter,
-                                                                      const std::filesystem::path& path,
-                                                                      const std::vector<std::string>& settings = {});
+/// As `project_from_text`, but analyses with errors that were not requested are removed from the analyses of their
+/// case.
+[[nodiscard]] foundation::Expected<project::Project> project_from_text_for(const project::AnalysisFilter& filter,
+                                                                           const std::string& text,
+                                                                           const std::string& source,
+                                                                           const std::vector<std::string>& settings,
+                                                                           const std::string& folder);
 
 /// The project that its text gives with these settings instead of its own: the same cases, problems and places as
 /// `project_from_text`. Bodies and elements that stay the same are not read again, nor are the files that they name.
