@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# add_layer(NAME [WORDS] [OPTIMIZED Release|Debug] [USES LOWER...]): folder src/trivet/NAME = static library
+# add_layer(NAME [WORDS|FAST] [OPTIMIZED Release|Debug] [USES LOWER...]): folder src/trivet/NAME = static library
 # trivet::NAME = namespace trivet::NAME. All .cpp files of the folder are its sources. All headers are public and
 # installed, except kernels (-inl.h) and those that its CMakeLists.txt lists as private. The permitted includes
 # between layers and between the folders of a layer, and the private headers, are written to layers.txt for the test
@@ -20,7 +20,7 @@ set(TRIVET_WARNINGS -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wold-style-cast
 
 # One precompiled header for all layers, except those that are OPTIMIZED (-O3) in this type of build, because it
 # stores the optimisation options. Layers of WORDS (reading, writing) are not optimised in debug builds, which have
-# sanitizers, and for size in portable ones; there they have another header.
+# sanitizers, and for size in portable ones, like all that are neither OPTIMIZED nor FAST; there they have another header.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "// Compiles cmake/precompiled.h.\n")
 function(add_precompiled name)
   add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
@@ -52,7 +52,7 @@ function(compile_words target)
 endfunction()
 
 function(add_layer name)
-  cmake_parse_arguments(LAYER "WORDS" "OPTIMIZED" "USES" ${ARGN})
+  cmake_parse_arguments(LAYER "WORDS;FAST" "OPTIMIZED" "USES" ${ARGN})
   add_library(trivet_${name} STATIC)
   add_library(trivet::${name} ALIAS trivet_${name})
   set_target_properties(trivet_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
@@ -62,7 +62,7 @@ function(add_layer name)
   if(LAYER_OPTIMIZED STREQUAL CMAKE_BUILD_TYPE)
     target_compile_options(trivet_${name} PRIVATE -O3)
     target_precompile_headers(trivet_${name} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
-  elseif(LAYER_WORDS)
+  elseif(LAYER_WORDS OR (TRIVET_PORTABLE AND NOT LAYER_OPTIMIZED AND NOT LAYER_FAST))
     compile_words(trivet_${name})
   else()
     target_precompile_headers(trivet_${name} REUSE_FROM trivet_precompiled)

@@ -5,6 +5,7 @@ import json
 import math
 import os
 import pathlib
+import shutil
 import subprocess
 import tarfile
 import tempfile
@@ -124,6 +125,18 @@ class StaticProgram(unittest.TestCase):
             vertical = math.sqrt(3 * 300 * 4.4482216152605 / 0.0254 / (250 * 0.45359237))
             found = [number for path, number in numbers(modes) if path.endswith("angular_frequency")]
             self.assertTrue(min(found) < vertical < max(found), found)
+
+    @unittest.skipUnless("TRIVET_OLDER_ROOT" in os.environ, "no older system (scripts/release makes one)")
+    def test_runs_in_an_older_system(self):
+        root = pathlib.Path(os.environ["TRIVET_OLDER_ROOT"])
+        with tempfile.TemporaryDirectory(dir=root) as folder:
+            for name in ("trivet", "example.toml"):
+                shutil.copy(self.unpacked / name, folder)
+            inside = pathlib.Path("/") / pathlib.Path(folder).name
+            command = f"cd {inside} && ./trivet run example.toml -o results"
+            ran = subprocess.run(["chroot", root, "sh", "-c", command], capture_output=True, text=True)
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            self.assertTrue((pathlib.Path(folder) / "results" / "report.html").exists())
 
     def test_has_the_numbers_of_the_ordinary_program(self):
         ordinary = os.environ.get("TRIVET", SOURCE / "build/release/apps/cli/trivet")

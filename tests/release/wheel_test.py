@@ -70,6 +70,24 @@ class Wheels(unittest.TestCase):
                 versions = {tuple(map(int, v.split("."))) for v in re.findall(r"GLIBC_([0-9.]+)", needed)}
                 self.assertLessEqual(max(versions), (2, 28))
 
+    @unittest.skipUnless("TRIVET_OLDER_ROOT" in os.environ, "no older system (scripts/release makes one)")
+    def test_modules_find_all_they_need_in_an_older_system(self):
+        root = pathlib.Path(os.environ["TRIVET_OLDER_ROOT"])
+        for wheel in WHEELS:
+            with self.subTest(wheel.name), tempfile.TemporaryDirectory(dir=root) as folder:
+                with zipfile.ZipFile(wheel) as files:
+                    (module,) = [name for name in files.namelist() if re.search(r"_core\..*so$", name)]
+                    files.extract(module, folder)
+                inside = pathlib.Path("/") / pathlib.Path(folder).name / module
+                ran = subprocess.run(["chroot", root, "ldd", "-r", inside], capture_output=True, text=True)
+                missing = [
+                    line
+                    for line in (ran.stdout + ran.stderr).splitlines()
+                    if "not found" in line or "undefined" in line
+                ]
+                self.assertEqual([line for line in missing if not re.search(r"undefined symbol: _?Py", line)], [])
+                self.assertTrue(missing, "ldd found even the names of Python")
+
     def test_first_picture_within_a_minute_of_pip_install(self):
         self.assertTrue(pythons(), "no Python from 3.11 on has a wheel")
         for minor, python in pythons().items():
