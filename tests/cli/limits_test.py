@@ -64,7 +64,7 @@ class Messages(Refused):
 
 
 class Frequencies(InTemporaryFolder):
-    def test_units_are_on_all_values_or_on_none(self):
+    def test_units_are_on_all_values(self):
         for option, text in (
             ("--at", "1,5 Hz"),
             ("--at", "0,5 Hz"),
@@ -78,8 +78,21 @@ class Frequencies(InTemporaryFolder):
             self.assertIn('"1 Hz,5 Hz"', done.stderr)
         self.assertEqual(trivet("suspension", PAPER, "--excitation", "25,50Hz").returncode, 2)
 
+    def test_frequencies_without_units_are_rejected_with_both_units_offered(self):
+        for command, option, text, in_hertz, in_rad in (
+            ("response", "--band", "0,30", "0,30 Hz", "0,30 rad/s"),
+            ("response", "--at", "20", "20 Hz", "20 rad/s"),
+            ("response", "--at", "1,2.7", "1 Hz,2.7 Hz", "1 rad/s,2.7 rad/s"),
+            ("suspension", "--excitation", "25,50", "25 Hz,50 Hz", "25 rad/s,50 rad/s"),
+        ):
+            done = trivet(command, PAPER, option, text)
+            self.assertEqual(done.returncode, 2, text)
+            self.assertIn(f'{option} "{text}": a frequency has a unit', done.stderr)
+            self.assertIn(f'write {option} "{in_hertz}" or {option} "{in_rad}"', done.stderr)
+            self.assertEqual(trivet(command, PAPER, option, in_hertz).returncode, 0, in_hertz)
+
     def test_lists_that_are_clear_are_accepted(self):
-        self.assertEqual(result_of("response", PAPER, "--at", "1,5")["angular_frequency"], [1, 5])
+        self.assertEqual(result_of("response", PAPER, "--at", "1 rad/s,5 rad/s")["angular_frequency"], [1, 5])
         self.assertAlmostEqual(
             result_of("response", PAPER, "--at", "1.5 Hz")["angular_frequency"][0], 9.42477796076938, places=12
         )
@@ -88,7 +101,7 @@ class Frequencies(InTemporaryFolder):
         )  # 0 is 0 in every unit, and a band has two ends
 
     def test_a_band_has_two_ends(self):
-        for band in ("0,1e-300", "1,1.0000000000000002", "0,1e13"):
+        for band in ("0,1e-300 rad/s", "1 rad/s,1.0000000000000002 rad/s", "0,1e13 rad/s"):
             done = trivet("response", PAPER, "--band", band)
             self.assertEqual(done.returncode, 2, band)
             self.assertEqual(len(done.stderr.splitlines()), 1)

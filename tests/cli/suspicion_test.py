@@ -318,9 +318,9 @@ class Acceptances(InTemporaryFolder):
                 [TRIVET, "response", path, *options], capture_output=True, text=True, timeout=60
             ).stderr
 
-        for found in (response([0, 0.5]), response(None, "--band", "0,0.5")):
+        for found in (response([0, 0.5]), response(None, "--band", "0,0.5 rad/s")):
             self.assertIn('suspicion "band": no natural frequency is in it', found)
-        self.assertNotIn("suspicion", response(None, "--band", "0,1000"))
+        self.assertNotIn("suspicion", response(None, "--band", "0,1000 rad/s"))
 
     def test_are_errors_if_nothing_is_suspicious(self):
         self.machine["bodies"]["compressor"]["accept"] = {"mass": "heavy"}

@@ -69,7 +69,7 @@ class Contract(InTemporaryFolder):
 
     def test_as_printed_every_output_carries_the_warning(self):
         for which in ("modes", "roots", "response", "peaks"):
-            extra = ("--at", "1") if which == "response" else ()
+            extra = ("--at", "1 rad/s") if which == "response" else ()
             self.assertTrue(any("inertia" in w for w in result_of(which, PRINTED, *extra)["warnings"]), which)
             self.assertIn("warning", trivet(which, PRINTED, *extra).stderr)
             self.assertIn("warning", trivet(which, PRINTED, *extra, "--csv").stderr)
@@ -107,7 +107,7 @@ class Contract(InTemporaryFolder):
         self.assertEqual(len(element["rigid_motion_residual"]), 12)
 
     def test_csv_reads_back(self):
-        rows = list(csv.reader(io.StringIO(trivet("response", PAPER, "--at", "1,2", "--csv").stdout)))
+        rows = list(csv.reader(io.StringIO(trivet("response", PAPER, "--at", "1 rad/s,2 rad/s", "--csv").stdout)))
         self.assertEqual(len(rows), 3)
         self.assertEqual(len({len(row) for row in rows}), 1)
 
@@ -203,8 +203,8 @@ class Faults(InTemporaryFolder):
             ("modes",),
             ("mode", PAPER),
             ("response", PAPER, "--at", "1,x"),
-            ("response", PAPER, "--at", "-1"),
-            ("response", PAPER, "--band", "5,1"),
+            ("response", PAPER, "--at", "-1 Hz"),
+            ("response", PAPER, "--band", "5 Hz,1 Hz"),
             ("modes", PAPER, "--json", "--csv"),
             ("element", PAPER, "suspensio"),
             ("modes", PAPER, "--set", "nonsense"),

@@ -22,7 +22,7 @@ def sets(path, kind: int) -> list[dict]:
 
 def recomputed(program, hertz) -> dict[str, np.ndarray]:
     """The response of the program at the frequencies of the file, per newton."""
-    found = program.json("response", "--at", ",".join(repr(float(2 * np.pi * f)) for f in hertz))
+    found = program.json("response", "--at", ",".join(f"{2 * np.pi * f!r} rad/s" for f in map(float, hertz)))
     curves = {one["name"]: np.array(one["complex"]) for one in found["results"]}
     return {
         name: (c[..., 0] + 1j * c[..., 1] if c.ndim == 2 else c[::2] + 1j * c[1::2]) / 25 for name, c in curves.items()

@@ -124,11 +124,11 @@ std::vector<Key> keys_of(const std::string& name) {
   if (name == "response")
     return {{.name = "at",
              .kind = KeyKind::text,
-             .about = "single frequencies: 1,2.7,15.6 in rad/s, or with units",
+             .about = "single frequencies with units: \"12.5 Hz,25 Hz\"",
              .value = "FREQUENCY,…"},
             {.name = "band",
              .kind = KeyKind::text,
-             .about = "FROM,TO in rad/s, or with units",
+             .about = "FROM,TO with units: \"2 Hz,40 Hz\"",
              .excludes = "at",
              .value = "FROM,TO"}};
   if (name == "operation")
@@ -147,12 +147,13 @@ std::vector<Key> keys_of(const std::string& name) {
              .about = "tell single frequencies besides: \"980 rpm\" or \"16.3 Hz\", or several with units",
              .value = "FREQUENCY,…"}};
   if (name == "steady")
-    return {{.name = "at",
-             .kind = KeyKind::text,
-             .about =
-                 "state the harmonics of all motions found there: \"12 Hz\" or \"750 rpm\", or several: 75,80 in rad/s",
-             .value = "FREQUENCY,…"},
-            {.name = "deep", .kind = KeyKind::flag, .about = "judge the stability of every point in two ways"}};
+    return {
+        {.name = "at",
+         .kind = KeyKind::text,
+         .about =
+             "state the harmonics of all motions found there: \"12 Hz\" or \"750 rpm\", or several: \"12 Hz,13 Hz\"",
+         .value = "FREQUENCY,…"},
+        {.name = "deep", .kind = KeyKind::flag, .about = "judge the stability of every point in two ways"}};
   return {};
 }
 

@@ -33,21 +33,33 @@ std::vector<std::string> between_commas(const std::string& text) {
   return {parts.begin(), parts.end()};
 }
 
-/// Rejects lists in which only some values have a unit: "1,5 Hz" may be one number with a decimal comma, 1 rad/s and
-/// 5 Hz, or 1 Hz and 5 Hz. The 0 of a band is 0 in every unit.
-void refuse_mixed_units(const std::string& key, bool band, const std::string& text,
-                        const std::vector<std::string>& items) {
-  std::size_t bare = 0, with_unit = 0;
+/// The items, those without a unit with this one: "1 Hz,5 Hz", and "0,5 Hz" of a band.
+std::string with_missing_units(const std::vector<std::string>& items, bool band, const std::string& unit) {
+  std::string text;
   for (const std::string& item : items) {
     const auto number = plain_number(item);
-    if (!number) ++with_unit;
-    else if (!(band && *number == 0)) ++bare;
+    text += (text.empty() ? "" : ",") + item + (number && !(band && *number == 0) ? " " + unit : "");
   }
-  if (bare == 0 || with_unit == 0) return;
-  throw InvalidInput(
-      fmt::format("{} \"{}\": some values have a unit and some have none; give each its unit as in {} \"1 Hz,5 Hz\", "
-                  "or none for rad/s; a decimal number has a point: \"1.5 Hz\"",
-                  key, text, key));
+  return text;
+}
+
+/// Rejects texts whose frequencies have no unit: engineers mean Hz, formulas rad/s. If only some have none, "1,5 Hz"
+/// may also be one number with a decimal comma. The 0 of a band is 0 in every unit.
+void refuse_without_units(const std::string& key, bool band, const std::string& text,
+                          const std::vector<std::string>& items) {
+  const auto bare = std::ranges::count_if(items, [band](const std::string& item) {
+    const auto number = plain_number(item);
+    return number && !(band && *number == 0);
+  });
+  if (bare == 0) return;
+  const auto with_unit = std::ranges::count_if(items, [](const std::string& item) { return !plain_number(item); });
+  if (with_unit > 0)
+    throw InvalidInput(fmt::format(
+        "{} \"{}\": some values have a unit and some have none; give each its unit as in {} \"1 Hz,5 Hz\"; a decimal "
+        "number has a point: \"1.5 Hz\"",
+        key, text, key));
+  throw InvalidInput(fmt::format("{0} \"{1}\": a frequency has a unit; write {0} \"{2}\" or {0} \"{3}\"", key, text,
+                                 with_missing_units(items, band, "Hz"), with_missing_units(items, band, "rad/s")));
 }
 
 std::optional<int> whole_number(const Value& value) {
@@ -156,12 +168,13 @@ std::vector<std::string> KeyReader::texts(const std::string& key) const {
 
 double KeyReader::frequency(const std::string& key, const Value& value) const {
   const std::string text = text_of(value);
+  if (std::holds_alternative<std::string>(value)) refuse_without_units(written(key), key == "band", text, {text});
   std::optional<double> omega = plain_number(text);
   if (!omega) {
     const auto converted = project::to_si(text, project::Quantity::angular_frequency);
     if (!converted)
-      throw InvalidInput(
-          fmt::format("{}: \"{}\": {}; give rad/s, or a unit as in \"5 Hz\"", written(key), text, converted.error()));
+      throw InvalidInput(fmt::format("{}: \"{}\": {}; give a number and its unit, as in \"5 Hz\" or \"31.4 rad/s\"",
+                                     written(key), text, converted.error()));
     omega = *converted;
   }
   if (const auto broken = project::outside_range(*omega, project::Quantity::angular_frequency))
@@ -178,7 +191,7 @@ std::vector<double> KeyReader::frequencies(const std::string& key) const {
   if (!value) return all;
   if (const auto* text = std::get_if<std::string>(value)) {
     const std::vector<std::string> items = between_commas(*text);
-    refuse_mixed_units(written(key), key == "band", *text, items);
+    refuse_without_units(written(key), key == "band", *text, items);
     for (const std::string& item : items) all.push_back(frequency(key, item));
   } else if (const auto* list = std::get_if<std::vector<Value>>(value)) {
     for (const Value& one : *list) all.push_back(frequency(key, one));

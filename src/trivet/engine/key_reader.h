@@ -26,7 +26,7 @@ class KeyReader {
   [[nodiscard]] std::vector<std::string> texts(const std::string& key) const;
   /// The same without a split at commas.
   [[nodiscard]] std::vector<std::string> names(const std::string& key) const;
-  /// Angular frequencies [rad/s] from "1,2.7,15.6" in rad/s, each perhaps with a unit, or from numbers.
+  /// Angular frequencies [rad/s] from a text in which each has its unit ("1 Hz,2.7 Hz"), or from numbers in rad/s.
   /// @throws foundation::InvalidInput, naming the key
   [[nodiscard]] std::vector<double> frequencies(const std::string& key) const;
   /// [s] from a number, or a text with a unit; none if the key is absent. @throws foundation::InvalidInput

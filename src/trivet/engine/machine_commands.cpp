@@ -186,7 +186,7 @@ std::vector<Command> machine_commands() {
                  .value = "AXIS"},
                 {.name = "excitation",
                  .kind = KeyKind::text,
-                 .about = "frequencies to compare with the natural ones: 25Hz,50Hz, or in rad/s",
+                 .about = "frequencies to compare with the natural ones: \"25 Hz,50 Hz\"",
                  .value = "FREQUENCY,…"}},
        .csv = true,
        .examples = {"trivet suspension machine.toml",
