@@ -82,7 +82,7 @@ class Display(InTemporaryFolder):
 
     def test_numbers_on_the_screen_are_the_si_numbers_times_their_factors(self):
         shown = trivet("response", self.shown).stdout
-        self.assertIn("Amplitude and phase (peak-to-peak; a lag is negative)", shown)
+        self.assertIn("Amplitude and phase (a lag is negative)", shown)
         data = result_of("response", self.si)
         size = lambda name, i: math.hypot(*next(c for c in data["results"] if c["name"] == name)["complex"][i])
         for i, row in enumerate(table(shown, "f [rpm]")):

@@ -84,7 +84,7 @@ class Page(Folder):
     def test_a_response_at_few_frequencies_is_also_a_table(self):
         text = MACHINE.replace("band = [0, 40]", "at = [10, 20]")
         self.assertIn(
-            "<summary>Amplitude and phase (zero-to-peak; a lag is negative)</summary>",
+            "<summary>Amplitude and phase (a lag is negative)</summary>",
             self.report(text=text).read_text(),
         )
 

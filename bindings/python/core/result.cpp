@@ -107,6 +107,9 @@ ColumnList python_columns(const Result& result, const std::string& table, const 
   return list;
 }
 
+/// Arrays are zero-to-peak unless a level was chosen.
+project::Level level_of_data(const DisplayUnits& units) { return units.level.value_or(project::Level::amplitude); }
+
 void bind_units(nb::module_& module) {
   nb::class_<DisplayUnits>(module, "DisplayUnits", "Units in which tables and pictures show numbers.")
       .def(nb::init<>())
@@ -117,8 +120,9 @@ void bind_units(nb::module_& module) {
           },
           nb::arg("changes"))
       .def_ro("frequency", &DisplayUnits::frequency)
-      .def_prop_ro("level", [](const DisplayUnits& units) { return project::level_name(units.level); })
-      .def_prop_ro("level_factor", [](const DisplayUnits& units) { return project::level_factor(units.level); })
+      .def_prop_ro("level", [](const DisplayUnits& units) { return project::level_name(level_of_data(units)); })
+      .def_prop_ro("level_factor",
+                   [](const DisplayUnits& units) { return project::level_factor(level_of_data(units)); })
       .def(
           "unit",
           [](const DisplayUnits& units, const std::string& si_unit) {

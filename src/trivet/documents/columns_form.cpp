@@ -21,13 +21,13 @@ struct Shown {
 };
 
 Shown shown_as(Kind kind, const std::string& unit, const project::DisplayUnits& display) {
-  const bool is_frequency = kind == Kind::frequency || kind == Kind::both_frequencies ||
-      kind == Kind::angular_frequency || kind == Kind::speed;
+  const bool is_frequency = kind == Kind::frequency || kind == Kind::speed;
   if (is_frequency && unit == "rad/s") return {frequency_unit(display, "rad/s"), shown_frequency(display, 1, "rad/s")};
   if (is_frequency && !display.frequency.empty())
     return {display.frequency, shown_frequency(display, 1 / converted(1, "rad/s", unit))};
   if (unit.empty()) return {};
-  const DisplayUnit found = kind == Kind::amplitude ? amplitude_unit(display, unit) : display_unit(display, unit);
+  const DisplayUnit found =
+      kind == Kind::amplitude ? amplitude_unit_of_data(display, unit) : display_unit(display, unit);
   return {found.label(), found.factor};
 }
 
@@ -75,6 +75,9 @@ class TableColumns {
     if (column.kind == Kind::words) return add_words(used.name, column);
     auto [name, unit] = parts_of(used.name);
     const Shown all = is_of_row(column) ? Shown{unit, 1} : shown_as(column.kind, unit, display_);
+    name = column.kind == Kind::frequency ? name_in_unit(name, all.unit) : name;
+    const auto same = [&](const TypedColumn& other) { return other.name == name && other.unit == all.unit; };
+    if (std::ranges::any_of(found_, same)) return;  // CSV has the frequency in rad/s and in Hz; these are now equal
     TypedColumn& typed = found_.emplace_back(TypedColumn{name, all.unit, {}});
     for (std::size_t i = 0; i < table_.rows; ++i) {
       const Json value = value_of(used, i);

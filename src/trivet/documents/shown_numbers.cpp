@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
 
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
@@ -18,29 +20,28 @@ DisplayUnit display_unit(const project::DisplayUnits& display, const std::string
 
 DisplayUnit amplitude_unit(const project::DisplayUnits& display, const std::string& si_unit) {
   DisplayUnit shown = display_unit(display, si_unit);
-  if (si_unit == "1") return shown;
-  shown.factor *= project::level_factor(display.level);
-  if (display.level == project::Level::peak_to_peak) shown.level = " p-p";
-  if (display.level == project::Level::rms) shown.level = " rms";
+  static constexpr std::array with_level = {"m", "m/s", "m/s²", "rad", "rad/s", "rad/s²", "N", "N m"};
+  if (std::ranges::find(with_level, si_unit) == with_level.end()) return shown;
+  const project::Level level = project::shown_level(display, si_unit);
+  shown.factor *= project::level_factor(level);
+  shown.level = std::string(" ") + project::level_ending(level);
   return shown;
+}
+
+DisplayUnit root_mean_square_unit(const project::DisplayUnits& display, const std::string& si_unit) {
+  DisplayUnit shown = display_unit(display, si_unit);
+  if (si_unit != "1") shown.level = " rms";
+  return shown;
+}
+
+DisplayUnit amplitude_unit_of_data(const project::DisplayUnits& display, const std::string& si_unit) {
+  const bool zero_to_peak = display.level.value_or(project::Level::amplitude) == project::Level::amplitude;
+  return zero_to_peak ? display_unit(display, si_unit) : amplitude_unit(display, si_unit);
 }
 
 const char* level_words(project::Level level) {
   if (level == project::Level::peak_to_peak) return "peak-to-peak";
   return level == project::Level::rms ? "rms" : "zero-to-peak";
-}
-
-std::string sentence_note(const project::DisplayUnits& display) {
-  return display.level == project::Level::amplitude ? "" : " (Amplitudes in this sentence are zero-to-peak.)";
-}
-
-UnitPrefix unit_prefix(double largest, const std::string& unit) {
-  static const char* const names[] = {"n", "µ", "m", "", "k", "M"};
-  if (!(largest > 0) || !std::isfinite(largest)) return {1, unit};
-  int n = static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
-  n = std::max(-3,
-               std::min(unit.starts_with("N") || unit.starts_with("W") ? 2 : 0, n));  // "km/s²" and "krad" are unusual
-  return {std::pow(10.0, -3 * n), names[n + 3] + unit};
 }
 
 UnitPrefix unit_prefix(double largest, const DisplayUnit& unit) {
@@ -81,7 +82,12 @@ double shown_frequency(const project::DisplayUnits& display, double omega, const
   return usual == "Hz" ? omega / foundation::two_pi : omega;
 }
 
-std::vector<std::string> frequency_units(const project::DisplayUnits& display) { return {frequency_unit(display)}; }
+std::string name_in_unit(std::string name, const std::string& unit) {
+  constexpr std::string_view angular = "angular_frequency", plain = "frequency";
+  const std::size_t at = unit == "rad/s" ? std::string::npos : name.find(angular);
+  if (at != std::string::npos) name.replace(at, angular.size(), plain);
+  return name;
+}
 
 std::string frequency_heading(const project::DisplayUnits& display, const std::string& usual) {
   const std::string unit = frequency_unit(display, usual);

@@ -3,9 +3,9 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 #include "trivet/project/text/display_units.h"
+#include "trivet/project/text/unit_prefix.h"
 
 /// Numbers as tables and pictures show them: in the units of [display], by default as computed.
 namespace trivet::documents {
@@ -13,7 +13,7 @@ namespace trivet::documents {
 /// How SI numbers are shown: value × factor, with a label.
 struct DisplayUnit {
   std::string unit;   ///< "in"
-  std::string level;  ///< " p-p" or " rms" of a harmonic quantity; empty: zero-to-peak, or not harmonic
+  std::string level;  ///< " 0-p", " p-p" or " rms" of a harmonic quantity; empty: it has none
   double factor = 1;
   bool si = true;  ///< the unit is that of the result, so it may get an SI prefix
   [[nodiscard]] std::string label() const { return unit + level; }
@@ -21,19 +21,17 @@ struct DisplayUnit {
 
 /// For values at rest, in time, root mean squares and dimensions.
 [[nodiscard]] DisplayUnit display_unit(const project::DisplayUnits& display, const std::string& si_unit);
-/// For amplitudes of harmonic quantities, and for limits on them. Ratios (unit "1") stay.
+/// For amplitudes of harmonic quantities, and for limits on them. Ratios of two of them ("1", "m/N") have no level.
 [[nodiscard]] DisplayUnit amplitude_unit(const project::DisplayUnits& display, const std::string& si_unit);
+/// For root mean squares of random vibration, which have no other level.
+[[nodiscard]] DisplayUnit root_mean_square_unit(const project::DisplayUnits& display, const std::string& si_unit);
+/// For amplitudes in data, such as typed columns and sheets: zero-to-peak without a label, unless [display] has a
+/// level.
+[[nodiscard]] DisplayUnit amplitude_unit_of_data(const project::DisplayUnits& display, const std::string& si_unit);
 /// "zero-to-peak", "peak-to-peak" or "rms".
 [[nodiscard]] const char* level_words(project::Level level);
-/// Note on sentences that have amplitudes in SI, with a blank before it; empty if these are zero-to-peak as the rest.
-[[nodiscard]] std::string sentence_note(const project::DisplayUnits& display);
-/// A factor 10^(3n) that brings `largest` near 1 … 1000, and the resulting unit: 0.01 m → 1000, "mm". Only newtons and
-/// watts get larger units.
-struct UnitPrefix {
-  double factor = 1;
-  std::string unit;
-};
-[[nodiscard]] UnitPrefix unit_prefix(double largest, const std::string& unit);
+using project::unit_prefix;
+using project::UnitPrefix;
 /// From SI numbers to shown ones; only SI units get a prefix.
 [[nodiscard]] UnitPrefix unit_prefix(double largest, const DisplayUnit& unit);
 /// An SI value with its shown unit; SI units get prefixes: "0.5 mm", "0.02 in p-p".
@@ -57,8 +55,9 @@ class LargestOfKind {
 /// A frequency in that unit. @param omega  [rad/s]
 [[nodiscard]] double shown_frequency(const project::DisplayUnits& display, double omega,
                                      const std::string& usual = "Hz");
-/// The unit of the columns of a table that has frequencies: that of [display], by default Hz.
-[[nodiscard]] std::vector<std::string> frequency_units(const project::DisplayUnits& display);
+/// Name of a column of data in this unit: only numbers in rad/s are an angular frequency, "damped_angular_frequency" in
+/// Hz is "damped_frequency".
+[[nodiscard]] std::string name_in_unit(std::string name, const std::string& unit);
 /// "ω [rad/s]", "f [Hz]"
 [[nodiscard]] std::string frequency_heading(const project::DisplayUnits& display, const std::string& usual = "Hz");
 

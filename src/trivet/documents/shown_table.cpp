@@ -59,17 +59,6 @@ class Writing {
   }
 
  private:
-  std::vector<std::string> units(const Column& column) const {
-    switch (column.kind) {
-      case Kind::both_frequencies:
-      case Kind::frequency:
-      case Kind::angular_frequency:
-        return frequency_units(display_);
-      default:
-        return {};
-    }
-  }
-
   /// The unit of a quantity that is the same in all rows, with the prefix for the largest number.
   void add_common_unit(const Column& column) {
     if (!has_own_unit(column.kind) || column.unit == unit_of_the_row || column.unit.starts_with('@')) return;
@@ -91,10 +80,10 @@ class Writing {
       shown.numbers.push_back(column.kind != Kind::words && column.kind != Kind::yes_no);
     };
     const bool is_omega = column.heading == "ω" && column.kind != Kind::number;
-    if (is_omega || column.kind == Kind::both_frequencies) {
-      add((is_omega ? "" : column.heading + " ") + frequency_heading(display_));
-    } else if (!units(column).empty()) {
-      add(column.heading + " [" + units(column).front() + "]");
+    if (is_omega) {
+      add(frequency_heading(display_));
+    } else if (column.kind == Kind::frequency) {
+      add(column.heading + " [" + frequency_unit(display_) + "]");
     } else if (column.kind == Kind::speed) {
       add(column.heading + " [rpm]");
     } else if (common_units_.contains(&column)) {
@@ -172,8 +161,6 @@ std::string shown_quantity(const Quantity& quantity, const project::DisplayUnits
     case Kind::speed:
       return number(converted(quantity.value, "rad/s", "rpm")) + " rpm";
     case Kind::frequency:
-    case Kind::both_frequencies:
-    case Kind::angular_frequency:
       return number(shown_frequency(display, quantity.value)) + " " + frequency_unit(display);
     case Kind::number:
       return number(quantity.value) + " " + quantity.unit;

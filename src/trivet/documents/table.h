@@ -28,15 +28,13 @@ inline constexpr unsigned for_people = on_screen | on_page | in_summary, for_pro
 /// What the entries of a column are, and so how people see them. Files have SI numbers.
 enum class Kind {
   words,
-  number,             ///< its unit is in the heading, as [display] has it
-  yes_no,             ///< true or false
-  share,              ///< in percent
-  frequency,          ///< ω [rad/s], shown in the unit of [display], by default Hz
-  both_frequencies,   ///< the same
-  angular_frequency,  ///< the same
-  speed,              ///< Ω [rad/s], shown in rpm
-  quantity,           ///< with an SI prefix, or in the unit of [display]; in the heading if all have the same unit
-  amplitude,          ///< the same of a harmonic quantity: it also has a level
+  number,     ///< its unit is in the heading, as [display] has it
+  yes_no,     ///< true or false
+  share,      ///< in percent
+  frequency,  ///< ω [rad/s], shown in the unit of [display], by default Hz
+  speed,      ///< Ω [rad/s], shown in rpm
+  quantity,   ///< with an SI prefix, or in the unit of [display]; in the heading if all have the same unit
+  amplitude,  ///< the same of a harmonic quantity: it also has a level
 };
 
 /// A column of a table, described once for all forms.

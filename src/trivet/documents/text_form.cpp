@@ -21,8 +21,7 @@ bool is_along_an_axis(const Table& table, Form form) {
   const std::vector<UsedColumn> columns = used_columns(table, table.people, form);
   if (columns.empty()) return false;
   const Kind kind = columns.front().column->kind;
-  return kind == Kind::frequency || kind == Kind::both_frequencies || kind == Kind::angular_frequency ||
-      kind == Kind::speed;
+  return kind == Kind::frequency || kind == Kind::speed;
 }
 
 /// Which rows of a table the screen shows, and in words.

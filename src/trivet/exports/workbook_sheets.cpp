@@ -42,7 +42,7 @@ const LabelledArray* units_of_rows(const LabelledArrays& all, const std::string&
 
 DisplayUnit shown_unit_of(const LabelledArray& array, const std::string& si_unit,
                           const project::DisplayUnits& display) {
-  return array.harmonic ? results::amplitude_unit(display, si_unit) : results::display_unit(display, si_unit);
+  return array.harmonic ? results::amplitude_unit_of_data(display, si_unit) : results::display_unit(display, si_unit);
 }
 
 /// Unit of a whole column of real numbers, or of a single one. A number in rad/s is a frequency, except in time and
@@ -71,7 +71,8 @@ void add_real_column(const LabelledArray& array, const LabelledArrays& all, cons
   std::vector<double> numbers = array.real_numbers();
   for (std::size_t i = 0; i < numbers.size(); ++i)
     numbers[i] *= units ? shown_unit_of(array, units->texts()[i], display).factor : whole.factor;
-  sheet.columns.push_back({array.name, units ? array.unit : whole.label(), std::move(numbers), {}});
+  const std::string name = array.unit == "rad/s" ? results::name_in_unit(array.name, whole.label()) : array.name;
+  sheet.columns.push_back({name, units ? array.unit : whole.label(), std::move(numbers), {}});
   if (array.name != "angular_frequency") return;
   std::vector<double> frequencies;
   for (const double omega : array.real_numbers()) frequencies.push_back(results::shown_frequency(display, omega));

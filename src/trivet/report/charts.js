@@ -188,7 +188,7 @@ function axesOf(chart) {
                        splits: (u, axis, from, to, step) => logarithmicTicks(from, to, step)};
   const labels = (ticks, log, room) => (log ? logarithmicLabels(ticks, room) : ticks.map(tick => number(tick, 8)));
   const {quantity} = units[chart.unit], ylog = isLogarithmic(chart), suited = u => multiple(u.scales.y.max, chart.unit);
-  const name = level || quantity.includes(' ') ? quantity : `${quantity} amplitude`;
+  const name = quantity.includes(' ') ? quantity : `${quantity} amplitude`;
   const x = {...AXIS, label: view.hz ? 'f [Hz]' : frequency?.label ?? 'ω [rad/s]', size: 24, space: 50,
              values: (u, ticks) => labels(ticks, view.xlog, u.width / 50),
              ...(view.xlog ? logarithmic : {})};

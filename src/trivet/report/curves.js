@@ -4,7 +4,7 @@
 
 const read = id => JSON.parse(document.getElementById(id).textContent);
 const {cases} = read('results');
-const {strokes, units, groups, level, frequency} = read('drawing');  // as in the figures for print, see drawing_json.h
+const {strokes, units, groups, frequency} = read('drawing');  // as in the figures for print, see drawing_json.h
 const TURN = 2 * Math.PI;
 
 /// Factor from an SI amplitude to the unit that the page shows.
@@ -33,13 +33,15 @@ const reading = (value, digits) => number(value, digits, true);
 
 /// The multiple of a unit that suits the largest value: {factor, unit}, as 1000 and "mm".
 function multiple(largest, unit) {
-  const {multiples} = units[unit];
+  const {multiples, round_off: roundOff = 0} = units[unit];
+  if (largest < roundOff) largest = 0;  // round-off has no prefix
   const [size, name] = multiples.findLast(([least]) => largest >= least * (1 - 1e-9)) ?? multiples[0];
   const plain = multiples.find(([least]) => least === 1)?.[1] ?? unit;
   return largest > 0 ? {factor: 1 / size, unit: name} : {factor: 1, unit: plain};
 }
 function withUnit(value, unit, digits) {
   if (!Number.isFinite(value)) return '∞';
+  if (Math.abs(value) < (units[unit].round_off ?? 0)) return '0';
   const suited = multiple(Math.abs(value), unit);
   return `${reading(value * suited.factor, digits)} ${suited.unit}`;
 }

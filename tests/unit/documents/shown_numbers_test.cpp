@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "trivet/documents/shown_numbers.h"
 
 namespace shown_numbers_test {
@@ -33,10 +35,24 @@ TEST(ShownNumbers, OnlyHarmonicAmplitudesHaveALevel) {
   EXPECT_NEAR(at_rest.factor, 1 / inch, 1e-12 / inch);
 }
 
-TEST(ShownNumbers, ARatioStays) {
+TEST(ShownNumbers, ARatioHasNoLevel) {
   const documents::DisplayUnit ratio = documents::amplitude_unit(inches_peak_to_peak(), "1");
   EXPECT_EQ(ratio.label(), "1");
   EXPECT_EQ(ratio.factor, 1);
+  EXPECT_EQ(documents::amplitude_unit(inches_peak_to_peak(), "m/N").level, "");
+}
+
+TEST(ShownNumbers, EveryAmplitudeHasItsLevel) {
+  EXPECT_EQ(documents::value_text(6.33e-3 * std::sqrt(2), documents::amplitude_unit({}, "m/s")), "6.33 mm/s rms");
+  EXPECT_EQ(documents::value_text(1e-4, documents::amplitude_unit({}, "m")), "100 µm 0-p");
+  EXPECT_EQ(documents::value_text(60, documents::amplitude_unit({}, "N")), "60 N 0-p");
+  EXPECT_EQ(documents::value_text(1e-3, documents::root_mean_square_unit({}, "m/s")), "1 mm/s rms");
+}
+
+TEST(ShownNumbers, AmplitudesOfDataAreZeroToPeakUnlessTheDisplayHasALevel) {
+  EXPECT_EQ(documents::amplitude_unit_of_data({}, "m/s").label(), "m/s");
+  EXPECT_EQ(documents::amplitude_unit_of_data({}, "m/s").factor, 1);
+  EXPECT_EQ(documents::amplitude_unit_of_data(inches_peak_to_peak(), "m/s").label(), "in/s p-p");
 }
 
 TEST(ShownNumbers, OnlySiUnitsGetAPrefix) {
@@ -47,18 +63,31 @@ TEST(ShownNumbers, OnlySiUnitsGetAPrefix) {
 }
 
 TEST(ShownNumbers, FrequenciesAreInHertzUnlessTheDisplayHasAnotherUnit) {
-  EXPECT_THAT(documents::frequency_units({}), testing::ElementsAre("Hz"));
+  EXPECT_EQ(documents::frequency_unit({}), "Hz");
   EXPECT_EQ(documents::frequency_heading({}), "f [Hz]");
   EXPECT_NEAR(documents::shown_frequency({}, 2 * 3.141592653589793), 1, 1e-15);
   project::DisplayUnits display;
   display.frequency = "rad/s";
-  EXPECT_THAT(documents::frequency_units(display), testing::ElementsAre("rad/s"));
+  EXPECT_EQ(documents::frequency_unit(display), "rad/s");
   EXPECT_EQ(documents::frequency_heading(display), "ω [rad/s]");
   EXPECT_EQ(documents::shown_frequency(display, 3), 3);
   display.frequency = "rpm";
-  EXPECT_THAT(documents::frequency_units(display), testing::ElementsAre("rpm"));
+  EXPECT_EQ(documents::frequency_unit(display), "rpm");
   EXPECT_EQ(documents::frequency_heading(display), "f [rpm]");
   EXPECT_NEAR(documents::shown_frequency(display, 3.141592653589793), 30, 1e-12);
+}
+
+TEST(ShownNumbers, OnlyNumbersInRadiansPerSecondAreAngularFrequencies) {
+  EXPECT_EQ(documents::name_in_unit("angular_frequency", "rad/s"), "angular_frequency");
+  EXPECT_EQ(documents::name_in_unit("damped_angular_frequency", "Hz"), "damped_frequency");
+  EXPECT_EQ(documents::name_in_unit("at", "rpm"), "at");
+}
+
+TEST(ShownNumbers, RoundOffChoosesNoPrefix) {
+  documents::LargestOfKind largest;
+  largest.add("m", 2e-3);
+  EXPECT_EQ(documents::value_text(largest.shown("m", 1e-15), documents::amplitude_unit({}, "m")), "0 m 0-p");
+  EXPECT_EQ(documents::value_text(largest.shown("m", 3e-15), documents::amplitude_unit({}, "m")), "3e-06 nm 0-p");
 }
 
 }  // namespace shown_numbers_test

@@ -37,8 +37,15 @@ TEST(ShownUnit, ReplacesEveryBaseUnitOfAProductOrQuotient) {
 TEST(ShownUnit, OfFrequenciesAndLevels) {
   EXPECT_NEAR(project::shown_frequency(with({{"frequency", "rpm"}})).factor, 30 / 3.141592653589793, 1e-14);
   EXPECT_EQ(project::shown_frequency({}).unit, "rad/s");
-  EXPECT_EQ(project::level_factor(with({{"level", "peak_to_peak"}}).level), 2);
-  EXPECT_DOUBLE_EQ(project::level_factor(with({{"level", "rms"}}).level), 0.7071067811865476);
+  EXPECT_EQ(project::shown_level(with({{"level", "peak_to_peak"}}), "m/s"), project::Level::peak_to_peak);
+  EXPECT_EQ(project::shown_level(with({{"level", "amplitude"}}), "m/s"), project::Level::amplitude);
+  EXPECT_EQ(project::shown_level(with({{"level", "rms"}}), "m"), project::Level::rms);
+}
+
+TEST(ShownUnit, OfVelocitiesIsRmsUnlessTheDisplayHasALevel) {
+  for (const char* unit : {"m/s", "rad/s"}) EXPECT_EQ(project::shown_level({}, unit), project::Level::rms) << unit;
+  for (const char* unit : {"m", "m/s²", "rad", "N", "N m"})
+    EXPECT_EQ(project::shown_level({}, unit), project::Level::amplitude) << unit;
 }
 
 TEST(ShownUnit, OfAnotherQuantityIsRefusedWithARemedy) {

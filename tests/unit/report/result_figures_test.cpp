@@ -98,7 +98,7 @@ TEST(ResultFigures, NameQuantityAndUnitOnTheirAxes) {
       {"transient-01", {"t [ms]", "displacement [mm]", "rotation [mrad]"}},
       {"orders-01", {"shaft speed [rpm]", "displacement [µm]", "rotation [µrad]"}},
       {"campbell", {"shaft speed [rpm]", "frequency [Hz]"}},
-      {"waterfall", {"shaft speed [rpm]", "frequency [Hz]", "displacement amplitude [mm]"}},
+      {"waterfall", {"shaft speed [rpm]", "frequency [Hz]", "displacement amplitude [mm 0-p]"}},
       {"transmissibility", {"f [Hz]", "transmissibility [dB]"}},
       {"power", {"f [Hz]", "mean power ["}},
       {"shock", {"natural frequency [Hz]", "absolute acceleration [m/s²]"}},

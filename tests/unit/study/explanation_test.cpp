@@ -56,7 +56,7 @@ TEST(Explanation, RecomputesThePeakWithTenPercentMore) {
 
 TEST(Explanation, StatesItInWords) {
   EXPECT_EQ(
-      one_mass(0.1).peaks.at(0).sentence,
+      words_in_si(one_mass(0.1).peaks.at(0).sentence),
       "m1.x: 27.78 mm at 30 rad/s (4.775 Hz). Mode 1, translation along x, contributes 100 % of it. 100 % of the "
       "strain energy is in \"k1\", 100 % in its stiffness along x; \"k1\" dissipates 100 % of the power. +10 % on "
       "the stiffness along x of \"k1\" moves the peak to 31.46 rad/s (5.008 Hz) and 25.25 mm (recomputed; to first "
@@ -68,7 +68,7 @@ TEST(Explanation, HasNoHeightForAnUnboundedPeak) {
   ASSERT_EQ(explanation.peaks.size(), 1u);
   EXPECT_FALSE(sensitivity(explanation, "elements.k1.scale").height.has_value());
   EXPECT_THAT(*sensitivity(explanation, "bodies.m1.mass").frequency, RelativelyNear(-0.5, round_off));
-  EXPECT_THAT(explanation.peaks[0].sentence, testing::StartsWith("m1.x: unbounded at 30 rad/s"));
+  EXPECT_THAT(words_in_si(explanation.peaks[0].sentence), testing::StartsWith("m1.x: unbounded at 30 rad/s"));
   EXPECT_THAT(explanation.peaks[0].notes, testing::ElementsAre(testing::HasSubstr("no height")));
 }
 
@@ -90,7 +90,7 @@ TEST(ValueWords, HaveTheUsualPrefix) {
   EXPECT_EQ(study::value_words(1250, "m/s²"), "1250 m/s²");
   EXPECT_EQ(study::value_words(-0.5, "m"), "-500 mm");
   EXPECT_EQ(study::value_words(0, "N"), "0 N");
-  EXPECT_EQ(study::value_words(3e-9, "m"), "3e-09 m");
+  EXPECT_EQ(study::value_words(3e-9, "m"), "3 nm");
 }
 
 }  // namespace explanation_test

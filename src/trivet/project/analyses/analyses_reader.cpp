@@ -95,7 +95,7 @@ std::vector<Limit> read_limits(TableReader& root, const ResultNames& names,
                    "several limits of one result belong to [analyses.map.limits]");
       continue;
     }
-    const auto amplitude = reader.number(name, *measured);
+    const auto amplitude = reader.number(name, *measured, Levels::of_harmonic);
     if (amplitude && !(*amplitude > 0))
       reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*measured)), "a limit is > 0", "change it");
     if (amplitude) limits.push_back({name, *amplitude});

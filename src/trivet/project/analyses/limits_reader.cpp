@@ -9,6 +9,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/limit_line_level.h"
 #include "trivet/project/analyses/named_limit_lines.h"
 #include "trivet/project/analyses/selection_reader.h"
 #include "trivet/project/text/bands_reader.h"
@@ -26,10 +27,16 @@ constexpr std::array motion_quantities = {assembly::MotionQuantity::displacement
 /// Reads a number, or a text with a unit that distinguishes displacement, velocity and acceleration.
 /// @param key  of the value, for messages
 void read_limit(TableReader& reader, const std::string& key, const Node& value, const ResultNames& names,
-                assembly::MotionQuantity usual, std::vector<AmplitudeLimit>& limits, const std::string& name) {
+                assembly::MotionQuantity usual, Levels levels, std::vector<AmplitudeLimit>& limits,
+                const std::string& name) {
+  if (value.kind == Node::Kind::text)
+    if (const auto level = split_level(value.text).level)
+      if (const auto reason = reason_against(levels, *level))
+        return static_cast<void>(reader.error(key, value_text(value), *reason,
+                                              "convert the limit, without " + std::string(level_ending(*level))));
   if (value.kind == Node::Kind::text)
     for (const assembly::MotionQuantity quantity : motion_quantities) {
-      const auto si = to_si(value.text, *names.component(name, quantity));
+      const auto si = to_si_at_level(value.text, *names.component(name, quantity), levels);
       if (!si) continue;
       if (!(*si > 0)) reader.error(key, value_text(value), "a limit is > 0", "change it");
       limits.push_back({name, quantity, *si, {}, {}, {}});
@@ -45,7 +52,7 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
                  "give " + units + ", or a multiple");
     return;
   }
-  const auto amplitude = reader.scalar(value, reader.path() + "." + key, *names.component(name, usual));
+  const auto amplitude = reader.scalar(value, reader.path() + "." + key, *names.component(name, usual), levels);
   if (amplitude && !(*amplitude > 0))
     reader.error(key, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0",
                  "change it");
@@ -55,11 +62,11 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
 /// {limit = "4.5 mm/s", band = ["20 Hz", "26 Hz"], excitations = ["run"]}: a limit in a band, and under excitations, of
 /// its own.
 void read_scoped_limit(TableReader& reader, const std::string& name, const Node& table, const ResultNames& names,
-                       assembly::MotionQuantity usual, const SymbolTable& symbols,
+                       assembly::MotionQuantity usual, Levels levels, const SymbolTable& symbols,
                        std::vector<AmplitudeLimit>& limits) {
   TableReader inside(table, reader.path() + "." + name, reader.problems());
   const std::size_t before = limits.size();
-  if (const Node* limit = inside.node("limit")) read_limit(inside, "limit", *limit, names, usual, limits, name);
+  if (const Node* limit = inside.node("limit")) read_limit(inside, "limit", *limit, names, usual, levels, limits, name);
   else inside.missing("limit", "give the largest amplitude: {limit = \"4.5 mm/s\", band = [\"20 Hz\", \"26 Hz\"]}");
   const auto band = read_band(inside, "band");
   std::optional<std::vector<std::string>> excitations;
@@ -98,15 +105,16 @@ void check_limits_differ(TableReader& reader, const std::string& name, const Nod
 }  // namespace
 
 std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std::string& key, const ResultNames& names,
-                                                  assembly::MotionQuantity usual, const SymbolTable* scoped) {
+                                                  assembly::MotionQuantity usual, Levels levels,
+                                                  const SymbolTable* scoped) {
   std::vector<AmplitudeLimit> limits;
   const Node* table = owner.table(key);
   if (!table) return limits;
   TableReader reader(*table, owner.path() + "." + key, owner.problems());
   const auto read_one = [&](const std::string& name, const Node& value) {
     if (scoped && value.kind == Node::Kind::table)
-      read_scoped_limit(reader, name, value, names, usual, *scoped, limits);
-    else read_limit(reader, name, value, names, usual, limits, name);
+      read_scoped_limit(reader, name, value, names, usual, levels, *scoped, limits);
+    else read_limit(reader, name, value, names, usual, levels, limits, name);
   };
   for (std::size_t i = 0; i < table->keys.size(); ++i) {
     const std::string& name = table->keys[i];
@@ -234,7 +242,7 @@ void read_limit_lines(TableReader& root, const ResultNames& names, const SymbolT
     }
     if (!measured || bands_missing) continue;  // the unit of its rows is not known
     request.line.name = name;
-    request.line.rms = reader.choice("level", {"rms", "zero_to_peak"}).value_or("rms") == "rms";
+    request.line.rms = read_level_of_line(reader, request.bands.has_value()) == Level::rms;
     if (request.bands && !request.line.rms) {
       reader.error("level", "\"zero_to_peak\"", "the level of a band is a root mean square",
                    "convert the limits to rms and remove the key");
@@ -252,7 +260,9 @@ void read_limit_lines(TableReader& root, const ResultNames& names, const SymbolT
       if (read_named_line(reader, *measured, request)) result.limit_lines.push_back(std::move(request));
       continue;
     }
-    const ColumnQuantity level = read_bare_unit(reader, *measured);
+    const Levels levels = request.bands ? Levels::of_random : Levels::of_harmonic;
+    const ColumnQuantity level = read_bare_unit(
+        reader, ColumnQuantity(*measured).at_levels(levels, request.line.rms ? Level::rms : Level::amplitude));
     const auto rows = reader.has("rows") ? read_pairs(reader, "rows", in_hertz(), level)
                                          : read_pairs_of_file(reader, "frequency_hz", "limit", in_hertz(), level);
     reader.finish();

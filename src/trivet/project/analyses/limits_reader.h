@@ -11,10 +11,11 @@ namespace trivet::project {
 
 /// The table `key`: an amplitude, or several of different quantities, for each named result. The unit of a text tells
 /// displacement, velocity and acceleration apart; a bare number is of the `usual` quantity.
+/// @param levels  which may follow the unit
 /// @param scoped  the names for `excitations`, if a limit may be a table {limit, band, excitations}
 [[nodiscard]] std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std::string& key,
                                                                 const ResultNames& names,
-                                                                assembly::MotionQuantity usual,
+                                                                assembly::MotionQuantity usual, Levels levels,
                                                                 const SymbolTable* scoped = nullptr);
 
 /// `quantity`: "displacement", "velocity" or "acceleration", if it is there.

@@ -85,7 +85,7 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   if (reader.has("pairs")) read_pairs(root, reader, result.parameters, request);
   else read_axes(root, reader, result.parameters, request);
   read_scope(reader, symbols, result, request);
-  request.limits = read_amplitude_limits(reader, "limits", names, request.quantity);
+  request.limits = read_amplitude_limits(reader, "limits", names, request.quantity, Levels::of_harmonic);
   request.no_peak = read_no_peak(reader, names, request.quantity);
   read_peak_shares(reader, request.min_prominence, request.peak_tolerance);
   read_marked_cases(root, reader, request);

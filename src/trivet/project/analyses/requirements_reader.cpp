@@ -207,7 +207,7 @@ void read_requirements(TableReader& root, const ResultNames& names, const Symbol
   const bool loaded = root.has("gravity") || !symbols.constant_excitations.empty();
   for (const char* key : {"static", "mount_load"})
     need(reader, key, loaded, "gravity and no constant force", "gravity = [0, 0, -9.80665]");
-  found.limits = read_amplitude_limits(reader, "limits", names, found.quantity, &symbols);
+  found.limits = read_amplitude_limits(reader, "limits", names, found.quantity, Levels::of_harmonic, &symbols);
   const auto by_orders = [](const AmplitudeLimit& limit) { return limit.speed.has_value(); };
   if (found.limits.empty() || !std::ranges::all_of(found.limits, by_orders))
     need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
@@ -220,12 +220,14 @@ void read_requirements(TableReader& root, const ResultNames& names, const Symbol
       read_least(reader, "damping_ratio", 0, 1, "a damping ratio of a vibration is above 0 and below 1",
                  "for instance damping_ratio = 0.03");
   read_decoupling(reader, symbols, found);
-  found.rms = read_amplitude_limits(reader, "rms", names, assembly::MotionQuantity::displacement);
-  found.largest = read_amplitude_limits(reader, "largest", names, assembly::MotionQuantity::displacement);
+  found.rms = read_amplitude_limits(reader, "rms", names, assembly::MotionQuantity::displacement, Levels::of_random);
+  found.largest =
+      read_amplitude_limits(reader, "largest", names, assembly::MotionQuantity::displacement, Levels::of_largest);
   found.no_jump = reader.boolean("no_jump").value_or(false);
   found.no_contact = reader.boolean("no_contact").value_or(false);
-  found.steady = read_amplitude_limits(reader, "steady", names, assembly::MotionQuantity::displacement);
-  found.statics = read_amplitude_limits(reader, "static", names, assembly::MotionQuantity::displacement);
+  found.steady =
+      read_amplitude_limits(reader, "steady", names, assembly::MotionQuantity::displacement, Levels::of_largest);
+  found.statics = read_amplitude_limits(reader, "static", names, assembly::MotionQuantity::displacement, Levels::none);
   for (const AmplitudeLimit& limit : found.statics)
     if (limit.quantity != assembly::MotionQuantity::displacement)
       reader.error("static", foundation::quoted(limit.name) + " as a velocity or an acceleration",

@@ -29,8 +29,9 @@ void read_six(TableReader& reader, const std::string& first, Quantity of_first, 
               Quantity of_second, const std::string& remedy, ActionNumbers numbers, model::Action& action) {
   const bool factors = numbers == ActionNumbers::factors;
   spatial::Vector6 six;
-  six << reader.vector(first, factors ? Quantity::pure : of_first).value_or(Eigen::Vector3d::Zero()),
-      reader.vector(second, factors ? Quantity::pure : of_second).value_or(Eigen::Vector3d::Zero());
+  const Levels levels = numbers == ActionNumbers::amplitudes ? Levels::of_harmonic : Levels::none;
+  six << reader.vector(first, factors ? Quantity::pure : of_first, levels).value_or(Eigen::Vector3d::Zero()),
+      reader.vector(second, factors ? Quantity::pure : of_second, levels).value_or(Eigen::Vector3d::Zero());
   if (!reader.has(first) && !reader.has(second))
     reader.error(first, "neither " + first + " nor " + second, "an excitation has at least one of them", remedy);
   if (factors && reader.has("phase"))

@@ -56,7 +56,7 @@ class LevelReader {
     }
     MeasuredLevels found;
     std::optional<std::size_t> quantity = of_unit_key();
-    const double bare = quantity ? read_bare_unit(psd_, quantities_[*quantity]).bare : 1;
+    const double bare = quantity ? read_bare_unit(psd_, column_of(*quantity)).bare : 1;
     const std::size_t before = psd_.errors();
     for (std::size_t i = 0; i < list->items.size(); ++i) {
       const Node& row = list->items[i];
@@ -86,7 +86,7 @@ class LevelReader {
                "head the column \"level [µm/s]\", or add unit = \"µm/s\"");
       return std::nullopt;
     }
-    const ColumnQuantity column = read_bare_unit(psd_, quantities_[*quantity]);
+    const ColumnQuantity column = read_bare_unit(psd_, column_of(*quantity));
     const auto pairs = read_pairs_of_file(psd_, "frequency_hz", "level", in_hertz(), column);
     if (!pairs) return std::nullopt;
     MeasuredLevels found{*quantity, {}, {}};
@@ -99,13 +99,17 @@ class LevelReader {
   [[nodiscard]] int order(std::size_t quantity) const { return static_cast<int>(quantity); }
 
  private:
+  [[nodiscard]] ColumnQuantity column_of(std::size_t quantity) const {
+    return ColumnQuantity(quantities_[quantity]).at_levels(Levels::of_random, Level::rms);
+  }
+
   void refuse(const std::string& key, std::string finding, std::string rule, std::string remedy) {
     psd_.error(key, std::move(finding), std::move(rule), std::move(remedy));
   }
 
   std::optional<std::size_t> of_unit(const std::string& unit) const {
     for (std::size_t q = 0; q < quantities_.size(); ++q)
-      if (to_si("1 " + unit, quantities_[q])) return q;
+      if (to_si("1 " + split_level(unit).number, quantities_[q])) return q;
     return std::nullopt;
   }
 
@@ -154,7 +158,7 @@ class LevelReader {
       return bare * value;
     }
     for (std::size_t q = 0; q < quantities_.size(); ++q) {
-      const auto value = to_rms(cell.text, quantities_[q]);
+      const auto value = to_si_at_level(cell.text, quantities_[q], Levels::of_random, Level::rms);
       if (!value) continue;
       if (quantity.value_or(q) != q)
         refuse("levels",
@@ -165,7 +169,7 @@ class LevelReader {
       return *value;
     }
     refuse("levels", fmt::format("{} in row {}", value_text(cell), row + 1),
-           to_rms(cell.text, quantities_.front()).error(),
+           to_si_at_level(cell.text, quantities_.front(), Levels::of_random, Level::rms).error(),
            "give a root mean square in " + allowed_units(quantities_) + ", or a multiple");
     return 0;
   }

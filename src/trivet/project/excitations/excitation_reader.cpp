@@ -23,7 +23,7 @@ std::optional<model::Action> read_directed(TableReader& reader, const model::Des
 
 void read_constant(TableReader& reader, const std::string& name, model::Description& description,
                    const SymbolTable& symbols) {
-  const auto action = read_force(reader, description, symbols, ActionNumbers::amplitudes);
+  const auto action = read_force(reader, description, symbols, ActionNumbers::constants);
   for (const char* key : {"phase", "delay"})
     if (reader.has(key))
       reader.error(key, std::string("a ") + key, "a constant force has no phase or delay", "remove it");

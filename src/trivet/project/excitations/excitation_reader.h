@@ -12,8 +12,9 @@ namespace trivet::project {
 
 // One function per part of an excitation's table.
 
-/// Meaning of the six numbers of an action: amplitudes with units, or factors on a course with units.
-enum class ActionNumbers { amplitudes, factors };
+/// Meaning of the six numbers of an action: amplitudes with units and levels, constant values with units, or factors on
+/// a course with units.
+enum class ActionNumbers { amplitudes, constants, factors };
 
 /// `on`, `at`, `force`, `moment` and `phase` of a force on a body.
 [[nodiscard]] std::optional<model::Action> read_force(TableReader& reader, const model::Description& description,

@@ -21,13 +21,15 @@ struct PulseReader {
   Quantity measured;
 
   double amplitude() const { return table.required_number("amplitude", measured); }
+  /// Of a sine, which may be at a level.
+  double sine_amplitude() const { return table.required_number("amplitude", measured, Levels::of_harmonic); }
   double time(const std::string& key) const { return table.required_number(key, Quantity::time); }
   double start() const { return table.number("start", Quantity::time).value_or(0); }
 };
 
 excitation::Signal read_sweep(const PulseReader& of) {
   excitation::Sweep sweep;
-  sweep.amplitude = of.amplitude();
+  sweep.amplitude = of.sine_amplitude();
   sweep.from = of.table.required_number("from", Quantity::angular_frequency);
   sweep.to = of.table.required_number("to", Quantity::angular_frequency);
   sweep.duration = of.time("duration");
@@ -64,7 +66,7 @@ const std::vector<Pulse>& pulses() {
        [](const PulseReader& p) { return terminal_peak_sawtooth(p.amplitude(), p.time("duration"), p.start()); }},
       {"sine_burst",
        [](const PulseReader& p) {
-         return sine_burst(p.amplitude(), p.table.required_number("frequency", Quantity::angular_frequency),
+         return sine_burst(p.sine_amplitude(), p.table.required_number("frequency", Quantity::angular_frequency),
                            p.table.required_number("cycles", Quantity::pure), p.start());
        }},
       {"sweep", read_sweep},

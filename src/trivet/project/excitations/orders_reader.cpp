@@ -132,7 +132,7 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
         return {};
       }
       const auto order = engine.scalar(row.items[0], where + "[0]", Quantity::pure),
-                 amplitude = engine.scalar(row.items[1], where + "[1]", Quantity::moment),
+                 amplitude = engine.scalar(row.items[1], where + "[1]", Quantity::moment, Levels::of_harmonic),
                  phase = engine.scalar(row.items[2], where + "[2]", Quantity::angle);
       if (order && amplitude && phase)
         harmonics.push_back({*order, *amplitude * std::exp(std::complex<double>(0, *phase))});
@@ -218,7 +218,7 @@ excitation::Order read_order(TableReader& row) {
               "a mean force is an excitation of type \"constant\"");
   const std::complex<double> turn = std::exp(std::complex<double>(0, row.number("phase", Quantity::angle).value_or(0)));
   const auto three = [&](const char* key, Quantity quantity) -> Eigen::Vector3cd {
-    return turn * row.vector(key, quantity).value_or(Eigen::Vector3d::Zero());
+    return turn * row.vector(key, quantity, Levels::of_harmonic).value_or(Eigen::Vector3d::Zero());
   };
   order.per_speed_squared << three("force_per_speed2", Quantity::mass_length),
       three("moment_per_speed2", Quantity::inertia);

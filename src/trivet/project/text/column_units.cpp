@@ -19,12 +19,20 @@ std::string ColumnQuantity::unit() const {
   return density ? density_unit(quantity) : si_unit(quantity);
 }
 
+ColumnQuantity ColumnQuantity::at_levels(Levels which, Level bare_level) const {
+  ColumnQuantity column = *this;
+  column.levels = which;
+  column.level = bare_level;
+  return column;
+}
+
 ColumnQuantity in_hertz() { return {Quantity::angular_frequency, foundation::two_pi, "Hz"}; }
 
 ColumnQuantity density_of(Quantity quantity) { return {quantity, 1, "", true}; }
 
 tl::expected<double, std::string> in_column_unit(const std::string& text, const ColumnQuantity& column) {
-  auto value = column.density ? to_density(text, column.quantity) : to_si(text, column.quantity);
+  auto value = column.density ? to_density(text, column.quantity)
+                              : to_si_at_level(text, column.quantity, column.levels, column.level);
   if (value) *value /= column.bare;
   return value;
 }
@@ -51,7 +59,9 @@ std::set<std::string> convert_columns(CsvTable& table,
       const std::string name = heading.name + ending;
       const auto column = known(name);
       if (!column) continue;
-      if (column->quantity != Quantity::pure && !unit_ratio(heading.unit, heading.unit)) break;  // "acc (filtered)"
+      if (const std::string unit = split_level(heading.unit).number;
+          column->quantity != Quantity::pure && !unit_ratio(unit, unit))
+        break;  // "acc (filtered)"
       const bool plain = column->quantity == Quantity::pure && (heading.unit == "-" || heading.unit == "1");
       const auto factor = plain ? tl::expected<double, std::string>(1) : in_column_unit("1 " + heading.unit, *column);
       if (!factor) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "trivet/project/text/csv_table.h"
+#include "trivet/project/text/level.h"
 #include "trivet/project/text/units.h"
 
 namespace trivet::project {
@@ -16,15 +17,18 @@ namespace trivet::project {
 /// What the numbers of a column measure, and in which unit those without one are.
 struct ColumnQuantity {
   Quantity quantity = Quantity::pure;
-  double bare = 1;        ///< SI value of a 1 without a unit
-  std::string bare_unit;  ///< "Hz"; empty: the SI unit
-  bool density = false;   ///< the square of the quantity per hertz
+  double bare = 1;                 ///< SI value of a 1 without a unit
+  std::string bare_unit;           ///< "Hz"; empty: the SI unit
+  bool density = false;            ///< the square of the quantity per hertz
+  Levels levels = Levels::none;    ///< which may follow the unit
+  Level level = Level::amplitude;  ///< of the numbers without one
 
   ColumnQuantity() = default;
   ColumnQuantity(Quantity measured) : quantity(measured) {}
   ColumnQuantity(Quantity measured, double one, std::string unit, bool is_density = false)
       : quantity(measured), bare(one), bare_unit(std::move(unit)), density(is_density) {}
 
+  [[nodiscard]] ColumnQuantity at_levels(Levels which, Level bare_level) const;
   /// The unit of a number without one.
   [[nodiscard]] std::string unit() const;
 };

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cctype>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -17,8 +16,7 @@ constexpr std::array<std::pair<const char*, Member>, 4> base_units = {{{"m", &Di
                                                                        {"N", &DisplayUnits::force},
                                                                        {"rad", &DisplayUnits::angle},
                                                                        {"kg", &DisplayUnits::mass}}};
-constexpr std::array levels = {std::pair{"amplitude", Level::amplitude}, std::pair{"peak_to_peak", Level::peak_to_peak},
-                               std::pair{"rms", Level::rms}};
+constexpr std::array levels = {Level::amplitude, Level::peak_to_peak, Level::rms};
 
 struct Kind {
   const char* key;
@@ -84,21 +82,16 @@ ShownUnit shown_frequency(const DisplayUnits& units) {
   return {units.frequency, in_unit({1, "rad/s"}, units.frequency).value_or(1)};
 }
 
-double level_factor(Level level) {
-  return level == Level::amplitude ? 1 : level == Level::peak_to_peak ? 2 : 1 / std::numbers::sqrt2;
-}
-
-const char* level_name(Level level) {
-  for (const auto& [word, one] : levels)
-    if (one == level) return word;
-  return "";
+Level shown_level(const DisplayUnits& units, const std::string& si_unit) {
+  const bool is_velocity = si_unit == "m/s" || si_unit == "rad/s";
+  return units.level.value_or(is_velocity ? Level::rms : Level::amplitude);
 }
 
 foundation::Problems set_shown_unit(DisplayUnits& units, const std::string& key, const std::string& value) {
   foundation::Problems problems;
   if (key == "level") {
-    for (const auto& [word, level] : levels)
-      if (value == word) {
+    for (const Level level : levels)
+      if (value == level_name(level)) {
         units.level = level;
         return problems;
       }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "trivet/foundation/problems.h"
+#include "trivet/project/text/level.h"
 
 namespace trivet::project {
-
-/// Level of a harmonic quantity.
-enum class Level { amplitude, peak_to_peak, rms };
 
 /// Units in which tables and pictures show numbers. Files for other programs stay SI.
 struct DisplayUnits {
@@ -16,8 +15,8 @@ struct DisplayUnits {
   std::string force = "N";
   std::string angle = "rad";
   std::string mass = "kg";
-  std::string frequency;  ///< of tables and axes; empty: Hz, but rad/s in typed columns and Excel
-  Level level = Level::amplitude;
+  std::string frequency;       ///< of tables and axes; empty: Hz, but rad/s in typed columns and Excel
+  std::optional<Level> level;  ///< of all amplitudes; none: the usual one of each, see `shown_level`
   bool operator==(const DisplayUnits&) const = default;
 };
 
@@ -33,9 +32,9 @@ struct ShownUnit {
 /// Replaces rad/s of a frequency axis.
 [[nodiscard]] ShownUnit shown_frequency(const DisplayUnits& units);
 
-/// Share of an amplitude: 2 for peak-to-peak, 1/√2 for an effective value.
-[[nodiscard]] double level_factor(Level level);
-[[nodiscard]] const char* level_name(Level level);
+/// Level at which amplitudes of this SI unit are shown: that of [display], else rms for velocities and zero-to-peak for
+/// all others, as standards of machines have them.
+[[nodiscard]] Level shown_level(const DisplayUnits& units, const std::string& si_unit);
 
 /// Sets one of length, force, angle, mass, frequency and level, or returns what is wrong with it.
 [[nodiscard]] foundation::Problems set_shown_unit(DisplayUnits& units, const std::string& key,

@@ -8,15 +8,16 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/project/text/changes.h"
+#include "trivet/project/text/level.h"
 #include "trivet/project/text/units.h"
 
 namespace trivet::project {
 namespace {
 
-/// SI value of 1 in a unit; none if the unit does not measure the quantity.
+/// SI value of 1 in a unit, of which an amplitude may be at a level; none if the unit does not measure the quantity.
 std::optional<double> si_factor(const std::string& unit, Quantity quantity) {
   if (unit.empty()) return 1.0;
-  const auto factor = to_si("1 " + unit, quantity);
+  const auto factor = to_si_at_level("1 " + unit, quantity, Levels::of_harmonic);
   return factor ? std::optional(*factor) : std::nullopt;
 }
 

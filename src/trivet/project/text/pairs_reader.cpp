@@ -20,7 +20,8 @@ namespace {
 /// One cell of rows in the unit of the bare numbers of its column.
 std::optional<double> read_cell(TableReader& reader, const Node& cell, const std::string& where,
                                 const ColumnQuantity& column) {
-  const bool in_si = column.bare == 1 && !column.density;
+  const bool has_level = cell.kind == Node::Kind::text && split_level(cell.text).level;
+  const bool in_si = column.bare == 1 && !column.density && !has_level;
   if (in_si || cell.kind != Node::Kind::text)
     return reader.scalar(cell, where, in_si ? column.quantity : Quantity::pure);
   const auto value = in_column_unit(cell.text, column);
@@ -113,7 +114,8 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
   if (!csv) return std::nullopt;
   for (std::string* name : {&x_name, &y_name}) {
     const UnitHeading heading = unit_heading(*name);
-    if (!heading.unit.empty() && unit_ratio(heading.unit, heading.unit)) *name = heading.name;
+    if (const std::string unit = split_level(heading.unit).number; !unit.empty() && unit_ratio(unit, unit))
+      *name = heading.name;
   }
   foundation::Problems wrong_units;
   const std::set<std::string> with_units = convert_columns(

@@ -107,7 +107,8 @@ const Node* TableReader::table(const std::string& key) {
   return nullptr;
 }
 
-std::optional<double> TableReader::scalar(const Node& value, const std::string& where, Quantity quantity) {
+std::optional<double> TableReader::scalar(const Node& value, const std::string& where, Quantity quantity,
+                                          Levels levels) {
   value.quantity = quantity;
   const std::string unit = si_unit(quantity);
   const std::string remedy = quantity == Quantity::pure
@@ -124,7 +125,7 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
           .origin = value.origin;
     }
   } else if (value.kind == Node::Kind::text) {
-    const auto converted = to_si(value.text, quantity);
+    const auto converted = to_si_at_level(value.text, quantity, levels);
     if (!converted) {
       error_at(value, where, value_text(value), converted.error(), remedy);
       return std::nullopt;
@@ -146,18 +147,18 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
   return number;
 }
 
-std::optional<double> TableReader::number(const std::string& key, Quantity quantity) {
+std::optional<double> TableReader::number(const std::string& key, Quantity quantity, Levels levels) {
   const Node* value = node(key);
   if (!value) return std::nullopt;
-  return scalar(*value, path_.empty() ? key : path_ + "." + key, quantity);
+  return scalar(*value, path_.empty() ? key : path_ + "." + key, quantity, levels);
 }
 
-double TableReader::required_number(const std::string& key, Quantity quantity) {
+double TableReader::required_number(const std::string& key, Quantity quantity, Levels levels) {
   if (!node(key))
     missing(key,
             quantity == Quantity::pure ? "give " + key + " as a number"
                                        : fmt::format("give {} in {}", key, si_unit(quantity)));
-  return number(key, quantity).value_or(0);
+  return number(key, quantity, levels).value_or(0);
 }
 
 std::optional<std::string> TableReader::text(const std::string& key) {
@@ -197,7 +198,7 @@ std::optional<std::vector<std::string>> TableReader::texts(const std::string& ke
   return std::nullopt;
 }
 
-std::optional<std::vector<double>> TableReader::numbers(const std::string& key, Quantity quantity) {
+std::optional<std::vector<double>> TableReader::numbers(const std::string& key, Quantity quantity, Levels levels) {
   const Node* value = node(key);
   if (!value) return std::nullopt;
   if (value->kind != Node::Kind::array) {
@@ -212,15 +213,15 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key, 
   for (std::size_t i = 0; i < value->items.size(); ++i) {
     const std::string place = value->items.size() == 3 ? std::string{'.', "xyz"[i]}
                                                        : fmt::format("[{}]", i);  // as in its path, if it has one
-    const auto item = scalar(value->items[i], path_ + (path_.empty() ? "" : ".") + key + place, quantity);
+    const auto item = scalar(value->items[i], path_ + (path_.empty() ? "" : ".") + key + place, quantity, levels);
     good = good && item;
     result.push_back(item.value_or(0));
   }
   return good ? std::optional(result) : std::nullopt;
 }
 
-std::optional<Eigen::Vector3d> TableReader::vector(const std::string& key, Quantity quantity) {
-  const auto values = numbers(key, quantity);
+std::optional<Eigen::Vector3d> TableReader::vector(const std::string& key, Quantity quantity, Levels levels) {
+  const auto values = numbers(key, quantity, levels);
   if (!values) return std::nullopt;
   if (values->size() == 3) return Eigen::Vector3d((*values)[0], (*values)[1], (*values)[2]);
   error(key, fmt::format("{} numbers", values->size()), "three are expected: x, y, z", "complete or shorten the array");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "trivet/project/text/document.h"
+#include "trivet/project/text/level.h"
 #include "trivet/project/text/units.h"
 
 namespace trivet::project {
@@ -43,15 +44,16 @@ class TableReader {
   /// Adds problems of the file that a key names; they keep their place in that file.
   void add_of_file(const std::string& key, const foundation::Problems& findings);
 
-  std::optional<double> number(const std::string& key, Quantity quantity);
-  double required_number(const std::string& key, Quantity quantity);
+  /// @param levels  which may follow the unit; the result is at the level that the program has
+  std::optional<double> number(const std::string& key, Quantity quantity, Levels levels = Levels::none);
+  double required_number(const std::string& key, Quantity quantity, Levels levels = Levels::none);
   std::optional<std::string> text(const std::string& key);
   std::string required_text(const std::string& key);
   std::optional<bool> boolean(const std::string& key);
   /// One text or several. @param example  a value for the message
   std::optional<std::vector<std::string>> texts(const std::string& key, const std::string& example);
-  std::optional<Eigen::Vector3d> vector(const std::string& key, Quantity quantity);
-  std::optional<std::vector<double>> numbers(const std::string& key, Quantity quantity);
+  std::optional<Eigen::Vector3d> vector(const std::string& key, Quantity quantity, Levels levels = Levels::none);
+  std::optional<std::vector<double>> numbers(const std::string& key, Quantity quantity, Levels levels = Levels::none);
   /// Square matrix; `quantity_of(size, i, j)` is the quantity of each entry.
   std::optional<Eigen::MatrixXd> matrix(const std::string& key,
                                         const std::function<Quantity(int, int, int)>& quantity_of,
@@ -69,8 +71,9 @@ class TableReader {
   /// Reports keys that no call has read.
   void finish();
 
-  /// One number or text with a unit.
-  std::optional<double> scalar(const Node& value, const std::string& where, Quantity quantity);
+  /// One number or text with a unit, and perhaps a level.
+  std::optional<double> scalar(const Node& value, const std::string& where, Quantity quantity,
+                               Levels levels = Levels::none);
 
  private:
   foundation::Problem& error_at(const Node& node, const std::string& where, std::string finding, std::string rule,

@@ -36,8 +36,7 @@ std::vector<double> levels(const study::LimitLineResult& found, double factor) {
 
 /// Word for the level of the axis.
 std::string level_of(const assembly::LimitLine& line, const project::DisplayUnits& display) {
-  if (line.rms) return "rms";
-  return display.level == project::Level::amplitude ? "amplitude" : results::level_words(display.level);
+  return line.rms ? "rms" : results::level_words(project::shown_level(display, line.unit));
 }
 
 /// A step from edge to edge of each band: its limit and its level.

@@ -56,9 +56,9 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
                        const project::DisplayUnits& display) {
   const response::Overall& overall = run_up.overall[curve];
   const UnitPrefix unit = unit_prefix(highest_finite(overall.rms), results::display_unit(display, overall.unit));
-  const double to_level = project::level_factor(display.level);
-  const std::string level =
-      display.level == project::Level::amplitude ? "amplitude" : results::level_words(display.level);
+  const project::Level shown_at = project::shown_level(display, overall.unit);
+  const double to_level = project::level_factor(shown_at);
+  const std::string level = results::level_words(shown_at);
   std::vector<double> rpm;
   for (const double speed : run_up.speed) rpm.push_back(speed * rpm_per_rad_s);
   PanelRow row;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/report/page/drawing_json.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "trivet/report/drawing/axis_ticks.h"
 #include "trivet/report/drawing/curve_groups.h"
@@ -34,9 +37,11 @@ Json multiples(const results::DisplayUnit& unit) {
 }
 
 /// @param si_unit  of the data; `factor` converts them
-Json shown_unit_json(const results::DisplayUnit& unit, const std::string& si_unit) {
+/// @param largest  of the data of this unit: a number below 1e-12 of it is round-off
+Json shown_unit_json(const results::DisplayUnit& unit, const std::string& si_unit, double largest) {
   Json json{{"quantity", quantity_name(si_unit)}, {"multiples", multiples(unit)}};
   if (unit.factor != 1) json["factor"] = unit.factor;
+  json["round_off"] = 1e-12 * largest * unit.factor;
   return json;
 }
 
@@ -51,17 +56,22 @@ Json row(const std::vector<GroupedCurve>& curves) {
 std::string drawing_json(const std::vector<study::CaseResults>& results) {
   const project::DisplayUnits display = results.empty() ? project::DisplayUnits() : results.front().display;
   Json units = Json::object(), groups = Json::array();
+  std::map<std::string, double> largest;
   for (const study::CaseResults& of_case : results) {
     groups.push_back(Json::array());
     if (!of_case.response) continue;
     const auto& curves = of_case.response->curves.curves;
-    for (const response::Curve& curve : curves)
-      units[curve.unit] = shown_unit_json(results::amplitude_unit(display, curve.unit), curve.unit);
+    for (const response::Curve& curve : curves) {
+      double& most = largest[curve.unit];
+      for (const auto& value : curve.value)
+        if (std::isfinite(std::abs(value))) most = std::max(most, std::abs(value));
+    }
     for (const CurveGroup& group : curve_groups(curve_names(curves)))
       groups.back().push_back({{"name", group.name}, {"rows", {row(group.upper), row(group.lower)}}});
   }
+  for (const auto& [unit, most] : largest)
+    units[unit] = shown_unit_json(results::amplitude_unit(display, unit), unit, most);
   Json drawing{{"strokes", strokes()}, {"units", std::move(units)}, {"groups", std::move(groups)}};
-  if (display.level != project::Level::amplitude) drawing["level"] = results::level_words(display.level);
   drawing["frequency"] = {{"unit", results::frequency_unit(display)},
                           {"factor", results::shown_frequency(display, 1)},
                           {"label", results::frequency_heading(display)}};

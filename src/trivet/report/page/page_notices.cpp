@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "trivet/documents/html_table.h"
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/report/drawing/in_documents.h"
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/report/page/design_judgement.h"
@@ -27,35 +28,39 @@ Row information_row(const std::string& what, const std::string& value) {
   return {{{"response"}, {what}, {value}, {}}, ""};
 }
 
-std::string undefined_words(const std::vector<double>& undefined_at) {
+std::string undefined_words(const std::vector<double>& undefined_at, const project::DisplayUnits& display) {
   std::string words;
-  for (const double omega : undefined_at) words += fmt::format("{}{:.6g}", words.empty() ? "" : ", ", omega);
-  return words.empty() ? "none" : words + " rad/s";
+  for (const double omega : undefined_at)
+    words += fmt::format("{}{:.6g}", words.empty() ? "" : ", ", results::shown_frequency(display, omega));
+  return words.empty() ? "none" : words + " " + results::frequency_unit(display);
 }
 
-std::vector<Row> solution_rows(const study::ResponseResult& result) {
+std::vector<Row> solution_rows(const study::ResponseResult& result, const project::DisplayUnits& display) {
+  const auto at = [&display](double omega) {
+    return fmt::format("at {:.5g} {}", results::shown_frequency(display, omega), results::frequency_unit(display));
+  };
   const response::SolutionCheck& check = result.curves.check;
   const response::DeepCheck& deep = result.deep;
   std::vector<Row> rows = {
-      information_row(
-          "worst backward error of the solution",
-          fmt::format("{:.3g} at ω = {:.5g} rad/s", check.worst_backward_error, check.at_angular_frequency)),
+      information_row("worst backward error of the solution",
+                      fmt::format("{:.3g} {}", check.worst_backward_error, at(check.at_angular_frequency))),
       check_row("response",
                 fmt::format("second solver agrees at {} {}", deep.frequencies,
                             deep.frequencies == 1 ? "frequency" : "frequencies"),
-                fmt::format("worst difference {:.3g} at ω = {:.5g} rad/s, allowed {:.3g}", deep.worst_difference,
-                            deep.at_angular_frequency, deep.allowed),
+                fmt::format("worst difference {:.3g} {}, allowed {:.3g}", deep.worst_difference,
+                            at(deep.at_angular_frequency), deep.allowed),
                 deep.passed),
       information_row("frequencies that needed the pivoted solver", std::to_string(check.fallbacks)),
-      information_row("frequencies at which the response is not defined", undefined_words(check.undefined_at))};
+      information_row("frequencies at which the response is not defined",
+                      undefined_words(check.undefined_at, display))};
   if (result.model) {
     constexpr double allowed = 1e-3;  // of a plot, see response::CurveModelOptions
     const response::CurveModel& model = *result.model;
-    rows.push_back(check_row(
-        "response", "curves of this page compared with independent solves and extrema",
-        fmt::format("drawn from {} {}; largest difference {:.2g} % at ω = {:.5g} rad/s, {} compared", model.solves,
-                    model.solves == 1 ? "solve" : "solves", 100 * model.worst_error, model.worst_error_at, model.tests),
-        model.worst_error <= allowed));
+    rows.push_back(check_row("response", "curves of this page compared with independent solves and extrema",
+                             fmt::format("drawn from {} {}; largest difference {:.2g} % {}, {} compared", model.solves,
+                                         model.solves == 1 ? "solve" : "solves", 100 * model.worst_error,
+                                         at(model.worst_error_at), model.tests),
+                             model.worst_error <= allowed));
   }
   return rows;
 }
@@ -67,7 +72,7 @@ std::string checks_table(const ShownCase& shown) {
   for (const study::CheckLine& line : shown.checks)
     rows.push_back(check_row(line.subject, line.what, line.value, line.passed));
   if (shown.results.response)
-    for (Row& row : solution_rows(*shown.results.response)) rows.push_back(std::move(row));
+    for (Row& row : solution_rows(*shown.results.response, shown.variant.display)) rows.push_back(std::move(row));
   const std::size_t failed = shown.failed_checks().size();
   return paragraph(failed ? fmt::format("✗ {} failed.", failed) : "✓ All passed.", failed ? "bad" : "good") +
       html_table({{"subject"}, {"check"}, {"value"}, {"verdict"}}, rows);
@@ -194,9 +199,8 @@ std::string glance_table(const std::vector<ShownCase>& cases) {
   if (has_map) headings.push_back({"rules of the map"});
   const project::DisplayUnits display = cases.empty() ? project::DisplayUnits() : cases.front().variant.display;
   headings.push_back({"motion"});
-  for (const char* which : {"lowest mode ", "highest mode "})
-    for (const std::string& unit : results::frequency_units(display))
-      headings.push_back(right(which + ("[" + unit + "]")));
+  for (const char* which : {"lowest mode", "highest mode"})
+    headings.push_back(right(std::string(which) + " [" + results::frequency_unit(display) + "]"));
   std::vector<std::vector<Cell>> rows;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const ShownCase& c = cases[i];

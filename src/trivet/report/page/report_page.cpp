@@ -93,10 +93,10 @@ std::string units_note(const project::DisplayUnits& display) {
 }
 
 std::string level_note(const project::DisplayUnits& display) {
-  const std::string words = results::level_words(display.level);
-  if (display.level == project::Level::amplitude) return words;
-  return words + (display.level == project::Level::peak_to_peak ? " (p-p)" : "") +
-      ", except in maps and best designs, where they are zero-to-peak; limits are at the level of what they limit";
+  const std::string elsewhere =
+      " Limits are at the level of what they limit; in maps and best designs all are zero-to-peak";
+  if (display.level) return std::string(results::level_words(*display.level)) + "." + elsewhere;
+  return "rms for velocities and zero-to-peak (0-p) for all others, as their units show." + elsewhere;
 }
 
 /// The machine as its drawing and the table of its mounts show it.

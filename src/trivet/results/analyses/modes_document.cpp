@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/modes.h"
@@ -89,6 +90,7 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
   const auto of_elements = [&](const char* name, auto list, unsigned forms) {
     return row.lists(name, "", "element", elements, list, {.forms = forms});
   };
+  const unsigned on_a_screen_in_rad = frequency_unit(variant.display) == "rad/s" ? on_screen | in_summary : 0U;
   Table table{
       .key = "modes",
       .axis = "mode",
@@ -97,8 +99,8 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
       .rows = row.size(),
       .columns = {row("number", Kind::number, "mode", &Mode::number),
                   row("eigenvalue_squared", Kind::number, "ω²", &Mode::eigenvalue_squared,
-                      {.unit = "rad²/s²", .digits = 7, .forms = for_programs | on_screen | in_summary}),
-                  row("angular_frequency", Kind::both_frequencies, "ω", &Mode::angular_frequency, {.digits = 7}),
+                      {.unit = "rad²/s²", .digits = 7, .forms = for_programs | on_a_screen_in_rad}),
+                  row("angular_frequency", Kind::frequency, "ω", &Mode::angular_frequency, {.digits = 7}),
                   row("modal_mass", Kind::number, "", &Mode::modal_mass),
                   row("repeated", Kind::yes_no, "", &Mode::repeated), shape,
                   of_coordinates("shape_at_center_of_mass", &Mode::shape_at_centre, for_programs, unit_of_the_row),
@@ -139,7 +141,7 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
                "screws",
                "name"},
       .csv = {{"mode", "number"},
-              {"eigenvalue_squared [rad2/s2]", "eigenvalue_squared"},
+              {"angular_frequency_squared [rad2/s2]", "eigenvalue_squared"},
               "angular_frequency [rad/s]",
               {"frequency [Hz]", "angular_frequency [Hz]"},
               "name",

@@ -50,7 +50,7 @@ Table peak_table(const study::CaseResults& results) {
       .rows = row.size(),
       .columns = {row("name", Kind::words, "curve", [curve](const Peak& peak) { return curve(peak).name; }),
                   row("unit", Kind::words, "", [curve](const Peak& peak) { return curve(peak).unit; }),
-                  row("angular_frequency", Kind::both_frequencies, "ω", &Peak::angular_frequency, {.digits = 7}),
+                  row("angular_frequency", Kind::frequency, "ω", &Peak::angular_frequency, {.digits = 7}),
                   row("amplitude", Kind::amplitude, "amplitude", &Peak::amplitude, {.digits = 7}),
                   row("prominence", Kind::amplitude, "", &Peak::prominence),
                   row("relative_prominence", Kind::share, "above minimum", response::relative_prominence),
@@ -97,7 +97,7 @@ Sentence without_peak(const response::CurveSummary& curve) {
                            Quantity{curve.highest, curve.unit, Kind::amplitude}},
                  .place = item};
   if (std::isfinite(curve.highest_at))
-    words.parts.insert(words.parts.end(), {" at ", Quantity{curve.highest_at, "rad/s", Kind::angular_frequency}});
+    words.parts.insert(words.parts.end(), {" at ", Quantity{curve.highest_at, "rad/s", Kind::frequency}});
   else words.parts.emplace_back(" as ω → ∞");
   return words;
 }
@@ -105,7 +105,7 @@ Sentence without_peak(const response::CurveSummary& curve) {
 /// Where peaks were searched, and what is not in the table.
 void add_search_notes(const study::CaseResults& results, Document& document) {
   const response::Peaks& found = results.peaks->peaks;
-  const auto omega = [](double value) { return Quantity{value, "rad/s", Kind::angular_frequency, 4}; };
+  const auto omega = [](double value) { return Quantity{value, "rad/s", Kind::frequency, 4}; };
   Sentence note{.parts = {"All peaks "}, .place = Sentence::Place::note};
   if (std::isfinite(found.searched_to))
     note.parts.insert(note.parts.end(), {"between ", omega(found.searched_from), " and ", omega(found.searched_to)});

@@ -84,13 +84,13 @@ std::vector<Sample> samples(const ResponseResult& result) {
 }
 
 /// Amplitudes and phases; on the page if there are few.
-Table characteristics(const ResponseResult& result, const project::DisplayUnits& display) {
+Table characteristics(const ResponseResult& result) {
   constexpr std::size_t few_points = 24;
   const std::size_t count = result.curves.angular_frequency.size();
   const Rows row(samples(result));
-  Table table{.title = fmt::format("Amplitude and phase ({}; a lag is negative)", level_words(display.level)),
+  Table table{.title = "Amplitude and phase (a lag is negative)",
               .rows = row.size(),
-              .columns = {row("angular_frequency", Kind::angular_frequency, "ω", &Sample::omega)},
+              .columns = {row("angular_frequency", Kind::frequency, "ω", &Sample::omega)},
               .together = 2,
               .folded = count > 1,
               .forms = count > few_points || result.model ? on_screen : on_screen | on_page};
@@ -121,7 +121,7 @@ Table limit_table(const study::CaseResults& results) {
                   row("in_band", Kind::amplitude, one ? "at this ω alone" : "largest in band", &LimitResult::in_band),
                   row("share", Kind::share, "share of the limit",
                       [](const LimitResult& l) { return l.in_band / l.limit; }, {.forms = for_people}),
-                  row("in_band_at", Kind::both_frequencies, "at", &LimitResult::in_band_at),
+                  row("in_band_at", Kind::frequency, "at", &LimitResult::in_band_at),
                   row("anywhere", Kind::amplitude, "largest at any ω", &LimitResult::anywhere),
                   row("met", Kind::yes_no, "", &LimitResult::met),
                   row("verdict", Kind::words, "verdict",
@@ -158,7 +158,7 @@ void add_notes(const ResponseResult& result, Document& document) {
                     "is at most {:.1e} at the tested frequencies",
                     result.curves.solves, result.curves.interpolation_error));
   for (const double omega : result.curves.check.undefined_at)
-    document.add(Sentence{.parts = {Quantity{omega, "rad/s", Kind::angular_frequency, 9},
+    document.add(Sentence{.parts = {Quantity{omega, "rad/s", Kind::frequency, 9},
                                     omega > 0 ? ": no steady state exists (shown as –); it is an undamped resonance"
                                               : ": no steady state exists (shown as –); a body is free to move, or the "
                                                 "motion of the ground is given by its velocity or acceleration and "
@@ -191,7 +191,7 @@ Document response_document(const project::Case& variant, const study::CaseResult
   Document document = response_data(results);
   document.add(excited_part(variant, "response")).forms = on_screen;
   document.add(response_summary(result));
-  document.add(characteristics(result, variant.display));
+  document.add(characteristics(result));
   add_notes(result, document);
   document.add(limit_table(results));
   Table& lines = document.add(limit_line_table(results, variant.display));

@@ -9,6 +9,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/results/design/explanation_results.h"
 #include "trivet/results/format/json_parts.h"
+#include "trivet/results/format/shown_words.h"
 
 /// Causes of peaks, and the parameters that change them.
 namespace trivet::results {
@@ -176,22 +177,23 @@ Group peak_group(const project::Case& variant, const Explanation& explanation, c
   std::vector<Lever> levers;
   add_levers(explanation, peak, levers);
   const response::Peak& place = peak.peak;
-  Group group{
-      .key = "peaks",
-      .parts = {{Single{"name", peak.name}},
-                {Single{"unit", peak.unit}},
-                {Single{"angular_frequency", place.angular_frequency}},
-                {Single{"frequency_hz", place.angular_frequency / foundation::two_pi}},
-                {Single{"amplitude", json::number(place.amplitude)}},
-                {Single{"unbounded", std::isinf(place.amplitude)}},
-                {Single{"nearest_mode", json::optional(place.nearest_mode)}},
-                {Single{"sentence", peak.sentence}},
-                {Sentence{.parts = {peak.sentence + sentence_note(variant.display)}, .place = Sentence::Place::text}},
-                {share_group(variant, explanation, peak.shares)},
-                {lever_table(std::move(levers))},
-                {Single{"trial", trial_json(peak.trial)}},
-                {Words{.key = "notes", .list = peak.notes}}},
-      .in_list = true};
+  Sentence sentence = shown_words(peak.sentence);
+  sentence.place = Sentence::Place::text;
+  Group group{.key = "peaks",
+              .parts = {{Single{"name", peak.name}},
+                        {Single{"unit", peak.unit}},
+                        {Single{"angular_frequency", place.angular_frequency}},
+                        {Single{"frequency_hz", place.angular_frequency / foundation::two_pi}},
+                        {Single{"amplitude", json::number(place.amplitude)}},
+                        {Single{"unbounded", std::isinf(place.amplitude)}},
+                        {Single{"nearest_mode", json::optional(place.nearest_mode)}},
+                        {Single{"sentence", study::words_in_si(peak.sentence)}},
+                        {std::move(sentence)},
+                        {share_group(variant, explanation, peak.shares)},
+                        {lever_table(std::move(levers))},
+                        {Single{"trial", trial_json(peak.trial)}},
+                        {Words{.key = "notes", .list = peak.notes}}},
+              .in_list = true};
   for (const std::string& note : peak.notes)
     group.parts.push_back({Sentence{.parts = {"note: " + note}, .place = Sentence::Place::note}});
   return group;

@@ -19,6 +19,7 @@
 #include "trivet/results/design/optimization_results.h"
 #include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/in_documents.h"
+#include "trivet/results/format/shown_words.h"
 #include "trivet/study/optimize/design_front.h"
 #include "trivet/study/optimize/optimization.h"
 
@@ -132,8 +133,8 @@ std::string causes_text(const Cases& cases) {
   std::string text;
   for (const study::CaseResults& results : cases)
     if (results.verdict && !results.verdict->cause.empty() && results.verdict->decides && !results.verdict->met())
-      text += (cases.size() > 1 ? case_name_words(results) + ": " : "") + results.verdict->cause +
-          sentence_note(results.display) + "\n\n";
+      text += (cases.size() > 1 ? case_name_words(results) + ": " : "") +
+          shown_sentence(shown_words(results.verdict->cause), results.display) + "\n\n";
   return text;
 }
 

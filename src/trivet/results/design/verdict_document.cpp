@@ -14,6 +14,7 @@
 #include "trivet/results/design/verdict_results.h"
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/results/format/json_parts.h"
+#include "trivet/results/format/shown_words.h"
 
 /// The requirements of a machine with their margins, and its least and largest static values.
 namespace trivet::results {
@@ -115,14 +116,15 @@ Sentence verdict_sentence(const CaseVerdict& judged) {
 
 Document verdict_document(const CaseVerdict& judged) {
   constexpr unsigned screen_and_page = on_screen | on_page;
+  Sentence cause = shown_words(judged.cause);
+  cause.place = Sentence::Place::note;
   Document document = {{{verdict_sentence(judged)},
-                        {Sentence{.parts = {judged.cause.empty() ? "" : judged.cause + sentence_note(judged.display)},
-                                  .place = Sentence::Place::note}},
+                        {std::move(cause)},
                         {Single{.name = "decides", .value = judged.decides}},
                         {Single{.name = "met", .value = judged.met()}},
                         {Single{.name = "not_judged", .value = judged.not_judged()}},
                         {Single{.name = "governing", .value = json::optional(judged.governing)}},
-                        {Single{.name = "cause", .value = judged.cause}}}};
+                        {Single{.name = "cause", .value = study::words_in_si(judged.cause)}}}};
   Table& table = document.add(requirement_table({&judged}));
   table.people_rows = by_margin(judged);
   table.mark = [&judged](std::size_t i) {

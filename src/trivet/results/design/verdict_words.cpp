@@ -43,7 +43,7 @@ std::string level_on_line(const RequirementResult& r, const project::DisplayUnit
 }  // namespace
 
 Kind kind_of_numbers(const RequirementResult& r) {
-  if (r.kind == RequirementKind::avoided_frequencies) return Kind::angular_frequency;
+  if (r.kind == RequirementKind::avoided_frequencies) return Kind::frequency;
   const bool harmonic = r.kind == RequirementKind::amplitude || r.kind == RequirementKind::operation ||
       r.kind == RequirementKind::mount_dynamic_deflection;
   return harmonic ? Kind::amplitude : Kind::quantity;
@@ -51,7 +51,8 @@ Kind kind_of_numbers(const RequirementResult& r) {
 
 DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayUnits& display) {
   const Kind kind = kind_of_numbers(r);
-  if (kind == Kind::angular_frequency) return {frequency_unit(display), "", shown_frequency(display, 1), false};
+  if (r.kind == RequirementKind::rms) return root_mean_square_unit(display, r.unit);
+  if (kind == Kind::frequency) return {frequency_unit(display), "", shown_frequency(display, 1), false};
   return kind == Kind::amplitude ? amplitude_unit(display, r.unit) : display_unit(display, r.unit);
 }
 

@@ -7,6 +7,7 @@
 
 #include "trivet/response/sensitivity/peak_shares.h"
 #include "trivet/study/analyses/case_results.h"
+#include "trivet/study/explain/stated_words.h"
 
 namespace trivet::study {
 
@@ -38,7 +39,7 @@ struct ExplainedPeak {
   std::vector<std::string> notes;
   std::optional<Trial>
       trial;  ///< on the stiffness with most of the strain energy, or if that has no effect, on that with the most
-  std::string sentence;
+  StatedWords sentence;
 };
 
 struct Explanation {
@@ -58,7 +59,7 @@ struct Explanation {
 [[nodiscard]] std::string value_words(double value, const std::string& unit);
 
 /// "machine.x: 8.4 mm at 2.77 rad/s (0.441 Hz). Mode 2, rotation about x, contributes 93 % of it. …"
-[[nodiscard]] std::string sentence(const project::Case& variant, const Explanation& explanation,
+[[nodiscard]] StatedWords sentence(const project::Case& variant, const Explanation& explanation,
                                    const ExplainedPeak& peak);
 
 }  // namespace trivet::study

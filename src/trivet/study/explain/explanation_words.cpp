@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "trivet/modal/modes.h"
 #include "trivet/model/element_directions.h"
+#include "trivet/project/text/unit_prefix.h"
 
 namespace trivet::study {
 namespace {
@@ -70,20 +70,25 @@ std::string energy_words(const project::Case& variant, const ExplainedPeak& peak
   return words;
 }
 
-std::string trial_words(const ExplainedPeak& peak) {
-  if (!peak.trial) return "";
+StatedNumber frequency(double omega) { return {omega, "rad/s", StatedNumber::Kind::frequency}; }
+
+StatedWords trial_words(const ExplainedPeak& peak) {
+  if (!peak.trial) return {};
   const Trial& trial = *peak.trial;
-  std::string words = fmt::format("+{:.0f} % on {}", 100 * trial.amount, trial.words);
-  if (!trial.angular_frequency) return words + " leaves no such peak nearby";
-  words += fmt::format(" moves the peak to {}", place_words(*trial.angular_frequency));
-  if (trial.amplitude) words += fmt::format(" and {}", value_words(*trial.amplitude, peak.unit));
-  words += " (recomputed";
-  if (trial.predicted_angular_frequency)
-    words += fmt::format("; to first order {:.4g} rad/s", *trial.predicted_angular_frequency);
+  const std::string more = fmt::format("+{:.0f} % on {}", 100 * trial.amount, trial.words);
+  if (!trial.angular_frequency) return {more + " leaves no such peak nearby"};
+  StatedWords words = {more + " moves the peak to ", frequency(*trial.angular_frequency)};
+  const auto add = [&](const char* before, const StatedNumber& number) {
+    words.emplace_back(before);
+    words.emplace_back(number);
+  };
+  if (trial.amplitude) add(" and ", {*trial.amplitude, peak.unit});
+  words.emplace_back(" (recomputed");
+  if (trial.predicted_angular_frequency) add("; to first order ", frequency(*trial.predicted_angular_frequency));
   if (trial.predicted_amplitude)
-    words += fmt::format("{}{}", trial.predicted_angular_frequency ? " and " : "; to first order ",
-                         value_words(*trial.predicted_amplitude, peak.unit));
-  return words + ")";
+    add(trial.predicted_angular_frequency ? " and " : "; to first order ", {*trial.predicted_amplitude, peak.unit});
+  words.emplace_back(")");
+  return words;
 }
 
 std::string lever_words(const Explanation& explanation, const ExplainedPeak& peak) {
@@ -97,29 +102,38 @@ std::string lever_words(const Explanation& explanation, const ExplainedPeak& pea
 }  // namespace
 
 std::string value_words(double value, const std::string& unit) {
-  struct Prefix {
-    double factor;
-    const char* sign;
-  };
-  static constexpr std::array<Prefix, 5> prefixes = {{{1e6, "M"}, {1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "µ"}}};
-  const double size = std::abs(value);
-  const bool length_or_angle = unit.starts_with("m") || unit.starts_with("rad");
-  for (const Prefix& prefix : prefixes) {
-    if (prefix.factor > 1 && length_or_angle) continue;  // no kilometres
-    if (size >= prefix.factor) return fmt::format("{:.4g} {}{}", value / prefix.factor, prefix.sign, unit);
-  }
-  return fmt::format("{:.4g} {}", value, unit);
+  const project::UnitPrefix prefix = project::unit_prefix(std::abs(value), unit);
+  return fmt::format("{:.4g} {}", value * prefix.factor, prefix.unit);
 }
 
-std::string sentence(const project::Case& variant, const Explanation& explanation, const ExplainedPeak& peak) {
-  std::string text =
-      fmt::format("{}: {} at {}", peak.name,
-                  std::isinf(peak.peak.amplitude) ? "unbounded" : value_words(peak.peak.amplitude, peak.unit),
-                  place_words(peak.peak.angular_frequency));
-  for (const std::string& part :
-       {modes_words(explanation, peak), energy_words(variant, peak), trial_words(peak), lever_words(explanation, peak)})
-    if (!part.empty()) text += ". " + part;
-  return text + ".";
+std::string words_in_si(const StatedWords& words) {
+  std::string text;
+  for (const auto& part : words) {
+    const auto* number = std::get_if<StatedNumber>(&part);
+    if (!number) text += std::get<std::string>(part);
+    else if (number->kind == StatedNumber::Kind::frequency) text += place_words(number->value);
+    else text += value_words(number->value, number->unit);
+  }
+  return text;
+}
+
+StatedWords sentence(const project::Case& variant, const Explanation& explanation, const ExplainedPeak& peak) {
+  StatedWords words = {peak.name + ": "};
+  if (std::isinf(peak.peak.amplitude)) words.emplace_back("unbounded");
+  else words.emplace_back(StatedNumber{peak.peak.amplitude, peak.unit});
+  words.emplace_back(" at ");
+  words.emplace_back(frequency(peak.peak.angular_frequency));
+  const auto add = [&](const StatedWords& part) {
+    if (part.empty()) return;
+    words.emplace_back(". ");
+    words.insert(words.end(), part.begin(), part.end());
+  };
+  for (const std::string& part : {modes_words(explanation, peak), energy_words(variant, peak)})
+    add(part.empty() ? StatedWords() : StatedWords{part});
+  add(trial_words(peak));
+  if (const std::string lever = lever_words(explanation, peak); !lever.empty()) add({lever});
+  words.emplace_back(".");
+  return words;
 }
 
 }  // namespace trivet::study

@@ -46,11 +46,11 @@ std::optional<assembly::Band> common_band(const project::Analyses& analyses,
 }
 
 /// What causes a governing amplitude or peak, in words; empty if it is no peak.
-std::string cause_of(const project::Case& variant, const RequirementResult& result) {
+StatedWords cause_of(const project::Case& variant, const RequirementResult& result) {
   const bool clearance = result.kind == RequirementKind::clearance,
              explained =
                  clearance || result.kind == RequirementKind::amplitude || result.kind == RequirementKind::no_peak;
-  if (!explained || !result.angular_frequency || result.order > 0) return "";
+  if (!explained || !result.angular_frequency || result.order > 0) return {};
   constexpr double same_peak = 1e-6;  // of its frequency: both searches refine it to round-off
   constexpr int all = 1000;
   try {
@@ -61,7 +61,7 @@ std::string cause_of(const project::Case& variant, const RequirementResult& resu
         return peak.sentence;
   } catch (const foundation::NotComputable&) {  // the verdict stands without its cause
   }
-  return "";
+  return {};
 }
 
 /// What happens at the speeds of the machine, for those who ask for the verdict alone.

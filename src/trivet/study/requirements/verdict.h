@@ -9,6 +9,7 @@
 #include "trivet/project/project.h"
 #include "trivet/study/analyses/load_case.h"
 #include "trivet/study/analyses/operation_types.h"
+#include "trivet/study/explain/stated_words.h"
 
 /// Does a machine meet its requirements, which one governs, and by what margin? Formulas: docs/design.md.
 namespace trivet::study {
@@ -98,7 +99,7 @@ struct CaseVerdict {
   std::vector<RequirementResult> results;
   std::optional<assembly::Band> common_band;  ///< of limits and limit lines without one of their own [rad/s]
   std::optional<std::size_t> governing;       ///< of the judged ones, that with the least margin
-  std::string cause;                          ///< of a governing amplitude or peak: mode, element and what changes it
+  StatedWords cause;                          ///< of a governing amplitude or peak: mode, element and what changes it
   foundation::Problems warnings;
   LoadCase load_case;                        ///< what it contributes to the envelope
   std::optional<OperationResult> operation;  ///< at the speeds of the machine, if the file has them

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""rms, 0-p and p-p after units: in limits, limit lines, requirements and excitations, and in what people read."""
+import json
+import math
+import unittest
+
+from trivet_test import InTemporaryFolder, result_of, trivet
+
+ROUND_OFF = 1e-15
+M, K, C, F = 40.0, 2.5e5, 300.0, 30.0
+MACHINE = f"""trivet = 1
+[bodies.machine]
+mass = {M}
+inertia = {{about = "center_of_mass", xx = 2, yy = 2, zz = 2}}
+free = ["z"]
+[elements.mount]
+type = "matrix"
+on = "machine"
+at = [0, 0, 0]
+stiffness = [[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,{K},0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]
+damping = {{proportional = {C / K}}}
+"""
+PUSH = f'[excitations.push]\ntype = "harmonic"\non = "machine"\nat = [0, 0, 0]\nforce = [0, 0, "{F} N"]\n'
+NOISE = '[excitations.noise]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\npsd = {flat = "0.01 (m/s2)2/Hz", band = ["1 Hz", "100 Hz"]}\n'
+LEVELS = {"rms": "4.5 mm/s rms", "0-p": f"{4.5 * math.sqrt(2)!r} mm/s 0-p", "p-p": f"{9 * math.sqrt(2)!r} mm/s p-p"}
+RESPONSE = '[analyses]\nresponse = {of = ["machine.z"], quantity = "velocity", band = ["2 Hz", "40 Hz"]}\n'
+
+
+def velocity():
+    """Largest velocity of the mass over all frequencies: F/C, where stiffness and inertia cancel."""
+    return F / C
+
+
+class Levels(InTemporaryFolder):
+    def margin(self, more):
+        done = trivet("verdict", self.file(MACHINE + PUSH + more), "--json")
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        (result,) = json.loads(done.stdout)["cases"][0]["results"]
+        return result["margin"]
+
+    def test_a_limit_has_one_margin_at_every_level(self):
+        margins = [
+            self.margin(f'[requirements]\nlimits = {{"machine.z" = "{limit}"}}\nband = ["2 Hz", "40 Hz"]\n')
+            for limit in LEVELS.values()
+        ]
+        self.assertAlmostEqual(margins[0], 4.5e-3 / (velocity() / math.sqrt(2)), delta=1e-9)
+        for margin in margins:
+            self.assertAlmostEqual(margin / margins[0], 1, delta=ROUND_OFF)
+
+    def test_a_limit_line_has_one_margin_at_every_level(self):
+        def line(one):
+            rows = f'[limit_lines.severity]\nof = "machine.z"\nrows = [["1 Hz", "{one}"], ["50 Hz", "{one}"]]\n'
+            (found,) = result_of("response", self.file(MACHINE + PUSH + RESPONSE + rows))["limit_lines"]
+            return found
+
+        lines = {word: line(limit) for word, limit in LEVELS.items()}
+        self.assertEqual([lines[word]["level"] for word in LEVELS], ["rms", "zero_to_peak", "zero_to_peak"])
+        for found in lines.values():
+            self.assertAlmostEqual(found["least_margin"] / lines["rms"]["least_margin"], 1, delta=ROUND_OFF)
+
+    def test_a_unit_of_a_whole_line_may_have_a_level(self):
+        self.file("frequency_hz,limit [mm/s p-p]\n1,12\n50,12\n", "line.csv")
+        file = '[limit_lines.severity]\nof = "machine.z"\nfile = "line.csv"\n'
+        rows = '[limit_lines.severity]\nof = "machine.z"\nunit = "mm/s 0-p"\nrows = [[1, 6], [50, 6]]\n'
+        found = [
+            result_of("response", self.file(MACHINE + PUSH + RESPONSE + more, "p.toml"))["limit_lines"][0]
+            for more in (file, rows)
+        ]
+        self.assertEqual([one["level"] for one in found], ["zero_to_peak"] * 2)
+        self.assertAlmostEqual(found[0]["least_margin"] / found[1]["least_margin"], 1, delta=ROUND_OFF)
+
+    def test_a_force_has_one_response_at_every_level(self):
+        at = ("--at", "10 Hz")
+        amplitude = lambda force: math.hypot(
+            *result_of("response", self.file(MACHINE + PUSH.replace(f"{F} N", force) + RESPONSE, "force.toml"), *at)[
+                "results"
+            ][0]["complex"][0]
+        )
+        w = 20 * math.pi
+        expected = F * w / math.hypot(K - M * w * w, C * w)
+        for force in (f"{F} N", f"{F / math.sqrt(2)!r} N rms", f"{2 * F} N p-p", f"{F} N 0-p"):
+            self.assertAlmostEqual(amplitude(force) / expected, 1, delta=1e-12)
+
+    def test_a_motion_of_the_ground_has_a_level(self):
+        floor = '[excitations.floor]\ntype = "base"\ntranslation = [0, 0, "LEVEL"]\n'
+        values = [
+            result_of("response", self.file(MACHINE + floor.replace("LEVEL", level) + RESPONSE), "--at", "5 Hz")[
+                "results"
+            ][0]["complex"][0]
+            for level in ("0.1 mm p-p", "0.05 mm")
+        ]
+        self.assertEqual(values[0], values[1])
+
+    def test_people_read_velocities_in_rms_and_the_level_of_every_amplitude(self):
+        requirement = '[requirements]\nlimits = {"machine.z" = "4.5 mm/s rms"}\nband = ["2 Hz", "40 Hz"]\n'
+        path = self.file(MACHINE + PUSH + RESPONSE.replace("[analyses]\n", "[analyses]\npeaks = {}\n") + requirement)
+        shown = trivet("verdict", path).stdout
+        self.assertIn("machine.z ≤ 4.5 mm/s rms", shown)
+        self.assertIn(f"{1000 * velocity() / math.sqrt(2):.2f} mm/s rms", shown)
+        self.assertIn("|machine.z| [mm/s rms]", trivet("response", path, "--full").stdout)
+        self.assertIn("mm/s rms", trivet("peaks", path).stdout)
+        displacement = trivet("response", path, "--set", "analyses.response.quantity=displacement", "--full").stdout
+        self.assertRegex(displacement, r"\|machine\.z\| \[[mµ]*m 0-p\]")
+
+    def test_the_display_has_the_last_word(self):
+        path = self.file(MACHINE + PUSH + RESPONSE)
+        for level, word in (("amplitude", "0-p"), ("peak_to_peak", "p-p"), ("rms", "rms")):
+            shown = trivet("response", path, "--set", f"display.level={level}", "--full").stdout
+            self.assertIn(f"|machine.z| [mm/s {word}]", shown)
+
+    def test_data_stay_zero_to_peak(self):
+        path = self.file(MACHINE + PUSH + RESPONSE)
+        found = result_of("response", path, "--at", f"{math.sqrt(K / M)!r} rad/s")["results"][0]
+        self.assertAlmostEqual(math.hypot(*found["complex"][0]), F / C, delta=1e-9)
+        self.assertIn("machine.z amplitude [m/s]", trivet("response", path, "--csv").stdout.splitlines()[0])
+
+    def test_an_rms_limit_of_random_vibration_may_state_it(self):
+        values = [
+            json.loads(
+                trivet(
+                    "verdict",
+                    self.file(MACHINE + NOISE + f'[requirements]\nrms = {{"machine.z" = "{limit}"}}\n'),
+                    "--json",
+                ).stdout
+            )["cases"][0]["results"][0]["margin"]
+            for limit in ("1 mm rms", "1 mm")
+        ]
+        self.assertEqual(values[0], values[1])
+
+
+if __name__ == "__main__":
+    unittest.main()
