@@ -265,13 +265,17 @@ class MapRequirements(InTemporaryFolder):
                 found["marks"][0]["margin"] / min(r["margin"] or math.inf for r in judged), 1, delta=STORED
             )
 
-    def test_text_has_the_units_of_the_file(self):
+    def test_text_has_the_units_of_the_display(self):
         rules = 'band = ["1 Hz", "9 Hz"]\nlimits = {"m.z" = "2.4 mm/s"}\n'
         text = trivet("map", self.file(MODEL + PUSH + ONE + rules)).stdout
         self.assertIn("amplitudes over 1 … 9 Hz", text)
-        self.assertIn("m.z ≤ 2.4 mm/s", text)
+        self.assertIn("m.z ≤ 1.697 mm/s rms", text)  # 2.4/√2
         self.assertNotIn("rad/s", text)
-        self.assertIn("rad/s", trivet("map", self.file(MODEL + PUSH + ONE + rules.replace(" Hz", " rad/s"))).stdout)
+        in_rad = self.file(MODEL + PUSH + ONE + rules.replace(" Hz", " rad/s"))
+        self.assertIn("amplitudes over 0.159155 … 1.43239 Hz", trivet("map", in_rad).stdout)
+        self.assertIn(
+            "amplitudes over 1 … 9 rad/s", trivet("map", in_rad, "--set", "display.frequency=rad/s").stdout
+        )
 
     def test_requirement_that_cannot_be_judged_is_no_result(self):
         moving = '[excitations.w]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {half_sine = {amplitude = 5, duration = "11 ms"}}\n'

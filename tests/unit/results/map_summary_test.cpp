@@ -51,7 +51,7 @@ TEST(FeasibleWords, StateHowManySteepNeighboursThereAre) {
 
 TEST(CriteriaWords, StateTheBandAndWhatCountsAsAPeak) {
   EXPECT_EQ(results::criteria_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [0, 40]")),
-            "amplitudes over 0 … 40 rad/s");
+            "amplitudes over 0 … 6.3662 Hz");
   EXPECT_EQ(results::criteria_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [\"0 Hz\", \"40 Hz\"]")),
             "amplitudes over 0 … 40 Hz");
   EXPECT_EQ(results::criteria_words(map_of("no_peak = \"machine\", peak_tolerance = 0.02, min_prominence = 1e-4")),

@@ -20,11 +20,11 @@ TEST(MapVerdicts, StateWhereACaseExceedsItsLimits) {
     const study::DesignMap map = study::design_map(changed, changed.base(), *changed.base().analyses.map);
     return results::verdict_words(map, map.marks.at(0)).at(0);
   };
-  EXPECT_THAT(words({}), testing::MatchesRegex("machine.z reaches 0.02066 m at 9.354 rad/s, allowed 0.015"));
+  EXPECT_THAT(words({}), testing::MatchesRegex("machine.z reaches 0.02066 m 0-p at 1.489 Hz, allowed 0.015"));
   EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"5 mm\"}", "analyses.map.band=[0, 1]"}),
-              testing::HasSubstr(" at 1 rad/s, allowed 0.005"));
+              testing::HasSubstr(" at 0.1592 Hz, allowed 0.005"));
   EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"0.9 m/s2\"}", "elements.spring.damping.proportional=0.3"}),
-              testing::HasSubstr(" m/s² towards ω = ∞, allowed 0.9"));
+              testing::HasSubstr(" m/s² 0-p towards ω = ∞, allowed 0.9"));
 }
 
 TEST(MapVerdicts, CallOnlySmallRisesSlight) {
@@ -35,9 +35,8 @@ TEST(MapVerdicts, CallOnlySmallRisesSlight) {
     const study::DesignMap map = study::design_map(changed, changed.base(), *changed.base().analyses.map);
     return results::verdict_words(map, map.marks.at(0)).at(0);
   };
-  EXPECT_THAT(words("0.12"), testing::MatchesRegex("machine.z rises within the tolerance at .* rad/s \\(4.17 %\\)"));
-  EXPECT_THAT(words("0.06"),
-              testing::MatchesRegex("machine.z has a peak within the tolerance at .* rad/s \\(74.7 %\\)"));
+  EXPECT_THAT(words("0.12"), testing::MatchesRegex("machine.z rises within the tolerance at .* Hz \\(4.17 %\\)"));
+  EXPECT_THAT(words("0.06"), testing::MatchesRegex("machine.z has a peak within the tolerance at .* Hz \\(74.7 %\\)"));
 }
 
 }  // namespace map_verdicts_test

@@ -186,10 +186,17 @@ std::string quantity_of(const study::ResponseResult& result, const std::vector<G
   return quantity_name(result.curves.curves[series.front().curve].unit);
 }
 
-UnitPrefix amplitude_prefix(double largest, const study::CaseResults& results,
+/// Adds the amplitudes of all curves, to find the largest of each kind.
+void add_amplitudes(const study::ResponseResult& result, results::LargestOfKind& largest) {
+  for (const response::Curve& curve : result.curves.curves)
+    for (const auto& value : curve.value) largest.add(curve.unit, std::abs(value));
+}
+
+/// A panel of curves that are round-off has no prefix.
+UnitPrefix amplitude_prefix(double largest, const results::LargestOfKind& of_kind, const study::CaseResults& results,
                             const std::vector<GroupedCurve>& series) {
   const std::string& unit = results.response->curves.curves[series.front().curve].unit;
-  return unit_prefix(largest, results::amplitude_unit(results.display, unit));
+  return unit_prefix(of_kind.shown(unit, largest), results::amplitude_unit(results.display, unit));
 }
 
 bool is_drawable(const study::CaseResults& results) {
@@ -215,7 +222,7 @@ const study::CaseResults* repeating_case(const std::vector<study::CaseResults>& 
   return found == cases.end() ? nullptr : &*found;
 }
 
-Figure group_figure(const study::CaseResults& results, const CurveGroup& group) {
+Figure group_figure(const study::CaseResults& results, const results::LargestOfKind& of_kind, const CurveGroup& group) {
   const study::ResponseResult& result = *results.response;
   const double row_height = 200, panel_width = 400;
   std::vector<const std::vector<GroupedCurve>*> rows;
@@ -229,7 +236,7 @@ Figure group_figure(const study::CaseResults& results, const CurveGroup& group) 
     const std::vector<GroupedCurve>& series = *rows[r];
     const double top = 40 + static_cast<double>(r) * (row_height + 52);
     const Extent range = extent(result, series);
-    const UnitPrefix unit = amplitude_prefix(range.largest, results, series);
+    const UnitPrefix unit = amplitude_prefix(range.largest, of_kind, results, series);
     Panel amplitude{66, top, panel_width, row_height, result.band.from, result.band.to, 0, 1};
     set_amplitude_axis(amplitude, range, unit.factor);
     draw_curve_frame(
@@ -254,8 +261,10 @@ std::string Figure::html() const {
 std::vector<Figure> characteristics(const study::CaseResults& results) {
   std::vector<Figure> result;
   if (!is_drawable(results)) return result;
+  results::LargestOfKind of_kind;
+  add_amplitudes(*results.response, of_kind);
   for (const CurveGroup& group : curve_groups(curve_names(results.response->curves.curves))) {
-    result.push_back(group_figure(results, group));
+    result.push_back(group_figure(results, of_kind, group));
     // Numbered, because different names may give the same safe file name.
     result.back().file_name = fmt::format("{:02}-{}", result.size(), result.back().file_name);
   }
@@ -282,7 +291,9 @@ Figure overview(const std::string& title, const std::vector<study::CaseResults>&
   canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
   // One scale for all, so that the cases can be compared.
   std::array<Extent, 2> ranges;
+  results::LargestOfKind of_kind;
   for (const study::CaseResults* results : shown) {
+    add_amplitudes(*results->response, of_kind);
     const CurveGroup group = curve_groups(curve_names(results->response->curves.curves)).front();
     ranges[0].include(extent(*results->response, group.upper));
     ranges[1].include(extent(*results->response, group.lower));
@@ -301,7 +312,7 @@ Figure overview(const std::string& title, const std::vector<study::CaseResults>&
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
       const Extent& range = ranges[part];
-      const UnitPrefix unit = amplitude_prefix(range.largest, results, *series);
+      const UnitPrefix unit = amplitude_prefix(range.largest, of_kind, results, *series);
       Panel panel{
           left, top + part * (height + 28), width, height, results.response->band.from, results.response->band.to, 0,
           1};

@@ -58,7 +58,7 @@ Json mark_json(const DesignMap& map, const study::MapMark& m) {
               {"y", json::optional(m.y)},
               {"of_this_model", m.of_this_model},
               {"has_own_rules", m.has_own_rules},
-              {"words", verdict_words(map, m)}};
+              {"words", verdict_words(map, m, Readers::programs)}};
   if (!m.judged) return result;
   result["kept"] = m.judged->governing.feasible();
   result["margin"] = json::number(m.judged->governing.margin);
@@ -122,7 +122,8 @@ Table rule_table(const DesignMap& map) {
                   row("unit", Kind::words, "", &design::MapRule::unit),
                   row("allowed", Kind::quantity, "", &design::MapRule::allowed),
                   row("words", Kind::words, "", &design::MapRule::words),
-                  row("rule", Kind::words, "rule", rule_words, {.forms = for_people}),
+                  row("rule", Kind::words, "rule",
+                      [&map](const design::MapRule& rule) { return rule_words(map, rule); }, {.forms = for_people}),
                   number("governs_kept", &study::RuleShare::feasible),
                   number("governs_broken", &study::RuleShare::infeasible),
                   share("governs, infeasible", &study::RuleShare::infeasible),
@@ -244,7 +245,7 @@ Table pairs_table(const std::vector<DesignMap>& maps) {
                   best("margin", Kind::number, [](const DesignMap&, const DesignOutcome& one) { return one.margin; }),
                   best("governed by", Kind::words,
                        [](const DesignMap& map, const DesignOutcome& one) {
-                         return std::isinf(one.margin) ? "no rule" : rule_words(map.rules[one.governing]);
+                         return std::isinf(one.margin) ? "no rule" : rule_words(map, map.rules[one.governing]);
                        })},
       .forms = for_people};
 }

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <numeric>
 
-#include "trivet/foundation/constants.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/shown_table.h"
 #include "trivet/foundation/index.h"
 #include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/distinct_texts.h"
+#include "trivet/results/format/in_documents.h"
 #include "trivet/study/explain/explanation.h"
 #include "trivet/study/map/map_warnings.h"
 
@@ -24,14 +26,27 @@ std::string peak_words(bool counted, double tallest) {
   return counted ? "peaks" : tallest <= slight ? "rises within the tolerance" : "has a peak within the tolerance";
 }
 
-std::string requirement_value(const design::MapRule& rule, double value) {
+std::string requirement_value(const design::MapRule& rule, double value, const project::DisplayUnits& display) {
   if (std::isinf(value)) return "unbounded";
-  if (rule.unit == "rad/s") return fmt::format("{:.5g} Hz", value / foundation::two_pi);
+  if (rule.unit == "rad/s") return shown_quantity({.value = value, .kind = Kind::frequency}, display);
   return rule.unit == "1" ? fmt::format("{:.4g}", value) : study::value_words(value, rule.unit);
 }
 
-std::string frequency_words(const study::DesignMap& map, double omega) {
-  return map.in_hertz ? fmt::format("{:.4g} Hz", omega / foundation::two_pi) : fmt::format("{:.4g} rad/s", omega);
+std::string frequency_words(const project::DisplayUnits& display, double omega) {
+  return fmt::format("{:.4g} {}", shown_frequency(display, omega), frequency_unit(display));
+}
+
+/// Lengths and forces of maps stay in SI; frequencies and levels are those of the display.
+project::DisplayUnits units_for_people(const study::DesignMap& map) {
+  project::DisplayUnits units;
+  units.frequency = map.display.frequency;
+  units.level = map.display.level;
+  return units;
+}
+
+/// Unit and factor of the amplitude of a rule.
+DisplayUnit rule_unit(const design::MapRule& rule, const project::DisplayUnits& display, Readers readers) {
+  return readers == Readers::people ? amplitude_unit(display, rule.unit) : display_unit(display, rule.unit);
 }
 
 /// The words of a rule beside a mark, without the case if that is the mark's own.
@@ -50,7 +65,12 @@ bool lists_peaks(const study::DesignMap& map, const study::MapMark& mark, const 
 
 }  // namespace
 
-std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark) {
+std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark, Readers readers) {
+  project::DisplayUnits display = units_for_people(map);
+  if (readers == Readers::programs) {
+    display = {};
+    display.frequency = map.in_hertz ? "Hz" : "rad/s";
+  }
   std::vector<std::string> words;
   if (mark.has_own_rules)
     words.push_back(fmt::format("judged by the rules of this map; its own map has other rules: {}",
@@ -67,21 +87,22 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
     const design::MapRule& rule = map.rules[r];
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
     if (rule.kind == design::DesignRule::Kind::requirement && judged.margins[r] < 1)
-      add(fmt::format("{}: {}, margin {:.4g}", words_beside(mark, rule), requirement_value(rule, value),
+      add(fmt::format("{}: {}, margin {:.4g}", words_beside(mark, rule), requirement_value(rule, value, display),
                       judged.margins[r]));
     if (rule.kind == design::DesignRule::Kind::no_peak && judged.margins[r] < 1 && !lists_peaks(map, mark, rule))
-      add(fmt::format("{}{} peaks at {} ({})", rule.channel, rule.case_words(), frequency_words(map, at),
+      add(fmt::format("{}{} peaks at {} ({})", rule.channel, rule.case_words(), frequency_words(display, at),
                       std::isinf(value) ? "unbounded" : fmt::format("{:.3g} %", 100 * value)));
     if (rule.kind != design::DesignRule::Kind::amplitude || judged.margins[r] >= 1) continue;
     const std::string of_case = rule.in_case == mark.name ? "" : rule.case_words(),
-                      where = std::isinf(at) ? "towards ω = ∞" : "at " + frequency_words(map, at);
+                      where = std::isinf(at) ? "towards ω = ∞" : "at " + frequency_words(display, at);
+    const DisplayUnit unit = rule_unit(rule, display, readers);
     if (std::isinf(value)) {
-      add(fmt::format("{}{} is unbounded {}, allowed {:.4g} {}", rule.channel, of_case, where, rule.allowed,
-                      rule.unit));
+      add(fmt::format("{}{} is unbounded {}, allowed {:.4g} {}", rule.channel, of_case, where,
+                      rule.allowed * unit.factor, unit.label()));
       continue;
     }
-    const auto [reached, allowed] = distinct_texts(value, rule.allowed, 4);
-    add(fmt::format("{}{} reaches {} {} {}, allowed {}", rule.channel, of_case, reached, rule.unit, where, allowed));
+    const auto [reached, allowed] = distinct_texts(value * unit.factor, rule.allowed * unit.factor, 4);
+    add(fmt::format("{}{} reaches {} {} {}, allowed {}", rule.channel, of_case, reached, unit.label(), where, allowed));
   }
   const design::DesignRule no_peak{design::DesignRule::Kind::no_peak, 0, map.request.peak_tolerance};
   for (const bool counted : {true, false})
@@ -97,7 +118,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
         const double prominence = response::relative_prominence(peak);
         if (!ruled || peak.curve != c || (design::margin(no_peak, prominence) < 1) != counted) continue;
         tallest = std::max(tallest, prominence);
-        list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", frequency_words(map, peak.angular_frequency),
+        list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", frequency_words(display, peak.angular_frequency),
                             std::isinf(prominence) ? "unbounded" : fmt::format("{:.3g} %", 100 * prominence));
       }
       if (!list.empty()) words.push_back(fmt::format("{} {} at {}", name, peak_words(counted, tallest), list));
@@ -118,18 +139,17 @@ bool has(const study::DesignMap& map, RuleKind kind) {
   return std::ranges::any_of(map.rules, [&](const design::MapRule& rule) { return rule.kind == kind; });
 }
 
-std::string band_words(const std::optional<assembly::Band>& band, bool in_hertz) {
+std::string band_words(const std::optional<assembly::Band>& band, const project::DisplayUnits& display) {
   if (!band) return "amplitudes over all frequencies";
-  const double unit = in_hertz ? foundation::two_pi : 1;
-  const auto [from, to] = distinct_texts(band->from / unit, band->to / unit, 6);
-  return fmt::format("amplitudes over {} … {} {}", from, to, in_hertz ? "Hz" : "rad/s");
+  const auto [from, to] = distinct_texts(shown_frequency(display, band->from), shown_frequency(display, band->to), 6);
+  return fmt::format("amplitudes over {} … {} {}", from, to, frequency_unit(display));
 }
 
 }  // namespace
 
 std::string criteria_words(const study::DesignMap& map) {
   std::string text;
-  if (has(map, RuleKind::amplitude)) text = band_words(map.request.band, map.in_hertz);
+  if (has(map, RuleKind::amplitude)) text = band_words(map.request.band, map.display);
   if (has(map, RuleKind::no_peak))
     text += fmt::format(
         "{}resonance peaks at all frequencies, from {:g} % above the adjacent minimum (rises below {:g} of the curve "
@@ -142,9 +162,10 @@ std::string criteria_words(const study::DesignMap& map) {
   return text;
 }
 
-std::string rule_words(const design::MapRule& rule) {
+std::string rule_words(const study::DesignMap& map, const design::MapRule& rule) {
   if (rule.kind != RuleKind::amplitude) return rule.words;
-  return fmt::format("{} ≤ {}{}", rule.channel, study::value_words(rule.allowed, rule.unit), rule.case_words());
+  const DisplayUnit unit = rule_unit(rule, units_for_people(map), Readers::people);
+  return fmt::format("{} ≤ {}{}", rule.channel, value_text(rule.allowed, unit), rule.case_words());
 }
 
 std::string feasible_words(const study::DesignMap& map) {
@@ -174,7 +195,7 @@ std::string best_words(const study::DesignMap& map) {
   if (std::isinf(best.margin))
     return fmt::format("Best design: {}; margin ∞ (no rule limits {} designs; this one is in the middle of them)",
                        place, map.without_bound);
-  const std::string rule = rule_words(map.rules[best.governing]);
+  const std::string rule = rule_words(map, map.rules[best.governing]);
   if (best.margin == 0)
     return fmt::format("No design is feasible and all have margin 0 ({}); the middle one: {}", rule, place);
   std::string text = fmt::format(

@@ -8,14 +8,19 @@
 
 namespace trivet::results {
 
+/// Who reads words about a map: people have frequencies and levels of [display]; the words in JSON stay in the unit of
+/// the band, and zero-to-peak.
+enum class Readers { people, programs };
+
 /// Findings at a mark, one sentence each: violated rules, then peaks, then the least margin.
-[[nodiscard]] std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark);
+[[nodiscard]] std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark,
+                                                     Readers readers = Readers::people);
 
 /// The range of the rules: the band of the amplitudes, and the threshold for a peak.
 [[nodiscard]] std::string criteria_words(const study::DesignMap& map);
 
 /// A rule as the verdict names it: "m.z ≤ 0.5 mm", where `words` of the rule has SI units.
-[[nodiscard]] std::string rule_words(const design::MapRule& rule);
+[[nodiscard]] std::string rule_words(const study::DesignMap& map, const design::MapRule& rule);
 
 /// The feasible share of the map, and what may have been missed between designs.
 [[nodiscard]] std::string feasible_words(const study::DesignMap& map);

@@ -127,6 +127,7 @@ DesignMap design_map(const project::Project& project, const project::Case& varia
   map.case_name = variant.name;
   map.request = request;
   map.in_hertz = has_band_in_hertz(variant);
+  map.display = variant.display;
   map.grid = {options.nx > 0 ? options.nx : request.x.points, options.ny > 0 ? options.ny : request.y.points};
   map.request.x.points = map.grid.nx;
   map.request.y.points = map.grid.ny;

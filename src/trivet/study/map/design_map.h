@@ -40,8 +40,9 @@ struct RuleShare {
 };
 
 struct DesignMap {
-  std::string case_name;  ///< case of the model
-  bool in_hertz = false;  ///< the file gives the band of the amplitudes in Hz
+  std::string case_name;          ///< case of the model
+  bool in_hertz = false;          ///< the file gives the band of the amplitudes in Hz, as the words of its JSON do then
+  project::DisplayUnits display;  ///< of its sentences for people
   project::MapRequest request;
   design::MapGrid grid;
   std::vector<design::MapRule> rules;
