@@ -146,7 +146,7 @@ stiffness = 8e4
             _, found = verdict("{cubic = 1}", "no_contact = true", machine=machine.replace("PLAY", play))
             one = found[0]
             self.assertEqual(one["margin"] == 0, bears, one)
-            self.assertEqual("bears at rest" in one.get("detail", ""), bears, one)
+            self.assertEqual("closed at rest" in one.get("detail", ""), bears, one)
 
     def test_a_slider_loaded_up_to_its_slip_has_one_of_many_means(self):
         machine = MACHINE.replace("trivet = 1", "trivet = 1\ngravity = [9.81, 0, 0]").replace("60, 0, 0", "6, 0, 0")

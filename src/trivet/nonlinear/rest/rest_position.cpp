@@ -70,7 +70,7 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
             is_bush ? part.at_rest : std::abs(part.at_rest)));
         continue;
       }
-      notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}{}",
+      notes.push_back(fmt::format("{}: tangent stiffness {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}{}",
                                   element.name, elements::small_motion(part.laws, part.at_rest).stiffness,
                                   turns ? "N m/rad" : "N/m", turns ? "about" : "along", "xyz"[part.axis % 3],
                                   std::abs(part.at_rest) > round_off ? part.at_rest : 0.0, turns ? "rad" : "m",

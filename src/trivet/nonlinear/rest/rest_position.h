@@ -30,7 +30,7 @@ struct RestState {
 /// of ReferenceMachine::deflections.
 [[nodiscard]] std::vector<Eigen::VectorXd> to_other_positions_of_rest(const model::System& system);
 
-/// "mount: its laws have 1.061e+06 N/m along z at rest, at a deflection of -0.002845 m", for every nonlinear part,
+/// "mount: tangent stiffness 1.061e+06 N/m along z at rest, at a deflection of -0.002845 m", for every nonlinear part,
 /// after a sentence that analyses are linear about rest; empty for a linear machine.
 [[nodiscard]] std::vector<std::string> notes_about_rest(const model::System& system);
 

@@ -51,10 +51,10 @@ std::vector<PanelRow> mode_rows(const std::vector<Backbone>& modes, std::size_t 
   constexpr double margin = 0.05;
   const double space = std::max(margin * (high - low), margin * margin * high);
   ranges.x = {low - space, high + space, false, results::frequency_heading(display)};
-  ranges.y = airy_axis(0, unit.factor * largest, "half of the range [" + unit.unit + "]");
+  ranges.y = airy_axis(0, unit.factor * largest, "half the peak-to-peak value [" + unit.unit + "]");
   std::vector<PanelRow> rows = {std::move(ranges)};
   if (highest_ratio > 0) {
-    damping.x = {0, unit.factor * largest, false, "half of the range [" + unit.unit + "]"};
+    damping.x = {0, unit.factor * largest, false, "half the peak-to-peak value [" + unit.unit + "]"};
     damping.y = airy_axis(0, highest_ratio, "damping ratio");
     rows.push_back(std::move(damping));
   }

@@ -187,7 +187,7 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const study::
                          unit.factor * change.point.results[result].half_of_range(), "#CC79A7",
                          named.insert(name).second ? name : ""});
   }
-  row.y = airy_axis(0, largest, "half of the range [" + unit.unit + "]");
+  row.y = airy_axis(0, largest, "half the peak-to-peak value [" + unit.unit + "]");
   return row;
 }
 

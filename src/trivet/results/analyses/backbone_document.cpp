@@ -121,7 +121,7 @@ Table points_of_mode(const Backbone& mode) {
   const Rows row(mode.points);
   Table table{
       .title = fmt::format(
-          "Mode {}: half of the range of each result{}", mode.mode + 1,
+          "Mode {}: half the peak-to-peak value of each result{}", mode.mode + 1,
           results < mode.results.size() ? fmt::format("; {} more in JSON and CSV", mode.results.size() - results) : ""),
       .rows = row.size(),
       .columns = {row("angular_frequency", Kind::frequency, "at", &BackbonePoint::angular_frequency),

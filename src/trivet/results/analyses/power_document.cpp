@@ -52,6 +52,21 @@ Table largest_powers(const PowerFlow& p) {
       .forms = for_people};
 }
 
+/// What a share above 100 % means, if a mount has one.
+Sentence share_note(const PowerFlow& p) {
+  bool exceeds = false;
+  for (std::size_t m = 0; m < p.mounts.size() && !p.angular_frequency.empty(); ++m) {
+    const auto share = largest_power(p, p.mounts[m], p.into_ground.row(to_index(m)).transpose()).share;
+    constexpr double round_off = 1e-9;
+    exceeds = exceeds || share.value_or(0) > 1 + round_off;
+  }
+  return {
+      .parts = {exceeds ? "Above 100 %: at this frequency other mounts return power from the ground to the machine; "
+                          "the shares of all mounts, negative ones included, add up to 100 %."
+                        : ""},
+      .place = Sentence::Place::note};
+}
+
 /// Powers of mounts or elements over the frequencies.
 Table power_rows(const char* key, const char* axis, const char* name, const std::vector<std::string>& names,
                  const Eigen::MatrixXd& powers) {
@@ -119,6 +134,7 @@ Document power_document(const project::Case& variant, const study::CaseResults& 
   Document document{
       {{excited_part(variant, "power")},
        {largest_powers(p)},
+       {share_note(p)},
        {std::move(curves)},
        {power_rows("mounts", "mount", "into_ground", p.mounts, p.into_ground)},
        {more({total("into_ground_in_total", p.into_ground_in_total), total("by_forces", p.by_forces),

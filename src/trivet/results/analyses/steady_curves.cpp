@@ -45,7 +45,7 @@ std::pair<double, double> ends_of(const SteadyBranch& curve) {
   return {low, high};
 }
 
-/// Largest half of the range of each result on a curve.
+/// Largest half of the peak-to-peak value of each result on a curve.
 std::vector<double> halves_of_ranges(const SteadyBranch& curve) {
   std::vector<double> largest(curve.points.front().results.size());
   for (const SteadyPoint& point : curve.points)
@@ -97,7 +97,7 @@ Table curve_table(const SteadyBranch& branch) {
                   row("points", Kind::number, "points", [](const SteadyBranch& curve) { return curve.points.size(); }),
                   row("unstable", Kind::number, "unstable", unstable_points),
                   row("uncertain", Kind::number, any_uncertain ? "uncertain" : "", uncertain_points),
-                  row("result", Kind::words, "half of the range of",
+                  row("result", Kind::words, "half the peak-to-peak value of",
                       [&branch, main](const SteadyBranch& curve) { return branch.results[main(curve)]; }),
                   row("unit", Kind::words, "",
                       [&branch, main](const SteadyBranch& curve) { return branch.units[main(curve)]; }),
@@ -223,7 +223,7 @@ Table jump_table(const SteadyBranch& branch, std::vector<Jump> jumps) {
                           "at", varied_kind(branch), "at",
                           [&branch](const Jump& jump) { return branch.parameter(jump.fold->point); },
                           varied_options(branch, 9)),
-                      row("result", Kind::words, "half of the range of",
+                      row("result", Kind::words, "half the peak-to-peak value of",
                           [&branch](const Jump& jump) { return branch.results[jump.result]; }),
                       row("unit", Kind::words, "", [&branch](const Jump& jump) { return branch.units[jump.result]; }),
                       row("before", Kind::quantity, "before", &Jump::before, {.digits = 4}),

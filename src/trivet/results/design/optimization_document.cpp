@@ -71,8 +71,8 @@ Table optimized_parameters(const Optimization& found) {
     add(row(name, Kind::number, heading,
             [&found, step](const OptimizedParameter& p) { return step_words(p.*step, found); }, {.forms = for_people}));
   };
-  add_step("one_percent_less", what + ": 1 % of range less", &OptimizedParameter::below);
-  add_step("one_percent_more", "1 % more", &OptimizedParameter::above);
+  add_step("one_percent_less", what + " if lowered by 1 % of its range", &OptimizedParameter::below);
+  add_step("one_percent_more", "raised by 1 %", &OptimizedParameter::above);
   add(row("idle", Kind::yes_no, "", &OptimizedParameter::idle));
   add(row("remark", Kind::words, "remark", parameter_remark, {.forms = for_people}));
   return table;

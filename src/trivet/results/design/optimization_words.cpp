@@ -88,7 +88,8 @@ std::vector<std::string> search_lines(const Optimization& found) {
   }
   lines.push_back(differences_words(found.differenced, found.differences));
   if (found.looked_at > 0)
-    lines.push_back(fmt::format("{} designs looked at before the search, without their models.", found.looked_at));
+    lines.push_back(fmt::format("The starts were chosen among {} designs by a fast evaluation that assembles no model.",
+                                found.looked_at));
   for (const std::string& family : found.families) lines.push_back("Designs as " + family + ".");
   for (const std::string& reason : found.no_families) lines.push_back("Designs one by one: " + reason + ".");
   return lines;

@@ -222,7 +222,7 @@ void warn_of_motions(const CaseContext& c, const project::SteadyAnalysis& reques
                      foundation::comma_separated(branch.lost_means) +
                          ": smooth friction bears a part of the load at rest, and none in motion",
                      "the mean of the motion contains this shift, however small the excitation",
-                     "compare the half of the range, or leave the load to other elements");
+                     "compare half the peak-to-peak value, or leave the load to other elements");
   if (!branch.sticking.empty())
     warnings.warning(
         "analyses.steady",

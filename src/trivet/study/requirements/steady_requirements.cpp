@@ -44,7 +44,7 @@ double of_gap(double travel, double gap) {
 double share_of_distance(const SteadyPoint& point, const Stop& stop) {
   const elements::DistanceForce& law = stop.distance->law;
   const double from = law.across ? 0 : law.distance(stop.distance->at_rest);
-  if (law.across && law.distance(stop.distance->at_rest) >= stop.above) return infinity;  // it bears at rest
+  if (law.across && law.distance(stop.distance->at_rest) >= stop.above) return infinity;  // it is closed at rest
   const Eigen::MatrixXd motion = point.deflections.middleCols(to_index(stop.deflection), 3);
   // The square of the distance has twice the harmonics, exactly.
   const Eigen::Index harmonics = (motion.rows() - 1) / 2, samples = 4 * harmonics + 2;
@@ -149,7 +149,8 @@ void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
 /// What the verdict does not know: it holds for the motions that were found, and none is known in some stretches.
 void add_limits(const SteadyBranch& branch, const foundation::Problems& doubts, RequirementResult& result) {
   const auto add = [&](const std::string& words) { result.detail += (result.detail.empty() ? "" : "; ") + words; };
-  if (result.kind == RequirementKind::no_contact && result.value && std::isinf(*result.value)) add("it bears at rest");
+  if (result.kind == RequirementKind::no_contact && result.value && std::isinf(*result.value))
+    add("the stop is closed at rest already");
   else if (!branch.search && result.kind != RequirementKind::no_jump)
     add("motions connected with the lower end of the band only; branches = \"all\" of steady seeks others");
   for (const foundation::Problem& doubt : doubts.list()) add(doubt.finding);
