@@ -163,6 +163,17 @@ axis = "z"
     ("docs/design.md", "Clearances"): OBSERVED,
     ("docs/design.md", "Load cases"): OBSERVED,
     ("docs/analyses.md", "Relative motion"): OBSERVED,
+    ("docs/analyses.md", "At the operating speed"): FRAME.replace("frame", "fan").replace("seat", "bearing")
+    + mounts("fan")
+    + """[excitations.rotor]
+type = "unbalance"
+on = "fan"
+at = [0, 0, 0.2]
+axis = "x"
+grade = 6.3
+rotor_mass = "100 kg"
+service_speed = "980 rpm"
+""",
     ("docs/analyses.md", "Section forces"): OBSERVED,
     ("docs/design.md", "Parameters"): POWERTRAIN.split("[parameters")[0] + "[requirements]\ndamping_ratio = 0.01\n",
     ("docs/design.md", "Choices of mounts"): MOUNTS,

@@ -47,6 +47,7 @@ ELSEWHERE = {
     "scripts/start": ("it installs packages and builds", ".ci/run", "scripts/start"),
     "pip install .": ("it compiles for minutes", ".ci/run", "scripts/python"),
     'pip install ".[plots,tables,units]"': ("it compiles for minutes", ".ci/run", "scripts/python"),
+    "pip install FILE.whl": ("it installs into the system", ".ci/run", "scripts/release"),
     "scripts/test": ("it installs packages, builds and runs this test", ".ci/run", "scripts/test"),
     ".ci/run": ("it runs this test", ".ci/run", "scripts/test"),
     ".ci/run long": ("it takes hours", ".ci/run", "long_stages; exit"),

@@ -204,6 +204,8 @@ def add_parts(project, extra, m, edge, hertz, k):
             "rotor_mass": m * extra.uniform(0.05, 0.5),
             "service_speed": f"{rpm} rpm",
         }
+        if "limits" in project:  # they hold where the machine runs
+            analyses["response"]["band"] = [0, f"{max(4 * hertz, 1.1 * rpm / 60)} Hz"]
     if extra.random() < 0.2:
         for e in mounts.values():
             e["damping"] = {"translation": [2 * extra.uniform(0.02, 0.4) * math.sqrt(k * m / len(mounts))] * 3}

@@ -48,7 +48,7 @@ class Terminal(InTemporaryFolder):
             self.assertEqual(trivet("verdict", path, input=given).returncode, 2)
 
     def test_a_value_is_marked_only_if_its_key_is_in_the_line_once(self):
-        bodies = "trivet = 1\nbodies = {a = {mass = 10}, b = {mass = -3}}\n"
+        bodies = 'trivet = 1\nbodies = {a = {mass = 10, free = ["z"]}, b = {mass = -3, free = ["z"]}}\n'
         message = trivet("check", self.file(bodies)).stderr
         self.assertIn("bodies.b.mass", message)
         marked = message.partition("bodies.b.mass")[2].splitlines()[2]

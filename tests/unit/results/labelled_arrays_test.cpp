@@ -63,6 +63,8 @@ base = true
 translation = [0, 0, 1]
 quantity = "acceleration"
 history = {half_sine = {amplitude = "10 g", duration = "11 ms"}}
+[operation]
+speeds = ["300 rpm", ["400 rpm", "500 rpm"]]
 [limit_lines.severity]
 of = "machine.z"
 rows = [[2, 1e-4], [40, 1e-4]]

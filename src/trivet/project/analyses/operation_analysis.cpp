@@ -77,7 +77,8 @@ OperationAnalysis read_operation(TableReader& reader, const ResultNames& names, 
   for (const std::string& name : symbols.order_excitations)
     if (std::ranges::find(known, name) == known.end()) known.push_back(name);
   request.selection.excitations = read_selected(reader, known, "harmonic or order");
-  request.limits = read_amplitude_limits(reader, "limits", names, assembly::MotionQuantity::displacement);
+  request.limits =
+      read_amplitude_limits(reader, "limits", names, assembly::MotionQuantity::displacement, Levels::of_harmonic);
   return request;
 }
 

@@ -137,13 +137,18 @@ bool any_word(std::string_view words, const Same& same) {
   return false;
 }
 
+/// Neither "feets" nor an s behind a symbol.
+bool takes_plural(std::string_view name) {
+  return name.size() > 2 && !name.ends_with("feet") && !name.ends_with("inches");
+}
+
 const Row* row_of(std::string_view word) {
   for (const Row& row : rows)
     if (any_word(row.symbols, [&](std::string_view symbol) { return symbol == word; })) return &row;
   const std::string_view singular = word.ends_with('s') ? word.substr(0, word.size() - 1) : word;
   for (const Row& row : rows)
     if (any_word(row.words, [&](std::string_view name) {
-          return equal_in_any_case(name, word) || (name.size() > 2 && equal_in_any_case(name, singular));
+          return equal_in_any_case(name, word) || (takes_plural(name) && equal_in_any_case(name, singular));
         }))
       return &row;
   return nullptr;
