@@ -42,13 +42,12 @@ std::vector<Level> written_levels(const TableReader& reader) {
 
 Level read_level_of_line(TableReader& reader, bool over_bands) {
   const auto word = reader.choice("level", {"rms", "zero_to_peak"});
-  const std::optional<Level> given =
-      word ? std::optional(*word == "rms" ? Level::rms : Level::amplitude) : std::nullopt;
+  const Level of_key = word == "zero_to_peak" ? Level::amplitude : Level::rms;
   const std::vector<Level> written = written_levels(reader);
   for (const Level level : written) {
-    if (over_bands || level == given.value_or(written.front())) continue;
+    if (over_bands || level == (word ? of_key : written.front())) continue;
     const std::string other = std::string("\"") + level_ending(level) + "\"";
-    if (given)
+    if (word)
       reader.error("level", "\"" + *word + "\" of numbers with " + other, "a limit line has one level",
                    "remove the key: the level after the unit holds");
     else
@@ -57,7 +56,7 @@ Level read_level_of_line(TableReader& reader, bool over_bands) {
                    "convert its numbers to one");
     break;
   }
-  if (given) return *given;
+  if (word) return of_key;
   const bool peak = !over_bands && !written.empty() && written.front() != Level::rms;
   return peak ? Level::amplitude : Level::rms;
 }
