@@ -17,6 +17,8 @@ struct CommandLine {
   engine::Source source;
   std::vector<std::string> settings;  ///< of --set
   Form form = Form::text;
+  std::string output;     ///< file for the result, whose ending chooses the form; empty: standard output
+  bool is_shown = false;  ///< the page that was written, in a browser
   bool strict = false;
   bool full = false;                         ///< every row and column of tables
   bool paint = false, paint_errors = false;  ///< colours on standard output, on standard error

@@ -1,138 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "cli/colours.h"
 #include "cli/command_line.h"
 #include "cli/console.h"
 #include "cli/main_program.h"
+#include "cli/parser.h"
 #include "cli/signals.h"
 #include "trivet/engine/program.h"
 
 namespace {
 
 using trivet::cli::CommandLine;
-using trivet::cli::Form;
-using trivet::engine::Command;
-using trivet::engine::Key;
-using trivet::engine::KeyKind;
+using trivet::cli::FurtherWords;
 
 constexpr int wrong_input = static_cast<int>(trivet::engine::Outcome::wrong_input);
-
-std::string not_empty(const std::string& text) { return text.empty() ? "an empty text; omit the option" : ""; }
-
-std::string at_least_one(const std::string& text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() && number >= 1
-      ? ""
-      : "\"" + text + "\": must be a whole number ≥ 1";
-}
-
-std::string is_svg(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".svg"
-      ? ""
-      : (path.empty() ? "\"\"" : path) + ": pictures are SVG; name a file that ends in .svg";
-}
-
-void add_check(const Key& key, CLI::Option& option) {
-  if (key.kind == KeyKind::count) option.check(at_least_one);
-  else if (key.kind == KeyKind::choice) option.check(CLI::IsMember(key.choices));
-  else if (std::string(key.name) == "picture") option.check(is_svg);
-  else option.check(not_empty);
-}
-
-std::string upper_case(std::string name) {
-  for (char& letter : name) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-  return name;
-}
-
-void add_key(CLI::App& app, const Key& key, CommandLine& line) {
-  const std::string name = key.name;
-  if (key.kind == KeyKind::flag) {
-    app.add_flag_callback("--" + name, [&line, name] { line.request.keys.emplace_back(name, true); }, key.about);
-    return;
-  }
-  const auto take = [&line, name](const std::vector<std::string>& texts) {
-    for (const std::string& text : texts) line.request.keys.emplace_back(name, text);
-  };
-  std::string spelling = key.positional ? upper_case(name) : "--" + name;
-  if (*key.short_name != '\0') spelling = std::string("-") + key.short_name + "," + spelling;
-  CLI::Option* option = app.add_option_function<std::vector<std::string>>(spelling, take, key.about);
-  option->required(key.required)->type_size(1);
-  if (key.repeatable) option->allow_extra_args(false);
-  else option->expected(1);
-  if (*key.by_default != '\0') option->default_str(key.by_default);
-  add_check(key, *option);
-  option->type_name(trivet::engine::value_name(key));  // in place of the name that the check brings
-}
-
-void add_forms(CLI::App& app, const Command& command, CommandLine& line) {
-  const auto form = [&line](Form chosen) { return [&line, chosen] { line.form = chosen; }; };
-  CLI::Option* json = command.json ? app.add_flag_callback("--json", form(Form::json), "JSON, SI") : nullptr;
-  CLI::Option* csv = command.csv ? app.add_flag_callback("--csv", form(Form::csv), "CSV, SI") : nullptr;
-  if (json && csv) csv->excludes(json);
-  const bool has_full =
-      std::ranges::any_of(command.keys, [](const Key& key) { return std::string_view(key.name) == "full"; });
-  if (!has_full && command.json)
-    app.add_flag("--full", line.full, "print every row and every column of tables, also on a narrow screen");
-  if (command.strict)
-    app.add_flag("--strict", line.strict,
-                 "exit code 3 if a limit or a rule is violated, 4 if there are only warnings; the result is written in "
-                 "any case");
-}
-
-/// Below the options: examples, and the keys of the command's table in the project file.
-std::string footer_of(const Command& command) {
-  std::string text = "Examples:\n";
-  for (const std::string& example : command.examples) text += "  " + example + "\n";
-  const std::string keys = trivet::engine::file_keys(command);
-  return keys.empty() ? text : text + "\n" + keys;
-}
-
-void add_command(CLI::App& app, const Command& command, CommandLine& line) {
-  CLI::App* added = app.add_subcommand(command.name, command.about)->group(heading(command.group));
-  added->add_option("PROJECT", line.source.name, "project file (TOML); - for standard input")
-      ->required()
-      ->type_name("FILE");
-  added
-      ->add_option("--set", line.settings,
-                   "change a number: elements.front.scale=1.5 (repeatable); overrides the file and its cases")
-      ->allow_extra_args(false)
-      ->type_name("PATH=VALUE");
-  CLI::Option* one_case =
-      added->add_option("--case", line.request.case_name, "a case of the file instead of the base model")
-          ->check(not_empty)
-          ->type_name("NAME");
-  if (!command.of_one_case) one_case->group("");  // refused with the reason
-  for (const Key& key : command.keys) add_key(*added, key, line);
-  for (const Key& key : command.keys)
-    if (*key.excludes != '\0')
-      added->get_option(std::string("--") + key.name)->excludes(added->get_option(std::string("--") + key.excludes));
-  add_forms(*added, command, line);
-  added->footer([&command] { return footer_of(command); });
-}
 
 /// Reports a word that is not a command.
 void refuse_command(CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); }))
     names.push_back(command->get_name());
   const std::string guess = trivet::foundation::nearest_name(word, names);
   trivet::cli::write_error("error: " + trivet::engine::quoted(word) + " is not a command; " +
@@ -184,10 +84,25 @@ void read_standard_input(trivet::engine::Source& source) {
   source = {"standard input", text.str(), "."};
 }
 
-int exit_code_of(const CLI::App& app, CommandLine& line, const std::string& starter) {
+/// Names of cases or elements of the project, a line each; nothing if it cannot be read.
+int print_names(const CommandLine& line, const std::string& kind) {
+  const auto session = trivet::engine::Session::open(line.source);
+  if (!session) return wrong_input;
+  std::string text;
+  for (const std::string& name : kind == "cases" ? session->case_names() : session->element_names())
+    if (!name.empty()) text += name + "\n";
+  return trivet::cli::write_output(text), 0;
+}
+
+int exit_code_of(const CLI::App& app, CommandLine& line, const FurtherWords& words) {
   const std::string name = app.get_subcommands().front()->get_name();
-  if (name == "new") return write_starter(starter);
+  if (name == "new") return write_starter(words.starter);
   if (name == "schema") return trivet::cli::write_output(trivet::engine::project_schema()), 0;
+  if (name == "man") return trivet::cli::write_output(trivet::cli::manual_page(trivet::cli::described_program(app))), 0;
+  if (name == "completion")
+    return trivet::cli::write_output(trivet::cli::completion_script(trivet::cli::described_program(app), words.shell)),
+           0;
+  if (name == "names") return print_names(line, words.kind);
   line.command = trivet::engine::find_command(name);
   line.request.command = name;
   line.request.before_keys = "--";
@@ -205,19 +120,8 @@ int run_program(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done, 1 something could not be computed, 2 the input is wrong, 128 + n ended by signal n, 141 the "
       "output pipe was closed; with --strict also 3 and 4, see run --help.");
-  for (const Command& command : trivet::engine::commands())
-    if (!command.for_programs) add_command(app, command, line);
-  const std::string files = heading(trivet::engine::Group::data);
-  std::string starter, helped;
-  app.add_subcommand("new", "a commented starter file")
-      ->group(files)
-      ->add_option("FILE", starter, "file to write; without it the text is printed")
-      ->type_name("");
-  app.add_subcommand("help", "help on a command")
-      ->group(files)
-      ->add_option("COMMAND", helped, "its name")
-      ->type_name("");
-  app.add_subcommand("schema", "the JSON Schema of the project file")->group(files);
+  FurtherWords words;
+  add_commands(app, line, words);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
@@ -227,8 +131,8 @@ int run_program(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return said_by_parser(app, error);
   }
-  if (app.got_subcommand("help")) return print_help(app, helped);
-  return trivet::cli::exit_code(exit_code_of(app, line, starter));
+  if (app.got_subcommand("help")) return print_help(app, words.helped);
+  return trivet::cli::exit_code(exit_code_of(app, line, words));
 }
 
 }  // namespace

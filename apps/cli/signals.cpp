@@ -29,7 +29,7 @@ void wait_and_end(sigset_t signals) {
   }
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends the program by default
   engine::remove_leftovers();
-  say("\ninterrupted; unfinished results are removed\n");
+  say("\ninterrupted; unfinished results are removed, and earlier files are as they were\n");
   _exit(128 + number);
 }
 

@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables that fit the screen, summaries, marked lines of the project file, and the front door of the command line."""
+import fcntl
 import os
+import pty
+import struct
+import subprocess
+import termios
 
-from trivet_test import PRINTED, SOURCE, InTemporaryFolder, trivet
+from trivet_test import PRINTED, SOURCE, TRIVET, InTemporaryFolder, trivet
 
 GENSET = SOURCE / "examples/genset/genset.toml"
 
@@ -18,6 +23,21 @@ class Terminal(InTemporaryFolder):
         table = done.split("\n  …")[0].splitlines()
         self.assertLessEqual(max(map(len, table)), 60)
         self.assertIn("for which the screen is too narrow: --full", done)
+
+    def test_frequencies_and_verdicts_stay_on_a_narrow_screen(self):
+        narrow = {**os.environ, "COLUMNS": "80"}
+        modes = trivet("modes", GENSET, env=narrow).stdout
+        self.assertRegex(modes, r"\n  mode +f \[Hz\] +motion\n")
+        self.assertIn("… without ω² [rad²/s²], most strain energy in, for which", modes)
+        drawn = trivet("map", SOURCE / "examples/paper/map.toml", "--points", "5", env=narrow).stdout
+        self.assertIn("margin   verdict\n", drawn)
+        self.assertIn("… without governed by, for which", drawn)
+
+    def test_explain_has_the_tables_of_one_peak(self):
+        short, full = trivet("explain", GENSET).stdout, trivet("explain", GENSET, "--full").stdout
+        self.assertEqual((short.count("  parameter,"), full.count("  parameter,")), (1, 10))
+        self.assertEqual(short.count("Its height is most sensitive"), full.count("Its height is most sensitive"))
+        self.assertIn("… the tables of 9 more peaks: --full\n", short)
 
     def test_warnings_are_on_standard_error(self):
         done = trivet("modes", PRINTED)
@@ -53,3 +73,58 @@ class Terminal(InTemporaryFolder):
         self.assertIn("bodies.b.mass", message)
         marked = message.partition("bodies.b.mass")[2].splitlines()[2]
         self.assertEqual(marked, "    | " + "^" * len(bodies.splitlines()[1]))
+
+    def test_check_and_map_in_full(self):
+        short, full = trivet("check", GENSET).stdout, trivet("check", GENSET, "--full").stdout
+        self.assertIn("… 21 checks of bodies and elements passed: --full", short)
+        self.assertEqual(full.count("   ok\n"), 21)
+        self.assertEqual(full.splitlines()[-8:], short.splitlines()[-8:])  # the mounts at rest
+        drawn = (SOURCE / "examples/paper/map.toml", "--points", "11")
+        short, full = trivet("map", *drawn).stdout, trivet("map", *drawn, "--full").stdout
+        self.assertIn("aggregate.x reaches", full)
+        self.assertNotIn("aggregate.x reaches", short)
+        self.assertRegex(short, r"Figure 4 +1 +0.1 s +0.0714\d +aggregate.rz ≤ 20.5 mrad +VIOLATED\n")
+        findings = sum(line.startswith("      ") for line in full.split("Cases on the map")[1].splitlines())
+        self.assertIn(f"… {findings} findings on these cases", short)
+
+    def on_terminal(self, columns, *words, **environment):
+        """Standard output of a run whose standard output is a terminal of this width."""
+        ours, theirs = pty.openpty()
+        fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
+        inherited = {key: value for key, value in os.environ.items() if key not in ("NO_COLOR", "COLUMNS")}
+        run = subprocess.Popen(
+            [TRIVET, *map(str, words)],
+            stdout=theirs,
+            stderr=subprocess.DEVNULL,
+            env={**inherited, "TERM": "xterm", **environment},
+        )
+        os.close(theirs)
+        text = b""
+        while True:
+            try:
+                piece = os.read(ours, 4096)
+            except OSError:  # the other end is closed
+                break
+            text += piece
+            if not piece:
+                break
+        os.close(ours)
+        self.assertEqual(run.wait(), 0)
+        return text.decode().replace("\r\n", "\n")
+
+    def test_colours_on_a_terminal(self):
+        words = ("run", GENSET, "-o", self.folder / "out")
+        self.assertIn("\x1b[31mVIOLATED\x1b[0m", self.on_terminal(100, *words))
+        for plain in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
+            self.assertNotIn("\x1b", self.on_terminal(100, *words, **plain))
+        self.assertIn("\x1b", self.on_terminal(100, *words, NO_COLOR=""))
+        self.assertNotIn("\x1b", trivet(*words).stdout)  # a pipe
+
+    def test_every_line_fits_the_terminal(self):
+        drawn = ("map", SOURCE / "examples/paper/map.toml", "--points", "11", "--full")
+        for width in (60, 80, 120):
+            for words in (drawn, ("verdict", GENSET), ("run", GENSET, "-o", self.folder / "out", "--full")):
+                with self.subTest(width=width, command=words[0]):
+                    lines = self.on_terminal(width, *words, NO_COLOR="1").splitlines()
+                    self.assertLessEqual(max(map(len, lines)), width)
+                    self.assertGreater(max(map(len, lines)), width - 25)

@@ -15,7 +15,8 @@ struct ShownTable {
     Mark mark = Mark::plain;
   };
   std::vector<std::string> headings;
-  std::vector<bool> numbers;  ///< right-aligned columns
+  std::vector<bool> numbers;      ///< right-aligned columns
+  std::vector<bool> frequencies;  ///< columns of frequencies and speeds
   std::vector<Row> rows;
 };
 [[nodiscard]] ShownTable shown_table(const Table& table, const project::DisplayUnits& display, Form form);

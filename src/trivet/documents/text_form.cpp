@@ -47,16 +47,16 @@ KeptRows kept_rows(const Table& table, std::size_t rows, std::size_t most, Form 
   return kept;
 }
 
-/// @param screen  null: as wide as text in files, with the rows that the table itself limits
-std::string text_of(const Table& table, const project::DisplayUnits& display, Form form, const Screen* screen) {
-  constexpr std::size_t width_in_files = 150;
+/// @param screen  null: in tables of this width, with the rows that the table itself limits
+std::string text_of(const Table& table, const project::DisplayUnits& display, Form form, std::size_t width,
+                    const Screen* screen) {
   const ShownTable shown = shown_table(table, display, form);
   if (shown.headings.empty()) return "";
   if (shown.rows.empty()) return table.without_rows.empty() ? "" : table.without_rows + "\n";
   const std::size_t rows = shown.rows.size();
   const bool summary = screen && !screen->full;
   const std::size_t most = !screen ? table.most_rows : summary ? std::min(table.most_rows, rows_in_summary) : rows;
-  TextTable text(shown.headings, table.together, screen ? screen->width : width_in_files, shown.numbers);
+  TextTable text(shown.headings, table.together, width, shown.numbers);
   std::string rest;
   if (rows <= most) {
     for (const ShownTable::Row& row : shown.rows) text.add(row.cells);
@@ -69,47 +69,31 @@ std::string text_of(const Table& table, const project::DisplayUnits& display, Fo
   }
   const std::string title = table.title.empty() ? "" : table.title + "\n";
   if (!summary) return title + text.text() + rest;
-  const FittedTable fitted = text.fitted();
+  const FittedTable fitted = text.fitted(shown.frequencies);
   if (!fitted.left_out.empty())
     rest += fmt::format("  … without {}, for which the screen is too narrow: --full\n",
                         foundation::comma_separated(fitted.left_out));
   return title + fitted.text + rest;
 }
 
-/// Lines of at most `width` characters; those after the first are indented.
-std::string wrapped(const std::string& text, std::size_t width) {
-  std::string lines, line;
-  for (std::size_t from = 0; from < text.size();) {
-    const std::size_t space = std::min(text.find(' ', from), text.size());
-    const std::string word = text.substr(from, space - from);
-    if (!line.empty() && width_on_screen(line) + 1 + width_on_screen(word) > width) {
-      lines += line + "\n";
-      line = "    " + word;
-    } else {
-      line += (line.empty() ? "" : " ") + word;
-    }
-    from = space + 1;
-  }
-  return lines + line;
-}
-
 struct Printing {
   const project::DisplayUnits& display;
   Form form;
   std::string& text;
+  std::size_t width = width_in_files;
   const Screen* screen = nullptr;
 
   void operator()(const Table& table) const {
-    if (table.forms & form) text += text_of(table, display, form, screen);
+    if (table.forms & form) text += text_of(table, display, form, width, screen);
   }
   void operator()(const Sentence& sentence) const {
     if (!(sentence.forms & form)) return;
     const std::string words = shown_sentence(sentence, display);
     if (words.empty()) return;
-    constexpr std::size_t width_in_files = 118;
-    const std::size_t width = screen ? std::min(screen->width, width_in_files) : width_in_files;
+    constexpr std::size_t widest = 118;
     const bool indented = sentence.place == Sentence::Place::note || sentence.place == Sentence::Place::item;
-    text += (indented ? "  " : "") + (sentence.place == Sentence::Place::text ? wrapped(words, width) : words) + "\n";
+    text += (indented ? "  " : "") +
+        (sentence.place == Sentence::Place::text ? with_line_breaks(words, std::min(width, widest)) : words) + "\n";
   }
   void operator()(const Group& group) const {
     const bool has_title = !group.title.empty() && !group.parts.empty();
@@ -125,14 +109,19 @@ struct Printing {
 }  // namespace
 
 std::string as_text(const Document& document, const project::DisplayUnits& display, Form form) {
+  return as_text(document, display, form, width_in_files);
+}
+
+std::string as_text(const Document& document, const project::DisplayUnits& display, Form form, std::size_t width) {
   std::string text;
-  for (const Part& part : document.parts) std::visit(Printing{display, form, text}, part.content);
+  for (const Part& part : document.parts) std::visit(Printing{display, form, text, width}, part.content);
   return text;
 }
 
 std::string as_text(const Document& document, const project::DisplayUnits& display, const Screen& screen) {
   std::string text;
-  for (const Part& part : document.parts) std::visit(Printing{display, on_screen, text, &screen}, part.content);
+  for (const Part& part : document.parts)
+    std::visit(Printing{display, on_screen, text, screen.width, &screen}, part.content);
   return text;
 }
 

@@ -88,28 +88,38 @@ std::string TextTable::text() const {
   return text;
 }
 
-FittedTable TextTable::fitted() const {
+FittedTable TextTable::fitted(const std::vector<bool>& kept) const {
   const std::size_t columns = rows_.front().size();
   const auto [widest, numeric] = layout();
   std::size_t all = 2 - gap;
   for (const std::size_t width : widest) all += gap + width;
   if (all <= screen_) return {text(), {}};
-  const bool keeps_last = columns > 2 && !numeric.back();
-  const std::size_t end = columns - (keeps_last ? 1 : 0);
-  std::size_t wide = 2 + widest[0] + (keeps_last ? gap + widest.back() : 0);
-  std::vector<std::size_t> part = {0};
-  for (std::size_t first = 1; first < end;) {
-    const std::size_t last = std::min(first + together_, end);
-    for (std::size_t c = first; c < last; ++c) wide += gap + widest[c];
-    if (wide > screen_) break;
-    for (; first < last; ++first) part.push_back(first);
+  std::vector<bool> shown(columns, false);
+  std::size_t wide = 2 - gap;
+  const auto add = [&](std::size_t column) {
+    shown[column] = true;
+    wide += gap + widest[column];
+  };
+  for (std::size_t c = 0; c < columns; ++c) {
+    const bool is_last_word = c + 1 == columns && columns > 2 && !numeric[c];
+    if (c == 0 || is_last_word || (together_ == 1 && c < kept.size() && kept[c])) add(c);
   }
-  if (part.size() == 1) return {blocks(), {}};
+  const auto necessary = std::ranges::count(shown, true);
+  if (wide > screen_) return {blocks(), {}};
+  for (std::size_t first = 1; first < columns; first += together_) {
+    std::size_t more = 0;
+    for (std::size_t c = first; c < std::min(first + together_, columns); ++c) more += shown[c] ? 0 : gap + widest[c];
+    if (wide + more > screen_) break;
+    for (std::size_t c = first; c < std::min(first + together_, columns); ++c)
+      if (!shown[c]) add(c);
+  }
+  if (necessary < 3 && std::ranges::count(shown, true) == necessary) return {blocks(), {}};
   FittedTable found;
-  for (std::size_t c = part.size(); c < end; ++c)
-    if (std::ranges::find(found.left_out, rows_.front()[c]) == found.left_out.end())
+  std::vector<std::size_t> part;
+  for (std::size_t c = 0; c < columns; ++c)
+    if (shown[c]) part.push_back(c);
+    else if (std::ranges::find(found.left_out, rows_.front()[c]) == found.left_out.end())
       found.left_out.push_back(rows_.front()[c]);
-  if (keeps_last) part.push_back(columns - 1);
   for (const auto& row : rows_) found.text += line(row, part, widest, numeric);
   return found;
 }

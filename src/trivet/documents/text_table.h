@@ -27,9 +27,10 @@ class TextTable {
       : rows_{std::move(header)}, together_(together), screen_(screen), numbers_(std::move(numbers)) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   [[nodiscard]] std::string text() const;
-  /// In one part: columns that do not fit are left out from the right, but for the first, and the last if it has words:
-  /// a verdict or a remark. If no other column fits beside them, each row is a block with a line for each column.
-  [[nodiscard]] FittedTable fitted() const;
+  /// In one part: columns that do not fit are left out from the right, but for the first, those to keep, and the last
+  /// if it has words: a verdict or a remark. If these do not fit, each row is a block with a line for each column.
+  /// @param kept  columns to keep, if none are together
+  [[nodiscard]] FittedTable fitted(const std::vector<bool>& kept) const;
 
  private:
   struct Layout {

@@ -33,7 +33,7 @@ struct Key {
   const char* name;  ///< "at": --at on a command line
   KeyKind kind;
   std::string about;
-  std::vector<std::string> choices = {};
+  std::vector<std::string> choices = {};  ///< of a text: those that are known, for completion
   const char* by_default = "";
   bool repeatable = false, required = false;
   bool positional = false;      ///< NAME after the project, instead of an option

@@ -15,6 +15,7 @@
 #include "trivet/report/drawing/figures.h"
 #include "trivet/report/figures/front_figure.h"
 #include "trivet/report/map/map_figure.h"
+#include "trivet/results/design/map_document.h"
 #include "trivet/results/design/map_json.h"
 #include "trivet/results/design/optimization_results.h"
 #include "trivet/results/design/selection_document.h"
@@ -99,6 +100,12 @@ study::CaseResults computed_maps(const Task& task) {
   return found;
 }
 
+documents::Document map_on_screen(const study::CaseResults& found, const documents::Screen& screen) {
+  const auto findings = screen.full ? results::Findings::all : results::Findings::governing;
+  return found.map ? results::map_document(*found.map, findings)
+                   : results::map_pairs_document(found.map_pairs, findings);
+}
+
 Result map(const Task& task) {
   const project::Case& variant = task.variant;
   const auto held = hold(task, computed_maps(task));
@@ -115,6 +122,9 @@ Result map(const Task& task) {
     else results::write_map_pairs_json(held->found.map_pairs, warnings, sink);
   };
   result.text = writer([held, &variant] { return results::result_text("map", variant, held->found); });
+  result.text_on = [held, &variant](const documents::Screen& screen) {
+    return documents::as_text(map_on_screen(held->found, screen), variant.display, screen);
+  };
   result.tables.emplace_back("map.csv", [held](const Sink& sink) {
     if (held->found.map) results::write_map_csv(*held->found.map, sink);
     else results::write_map_pairs_csv(held->found.map_pairs, sink);
@@ -240,7 +250,7 @@ Result select(const Task& task) {
   const auto document = [held, warnings = result.warnings](const project::DisplayUnits&) {
     return results::selection_document(held->found, warnings);
   };
-  set_forms(document, held, task.variant.display, {}, result, settings);
+  set_forms(document, held, task.variant.display, {"select.csv"}, result, settings);
   return result;
 }
 
@@ -312,8 +322,9 @@ std::vector<Command> design_commands() {
                  .choices = {"margin", "isolation", "price", "mass"},
                  .by_default = "margin"},
                 write_key("best mounts")},
+       .csv = true,
        .strict = true,
-       .examples = {"trivet select machine.toml --most 5", "trivet select machine.toml --by price --write best.toml"},
+       .examples = {"trivet select machine.toml --most 5 --csv", "trivet select machine.toml --by price --write best.toml"},
        .run = select},
   };
 }

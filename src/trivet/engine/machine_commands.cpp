@@ -12,7 +12,7 @@
 #include "trivet/project/analysis_filter.h"
 #include "trivet/report/figures/element_picture.h"
 #include "trivet/results/design/explanation_results.h"
-#include "trivet/results/model/check_text.h"
+#include "trivet/results/model/check_document.h"
 #include "trivet/results/model/element_results.h"
 #include "trivet/results/model/project_json.h"
 #include "trivet/results/model/suspension_document.h"
@@ -33,12 +33,6 @@ std::string judged_by_verdict(const project::Project& project) {
                      clearances ? ", clearances" : "", project.source);
 }
 
-std::string check_text(const std::vector<study::CaseCheck>& cases) {
-  std::string text;
-  for (const study::CaseCheck& one : cases) text += results::case_check_text(one);
-  return text;
-}
-
 Result check(const Task& task) {
   const auto held = hold(task, study::check(*task.project, task.keys.flag("deep")));
   const auto is_good = [](const study::CaseCheck& one) { return !one.deep || one.deep->passed; };
@@ -52,11 +46,15 @@ Result check(const Task& task) {
   const std::string closing = judged_by_verdict(*task.project) +
       fmt::format("{}: no errors{}\n", task.project->source,
                   result.warnings.list().empty() ? "" : ", but there are warnings");
-  result.text = writer([held, closing] { return check_text(held->found) + closing; });
   result.text_in = [held, closing](const project::DisplayUnits& display) {
     std::vector<study::CaseCheck> shown = held->found;
     for (study::CaseCheck& one : shown) one.display = display;
-    return check_text(shown) + closing;
+    return documents::as_text(results::check_document(shown, true), display) + closing;
+  };
+  const project::DisplayUnits& own = task.project->base().display;
+  result.text = writer([text = result.text_in, own] { return text(own); });
+  result.text_on = [held, closing, own](const documents::Screen& screen) {
+    return documents::as_text(results::check_document(held->found, screen.full), own, screen) + closing;
   };
   return result;
 }
@@ -73,6 +71,11 @@ Result explain(const Task& task) {
     return results::explanation_document(shown, held->found);
   };
   set_forms(in_units(document, variant), held, variant.display, {"explain.csv"}, result);
+  result.text_on = [held, &variant](const documents::Screen& screen) {
+    return documents::as_text(screen.full ? results::explanation_document(variant, held->found)
+                                          : results::explanation_document(variant, held->found, 1),
+                              variant.display, screen);
+  };
   return result;
 }
 

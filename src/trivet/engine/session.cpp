@@ -152,6 +152,12 @@ std::vector<std::string> Session::case_names() const {
   return names;
 }
 
+std::vector<std::string> Session::element_names() const {
+  std::vector<std::string> names;
+  for (const model::Element& element : project_->base().system.elements()) names.push_back(element.name);
+  return names;
+}
+
 foundation::Expected<std::string> Session::text_with_settings(const std::string& target) const {
   return project::text_with_settings(text_, *project_, settings_, target);
 }

@@ -53,6 +53,8 @@ class Session {
   [[nodiscard]] const std::string& text() const { return text_; }
   /// Names of the cases, the base model "" first.
   [[nodiscard]] std::vector<std::string> case_names() const;
+  /// Names of the elements of the base model.
+  [[nodiscard]] std::vector<std::string> element_names() const;
   /// A hash, equal for projects of equal content, also of the files that they name, when they were opened.
   [[nodiscard]] const std::string& content() const { return content_; }
   /// The text with the settings for a file; comments, order and format stay. @param target  the file: names of files

@@ -38,14 +38,15 @@ std::string case_heading(const project::Case& variant) {
   return text;
 }
 
-std::string verdicts_text(const report::WrittenStudy& study) {
+std::string verdicts_text(const report::WrittenStudy& study, std::size_t width) {
   std::string text;
   for (const study::CaseResults& one : study.results)
     if (one.verdict)
-      text += as_text(results::verdict_document(*one.verdict), one.verdict->display, documents::in_summary);
+      text += as_text(results::verdict_document(*one.verdict), one.verdict->display, documents::in_summary, width);
   const study::Envelope& envelope = study.envelope;
   if (study.results.front().verdict)
-    text += (envelope.rows.empty() ? "" : "\n") + as_text(results::envelope_document(envelope), envelope.display);
+    text += (envelope.rows.empty() ? "" : "\n") +
+        as_text(results::envelope_document(envelope), envelope.display, documents::on_screen, width);
   return text.empty() ? text : text + "\n";
 }
 
@@ -62,14 +63,18 @@ Result run(const Task& task) {
     result.complete = result.complete && result.cases.back().complete;
     result.findings.add(held->found.results[i]);
   }
-  const bool full = task.keys.flag("full");
-  result.text = [held, folder, full, cases = result.cases](const Sink& sink) {
-    sink(results::study_summary(*held->project, held->found.results));
-    if (full) sink(verdicts_text(held->found));
-    for (std::size_t i = 0; full && i < cases.size(); ++i)
-      sink(case_heading(held->project->cases[i]) + preface(cases[i]) + whole(cases[i].text) + "\n");
-    sink(fmt::format("Report: {}/report.html{}\n", folder, full ? "" : " (with all tables, also printed by --full)"));
+  result.text_on = [held, folder, cases = result.cases](const documents::Screen& screen) {
+    const report::WrittenStudy& study = held->found;
+    std::string text = results::study_summary(*held->project, study.results, screen.width);
+    if (screen.full) text += verdicts_text(study, screen.width);
+    for (std::size_t i = 0; screen.full && i < cases.size(); ++i)
+      text += case_heading(held->project->cases[i]) + preface(cases[i]) +
+          results::results_summary(held->project->cases[i], study.results[i], screen.width) + "\n";
+    return text +
+        fmt::format("Report: {}/report.html{}\n", folder,
+                    screen.full ? "" : " (with all tables, also printed by --full)");
   };
+  result.text = writer([text = result.text_on] { return text(documents::Screen{}); });
   return result;
 }
 
@@ -78,6 +83,12 @@ std::string format_list() {
   for (const exports::Format& format : exports::formats())
     formats += std::string("\n  ") + format.name + ": " + format.about;
   return formats;
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const exports::Format& format : exports::formats()) names.emplace_back(format.name);
+  return names;
 }
 
 Result exported(const Task& task) {
@@ -103,7 +114,6 @@ std::vector<Command> whole_commands() {
                  .about = "result folder",
                  .by_default = "trivet-results",
                  .short_name = "o"},
-                {.name = "full", .kind = KeyKind::flag, .about = "print the tables of all results, too"},
                 {.name = "report",
                  .kind = KeyKind::choice,
                  .about = "form of report.html, in place of that of the file",
@@ -121,6 +131,7 @@ std::vector<Command> whole_commands() {
        .keys = {{.name = "to",
                  .kind = KeyKind::text,
                  .about = "format:" + format_list(),
+                 .choices = format_names(),
                  .required = true,
                  .value = "FORMAT"},
                 {.name = "output",

@@ -167,11 +167,11 @@ std::vector<ResultFile> result_files(const project::Case& variant, const study::
   return files;
 }
 
-std::string results_summary(const project::Case& variant, const study::CaseResults& results) {
+std::string results_summary(const project::Case& variant, const study::CaseResults& results, std::size_t width) {
   std::string text;
   for (const ResultWriter& writer : result_writers()) {
     if (!writer.is_there(variant, results)) continue;
-    const std::string one = written_text(writer, variant, results, in_summary);
+    const std::string one = as_text(writer.document(variant, results), variant.display, in_summary, width);
     if (!one.empty()) text += one + "\n";
   }
   return text;

@@ -157,6 +157,10 @@ Table lever_table(std::vector<Lever> levers) {
 Group share_group(const project::Case& variant, const Explanation& explanation, const PeakShares& shares) {
   Group group{.key = "shares", .parts = {{mode_shares(explanation, shares)}}};
   const auto add = [&](const char* name, double share) { group.parts.push_back({Single{name, json::number(share)}}); };
+  if (std::ranges::any_of(shares.modes, [](const auto& mode) { return mode.share <= -worth_a_row; }))
+    group.parts.push_back({Sentence{.parts = {"a mode below 0 % moves against the others at the peak, which therefore "
+                                              "add up to more than 100 %"},
+                                    .place = Sentence::Place::note}});
   if (std::abs(shares.beyond_modes) >= worth_a_row)
     group.parts.push_back(
         {Sentence{.parts = {"beyond the undamped modes: ", Quantity{shares.beyond_modes, "1", Kind::share}},
@@ -170,6 +174,16 @@ Group share_group(const project::Case& variant, const Explanation& explanation, 
   add("dissipated_power", shares.dissipated_power);
   add("system_damping", shares.system_damping);
   add("foundation_damping", shares.by_foundations);
+  return group;
+}
+
+/// Without tables: for people alone.
+Group sentences_group(const project::Case& variant, const ExplainedPeak& peak) {
+  Group group{.key = "", .parts = {}, .in_list = true};
+  group.parts.push_back(
+      {Sentence{.parts = {peak.sentence + sentence_note(variant.display)}, .place = Sentence::Place::text}});
+  for (const std::string& note : peak.notes)
+    group.parts.push_back({Sentence{.parts = {"note: " + note}, .place = Sentence::Place::note}});
   return group;
 }
 
@@ -201,13 +215,19 @@ Group peak_group(const project::Case& variant, const Explanation& explanation, c
 
 }  // namespace
 
-Document explanation_document(const project::Case& variant, const Explanation& explanation) {
+Document explanation_document(const project::Case& variant, const Explanation& explanation, std::size_t with_tables) {
   Document document;
   for (const foundation::Problem& problem : explanation.warnings.list())
     document.add(Sentence{.parts = {foundation::message(problem)}, .forms = on_page});
   for (const std::string& note : explanation.notes) document.add(Sentence{.parts = {"note: " + note}});
   document.add(Single{"peaks", Json::array()});
-  for (const ExplainedPeak& peak : explanation.peaks) document.add(peak_group(variant, explanation, peak));
+  for (std::size_t i = 0; i < explanation.peaks.size(); ++i)
+    document.add(i < with_tables ? peak_group(variant, explanation, explanation.peaks[i])
+                                 : sentences_group(variant, explanation.peaks[i]));
+  if (with_tables < explanation.peaks.size())
+    document.add(Sentence{
+        .parts = {fmt::format("… the tables of {} more peaks: --full", explanation.peaks.size() - with_tables)},
+        .forms = on_screen});
   document.add(Single{"left_out", explanation.left_out});
   document.add(Single{"warnings", json::warnings(explanation.warnings)});
   if (!explanation.notes.empty()) document.add(Words{.key = "notes", .list = explanation.notes});

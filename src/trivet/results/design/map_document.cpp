@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/results/design/map_cases.h"
 #include "trivet/results/design/map_summary.h"
 #include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/distinct_texts.h"
@@ -189,26 +190,6 @@ std::vector<Sentence> rule_notes(const DesignMap& map) {
   return notes;
 }
 
-/// The verdict on every case, with its findings.
-Group marks_group(const DesignMap& map) {
-  const auto place = [](const std::optional<double>& value, const project::DesignAxis& axis) {
-    return value ? axis_value(*value, axis) : std::string("not in the file");
-  };
-  Group group{.key = "", .parts = {}, .title = "Cases on the map"};
-  for (const study::MapMark& mark : map.marks) {
-    group.parts.push_back({Sentence{
-        .parts = {fmt::format("{} ({}, {}): {}{}", mark.name.empty() ? "base model" : mark.name,
-                              place(mark.x, map.request.x), place(mark.y, map.request.y),
-                              !mark.judged                            ? "NOT COMPUTED"
-                                  : mark.judged->governing.feasible() ? "meets every rule"
-                                                                      : "VIOLATES the rules",
-                              mark.of_this_model ? "" : "; its model differs by more than the two numbers")}}});
-    for (const std::string& words : verdict_words(map, mark))
-      group.parts.push_back({Sentence{.parts = {"    " + words}, .place = Sentence::Place::item}});
-  }
-  return group;
-}
-
 std::string title_words(const DesignMap& map) {
   return fmt::format("Map of {} designs{}: {}; {}", map.outcomes.size(),
                      map.case_name.empty() ? "" : " of case " + map.case_name, axis_words(map.request.x),
@@ -252,7 +233,7 @@ Table pairs_table(const std::vector<DesignMap>& maps) {
 
 }  // namespace
 
-Document map_document(const DesignMap& map) {
+Document map_document(const DesignMap& map, Findings findings) {
   Document document;
   const auto json = [&](const char* name, Json value) {
     document.add(Single{.name = name, .value = std::move(value)});
@@ -282,16 +263,16 @@ Document map_document(const DesignMap& map) {
   json("way", map.report.summary());
   json("evaluation", evaluation_json(map.report));
   document.add(missing_table(map));
-  document.add(marks_group(map));
+  document.add(findings == Findings::all ? cases_on_map(map) : governing_on_map(map));
   document.add(note(map.report.summary()));
   return document;
 }
 
-Document map_pairs_document(const std::vector<DesignMap>& maps) {
+Document map_pairs_document(const std::vector<DesignMap>& maps, Findings findings) {
   Document document{{{pairs_table(maps)}}};
   for (const DesignMap& map : maps)
     document.add(Group{.key = "",
-                       .parts = map_document(map).parts,
+                       .parts = map_document(map, findings).parts,
                        .title = axis_name(map.request.x) + " and " + axis_name(map.request.y)});
   return document;
 }

@@ -9,11 +9,14 @@
 
 namespace trivet::results {
 
+/// Of the cases on a map: all findings, or a row for each with the rule that governs it.
+enum class Findings { all, governing };
+
 /// The feasible share of a map, the governing rules, the best design and the verdict on every case; in JSON all but the
 /// grid, which map_json.h writes.
-[[nodiscard]] Document map_document(const study::DesignMap& map);
+[[nodiscard]] Document map_document(const study::DesignMap& map, Findings findings = Findings::all);
 
 /// For people: maps of several pairs of parameters, side by side and one after another.
-[[nodiscard]] Document map_pairs_document(const std::vector<study::DesignMap>& maps);
+[[nodiscard]] Document map_pairs_document(const std::vector<study::DesignMap>& maps, Findings findings = Findings::all);
 
 }  // namespace trivet::results

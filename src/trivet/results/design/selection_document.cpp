@@ -58,15 +58,18 @@ Table design_table(const MountSelection& found, const std::string& heading, std:
       chosen[found.choices[c].name] = found.choices[c].mounts[design.mounts[c]];
     return chosen;
   };
+  const ColumnOptions in_file = {.forms = in_csv};
   std::vector<Column> columns = {row("name", Kind::words, heading, &NamedDesign::name, shown),
+                                 row("rank", Kind::words, "", &NamedDesign::name, in_file),
                                  row("mounts", Kind::words, "", mounts, {.forms = in_json})};
-  for (std::size_t c = 0; c < found.choices.size(); ++c)
-    columns.push_back(row(
-        "mount", Kind::words, found.choices[c].name,
-        [&choice = found.choices[c], c](const MountDesign& design) {
-          return design.mounts.empty() ? "as given" : choice.mounts[design.mounts[c]];
-        },
-        shown));
+  for (std::size_t c = 0; c < found.choices.size(); ++c) {
+    const std::string& name = found.choices[c].name;
+    const auto mount = [&choice = found.choices[c], c](const MountDesign& design) {
+      return design.mounts.empty() ? "as given" : choice.mounts[design.mounts[c]];
+    };
+    columns.push_back(row("mount", Kind::words, name, mount, shown));
+    columns.push_back(row(name, Kind::words, "", mount, in_file));
+  }
   const auto add = [&](const char* name, Kind kind, const char* head, auto value, ColumnOptions options = {}) {
     columns.push_back(row(name, kind, head, value, std::move(options)));
   };
@@ -156,7 +159,9 @@ void add_designs(const MountSelection& found, std::vector<NamedDesign> best, Doc
                 margin_words(first)}});
   best.push_back({found.given, "given"});
   const bool any = std::ranges::any_of(best, [](const NamedDesign& one) { return one.transmissibility.has_value(); });
-  document.add(design_table(found, "rank", std::move(best))).forms = for_people;
+  Table& ranked = document.add(design_table(found, "rank", std::move(best)));
+  ranked.file = "select.csv";
+  ranked.forms = for_people | in_csv;
   document.add(Sentence{.parts = {any ? "transmits: " + found.transmissibility : ""}, .place = Sentence::Place::note});
   Group& options = document.add(Group{.title = is_exchange(found)
                                           ? "What each mount reaches with the others of the first combination:"

@@ -29,8 +29,6 @@ namespace {
 using Outcome = Judgement::Outcome;
 using Cases = std::vector<study::CaseResults>;
 
-constexpr std::size_t summary_width = 100;  // characters
-
 std::string case_name_words(const study::CaseResults& results) {
   return results.case_name.empty() ? "base model" : results.case_name;
 }
@@ -168,7 +166,7 @@ std::string verdict_cell(const std::vector<Judgement>& list, std::size_t which) 
   if (all == 0) return "–";
   if (violated > 0) return fmt::format("{} of {} VIOLATED", violated, all);
   if (missing > 0) return fmt::format("{} of {} NOT JUDGED", missing, all);
-  if (no_need > 0) return fmt::format("{} of {} need not hold", no_need, all);
+  if (no_need > 0) return fmt::format("{} of {} violated, not required", no_need, all);
   return fmt::format("{} of {} met", all, all);
 }
 
@@ -195,7 +193,8 @@ bool is_not_computed(const study::CaseResults& results, const foundation::Proble
   return std::ranges::find(failures, warning.subject) != failures.end();
 }
 
-std::string cases_text(const project::Project& project, const std::vector<Judgement>& list, const Cases& cases) {
+std::string cases_text(const project::Project& project, const std::vector<Judgement>& list, const Cases& cases,
+                       std::size_t width) {
   const project::DisplayUnits& display = project.base().display;
   std::vector<std::vector<std::string>> rows = {
       {"case", "verdict", "warnings", "modes [" + frequency_unit(display) + "]", "highest peak"}};
@@ -209,7 +208,7 @@ std::string cases_text(const project::Project& project, const std::vector<Judgem
   for (std::size_t c = rows.front().size(); c-- > 0;)
     if (std::all_of(rows.begin() + 1, rows.end(), [&](const auto& row) { return row[c].empty() || row[c] == "–"; }))
       for (auto& row : rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(c));
-  TextTable table(rows.front(), 1, summary_width);
+  TextTable table(rows.front(), 1, width);
   for (std::size_t r = 1; r < rows.size(); ++r) table.add(rows[r]);
   return table.text() + "\n";
 }
@@ -299,11 +298,12 @@ std::string warnings_and_notes(const Cases& cases) {
 
 }  // namespace
 
-std::string study_summary(const project::Project& project, const std::vector<study::CaseResults>& results) {
+std::string study_summary(const project::Project& project, const std::vector<study::CaseResults>& results,
+                          std::size_t width) {
   std::vector<const study::CaseResults*> all;
   for (const study::CaseResults& one : results) all.push_back(&one);
   const std::vector<Judgement> list = judgements(all);
-  return wrong_text(project, list, results) + operation_text(results) + cases_text(project, list, results) +
+  return wrong_text(project, list, results) + operation_text(results) + cases_text(project, list, results, width) +
       designs_text(results) + warnings_and_notes(results);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace trivet::results {
 /// margin; then what happens at the speeds of the machine, and one line per case with its warnings, natural frequencies
 /// and highest peak, the best design, and warnings and notes, each once with its cases.
 /// @param results  of every case of the project, in its order
-[[nodiscard]] std::string study_summary(const project::Project& project,
-                                        const std::vector<study::CaseResults>& results);
+/// @param width  of its table [characters]
+[[nodiscard]] std::string study_summary(const project::Project& project, const std::vector<study::CaseResults>& results,
+                                        std::size_t width);
 
 }  // namespace trivet::results

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "trivet/documents/document.h"
+#include "trivet/documents/screen.h"
 #include "trivet/results/format/in_documents.h"
 #include "trivet/study/analyses/case_results.h"
 
@@ -49,7 +51,8 @@ struct ResultFile {
 [[nodiscard]] std::vector<ResultFile> result_files(const project::Case& variant, const study::CaseResults& results);
 
 /// All results of a case for the screen.
-[[nodiscard]] std::string results_summary(const project::Case& variant, const study::CaseResults& results);
+[[nodiscard]] std::string results_summary(const project::Case& variant, const study::CaseResults& results,
+                                          std::size_t width = documents::width_in_files);
 
 /// The limits on the response for the page; empty without limits.
 [[nodiscard]] std::string limits_html(const study::CaseResults& results);

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Completion in shells and the manual page, both generated from the options that the program accepts."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+
+from trivet_test import SOURCE, TRIVET, InTemporaryFolder, trivet
+
+GENSET = SOURCE / "examples/genset/load_cases.toml"
+# Sources the script and asks it as the shell does: `words` are those of the line, the last is completed.
+ASK = """
+source "$1"; shift
+COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _trivet 2>/dev/null; printf '%s\\n' "${COMPREPLY[@]}"
+"""
+
+
+def listed_commands():
+    return re.findall(r"^  ([a-z_]+)  ", trivet("--help").stdout, re.M)
+
+
+class Completion(InTemporaryFolder):
+    def bash(self, *words):
+        script = self.folder / "completion.bash"
+        script.write_text(trivet("completion", "bash").stdout)
+        path = f"{pathlib.Path(TRIVET).resolve().parent}:{os.environ['PATH']}"
+        done = subprocess.run(
+            ["bash", "--norc", "-c", ASK, "bash", script, *map(str, words)],
+            capture_output=True,
+            text=True,
+            cwd=self.folder,
+            env={**os.environ, "PATH": path},
+        )
+        self.assertEqual(done.stderr, "")
+        return [word for word in done.stdout.split("\n") if word]
+
+    def test_commands(self):
+        self.assertEqual(self.bash("trivet", "ver"), ["verdict"])
+        every = self.bash("trivet", "")
+        self.assertLessEqual(set(listed_commands()), set(every))
+        self.assertIn("completion", every)
+        self.assertNotIn("names", every)
+
+    def test_every_option_of_every_help(self):
+        for command in listed_commands():
+            options = set(re.findall(r"^ +(?:-\w, *)?(--[a-z-]+)", trivet(command, "--help").stdout, re.M))
+            with self.subTest(command=command):
+                self.assertEqual(set(word for word in self.bash("trivet", command, "-") if word[1] == "-"), options)
+
+    def test_values(self):
+        self.assertEqual(self.bash("trivet", "select", "a.toml", "--by", "p"), ["price"])
+        self.assertEqual(self.bash("trivet", "run", "a.toml", "--report", ""), ["full", "short"])
+        self.assertIn("matlab", self.bash("trivet", "export", "a.toml", "--to", "mat"))
+        self.assertEqual(self.bash("trivet", "completion", ""), ["bash", "zsh", "fish"])
+
+    def test_names_in_the_project(self):
+        shutil.copytree(GENSET.parent, self.folder / "genset")
+        names = trivet("names", GENSET, "cases").stdout.splitlines()
+        self.assertGreater(len(names), 3)
+        plain = [re.sub(r"\\(.)", r"\1", one) for one in self.bash("trivet", "modes", GENSET, "--case", "")]
+        self.assertEqual(plain, names)
+        self.assertEqual(self.bash("trivet", "element", GENSET, "front"), [r"front\ left", r"front\ right"])
+        self.assertEqual(self.bash("trivet", "element", "--case", "hot", GENSET, "'front l"), ["front left"])
+        self.assertEqual(self.bash("trivet", "modes", "no such file", "--case", ""), [])
+
+    def test_files(self):
+        self.file("", "machine one.toml")
+        self.assertEqual(self.bash("trivet", "modes", "mach"), ["machine one.toml"])
+        self.assertEqual(self.bash("trivet", "map", "a.toml", "--picture", "mach"), ["machine one.toml"])
+
+    def test_scripts_are_of_their_shells(self):
+        for shell in ("bash", "zsh", "fish"):
+            script = self.folder / shell
+            script.write_text(trivet("completion", shell).stdout)
+            for command in listed_commands():
+                self.assertIn(command, script.read_text())
+            if shutil.which(shell):
+                done = subprocess.run([shell, "-n", script], capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(trivet("completion", "tcsh").returncode, 2)
+
+
+class Manual(InTemporaryFolder):
+    def test_every_command_and_option_is_there(self):
+        page = self.folder / "trivet.1"
+        page.write_text(trivet("man").stdout)
+        if not shutil.which("groff"):
+            self.skipTest("no groff")
+        done = subprocess.run(
+            ["groff", "-ww", "-K", "utf8", "-T", "utf8", "-P", "-cbou", "-man", page], capture_output=True, text=True
+        )
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        text = re.sub(r"[‐−]", "-", done.stdout)
+        self.assertTrue(text.startswith("TRIVET(1)"), text[:60])
+        for command in listed_commands():
+            help_text = trivet(command, "--help").stdout
+            self.assertRegex(text, rf"\n +trivet {command}\b")
+            for option in re.findall(r"^ +(?:-\w, *)?(--[a-z-]+)", help_text, re.M):
+                if option != "--help":
+                    self.assertIn(option, text)
+        for words in ("NO_COLOR", "EXIT STATUS", 'trivet element machine.toml "front left" --picture mount.svg'):
+            self.assertIn(words, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
