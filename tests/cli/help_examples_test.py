@@ -18,6 +18,7 @@ MACHINES = {
     "random": "optical_table/table.toml",
     "transient": "transport_shock/device.toml",
     "shock_spectrum": "transport_shock/device.toml",
+    "earthquake": "skew_mounts/machine.toml",
     "map": "paper/map.toml",
     "optimize": "powertrain/decoupled.toml",
     "verdict": "compressor/requirements.toml",
