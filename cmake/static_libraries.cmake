@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # With TRIVET_PORTABLE, a folder of static libraries (scripts/static-libraries), programs need none of the shared ones
-# of this system. Headers are those of the system's packages, whose versions they have.
+# of this system. HDF5 is left out: compressed, it would be a megabyte of nine. Headers are those of the system's packages,
+# whose versions the libraries have.
 function(add_static target library)  # ARGN: what it needs itself
   find_library(found NAMES lib${library}.a PATHS ${TRIVET_PORTABLE} NO_DEFAULT_PATH REQUIRED NO_CACHE)
   add_library(${target} STATIC IMPORTED)
@@ -12,8 +13,4 @@ add_static(NLopt::nlopt nlopt m)
 add_static(tomlplusplus::tomlplusplus tomlplusplus)
 add_static(PkgConfig::MD md)
 add_static(ZLIB::ZLIB z)
-add_static(trivet::plain_hdf5 hdf5 ZLIB::ZLIB dl m)
-add_static(PkgConfig::HDF5 hdf5_hl trivet::plain_hdf5)
-set_property(TARGET PkgConfig::HDF5 PROPERTY INTERFACE_INCLUDE_DIRECTORIES /usr/include/hdf5/serial)
-set(HDF5_HL_LIBRARY "")
 add_static(PkgConfig::XLSXWRITER xlsxwriter ZLIB::ZLIB)
