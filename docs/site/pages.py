@@ -65,6 +65,14 @@ def examples():
         yield f"examples/{folder.name}.md", "\n".join(lines)
 
 
+def on_config(config):
+    """Puts all decisions into the menu."""
+    developers = next(group["Developers"] for group in config.nav if "Developers" in group)
+    decisions = next(entry for entry in developers if isinstance(entry, dict) and "Decisions" in entry)
+    decisions["Decisions"] = sorted(f"decisions/{path.name}" for path in (ROOT / "docs/decisions").glob("*.md"))
+    return config
+
+
 def on_files(files, config):
     """Adds what is generated, and documents of other folders."""
     pages.clear()
