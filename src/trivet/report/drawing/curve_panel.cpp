@@ -13,11 +13,7 @@ namespace trivet::report {
 
 namespace {
 
-constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52,
-                 key_line = 15, between_keys = 5, title_height = 40, label_above_panel = 12;
-
-constexpr double widest_text = 36;  // characters that fit next to a panel
-constexpr double air = 0.12;        // of an axis, for the text of a mark beyond the curves
+constexpr double air = 0.12;  // of an axis, for the text of a mark beyond the curves
 
 /// Has the value a position on the axis or beyond its ends?
 bool drawable(const Axis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
@@ -89,15 +85,6 @@ std::vector<PixelPoint> corners(const std::vector<PixelPoint>& points) {
   return result;
 }
 
-double key_height(const std::vector<PanelCurve>& curves) {
-  double height = 0;
-  for (const PanelCurve& curve : curves)
-    if (!curve.key.empty()) height += key_line * static_cast<double>(curve.key.size()) + between_keys;
-  return height;
-}
-
-double height_of(const PanelRow& row) { return std::max(row_height + below_panel, key_height(row.curves) + 16); }
-
 }  // namespace
 
 std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& p, const std::vector<double>& x,
@@ -123,21 +110,6 @@ std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& p, const st
   }
   for (auto& piece : pieces) piece = corners(thinned(piece));
   return pieces;
-}
-
-void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve>& curves) {
-  double y = corner.y + 10;
-  for (const PanelCurve& curve : curves) {
-    if (curve.key.empty()) continue;
-    canvas.line({corner.x, y}, {corner.x + 28, y}, curve.stroke);
-    for (const std::string& text : curve.key) {
-      const double size = std::clamp(11 * widest_text / static_cast<double>(text.size()), 6.0, 11.0);
-      canvas.text({corner.x + 34, y + 4}, text,
-                  fmt::format("font-size=\"{:.1f}\" fill=\"{}\"", size, &text == &curve.key.front() ? "#000" : "#444"));
-      y += key_line;
-    }
-    y += between_keys;
-  }
 }
 
 std::vector<PanelCurve> turning_curve(const std::vector<double>& x, const std::vector<double>& y,
@@ -172,22 +144,6 @@ void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row) {
   for (const PanelCurve& curve : row.curves)
     for (const auto& piece : visible_pieces(panel, curve.x, curve.y)) canvas.polyline(piece, curve.stroke);
   draw_panel_marks(canvas, panel, row.marks);
-}
-
-Figure stacked_rows(const std::string& title, const std::string& file_name, const std::vector<PanelRow>& rows) {
-  double height = title_height;
-  for (const PanelRow& row : rows) height += height_of(row);
-  SvgCanvas canvas(canvas_width, height);
-  canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
-  double top = title_height;
-  for (const PanelRow& row : rows) {
-    if (top > title_height) canvas.permit_break(top - label_above_panel);
-    const PlotPanel panel{{panel_left, top}, panel_width, row_height, row.x, row.y};
-    draw_row(canvas, panel, row);
-    draw_key(canvas, {panel_left + panel_width + 18, top}, row.curves);
-    top += height_of(row);
-  }
-  return {title, file_name, canvas.svg(title), canvas.strips(title)};
 }
 
 Axis logarithmic_axis(const std::vector<PanelCurve>& curves, double depth, std::string label) {

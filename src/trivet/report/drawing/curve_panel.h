@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "trivet/report/drawing/figures.h"
 #include "trivet/report/drawing/plot_panel.h"
 
 namespace trivet::report {
@@ -27,13 +26,14 @@ struct PanelMark {
 [[nodiscard]] std::vector<PanelCurve> turning_curve(const std::vector<double>& x, const std::vector<double>& y,
                                                     const std::string& stroke, const std::string& key);
 
-/// A panel with its curves, and their key to the right of it.
+/// A panel with its curves.
 struct PanelRow {
   Axis x, y;
   std::vector<PanelCurve> curves;
   std::vector<PanelMark> marks;
   std::vector<double> levels = {};                     ///< thin horizontal lines
   std::vector<std::pair<double, double>> shaded = {};  ///< ranges (from, to) along x
+  std::string title = {};                              ///< above it, next to other panels
 };
 
 /// The part of a curve inside its panel, thinned to what is visible (extremes remain).
@@ -42,13 +42,6 @@ struct PanelRow {
                                                                   const std::vector<double>& y);
 
 void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row);
-
-/// Draws samples of strokes with their texts, downwards from a corner.
-void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve>& curves);
-
-/// Rows below each other under a title; a page may break between them.
-[[nodiscard]] Figure stacked_rows(const std::string& title, const std::string& file_name,
-                                  const std::vector<PanelRow>& rows);
 
 /// A logarithmic axis over the finite values of curves, down to `depth` times the largest at most.
 [[nodiscard]] Axis logarithmic_axis(const std::vector<PanelCurve>& curves, double depth, std::string label);

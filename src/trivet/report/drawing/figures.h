@@ -8,12 +8,15 @@
 
 namespace trivet::report {
 
+inline constexpr double half_figure_width = 485;  ///< [pixels]
+
 /// One picture for print.
 struct Figure {
   std::string title;
   std::string file_name;  ///< "01-machine.svg"
   std::string svg;
   std::vector<std::string> strips = {};  ///< the same in parts between which a page may break
+  bool half = false;                     ///< of half the width: the page places two of them side by side
 
   /// For the page: the strips, or else the picture.
   [[nodiscard]] std::string html() const;

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "trivet/report/drawing/label_placement.h"
+
 namespace trivet::report {
 namespace {
 
@@ -51,7 +53,9 @@ std::vector<double> minor_values(const Axis& axis) {
 double y_title_distance(const PlotPanel& p) {
   constexpr double usual = 48, of_sign = 6.2, beside = 20, at_edge = 10;
   std::size_t signs = 0;
-  for (const Tick& tick : p.y.ticks(y_ticks)) signs = std::max(signs, tick.label.size());
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };  // of a character in UTF-8
+  for (const Tick& tick : p.y.ticks(y_ticks))
+    signs = std::max(signs, static_cast<std::size_t>(std::ranges::count_if(tick.label, begins)));
   return std::min(p.corner.x - at_edge, std::max(usual, of_sign * static_cast<double>(signs) + beside));
 }
 
@@ -60,7 +64,7 @@ void draw_frame(SvgCanvas& canvas, const PlotPanel& p) {
   for (const Tick& tick : p.x.ticks(std::max(3, static_cast<int>(p.width / 70)))) {
     const double x = p.at(tick.value, p.y.from).x;
     canvas.line({x, p.corner.y}, {x, bottom}, "stroke=\"#e4e4e4\"");
-    canvas.text({x, bottom + 15}, tick.label, "text-anchor=\"middle\" fill=\"#333\"");
+    canvas.text({x, bottom + 16.5}, tick.label, "text-anchor=\"middle\" fill=\"#333\"");
   }
   for (const Tick& tick : p.y.ticks(y_ticks)) {
     const double y = p.at(p.x.from, tick.value).y;
@@ -76,9 +80,13 @@ void draw_frame(SvgCanvas& canvas, const PlotPanel& p) {
     canvas.line({p.corner.x, y}, {p.corner.x + 4, y}, "stroke=\"#777\" stroke-width=\"0.8\"");
   }
   canvas.rectangle(p.corner, p.width, p.height, "fill=\"none\" stroke=\"#333\"");
-  canvas.text({p.corner.x + p.width / 2, bottom + 31}, p.x.label, "text-anchor=\"middle\"");
+  canvas.text({p.corner.x + p.width / 2, bottom + 32}, p.x.label, "text-anchor=\"middle\"");
   const double x = p.corner.x - y_title_distance(p), y = p.corner.y + p.height / 2;
-  canvas.text({x, y}, p.y.label, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
+  constexpr double font = 11, beyond = 36;  // of the frame, where the label may be
+  const double size = font * std::min(1.0, (p.height + beyond) / text_width(p.y.label, font));
+  canvas.text(
+      {x, y}, p.y.label,
+      fmt::format("text-anchor=\"middle\" font-size=\"{:.1f}\" transform=\"rotate(-90 {:.2f} {:.2f})\"", size, x, y));
 }
 
 SeriesStyle series_style(std::size_t series) {

@@ -9,6 +9,7 @@
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/in_documents.h"
+#include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
 
 /// Nonlinear modes.
@@ -78,7 +79,7 @@ std::vector<Figure> backbone_figures(const study::CaseResults& results) {
       }
     constexpr double invisible = 1e-6;  // of the largest of its unit
     if (!(largest > invisible * of_unit)) continue;
-    figures.push_back(stacked_rows(case_title("Nonlinear modes in " + first.results[c], results),
+    figures.push_back(panel_figure(case_title("Nonlinear modes in " + first.results[c], results),
                                    "backbone-" + file_part(first.results[c]) + ".svg",
                                    mode_rows(*modes, c, results.display, largest)));
   }

@@ -39,7 +39,7 @@ void draw_natural_frequencies(SvgCanvas& canvas, const PlotPanel& p, const respo
     canvas.polyline({{right, y}, {right + 12, at}, {right + 16, at}}, "stroke=\"#999\" stroke-width=\"0.8\"");
     canvas.text(
         {right + 20, at + 4},
-        fmt::format("{}{:.4g} Hz, ζ = {:.2g}", line.nearest_mode ? fmt::format("mode {}: ", *line.nearest_mode) : "",
+        fmt::format("{}{:.4g} Hz, ζ {:.2g}", line.nearest_mode ? fmt::format("mode {}: ", *line.nearest_mode) : "",
                     hertz, line.damping_ratio),
         "fill=\"#333\"");
     last = at;
@@ -75,15 +75,15 @@ void draw_points(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell
 }
 
 void draw_campbell_key(SvgCanvas& canvas, PixelPoint at) {
-  canvas.line(at, {at.x + 26, at.y}, fmt::format("stroke=\"{}\" stroke-width=\"1.4\"", series_colour(0)));
-  canvas.text({at.x + 32, at.y + 4}, "order", "");
-  canvas.line({at.x + 84, at.y}, {at.x + 110, at.y}, "stroke=\"#555\" stroke-width=\"1\" stroke-dasharray=\"6,3\"");
-  canvas.text({at.x + 116, at.y + 4}, "natural frequency", "");
-  canvas.circle({at.x + 228, at.y}, 4, fmt::format("fill=\"{0}\" stroke=\"{0}\"", series_colour(1)));
-  canvas.text({at.x + 237, at.y + 4}, "interference, excited", "");
-  canvas.circle({at.x + 364, at.y}, 4,
+  canvas.line(at, {at.x + 22, at.y}, fmt::format("stroke=\"{}\" stroke-width=\"1.4\"", series_colour(0)));
+  canvas.text({at.x + 27, at.y + 4}, "order", "");
+  canvas.line({at.x + 68, at.y}, {at.x + 90, at.y}, "stroke=\"#555\" stroke-width=\"1\" stroke-dasharray=\"6,3\"");
+  canvas.text({at.x + 95, at.y + 4}, "natural frequency", "");
+  canvas.circle({at.x + 204, at.y}, 4, fmt::format("fill=\"{0}\" stroke=\"{0}\"", series_colour(1)));
+  canvas.text({at.x + 212, at.y + 4}, "interference, excited", "");
+  canvas.circle({at.x + 334, at.y}, 4,
                 fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.3\"", series_colour(1)));
-  canvas.text({at.x + 373, at.y + 4}, "not excited by this order", "");
+  canvas.text({at.x + 342, at.y + 4}, "not excited", "");
 }
 
 }  // namespace
@@ -93,20 +93,20 @@ std::vector<Figure> campbell_figures(const study::CaseResults& results) {
   if (!orders || orders->campbell.orders.empty()) return {};
   const response::Campbell& campbell = orders->campbell;
   const PlotPanel panel{
-      {78, 66},
-      700,
-      420,
+      {58, 58},
+      half_figure_width - 58 - 172,
+      244,
       {campbell.speed.from * rpm_per_rad_s, campbell.speed.to * rpm_per_rad_s, false, "shaft speed [rpm]"},
       {0, top_hertz(campbell), false, "frequency [Hz]"}};
   const std::string title = case_title("Campbell diagram", results);
-  SvgCanvas canvas(980, 564);
-  canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
+  SvgCanvas canvas(half_figure_width, 372);
+  canvas.text({half_figure_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   draw_frame(canvas, panel);
   draw_natural_frequencies(canvas, panel, campbell);
   draw_orders(canvas, panel, campbell);
   draw_points(canvas, panel, campbell);
-  draw_campbell_key(canvas, {170, 544});
-  return {{title, "campbell-diagram.svg", canvas.svg(title)}};
+  draw_campbell_key(canvas, {20, 348});
+  return {{title, "campbell-diagram.svg", canvas.svg(title), {}, true}};
 }
 
 }  // namespace trivet::report

@@ -13,6 +13,7 @@
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/in_documents.h"
+#include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/plot_panel.h"
 #include "trivet/report/figures/stiffness_plots.h"
 

@@ -10,6 +10,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
 
 namespace trivet::report {
@@ -112,7 +113,7 @@ std::vector<Figure> limit_figures(const study::CaseResults& results) {
     const std::string title =
         case_title(found.of + " and its limit" + (found.line.name.empty() ? "" : " " + found.line.name), results);
     figures.push_back(
-        stacked_rows(title, "limit-" + file_part(found.of) + ".svg", {limit_row(found, results.display)}));
+        panel_figure(title, "limit-" + file_part(found.of) + ".svg", {limit_row(found, results.display)}));
   }
   return figures;
 }

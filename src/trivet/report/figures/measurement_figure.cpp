@@ -10,6 +10,7 @@
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/in_documents.h"
+#include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
 
 /// Measured curves over the computed ones.
@@ -87,7 +88,7 @@ Figure channel_figure(const study::CaseResults& results, const MeasurementCompar
       logarithmic_axis(amplitude.curves, invisible, fmt::format("{} [{}]", quantity_name(channel.unit), unit.unit));
   phase.y = {-180, 180, false, "phase [°]"};
   const std::string title = case_title(channel.result + " and measurement " + measurement.name, results);
-  return stacked_rows(title, "measured-" + file_part(channel.result) + ".svg", {amplitude, phase});
+  return panel_figure(title, "measured-" + file_part(channel.result) + ".svg", {amplitude, phase});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
 #include "trivet/response/machinery/power.h"
 
@@ -88,7 +89,7 @@ std::vector<Figure> power_figures(const study::CaseResults& results) {
   const double lowest = hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back());
   for (PanelRow& row : rows) row.x = {lowest, hertz.back(), true, results::frequency_heading(results.display)};
   const std::string title = case_title("Power into the ground", results);
-  return {stacked_rows(title, "power-ground.svg", rows)};
+  return {panel_figure(title, "power-ground.svg", rows)};
 }
 
 }  // namespace trivet::report

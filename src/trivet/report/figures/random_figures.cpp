@@ -7,6 +7,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
 #include "trivet/study/analyses/analysis_results.h"
 
@@ -61,7 +62,7 @@ std::vector<Figure> random_figures(const study::CaseResults& results) {
     for (const auto* series : {&group.upper, &group.lower})
       if (!series->empty()) rows.push_back(density_row(*random, *series, results.display));
     const std::string title = case_title("Power spectral density: " + group.name, results);
-    figures.push_back(stacked_rows(title, "random-" + file_part(group.name) + ".svg", rows));
+    figures.push_back(panel_figure(title, "random-" + file_part(group.name) + ".svg", rows));
   }
   return figures;
 }

@@ -129,33 +129,32 @@ Figure shape_figure(const study::CaseResults& results, const response::Deflectio
                                                    results::shown_frequency(results.display, shape.angular_frequency),
                                                    results::frequency_unit(results.display)),
                                        results);
-  SvgCanvas canvas(980, 740);
+  SvgCanvas canvas(980, 330);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   const Skeleton rest = skeleton(shape, 0, 0), moved = skeleton(shape, most.phase, scale);
   const auto& all = four_views();
   for (std::size_t v = 0; v < all.size(); ++v) {
-    const std::size_t row = v / 2, column = v % 2;
-    const PixelPoint corner{40 + 460.0 * static_cast<double>(column), 40 + 325.0 * static_cast<double>(row)};
-    canvas.rectangle(corner, 440, 315, "fill=\"none\" stroke=\"#ccc\"");
+    const PixelPoint corner{8 + 241.0 * static_cast<double>(v), 38};
+    canvas.rectangle(corner, 235, 245, "fill=\"none\" stroke=\"#ccc\"");
     canvas.text({corner.x + 8, corner.y + 16}, all[v].name, "fill=\"#333\" font-weight=\"bold\"");
     Drawing drawing(canvas,
-                    {all[v], 270 / std::max(size.size(), least_size), size.centre(), {corner.x + 220, corner.y + 157}});
+                    {all[v], 180 / std::max(size.size(), least_size), size.centre(), {corner.x + 117, corner.y + 125}});
     drawing.draw(rest, "#b5b5b5", 1);
     for (const Places* places : {&shape.bodies, &shape.points})
       for (const response::MovingPlace& place : *places) drawing.draw_path(place, scale, series_colour(1));
     drawing.draw(moved, series_colour(0), 1.8);
-    draw_ground_axes(canvas, all[v], {corner.x + 40, corner.y + 280});
+    draw_ground_axes(canvas, all[v], {corner.x + 30, corner.y + 215});
   }
   const UnitPrefix unit = unit_prefix(most.excursion, results::amplitude_unit(results.display, "m"));
   canvas.text(
-      {490, 708},
+      {490, 302},
       fmt::format(
           "Grey: at rest. Blue: at ωt = {:.0f}°, when {} has the largest excursion, {:.4g} {}. Orange: paths of poles "
           "and points. Motion × {}.",
           std::fmod(most.phase * 360 / two_pi + 360, 360), most.name, most.excursion * unit.factor, unit.unit,
           three_digits(scale)),
       "text-anchor=\"middle\"");
-  canvas.text({490, 726},
+  canvas.text({490, 320},
               "Squares: poles; rings: points; dots: ends K of elements; triangles: their ends N; dashed: elements.",
               "text-anchor=\"middle\" fill=\"#444\"");
   return {title, fmt::format("shape-{}.svg", file_part(fmt::format("{:.4g}Hz", shape.angular_frequency / two_pi))),

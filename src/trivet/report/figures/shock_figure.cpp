@@ -5,6 +5,7 @@
 
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
 #include "trivet/study/analyses/analysis_results.h"
 
@@ -51,7 +52,7 @@ std::vector<Figure> shock_figures(const study::CaseResults& results) {
     if (result.spectrum.size() < 2) continue;
     const std::string title = case_title("Shock response spectrum: " + result.excitation, results);
     figures.push_back(
-        stacked_rows(title, "shock-" + file_part(result.excitation) + ".svg", {spectrum_row(result, results.display)}));
+        panel_figure(title, "shock-" + file_part(result.excitation) + ".svg", {spectrum_row(result, results.display)}));
   }
   return figures;
 }

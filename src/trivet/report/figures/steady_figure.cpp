@@ -13,6 +13,7 @@
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/in_documents.h"
+#include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
 #include "trivet/results/format/axis_words.h"
 
@@ -246,7 +247,7 @@ std::vector<Figure> steady_figures(const study::CaseResults& results) {
           to = std::max(to, x);
         }
     for (PanelRow& row : rows) row.x = {from, to, false, results::varied_heading(*branch, results.display)};
-    figures.push_back(stacked_rows(case_title("Steady motion of " + branch->results[c], results),
+    figures.push_back(panel_figure(case_title("Steady motion of " + branch->results[c], results),
                                    "steady-" + file_part(branch->results[c]) + ".svg", rows));
   }
   return figures;

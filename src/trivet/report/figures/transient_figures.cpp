@@ -6,6 +6,7 @@
 
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
 #include "trivet/study/analyses/analysis_results.h"
 
@@ -86,7 +87,7 @@ std::vector<Figure> transient_figures(const study::CaseResults& results) {
     for (const auto* series : {&group.upper, &group.lower})
       if (!series->empty()) rows.push_back(history_row(transient, *series, results.display));
     const std::string title = case_title("Time history: " + group.name, results);
-    figures.push_back(stacked_rows(title, "transient-" + file_part(group.name) + ".svg", rows));
+    figures.push_back(panel_figure(title, "transient-" + file_part(group.name) + ".svg", rows));
   }
   return figures;
 }

@@ -8,6 +8,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/report/drawing/curve_panel.h"
+#include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
 #include "trivet/study/analyses/analysis_results.h"
 
@@ -60,7 +61,7 @@ std::vector<Figure> transmissibility_figures(const study::CaseResults& results) 
            "transmissibility [dB]"};
   row.levels = {0};
   const std::string title = case_title("Transmissibility: " + result.words, results);
-  return {stacked_rows(title, "transmissibility-level.svg", {row})};
+  return {panel_figure(title, "transmissibility-level.svg", {row})};
 }
 
 }  // namespace trivet::report

@@ -36,9 +36,9 @@ std::optional<std::size_t> tallest_curve(const response::RunUp& run_up) {
 
 /// Projection: frequency to the right, shaft speed to the back (up and to the right), amplitude upwards.
 struct Space {
-  PixelPoint origin{90, 500};
-  double width = 560, height = 190;
-  PixelPoint back{220, -290};
+  PixelPoint origin{58, 322};
+  double width = 254, height = 120;
+  PixelPoint back{96, -160};
   double hertz_to, rpm_from, rpm_to, amplitude_to;
 
   PixelPoint at(double hertz, double rpm, double amplitude) const {
@@ -49,7 +49,7 @@ struct Space {
 };
 
 void draw_axes(SvgCanvas& canvas, const Space& s, const std::string& quantity) {
-  for (const Tick& tick : linear_ticks(0, s.hertz_to, 8)) {
+  for (const Tick& tick : linear_ticks(0, s.hertz_to, 5)) {
     const PixelPoint front = s.at(tick.value, s.rpm_from, 0);
     canvas.line(front, s.at(tick.value, s.rpm_to, 0), "stroke=\"#e4e4e4\"");
     canvas.line(front, {front.x, front.y + 5}, "stroke=\"#333\"");
@@ -62,7 +62,7 @@ void draw_axes(SvgCanvas& canvas, const Space& s, const std::string& quantity) {
     canvas.text({right.x + 9, right.y + 4}, tick.label, "fill=\"#333\"");
   }
   const PixelPoint middle = s.at(s.hertz_to, (s.rpm_from + s.rpm_to) / 2, 0);
-  const double x_name = middle.x + 58, y_name = middle.y + 12, slope = std::atan2(s.back.y, s.back.x) * 360 / two_pi;
+  const double x_name = middle.x + 56, y_name = middle.y + 22, slope = std::atan2(s.back.y, s.back.x) * 360 / two_pi;
   canvas.text({x_name, y_name}, "shaft speed [rpm]",
               fmt::format("text-anchor=\"middle\" transform=\"rotate({:.1f} {:.2f} {:.2f})\"", slope, x_name, y_name));
   for (const Tick& tick : linear_ticks(0, s.amplitude_to, 4)) {
@@ -74,7 +74,7 @@ void draw_axes(SvgCanvas& canvas, const Space& s, const std::string& quantity) {
                              std::pair{s.at(s.hertz_to, s.rpm_from, 0), s.at(s.hertz_to, s.rpm_to, 0)},
                              std::pair{s.at(0, s.rpm_from, 0), s.at(0, s.rpm_from, s.amplitude_to)}})
     canvas.line(a, b, "stroke=\"#333\"");
-  const double x = s.origin.x - 56, y = s.origin.y - s.height / 2;
+  const double x = s.origin.x - 44, y = s.origin.y - s.height / 2;
   canvas.text({x, y}, quantity, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
 }
 
@@ -133,8 +133,8 @@ std::vector<Figure> waterfall_figures(const study::CaseResults& results) {
                        [&](const auto& line) { return by_order[line.order] > 1e-3 * largest; });
 
   const std::string title = case_title("Waterfall: " + run_up.overall[*curve].name, results);
-  SvgCanvas canvas(980, 556);
-  canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
+  SvgCanvas canvas(half_figure_width, 372);
+  canvas.text({half_figure_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   draw_axes(canvas, space, fmt::format("{} amplitude [{}]", quantity_name(run_up.overall[*curve].unit), unit.unit));
   draw_spectra(canvas, space, visible, orders, unit.factor);
   for (std::size_t k = 0; k < orders.size(); ++k) {
@@ -142,7 +142,7 @@ std::vector<Figure> waterfall_figures(const study::CaseResults& results) {
     canvas.line({60, y}, {84, y}, fmt::format("stroke=\"{}\" stroke-width=\"3\"", series_colour(k)));
     canvas.text({91, y + 4}, fmt::format("order {:g}", orders[k]), "");
   }
-  return {{title, "waterfall-" + file_part(run_up.overall[*curve].name) + ".svg", canvas.svg(title)}};
+  return {{title, "waterfall-" + file_part(run_up.overall[*curve].name) + ".svg", canvas.svg(title), {}, true}};
 }
 
 }  // namespace trivet::report

@@ -15,8 +15,9 @@ namespace {
 /// Tables and figures below each other.
 std::string shown(std::string html, const std::vector<Figure>& figures) {
   for (const Figure& figure : figures)
-    html += "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(figure.title) +
-        "\">" + figure.html() + "</div></figure>\n";
+    html += std::string(figure.half ? "<figure class=\"half\">" : "<figure>") +
+        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" + escaped(figure.title) + "\">" +
+        figure.html() + "</div></figure>\n";
   return html;
 }
 
