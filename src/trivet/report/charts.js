@@ -182,18 +182,22 @@ const FONT = '12px system-ui, "Segoe UI", "Liberation Sans", Arial, sans-serif';
 const AXIS = {stroke: '#333', font: FONT, labelFont: FONT, gap: 4, labelSize: 18, labelGap: 0, incrs: STEPS,
               ticks: {show: false}, grid: {stroke: '#e2e2e2', width: 1}};
 
-/// Frequency axis and amplitude or phase axis.
+/// "displacement amplitude [mm]" in the unit that suits the shown range.
+function amplitudeWords(chart, u) {
+  const {quantity} = units[chart.unit], name = quantity.includes(' ') ? quantity : `${quantity} amplitude`;
+  return `${name} [${multiple(u.scales.y.max, chart.unit).unit}]`;
+}
+/// Frequency axis and amplitude or phase axis. A chart with a caption has its amplitude's name there.
 function axesOf(chart) {
   const logarithmic = {filter: (u, ticks) => ticks,
                        splits: (u, axis, from, to, step) => logarithmicTicks(from, to, step)};
   const labels = (ticks, log, room) => (log ? logarithmicLabels(ticks, room) : ticks.map(tick => number(tick, 8)));
-  const {quantity} = units[chart.unit], ylog = isLogarithmic(chart), suited = u => multiple(u.scales.y.max, chart.unit);
-  const name = quantity.includes(' ') ? quantity : `${quantity} amplitude`;
+  const ylog = isLogarithmic(chart), suited = u => multiple(u.scales.y.max, chart.unit);
   const x = {...AXIS, label: view.hz ? 'f [Hz]' : frequency?.label ?? 'ω [rad/s]', size: 24, space: 50,
              values: (u, ticks) => labels(ticks, view.xlog, u.width / 50),
              ...(view.xlog ? logarithmic : {})};
   const angles = {...AXIS, label: 'phase [°]', size: 50, space: 22, incrs: [45, 90, 180, 360, 720, 1440, 3600, 14400]};
-  const amplitudes = {...AXIS, label: u => `${name} [${suited(u).unit}]`, size: 50, space: ylog ? 20 : 30,
+  const amplitudes = {...AXIS, label: chart.caption ? null : u => amplitudeWords(chart, u), size: 50, space: ylog ? 20 : 30,
                       values: (u, ticks) => labels(ticks.map(v => v * suited(u).factor), ylog, chart.height / 25),
                       ...(ylog ? logarithmic : {})};
   return [x, chart.phase ? angles : amplitudes];

@@ -11,8 +11,10 @@ function chartsOfCase(index, options = {}) {
   const row = (name, members) => {
     const own = members.map((member, i) => styled({...curves[member.curve], label: member.label}, i));
     const legend = makeLegend(own, true), title = `${name}, ${own.map(curve => curve.label).join(', ')}`;
+    const caption = options.width ? html('span', {class: 'caption'}) : null;
+    if (caption) legend.node.prepend(caption);
     const common = {curves: own, legend, unit: own[0].unit, band, landmarks, modes: c.modes, ...options};
-    const pair = [makeChart({...common, title: `Amplitude of ${title}`}),
+    const pair = [makeChart({...common, caption, title: `Amplitude of ${title}`}),
                   makeChart({...common, phase: phaseRange(own), title: `Phase of ${title}`})];
     made.push(...pair);
     return html('div', {class: 'row'}, legend.node, html('div', {class: 'pair'}, pair.map(chart => chart.holder)));

@@ -2,8 +2,10 @@
 // The page on paper: all cases below each other, each with its charts, all comparisons, nothing folded, no wide tables.
 
 const PAPER_WIDTH = 702;  // of the text [px]: A4 without the margins in page.css; Letter is wider
-const PAPER_CHART = {width: 344, height: 218};
+const PAPER_CHART = {width: 344, height: 126};
 const LEAST_FONT = 7.5;   // of a table [px]
+const COLUMN_GAP = 19;    // between parts of a narrow table side by side [px], as in page.css
+const FEW_ROWS = 10;      // such a table is not divided
 const undo = [];          // steps back to the screen
 let paperCharts = [];
 
@@ -17,6 +19,12 @@ function moveForPrint(node, target) {
   const {parentNode, nextSibling} = node;
   target.append(node);
   undo.push(() => parentNode.insertBefore(node, nextSibling));
+}
+
+function replaceOnPaper(part, sentence) {
+  part.after(sentence);
+  part.hidden = true;
+  undo.push(() => { sentence.remove(); part.hidden = false; });
 }
 
 /// What the user left out of the charts.
@@ -51,13 +59,14 @@ function paperCase(index) {
 
 /// All curves above round-off, each in all cases, two charts in a row.
 function paperComparison() {
-  const all = comparedNames().map(name => ({name, chart: comparisonOf(name, PAPER_CHART)})), rows = [];
+  const caption = () => html('span', {class: 'caption'}), rows = [];
+  const all = comparedNames().map(name => ({name, chart: comparisonOf(name, {...PAPER_CHART, caption: caption()})}));
   const made = all.filter(({chart}) => chart.curves.some(curve => !curve.vanishes));
   const vanishing = all.filter(one => !made.includes(one)).map(({name}) => name).join(', ');
   const left = vanishing ? html('p', {class: 'hint'}, `Below round-off in all cases: ${vanishing}.`) : null;
   for (let i = 0; i < made.length; i += 2) {
     const pair = made.slice(i, i + 2);
-    const shown = pair.map(({name, chart}) => html('div', {}, html('h4', {}, name), chart.holder));
+    const shown = pair.map(({name, chart}) => html('div', {}, html('h4', {}, `${name}: `, chart.caption), chart.holder));
     const legend = makeLegend(pair[0].chart.curves.map(curve => ({...curve, vanishes: false})), false).node;
     legend.classList.add('names-only');
     rows.push(html('div', {class: 'row'}, legend, html('div', {class: 'pair'}, shown)));
@@ -111,6 +120,116 @@ function narrowTables() {
   });
 }
 
+/// Widths of tables in which no cell is wrapped, only headings.
+function widthsOnOneLine(tables) {
+  document.body.classList.add('measured', 'one-line');
+  const widths = tables.map(table => table.offsetWidth);
+  document.body.classList.remove('measured', 'one-line');
+  return widths;
+}
+/// Gives a table the font in which it fits into a width; false if that would be too small.
+function fitTable(table, width, room) {
+  const font = parseFloat(getComputedStyle(table).fontSize), fitting = font * Math.min(1, room / width);
+  if (fitting < LEAST_FONT) return false;
+  if (fitting < font) {
+    table.style.fontSize = `${fitting}px`;
+    undo.push(() => { table.style.fontSize = ''; });
+  }
+  return true;
+}
+const HALF = (PAPER_WIDTH - COLUMN_GAP) / 2;
+
+/// Divides long narrow tables into columns side by side.
+function divideLongTables() {
+  const tables = [...document.querySelectorAll('.scroll > table:only-child:not([hidden])')];
+  const widths = widthsOnOneLine(tables);
+  tables.forEach((table, k) => {
+    const {parentNode} = table, most = Math.ceil(table.rows.length / FEW_ROWS);
+    if (most < 2) return;
+    if (!fitTable(table, widths[k], HALF)) {
+      table.classList.add('tight');
+      undo.push(() => table.classList.remove('tight'));
+      if (!fitTable(table, widthsOnOneLine([table])[0], HALF)) return;
+    }
+    parentNode.classList.add('side-by-side');
+    parentNode.style.columnCount = Math.min(most, Math.max(2, Math.floor(PAPER_WIDTH / (widths[k] + COLUMN_GAP))));
+    undo.push(() => {
+      parentNode.classList.remove('side-by-side');
+      parentNode.style.columnCount = '';
+    });
+  });
+}
+
+/// Places folded parts with narrow tables in pairs side by side.
+function pairFoldedTables() {
+  const parts = [...document.querySelectorAll('details')].filter(part => part.querySelectorAll('table').length === 1);
+  const tables = parts.map(part => part.querySelector('table')), widths = widthsOnOneLine(tables);
+  for (let k = 0; k + 1 < parts.length; k++) {
+    const rows = tables[k].rows.length + tables[k + 1].rows.length, fits = [k, k + 1].every(i => widths[i] * 0.75 < HALF);
+    if (parts[k].nextElementSibling !== parts[k + 1] || rows > 4 * FEW_ROWS || !fits) continue;
+    const pair = html('div', {class: 'two-tables'});
+    parts[k].before(pair);
+    undo.push(() => pair.remove());
+    for (const i of [k, k + 1]) {
+      fitTable(tables[i], widths[i], HALF);
+      moveForPrint(parts[i], pair);
+    }
+    k++;
+  }
+}
+
+/// Parts of a case that are the same as in a case before it are replaced by a sentence.
+function nameRepeatedParts() {
+  const known = new Map();
+  /// The first case with the same part at the same place, if it is not this one.
+  const earlier = (part, where, index) => {
+    const key = `${where}\n${part.innerHTML}`;
+    if (!known.has(key)) known.set(key, index);
+    return known.get(key) === index ? null : caseName(known.get(key));
+  };
+  const sentence = (what, name) => html('p', {class: 'hint'}, `${what}: as in the case ${name}.`);
+  const hide = part => { part.hidden = true; undo.push(() => { part.hidden = false; }); };
+  for (const section of document.querySelectorAll('.paper-case > [data-case] > section:not(.case-head)')) {
+    const index = Number(section.parentNode.dataset.case), [title, ...parts] = section.children;
+    const same = earlier(section, '', index);
+    if (same !== null) replaceOnPaper(section, sentence(title.textContent, same));
+    let heading = title;
+    for (const part of same === null ? parts : []) {
+      if (part.matches('h3')) heading = part;
+      if (!part.matches('.scroll, .in-file, details, figure')) continue;
+      const before = earlier(part, heading.textContent, index), about = part.querySelector('summary') ?? heading;
+      if (before === null) continue;
+      if (about.matches('h3')) hide(about);
+      replaceOnPaper(part, sentence(about.textContent, before));
+    }
+  }
+}
+
+/// Tables whose names are all in the input file in the appendix are not printed twice.
+function leaveOutWhatTheInputFileHas() {
+  const text = document.querySelector('.input-text')?.textContent ?? '';
+  for (const part of document.querySelectorAll('.in-file')) {
+    const names = [...part.querySelectorAll('tbody tr')].map(row => row.cells[0].textContent);
+    if (!names.every(name => text.includes(name))) continue;
+    replaceOnPaper(part, html('p', {class: 'hint'}, 'As in the input file, in the appendix.'));
+  }
+}
+
+/// On paper, long tables have only the rows that are not grey; the page and the files have all.
+function leaveOutMinorRows() {
+  for (const table of document.querySelectorAll('.tall > table')) {
+    const minor = table.querySelectorAll('tbody tr.minor');
+    if (!minor.length) continue;
+    for (const row of minor) row.hidden = true;
+    const sentence = html('p', {class: 'hint'}, `${minor.length} less important rows are on the screen and in the files.`);
+    table.parentNode.after(sentence);
+    undo.push(() => {
+      for (const row of minor) row.hidden = false;
+      sentence.remove();
+    });
+  }
+}
+
 function layOutPages() {
   if (undo.length) return;
   document.body.classList.add('paper');
@@ -121,11 +240,17 @@ function layOutPages() {
   const all = html('div', {}, parts);
   byId('controls').after(all);
   undo.push(() => all.remove());
+  nameRepeatedParts();
+  leaveOutMinorRows();
+  leaveOutWhatTheInputFileHas();
   for (const chart of paperCharts) {
     chart.spiky = !chart.phase && isSpiky(chart);
     draw(chart);
+    if (!chart.phase) chart.caption.textContent = amplitudeWords(chart, chart.plot);
   }
   narrowTables();
+  pairFoldedTables();
+  divideLongTables();
 }
 function backToScreen() {
   for (const chart of paperCharts) chart.plot?.destroy();

@@ -65,11 +65,52 @@ std::vector<Row> solution_rows(const study::ResponseResult& result, const projec
   return rows;
 }
 
+/// The kind of thing that a check is about: "element" of "element front left"; empty without a name.
+std::string kind_of(const std::string& subject) {
+  const std::size_t end = subject.find(' ');
+  return end == std::string::npos ? "" : subject.substr(0, end);
+}
+
+/// "element front left, front right", or "all 6 elements" if there are no others of their kind.
+std::string subjects_words(const std::vector<std::string>& subjects, const std::set<std::string>& all) {
+  const std::string kind = kind_of(subjects.front());
+  const auto is_of_kind = [&](const std::string& subject) { return !kind.empty() && kind_of(subject) == kind; };
+  if (subjects.size() > 1 && std::ranges::all_of(subjects, is_of_kind)) {
+    const bool is_all = std::ranges::count_if(all, is_of_kind) == std::ssize(subjects);
+    if (is_all) return "all " + count_words(subjects.size(), kind);
+  }
+  std::string words = subjects.front();
+  for (std::size_t i = 1; i < subjects.size(); ++i)
+    words += ", " + (is_of_kind(subjects[i]) ? subjects[i].substr(kind.size() + 1) : subjects[i]);
+  return words;
+}
+
+/// Checks with the same outcome in one line, with all their subjects.
+std::vector<study::CheckLine> joined_checks(const std::vector<study::CheckLine>& checks) {
+  std::vector<study::CheckLine> joined;
+  std::vector<std::vector<std::string>> subjects;
+  std::set<std::string> all;
+  for (const study::CheckLine& line : checks) {
+    all.insert(line.subject);
+    const auto same = std::ranges::find_if(joined, [&](const study::CheckLine& other) {
+      return other.what == line.what && other.value == line.value && other.passed == line.passed;
+    });
+    if (same == joined.end()) {
+      joined.push_back(line);
+      subjects.push_back({line.subject});
+    } else {
+      subjects[static_cast<std::size_t>(same - joined.begin())].push_back(line.subject);
+    }
+  }
+  for (std::size_t i = 0; i < joined.size(); ++i) joined[i].subject = subjects_words(subjects[i], all);
+  return joined;
+}
+
 }  // namespace
 
 std::string checks_table(const ShownCase& shown) {
   std::vector<Row> rows;
-  for (const study::CheckLine& line : shown.checks)
+  for (const study::CheckLine& line : joined_checks(shown.checks))
     rows.push_back(check_row(line.subject, line.what, line.value, line.passed));
   if (shown.results.response)
     for (Row& row : solution_rows(*shown.results.response, shown.variant.display)) rows.push_back(std::move(row));

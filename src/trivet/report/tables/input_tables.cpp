@@ -120,6 +120,9 @@ std::string nodes_table(const std::vector<model::Body>& bodies) {
                                    rows);
 }
 
+/// What the input file also has: paper leaves it out if the file is in the appendix.
+std::string as_in_file(const std::string& table) { return "<div class=\"in-file\">" + table + "</div>\n"; }
+
 std::string facts_table(const std::vector<model::Fact>& facts) {
   std::vector<std::vector<Cell>> rows;
   for (const model::Fact& fact : facts) rows.push_back({{fact.what}, {fact.value}});
@@ -156,15 +159,15 @@ std::string elements_tables(const model::Description& d) {
                   hint("[N s/m], [N s/rad], [N m s/m], [N m s/rad], in the same axes.") +
                       matrix_table(end_labels(), elements::viscous_damping(e.law)));
   }
-  return html_table({{"element"},
-                     {"type"},
-                     {"end N on"},
-                     {"N in ground [m]"},
-                     {"end K on"},
-                     {"K in ground [m]"},
-                     right("scale"),
-                     {"damping"}},
-                    rows) +
+  return as_in_file(html_table({{"element"},
+                                {"type"},
+                                {"end N on"},
+                                {"N in ground [m]"},
+                                {"end K on"},
+                                {"K in ground [m]"},
+                                right("scale"),
+                                {"damping"}},
+                               rows)) +
       facts.html() + laws.html() + stiffness.html() + viscous.html();
 }
 
@@ -228,12 +231,12 @@ std::string foundations_table(const std::vector<model::Foundation>& foundations)
                       of_element ? right("see elements") : right(number_text(f.stiffness(i, i))),
                       of_element ? right("see elements") : right(number_text(f.damping(i, i)))});
     }
-  return html_table({{"foundation"},
-                     right("coordinate"),
-                     right("mass [kg, kg m²]"),
-                     right("stiffness [N/m, N m/rad]"),
-                     right("damping [N s/m, N m s/rad]")},
-                    rows);
+  return as_in_file(html_table({{"foundation"},
+                                right("coordinate"),
+                                right("mass [kg, kg m²]"),
+                                right("stiffness [N/m, N m/rad]"),
+                                right("damping [N s/m, N m s/rad]")},
+                               rows));
 }
 
 std::string part(const std::string& title, const std::string& html) {

@@ -67,6 +67,7 @@ std::vector<std::size_t> tall_peaks(const RunUp& run) {
 }
 
 Table critical_speeds(const RunUp& run) {
+  constexpr double low = 0.2;  // of the highest peak of the same result: of less importance
   using response::CriticalSpeed;
   const Rows row(run.critical);
   const auto curve = [&run](const CriticalSpeed& c) -> const response::Overall& { return run.overall[c.curve]; };
@@ -90,6 +91,7 @@ Table critical_speeds(const RunUp& run) {
           .people_rows = tall_peaks(run),
           .most_rows = 40,
           .height = [&run](std::size_t i) { return run.critical[i].relative_height; },
+          .mark = [&run](std::size_t i) { return run.critical[i].relative_height < low ? Mark::minor : Mark::plain; },
           .without_rows = "No critical speed in the range"};
 }
 
