@@ -79,7 +79,7 @@ std::string folded(const std::string& title, const std::string& html) {
 
 std::string html_table(const std::vector<Cell>& headings, const std::vector<Row>& rows, const std::string& style) {
   std::string html =
-      fmt::format("<div class=\"scroll{}\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table{}><thead><tr>",
+      fmt::format("<div class=\"scroll{}\" tabindex=\"0\" role=\"group\" aria-label=\"table\"><table{}><thead><tr>",
                   rows.size() >= tall_from ? " tall" : "", style.empty() ? "" : " class=\"" + style + "\"");
   for (const Cell& each : headings) html += heading(each);
   html += "</tr></thead><tbody>";

@@ -103,13 +103,13 @@ std::string level_note(const project::DisplayUnits& display) {
 std::string machine_part(const project::Project& project) {
   const project::Case& base = project.base();
   const std::string drawing =
-      "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Drawing of the machine\">" +
+      "<figure><div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Drawing of the machine\">" +
       machine_drawing(base) + "</div></figure>\n";
   return section("machine", "Machine and mounts", drawing + as_html(results::mounts_document(base), base.display));
 }
 
 std::string overview_part(const std::string& picture, bool is_short) {
-  return "<figure id=\"overview\">\n<div class=\"scroll\" tabindex=\"0\" role=\"region\" "
+  return "<figure id=\"overview\">\n<div class=\"scroll\" tabindex=\"0\" role=\"group\" "
          "aria-label=\"Overview picture\">" +
       picture + "</div>\n<figcaption>Amplitude characteristics (the first group of curves), all on one scale." +
       (is_short ? "" : "<span class=\"on-screen\"> Interactive charts of the selected case follow below.</span>") +
