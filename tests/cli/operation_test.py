@@ -174,6 +174,24 @@ class Operation(unittest.TestCase):
         only = self.operation(MACHINE + together + '[operation]\nspeeds = ["200 rpm"]\nexcitations = ["rotor"]\n')
         self.near(self.value(only, "m.z")["amplitude"], of_rotor(200 * RPM))
 
+    def test_forces_of_order_one_add_with_their_phases(self):
+        push = '[excitations.push]\ntype = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 50]\n'
+        floor = '[excitations.floor]\ntype = "base"\ntranslation = [0, 0, "1 mm"]\n'
+        found = self.operation(MACHINE + ROTOR + push + floor + '[operation]\nspeeds = ["400 rpm"]\n')
+        speed = 400 * RPM
+        # About x the unbalance turns from y to z: its vertical force lags by a quarter.
+        exact = abs((50 - 1j * UNBALANCE * speed**2) / stiffness(speed))
+        self.near(self.value(found, "m.z")["amplitude"], exact)
+        self.assertEqual(found["excitations"], ["rotor", "push"])  # the floor does not follow the machine
+        selected = '[operation]\nspeeds = ["400 rpm"]\nexcitations = ["floor"]\n'
+        moved = self.operation(MACHINE + ROTOR + push + floor + selected)
+        self.near(self.value(moved, "m.z")["amplitude"], 1e-3 * transmissibility(speed))
+
+    def test_a_machine_that_stands_on_nothing_has_no_isolation(self):
+        text = MACHINE.replace("[elements.s]", '[bodies.n]\nmass = 10\nfree = ["z"]\n[elements.s]\nfrom = "n"')
+        found = self.operation(text + ROTOR + '[operation]\nspeeds = ["400 rpm"]\n')
+        self.assertEqual(found["isolation"], [])
+
     def test_speeds_of_a_request_replace_those_of_the_file(self):
         found = self.operation(MACHINE + ROTOR, "--at", "980 rpm,1450 rpm")
         self.assertEqual(sorted({round(row["to"] / RPM) for row in found["values"]}), [980, 1450])

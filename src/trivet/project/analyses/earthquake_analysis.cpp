@@ -62,16 +62,16 @@ const AnalysisReader earthquake_analysis =
     read_into<&Analyses::earthquake, read_earthquake>({.keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
-   "direction": {"$ref": "#/$defs/direction"},
-   "damping": {"$ref": "#/$defs/number"},
-   "over": {"enum": ["period", "frequency"]},
+   "direction": {"$ref": "#/$defs/direction", "description": "of the motion of the ground"},
+   "damping": {"$ref": "#/$defs/number", "description": "damping ratio of the spectrum (default: 0.05)"},
+   "over": {"enum": ["period", "frequency"], "description": "first column of the spectrum (default: period)"},
    "rows": {"type": "array", "minItems": 2, "items": {"type": "array", "minItems": 2, "maxItems": 2,
      "items": {"$ref": "#/$defs/number"}}, "description": "period in s (or frequency in Hz) and S_a in m/s2, or with units"},
    "unit": {"type": "string", "description": "of S_a without a unit: \"g\" (default: SI)"},
-   "file": {"type": "string"},
-   "period": {"type": "string"},
-   "frequency_hz": {"type": "string"},
-   "acceleration": {"type": "string"}},
+   "file": {"type": "string", "description": "CSV with the columns period (or frequency_hz) and acceleration"},
+   "period": {"type": "string", "description": "name of this column, if it is another"},
+   "frequency_hz": {"type": "string", "description": "name of this column, if it is another"},
+   "acceleration": {"type": "string", "description": "name of this column, if it is another"}},
   "required": ["direction"]})json"});
 
 }  // namespace trivet::project

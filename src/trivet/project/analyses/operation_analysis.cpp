@@ -104,8 +104,10 @@ const AnalysisReader operation_analysis =
      {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2}]}}],
      "description": "speeds at which the machine runs: \"980 rpm\"; a pair is a range"},
    "of": {"$ref": "#/$defs/answers_of"},
-   "excitations": {"$ref": "#/$defs/selected_excitations"},
-   "limits": {"$ref": "#/$defs/amplitude_limits"}},
+   "excitations": {"$ref": "#/$defs/selected_excitations",
+     "description": "that run; default: orders, unbalances and harmonic forces on bodies"},
+   "limits": {"$ref": "#/$defs/amplitude_limits",
+     "description": "\"BODY.x\" = largest amplitude at each of the speeds, all orders together"}},
   "required": ["speeds"]})json"});
 
 }  // namespace trivet::project

@@ -28,7 +28,7 @@ ShockSpectrumAnalysis read_shock_spectrum(TableReader& reader, const ResultNames
 const AnalysisReader shock_spectrum_analysis =
     read_into<&Analyses::shock_spectrum, read_shock_spectrum>({.drive = Drive::time, .keys = R"json({"properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
-   "damping": {"$ref": "#/$defs/number"},
+   "damping": {"$ref": "#/$defs/number", "description": "damping ratio (default: 0.05)"},
    "band": {"$ref": "#/$defs/band"}},
   "required": ["band"]})json"});
 

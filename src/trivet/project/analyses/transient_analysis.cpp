@@ -79,11 +79,11 @@ const AnalysisReader transient_analysis =
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
-   "from": {"$ref": "#/$defs/number"},
-   "to": {"$ref": "#/$defs/number"},
-   "step": {"$ref": "#/$defs/number"},
-   "nearest_linear_system": {"type": "boolean"},
-   "initial_displacement": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}},
-   "initial_velocity": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}}}})json"});
+   "from": {"$ref": "#/$defs/number", "description": "s (default: 0)"},
+   "to": {"$ref": "#/$defs/number", "description": "s (default: up to ten periods of the slowest excited mode after the last corner)"},
+   "step": {"$ref": "#/$defs/number", "description": "s (default: 1/20 of the shortest period)"},
+   "nearest_linear_system": {"type": "boolean", "description": "in place of elements that depend on frequency (default: false)"},
+   "initial_displacement": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}, "description": "BODY.x = value just before the beginning"},
+   "initial_velocity": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}, "description": "BODY.x = value just before the beginning"}}})json"});
 
 }  // namespace trivet::project

@@ -84,13 +84,15 @@ void add_nearest_mode(const OperatingSpeed& at, Sentence& sentence) {
   sentence.parts.emplace_back(nearest->passes ? ")"
                                               : fmt::format("), {} at {:.4g} % of it", order, 100 * nearest->ratio));
   if (nearest->passes) add_speed(at, nearest->at, sentence);
-  if (passed > 1) sentence.parts.emplace_back(fmt::format(" and {} more", passed - 1));
+  if (passed > 1)
+    sentence.parts.emplace_back(fmt::format(" and {} more resonance{}", passed - 1, passed > 2 ? "s" : ""));
 }
 
 }  // namespace
 
 std::string isolation_words(double transmissibility) {
   if (std::isinf(transmissibility)) return "AMPLIFIED without bound: an undamped resonance";
+  if (transmissibility == 0) return "complete, no force reaches it";
   const std::string numbers = fmt::format("{:.4g} %, {:.3g} dB", 100 * response::isolation_efficiency(transmissibility),
                                           -response::transmissibility_level(transmissibility) + 0.0);
   return transmissibility > 1 ? fmt::format("AMPLIFIED: T = {:.4g}, isolation {}", transmissibility, numbers) : numbers;

@@ -84,6 +84,7 @@ OperatingIsolation isolation_along(const CaseContext& c, const response::Operati
 std::vector<OperatingIsolation> isolation_at(const CaseContext& c, const assembly::Band& speed,
                                              const std::vector<std::string>& selected) {
   std::vector<OperatingIsolation> result;
+  if (response::mounts(c.system).empty()) return result;  // nothing stands on the ground
   for (const response::OperatingForce& force : response::operating_forces(c.system, c.assembled, speed, selected)) {
     if (!force.reason.empty()) {
       result.push_back({.excitation = force.excitation, .order = force.order, .direction = "", .reason = force.reason});
