@@ -78,7 +78,7 @@ class Writing {
     const auto add = [&](const std::string& heading) {
       shown.headings.push_back(heading);
       shown.numbers.push_back(column.kind != Kind::words && column.kind != Kind::yes_no);
-      shown.frequencies.push_back(column.kind == Kind::speed || !units(column).empty());
+      shown.frequencies.push_back(column.kind == Kind::speed || column.kind == Kind::frequency);
     };
     const bool is_omega = column.heading == "ω" && column.kind != Kind::number;
     if (is_omega) {

@@ -131,6 +131,7 @@ function decoded(text) {
   try { return decodeURIComponent(text); } catch { return ''; }
 }
 function readAddress() {
+  if (byId(location.hash.slice(1))) return;  // a link to a part of the page
   const parts = location.hash.slice(1).split('&').map(part => /^([^=]*)=?(.*)$/.exec(part));
   const given = new Map(parts.map(([, name, value]) => [name, value]));
   const index = Number(given.get('case') ?? 0), zoom = (given.get('zoom') ?? '').split(',').map(Number);

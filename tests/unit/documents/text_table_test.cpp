@@ -12,9 +12,10 @@ using trivet::documents::TextTable;
 
 FittedTable fitted(std::size_t screen, std::vector<std::string> header, std::vector<std::string> row,
                    std::size_t together = 1) {
+  const std::vector<bool> none(header.size(), false);
   TextTable table(std::move(header), together, screen);
   table.add(std::move(row));
-  return table.fitted();
+  return table.fitted(none);
 }
 
 TEST(FittedTable, HasAllColumnsIfTheyFit) {

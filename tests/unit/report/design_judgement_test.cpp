@@ -53,7 +53,7 @@ Box box_of(const std::string& text) {
   std::vector<const study::CaseResults*> pointers;
   for (const study::CaseResults& one : results) pointers.push_back(&one);
   const std::vector<report::ShownCase> cases = report::shown_cases(project, results);
-  return {results::judgements(pointers), report::judgement_box(cases),
+  return {results::judgements(pointers), report::judgement_box(cases, true),
           report::judgements_table(cases, project.base().display)};
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -78,10 +79,11 @@ class LevelReader {
   }
 
   std::optional<MeasuredLevels> file() {
+    const std::size_t before = psd_.errors();
     auto quantity = of_heading();
-    if (!quantity) quantity = of_unit_key();
+    if (!quantity && psd_.errors() == before) quantity = of_unit_key();
     if (!quantity) {
-      if (!psd_.has("unit"))
+      if (!psd_.has("unit") && psd_.errors() == before)
         refuse("file", "levels without a unit", "the unit states what the levels measure",
                "head the column \"level [µm/s]\", or add unit = \"µm/s\"");
       return std::nullopt;
@@ -133,8 +135,23 @@ class LevelReader {
     for (const std::string& column : csv->columns)
       if (const UnitHeading heading = unit_heading(column);
           !heading.unit.empty() && (heading.name == wanted || column == wanted))
-        return of_unit(heading.unit);
+        return of_stated_unit(heading.unit, column);
+    if (csv->columns.size() > 1 && psd_.has("level") && std::ranges::find(csv->columns, wanted) == csv->columns.end())
+      refuse("level", foundation::quoted(wanted), "the file has no such column",
+             "its columns are " + foundation::comma_separated(csv->columns));
     return std::nullopt;
+  }
+
+  /// "µm/s", "µm/s rms"; refuses other levels and units of other quantities.
+  std::optional<std::size_t> of_stated_unit(const std::string& unit, const std::string& column) {
+    const LevelledText split = split_level(unit);
+    const auto reason = split.level ? reason_against(Levels::of_random, *split.level) : std::nullopt;
+    const auto found = of_unit(split.number);
+    if (reason) refuse("file", foundation::quoted(column), *reason, "give root mean squares");
+    else if (!found)
+      refuse("file", foundation::quoted(column), "levels of this excitation are in " + allowed_units(quantities_),
+             "convert the column, and name such a unit or a multiple");
+    return reason ? std::nullopt : found;
   }
 
   double frequency(const Node& cell, std::size_t row) {

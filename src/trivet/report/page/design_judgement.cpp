@@ -16,7 +16,8 @@ using results::Judgement;
 using Outcome = Judgement::Outcome;
 
 /// A list with the worst first; the rest is counted.
-std::string listed_judgements(std::vector<Judgement> list, Outcome outcome, const std::vector<ShownCase>& cases) {
+std::string listed_judgements(std::vector<Judgement> list, Outcome outcome, const std::vector<ShownCase>& cases,
+                              bool linked) {
   constexpr std::size_t most = 6;
   std::erase_if(list, [&](const Judgement& j) { return j.outcome != outcome; });
   std::ranges::stable_sort(list, [](const auto& a, const auto& b) { return a.margin < b.margin; });
@@ -25,8 +26,10 @@ std::string listed_judgements(std::vector<Judgement> list, Outcome outcome, cons
     const ShownCase& shown = cases[list[i].shown_case];
     const results::JudgementSentence words =
         results::judgement_sentence(list[i], shown.results.case_name, cases.size() > 1);
-    items += fmt::format("<li>{} {} <a href=\"#case={}\" data-select=\"{}\"><strong>{}</strong></a>{}</li>\n",
-                         escaped(words.who), words.verb, list[i].shown_case, list[i].shown_case, escaped(words.subject),
+    const std::string subject = "<strong>" + escaped(words.subject) + "</strong>";
+    const std::string link =
+        fmt::format("<a href=\"#case={0}\" data-select=\"{0}\">{1}</a>", list[i].shown_case, subject);
+    items += fmt::format("<li>{} {} {}{}</li>\n", escaped(words.who), words.verb, linked ? link : subject,
                          escaped(words.rest));
   }
   if (list.size() > most)
@@ -52,7 +55,7 @@ std::string judgements_table(const std::vector<ShownCase>& cases, const project:
   return as_html(results::judgements_document(judgements_of(cases), names), display);
 }
 
-std::string judgement_box(const std::vector<ShownCase>& cases) {
+std::string judgement_box(const std::vector<ShownCase>& cases, bool linked) {
   const std::vector<Judgement> list = judgements_of(cases);
   const std::size_t violated = number_with(list, Outcome::violated), missing = number_with(list, Outcome::not_judged),
                     no_need = number_with(list, Outcome::violated_no_need), met = number_with(list, Outcome::met);
@@ -60,14 +63,14 @@ std::string judgement_box(const std::vector<ShownCase>& cases) {
   std::string html;
   if (violated > 0)
     html += judgement_part("alert", "✗ VIOLATED: " + shares_words(list, Outcome::violated),
-                           listed_judgements(list, Outcome::violated, cases));
+                           listed_judgements(list, Outcome::violated, cases, linked));
   if (missing > 0)
     html += judgement_part("doubt", "? NOT JUDGED: " + shares_words(list, Outcome::not_judged),
-                           listed_judgements(list, Outcome::not_judged, cases));
+                           listed_judgements(list, Outcome::not_judged, cases, linked));
   std::string beside;
   if (no_need > 0)
     beside = paragraph("Violated in cases in which the design need not hold:") +
-        listed_judgements(list, Outcome::violated_no_need, cases);
+        listed_judgements(list, Outcome::violated_no_need, cases, linked);
   if (violated + missing == 0 && met > 0) {
     const Judgement* least = least_of(list);
     const std::string governing = !least

@@ -13,6 +13,7 @@ namespace trivet::report {
 
 /// The box at the top of the page: red if any verdict is violated, amber if one is missing or a check of the data
 /// failed, green if everything is met, and neither if the file requires nothing. It names the worst ones.
-[[nodiscard]] std::string judgement_box(const std::vector<ShownCase>& cases);
+/// @param linked  the page shows the cases that it names, each after a click
+[[nodiscard]] std::string judgement_box(const std::vector<ShownCase>& cases, bool linked);
 
 }  // namespace trivet::report

@@ -164,7 +164,7 @@ std::string box(const std::string& style, const std::string& title, const std::v
 
 }  // namespace
 
-std::string page_notices(const std::vector<ShownCase>& cases) {
+std::string page_notices(const std::vector<ShownCase>& cases, bool linked) {
   std::vector<Notice> warnings, failed, rigid, notes;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     for (const foundation::Problem& problem : cases[i].warnings())
@@ -173,7 +173,7 @@ std::string page_notices(const std::vector<ShownCase>& cases) {
     for (const std::string& text : cases[i].results.free_motions) add(rigid, text, "", i);
     for (const std::string& text : cases[i].results.notes) add(notes, text, "", i);
   }
-  std::string html = judgement_box(cases) +
+  std::string html = judgement_box(cases, linked) +
       box("alert", "⚠ " + count_words(warnings.size(), "warning"), warnings, cases) +
       box("alert", "✗ " + count_words(failed.size(), "failed check"), failed, cases) +
       box("note", "Rigid-body modes", rigid, cases) + box("note", "Notes", notes, cases);

@@ -12,8 +12,8 @@ namespace trivet::report {
 [[nodiscard]] std::string checks_table(const ShownCase& shown);
 
 /// The verdict on the design, then warnings, failed checks and rigid-body modes of all cases; equal texts once, with
-/// their cases.
-[[nodiscard]] std::string page_notices(const std::vector<ShownCase>& cases);
+/// their cases. @param linked  the page shows the cases, each after a click
+[[nodiscard]] std::string page_notices(const std::vector<ShownCase>& cases, bool linked);
 
 /// One row for each case; a button selects the case.
 [[nodiscard]] std::string glance_table(const std::vector<ShownCase>& cases);

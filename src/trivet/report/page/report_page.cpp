@@ -105,7 +105,8 @@ std::string machine_part(const project::Project& project) {
   const std::string drawing =
       "<figure><div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Drawing of the machine\">" +
       machine_drawing(base) + "</div></figure>\n";
-  return section("machine", "Machine and mounts", drawing + as_html(results::mounts_document(base), base.display));
+  return section("machine", "Machine and mounts" + std::string(project.cases.size() > 1 ? " of the base model" : ""),
+                 drawing + as_html(results::mounts_document(base), base.display));
 }
 
 std::string overview_part(const std::string& picture, bool is_short) {
@@ -133,9 +134,20 @@ std::string below_pictures(const ShownCase& shown) {
       result_sections(shown.variant, shown.results);
 }
 
-std::string below_comparison(const ShownCase& shown) {
+/// The drawing of a case whose machine differs from that of the base model.
+std::string own_drawing(const ShownCase& shown, const std::string& of_base) {
+  std::string drawing = machine_drawing(shown.variant);
+  if (drawing == of_base) return "";
+  return section("case-machine", "Machine of this case",
+                 "<figure><div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Drawing of the machine of "
+                 "this case\">" +
+                     drawing + "</div></figure>\n");
+}
+
+std::string below_comparison(const ShownCase& shown, const std::string& drawing_of_base) {
   const project::Case& variant = shown.variant;
-  return section("static", "Static results", results::result_html("static", variant, shown.results)) +
+  return own_drawing(shown, drawing_of_base) +
+      section("static", "Static results", results::result_html("static", variant, shown.results)) +
       section("inputs", "Inputs", input_tables(variant)) + section("checks", "Checks", checks_table(shown));
 }
 
@@ -161,7 +173,9 @@ std::string report_page(const project::Project& project, const std::vector<study
   replace(page, "{{input_file}}", section("input-file", "Appendix: input file", input_file(project)));
   replace(page, "{{level}}", level_note(display));
   replace(page, "{{units}}", units_note(display));
-  replace(page, "{{tables}}", case_blocks(cases, below_comparison));
+  const std::string drawing_of_base = machine_drawing(project.base());
+  replace(page, "{{tables}}",
+          case_blocks(cases, [&](const ShownCase& c) { return below_comparison(c, drawing_of_base); }));
   replace(page, "{{analyses}}", case_blocks(cases, below_pictures));
   replace(page, "{{heads}}", case_blocks(cases, [&](const ShownCase& c) { return above_pictures(c, cases.size()); }));
   replace(page, "{{cases}}", case_options(cases));
@@ -178,7 +192,7 @@ std::string report_page(const project::Project& project, const std::vector<study
           section("glance", "Cases", cases.size() > 1 ? glance_table(cases) : "") +
               section("envelope", "Load cases", as_html(results::envelope_document(envelope), envelope.display)));
   replace(page, "{{requirements}}", section("judgements", "Requirements", judgements_table(cases, display)));
-  replace(page, "{{notices}}", page_notices(cases));
+  replace(page, "{{notices}}", page_notices(cases, !is_short));
   replace(page, "{{title_block}}", title_block(project));
   replace(page, "{{heading}}", escaped(title));
   replace(page, "{{source_on_paper}}", css_string(input));

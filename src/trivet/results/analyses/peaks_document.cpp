@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "trivet/results/format/result_writer.h"
 
@@ -40,6 +42,11 @@ Table peak_table(const study::CaseResults& results) {
   const response::Peaks& found = results.peaks->peaks;
   const Rows row(found.list);
   const auto curve = [&found](const Peak& peak) -> const response::CurveSummary& { return found.curves[peak.curve]; };
+  std::map<std::string, double> largest;  // of each unit
+  for (const Peak& peak : found.list) {
+    double& size = largest[curve(peak).unit];
+    size = std::max(size, peak.amplitude);
+  }
   const bool has_remarks =
       std::ranges::any_of(found.list, [&](const Peak& peak) { return !remarks(results, peak).empty(); });
   return {
@@ -66,7 +73,10 @@ Table peak_table(const study::CaseResults& results) {
       .csv = {"name", "unit", "angular_frequency [rad/s]", "amplitude", "prominence", "relative_prominence",
               "ratio_to_static", "nearest_mode", "angular_frequency_uncertainty [rad/s]", "amplitude_uncertainty",
               "method"},
-      .height = [&results](std::size_t i) { return response::relative_prominence(results.peaks->peaks.list[i]); },
+      .height =
+          [&found, largest](std::size_t i) {
+            return found.list[i].amplitude / largest.at(found.curves[found.list[i].curve].unit);
+          },
       .mark =
           [&results](std::size_t i) {
             return counts(results.peaks->peaks.list[i], results.peaks->peak_tolerance) ? Mark::plain : Mark::minor;

@@ -178,10 +178,11 @@ Group share_group(const project::Case& variant, const Explanation& explanation, 
 }
 
 /// Without tables: for people alone.
-Group sentences_group(const project::Case& variant, const ExplainedPeak& peak) {
+Group sentences_group(const ExplainedPeak& peak) {
   Group group{.key = "", .parts = {}, .in_list = true};
-  group.parts.push_back(
-      {Sentence{.parts = {peak.sentence + sentence_note(variant.display)}, .place = Sentence::Place::text}});
+  Sentence sentence = shown_words(peak.sentence);
+  sentence.place = Sentence::Place::text;
+  group.parts.push_back({std::move(sentence)});
   for (const std::string& note : peak.notes)
     group.parts.push_back({Sentence{.parts = {"note: " + note}, .place = Sentence::Place::note}});
   return group;
@@ -223,7 +224,7 @@ Document explanation_document(const project::Case& variant, const Explanation& e
   document.add(Single{"peaks", Json::array()});
   for (std::size_t i = 0; i < explanation.peaks.size(); ++i)
     document.add(i < with_tables ? peak_group(variant, explanation, explanation.peaks[i])
-                                 : sentences_group(variant, explanation.peaks[i]));
+                                 : sentences_group(explanation.peaks[i]));
   if (with_tables < explanation.peaks.size())
     document.add(Sentence{
         .parts = {fmt::format("… the tables of {} more peaks: --full", explanation.peaks.size() - with_tables)},

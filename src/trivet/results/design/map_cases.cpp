@@ -47,7 +47,7 @@ Table marks_table(const DesignMap& map) {
                           [&map](const MapMark& mark) -> std::string {
                             if (!mark.judged) return "–";
                             const auto& least = mark.judged->governing;
-                            return std::isinf(least.margin) ? "no rule" : rule_words(map.rules[least.rule]);
+                            return std::isinf(least.margin) ? "no rule" : rule_words(map, map.rules[least.rule]);
                           }),
                       row("verdict", Kind::words, "verdict",
                           [](const MapMark& mark) {

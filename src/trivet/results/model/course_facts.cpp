@@ -31,6 +31,15 @@ std::string component_list(const excitation::ComplexVector6& values, const std::
   return words;
 }
 
+/// SI unit of the course of an excitation.
+const char* course_unit(const model::Action& action) {
+  const bool turns = action.amplitude.head<3>().isZero(0);
+  if (action.body) return turns ? "N m" : "N";
+  static constexpr std::array ways = {"m", "m/s", "m/s²"}, angles = {"rad", "rad/s", "rad/s²"};
+  const auto order = static_cast<std::size_t>(action.derivative);
+  return turns ? angles[order] : ways[order];
+}
+
 struct CourseFacts {
   const model::Excitation& excitation;
 
@@ -57,7 +66,7 @@ struct CourseFacts {
          fmt::format("{} … {} Hz in {} {}", course_number(spectrum.from() / foundation::two_pi),
                      course_number(spectrum.to() / foundation::two_pi), spectrum.pieces.size(),
                      spectrum.pieces.size() == 1 ? "piece" : "pieces")},
-        {"rms of the factor on its components", course_number(excitation::rms(spectrum))}};
+        {"rms", course_number(excitation::rms(spectrum)) + " " + course_unit(excitation.action)}};
     for (const model::Random::Partner& partner : random.partners)
       facts.push_back(
           {"coherent with " + partner.other, fmt::format("γ² = {:.6g} at ω = 0", partner.coherence.at_zero)});
@@ -68,10 +77,11 @@ struct CourseFacts {
     if (pieces.empty()) return {};
     double largest = 0;
     for (const excitation::Piece& piece : pieces) largest = std::max(largest, std::abs(piece.value));
-    return {{"history",
-             fmt::format("{} pieces, which begin at {} … {} s", pieces.size(), course_number(pieces.front().start),
-                         course_number(pieces.back().start))},
-            {"largest factor at the beginning of a piece", course_number(largest)}};
+    return {
+        {"history",
+         fmt::format("{} pieces, which begin at {} … {} s", pieces.size(), course_number(pieces.front().start),
+                     course_number(pieces.back().start))},
+        {"largest value at the beginning of a piece", course_number(largest) + " " + course_unit(excitation.action)}};
   }
 };
 
