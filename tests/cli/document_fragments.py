@@ -200,6 +200,9 @@ translation = ["180 N/mm", "180 N/mm", "420 N/mm"]
     (KEYS, "Tables of bodies and elements"): GENSET + SHARED_MOUNT,
     (KEYS, "Units of tables and pictures"): FRAME + mounts("frame"),
     (KEYS, "Report"): FRAME + mounts("frame"),
+    (KEYS, "Levels"): FRAME.replace("frame", "machine")
+    + mounts("machine")
+    + '[analyses]\nresponse = {quantity = "velocity", band = ["1 Hz", "100 Hz"]}\n',
     (KEYS, "Excitations"): MACHINE_AND_ENGINE,
     (KEYS, "Flexible foundations"): FRAME
     + mounts("frame", ["hull", "hull", "deck", "measured"])

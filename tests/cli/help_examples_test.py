@@ -19,6 +19,7 @@ MACHINES = {
     "transient": "transport_shock/device.toml",
     "shock_spectrum": "transport_shock/device.toml",
     "earthquake": "skew_mounts/machine.toml",
+    "operation": "fan/fan.toml",
     "map": "paper/map.toml",
     "optimize": "powertrain/decoupled.toml",
     "verdict": "compressor/requirements.toml",

@@ -21,7 +21,7 @@ stiffness = [[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,{K},0,0,0],[0,0,0,0,0,0],[0,0,0,0,
 damping = {{proportional = {C / K}}}
 """
 PUSH = f'[excitations.push]\ntype = "harmonic"\non = "machine"\nat = [0, 0, 0]\nforce = [0, 0, "{F} N"]\n'
-NOISE = '[excitations.noise]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\npsd = {flat = "0.01 (m/s2)2/Hz", band = ["1 Hz", "100 Hz"]}\n'
+NOISE = '[excitations.noise]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\nquantity = "acceleration"\npsd = {flat = "0.01 (m/s2)2/Hz", band = ["1 Hz", "100 Hz"]}\n'
 LEVELS = {"rms": "4.5 mm/s rms", "0-p": f"{4.5 * math.sqrt(2)!r} mm/s 0-p", "p-p": f"{9 * math.sqrt(2)!r} mm/s p-p"}
 RESPONSE = '[analyses]\nresponse = {of = ["machine.z"], quantity = "velocity", band = ["2 Hz", "40 Hz"]}\n'
 
@@ -35,7 +35,7 @@ class Levels(InTemporaryFolder):
     def margin(self, more):
         done = trivet("verdict", self.file(MACHINE + PUSH + more), "--json")
         self.assertIn(done.returncode, (0, 1), done.stderr)
-        (result,) = json.loads(done.stdout)["cases"][0]["results"]
+        (result,) = json.loads(done.stdout)["cases"][0]["requirements"]
         return result["margin"]
 
     def test_a_limit_has_one_margin_at_every_level(self):
@@ -50,7 +50,7 @@ class Levels(InTemporaryFolder):
     def test_a_limit_line_has_one_margin_at_every_level(self):
         def line(one):
             rows = f'[limit_lines.severity]\nof = "machine.z"\nrows = [["1 Hz", "{one}"], ["50 Hz", "{one}"]]\n'
-            (found,) = result_of("response", self.file(MACHINE + PUSH + RESPONSE + rows))["limit_lines"]
+            (found,) = result_of("limit_lines", self.file(MACHINE + PUSH + RESPONSE + rows))
             return found
 
         lines = {word: line(limit) for word, limit in LEVELS.items()}
@@ -63,7 +63,7 @@ class Levels(InTemporaryFolder):
         file = '[limit_lines.severity]\nof = "machine.z"\nfile = "line.csv"\n'
         rows = '[limit_lines.severity]\nof = "machine.z"\nunit = "mm/s 0-p"\nrows = [[1, 6], [50, 6]]\n'
         found = [
-            result_of("response", self.file(MACHINE + PUSH + RESPONSE + more, "p.toml"))["limit_lines"][0]
+            result_of("limit_lines", self.file(MACHINE + PUSH + RESPONSE + more, "p.toml"))[0]
             for more in (file, rows)
         ]
         self.assertEqual([one["level"] for one in found], ["zero_to_peak"] * 2)
@@ -122,7 +122,7 @@ class Levels(InTemporaryFolder):
                     self.file(MACHINE + NOISE + f'[requirements]\nrms = {{"machine.z" = "{limit}"}}\n'),
                     "--json",
                 ).stdout
-            )["cases"][0]["results"][0]["margin"]
+            )["cases"][0]["requirements"][0]["margin"]
             for limit in ("1 mm rms", "1 mm")
         ]
         self.assertEqual(values[0], values[1])

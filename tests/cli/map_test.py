@@ -65,7 +65,7 @@ class Map(unittest.TestCase):
         return str(path)
 
     def test_the_text_reports_region_best_design_and_cases(self):
-        text = run("map", self.project)[0]
+        text = run("map", self.project, "--full")[0]
         for words in (
             "Map of 81 designs",
             "Feasible: ",
@@ -183,7 +183,7 @@ class Map(unittest.TestCase):
     def test_a_picture_of_a_narrow_axis_counts_from_its_beginning(self):
         svg = self.picture("--set", "analyses.map.x.from=1", "--set", "analyses.map.x.to=1.0000000001")
         self.assertIn("stiffness scale of spring − 1<", svg)
-        ticks = re.findall(r'y="579.00" text-anchor="middle" fill="#333">([^<]*)<', svg)
+        ticks = re.findall(r'y="[\d.]+" text-anchor="middle" fill="#333">([^<]*)<', svg)
         self.assertGreater(len(ticks), 3)
         self.assertEqual(len(ticks), len(set(ticks)))
 

@@ -143,9 +143,9 @@ class Browser(Folder):
     def test_marks_have_their_numbers(self):
         page = self.seen(self.report())
         for mark in (
-            'class="peak"[^>]*title="peak of z: [0-9.]+ mm\n2.[0-9]+ Hz',
+            'class="peak"[^>]*title="peak of z: [0-9.]+ mm 0-p\n2.[0-9]+ Hz',
             'class="mode"[^>]*title="mode 1, 2.38732 Hz',
-            "<b>limit z 12 mm</b>",
+            "<b>limit z 12 mm 0-p</b>",
         ):
             self.assertTrue(re.search(mark, page), mark)
 

@@ -80,7 +80,7 @@ class Title(Folder):
                 [
                     "Requirements",
                     "Cases",
-                    "Machine and mounts",
+                    "Machine and mounts of the base model",
                     "Undamped modes of the base model",
                     "Conventions",
                     "Signatures",

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What `trivet run` prints: first what is wrong, then one line per case, each warning once, all tables only with --full."""
+import os
 import re
 import unittest
 
@@ -41,14 +42,14 @@ class RunSummary(InTemporaryFolder):
         text = self.summary(MACHINE + LIMITS + SOFT)
         first, words, soft, base = text.splitlines()[:4]
         self.assertEqual(first, "VIOLATED: 2 of 4 requirements")
-        self.assertEqual(words, "  machine.z ≤ 12 mm")
-        self.assertRegex(soft, r"^ +soft +\S+ mm at \S+ Hz, margin 0\.\d+$")  # a softer machine is worse
-        self.assertEqual(base, "      base model   28.77 mm at 2.024 Hz, margin 0.4172")
+        self.assertEqual(words, "  machine.z ≤ 12 mm 0-p")
+        self.assertRegex(soft, r"^ +soft +\S+ mm 0-p at \S+ Hz, margin 0\.\d+$")  # a softer machine is worse
+        self.assertEqual(base, "      base model   28.77 mm 0-p at 2.024 Hz, margin 0.4172")
 
     def test_each_case_has_one_line(self):
         text = self.summary(MACHINE + LIMITS + SOFT)
         [line] = re.findall(r"(?m)^  base model .*", text)
-        self.assertEqual(line.split(), "base model 1 of 2 VIOLATED none 2.387 28.77 mm machine.z at 2.024 Hz".split())
+        self.assertEqual(line.split(), "base model 1 of 2 VIOLATED none 2.387 28.77 mm 0-p machine.z at 2.024 Hz".split())
         self.assertEqual(len(re.findall(r"(?m)^  soft ", text)), 1)
         self.assertLess(len(text.splitlines()), 20)
 
@@ -87,11 +88,13 @@ class RunSummary(InTemporaryFolder):
     def test_units_are_those_of_display(self):
         text = self.summary(MACHINE + '[display]\nlength = "in"\nfrequency = "rpm"\n')
         self.assertRegex(text, r"modes \[rpm\]")
-        self.assertRegex(text, r"1\.133 in machine\.z at 121\.\d+ rpm")
+        self.assertRegex(text, r"1\.133 in 0-p machine\.z at 121\.\d+ rpm")
 
     def test_tables_of_the_examples_fit_on_a_screen(self):
         for example in ("paper/corrected", "skew_mounts/machine", "compressor/requirements", "track/bogie"):
-            done = trivet("run", SOURCE / f"examples/{example}.toml", "-o", self.folder / example.replace("/", "-"))
+            target = self.folder / example.replace("/", "-")
+            screen = {**os.environ, "COLUMNS": str(WIDEST)}
+            done = trivet("run", SOURCE / f"examples/{example}.toml", "-o", target, env=screen)
             self.assertIn(done.returncode, (0, 1), done.stderr)
             table = done.stdout[done.stdout.index("  case ") :].split("\n\n")[0]
             self.assertLessEqual(max(map(len, table.splitlines())), WIDEST, example)

@@ -56,7 +56,9 @@ WITHOUT = {
     "check": "its JSON lists problems, not the checks that passed",
     "export": "its arrays are checked below",
     "earthquake": "no example has one",
+    "completion": "no numbers of a machine",
     "help": "no numbers of a machine",
+    "man": "no numbers of a machine",
     "new": "no numbers of a machine",
     "schema": "no numbers of a machine",
 }
@@ -141,7 +143,7 @@ class Pool:
         self.decibels = sorted({abs(20 * math.log10(x)) for x in self.plain if x > 0} | set(self.plain))
         self.shares = sorted({abs(1 - x) for x in self.plain} | set(self.plain))  # 60 % of 0.4
 
-    def has(self, number, tolerance=0.0, unit="", factors=()):
+    def has(self, number, tolerance=0.0, unit="", factors=(), rms=False):
         number = abs(number)
         if unit == "dB":
             return has_near(self.decibels, number, tolerance)
@@ -156,6 +158,8 @@ class Pool:
             factors.append(math.pi / 180)
         if len(unit) > 1 and unit[0] in PREFIXES and not re.fullmatch("m/s²?|rad(/s)?", unit):
             factors.append(PREFIXES[unit[0]])
+        if rms:  # velocities for people; the JSON is zero-to-peak
+            factors += [math.sqrt(2) * factor for factor in factors]
         return any(has_near(self.plain, number * factor, tolerance * factor) for factor in factors)
 
 
@@ -179,11 +183,12 @@ def without_names(text, document):
 
 def strangers(text, pool):
     """Numbers of a text that the pool does not have, with what is around them, and the number of all."""
-    headed = [0.01] if "[%]" in text else []
-    headed += [PREFIXES[unit[0]] for unit in re.findall(rf"\[([pnµmkMG](?:{SI}))\]", text)]
+    text = re.sub(r"\b0-p\b", "", text)
+    headed, rms = [0.01] if "[%]" in text else [], bool(re.search(r"\srms", text))
+    headed += [PREFIXES[unit[0]] for unit in re.findall(rf"\[([pnµmkMG](?:{SI}))\s*(?:rms)?\]", text)]
     found, all_tokens = [], list(NUMBER.finditer(text))
     for token in all_tokens:
-        if not pool.has(*printed(token), headed):
+        if not pool.has(*printed(token), headed, rms):
             found.append(" ".join(text[max(0, token.start() - 60) : token.end() + 20].split()))
     return found, len(all_tokens)
 

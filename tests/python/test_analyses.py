@@ -84,6 +84,7 @@ def test_other_commands_have_the_options_of_their_method():
         assert found - {"threads"} == options | {"progress"}, name
 
 
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
 def test_the_operation_takes_its_keys_from_a_table_of_its_own():
     fan = trivet.open(example("fan/fan.toml"))
     told = json.loads(fan.operation(speeds=["1450 rpm", ["600 rpm", "900 rpm"]], of="fan.bearing.z").to_json())

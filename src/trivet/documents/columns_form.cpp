@@ -37,6 +37,11 @@ Json times(const Json& value, double factor) {
   return value.get<double>() * factor;
 }
 
+/// CSV has the frequency in rad/s and in Hz, which are equal in one unit.
+bool is_there(const std::vector<TypedColumn>& found, const std::string& name, const std::string& unit) {
+  return std::ranges::any_of(found, [&](const TypedColumn& one) { return one.name == name && one.unit == unit; });
+}
+
 class TableColumns {
  public:
   TableColumns(const Table& table, const project::DisplayUnits& display) : table_(table), display_(display) {}
@@ -76,8 +81,7 @@ class TableColumns {
     auto [name, unit] = parts_of(used.name);
     const Shown all = is_of_row(column) ? Shown{unit, 1} : shown_as(column.kind, unit, display_);
     name = column.kind == Kind::frequency ? name_in_unit(name, all.unit) : name;
-    const auto same = [&](const TypedColumn& other) { return other.name == name && other.unit == all.unit; };
-    if (std::ranges::any_of(found_, same)) return;  // CSV has the frequency in rad/s and in Hz; these are now equal
+    if (is_there(found_, name, all.unit)) return;
     TypedColumn& typed = found_.emplace_back(TypedColumn{name, all.unit, {}});
     for (std::size_t i = 0; i < table_.rows; ++i) {
       const Json value = value_of(used, i);
@@ -123,8 +127,10 @@ class TableColumns {
 std::vector<TypedColumn> columns_of(const Curves& curves, const project::DisplayUnits& display) {
   std::vector<TypedColumn> found;
   const auto add = [&](const std::string& heading, Kind kind, auto value_at) {
-    const auto [name, unit] = parts_of(heading);
+    const auto [stated, unit] = parts_of(heading);
     const Shown shown = shown_as(kind, unit, display);
+    const std::string name = kind == Kind::frequency ? name_in_unit(stated, shown.unit) : stated;
+    if (is_there(found, name, shown.unit)) return;
     TypedColumn& typed = found.emplace_back(TypedColumn{name, shown.unit, {}});
     for (std::size_t k = 0; k < curves.points.size(); ++k) typed.values.emplace_back(value_at(k) * shown.factor);
   };

@@ -243,9 +243,11 @@ std::optional<MostStrained> most_strained(const Mode& mode) {
     if (mode.foundation_strain_energy_share > 0) return MostStrained{.in_foundations = true, .share = 1};
     return std::nullopt;
   }
-  constexpr double same_share = 5e-4;
-  Eigen::Index most = 0;
-  const double share = energies.maxCoeff(&most), given_back = -energies.cwiseMin(0).sum();
+  constexpr double same_share = 5e-4, round_off = 1e-9;
+  const double share = energies.maxCoeff();
+  Eigen::Index most = 0;  // the first of equal ones, whatever their rounding
+  while (energies(most) < share - round_off) ++most;
+  const double given_back = -energies.cwiseMin(0).sum();
   const double in_foundations = 1 - energies.cwiseMax(0).sum();
   if (in_foundations > share)
     return MostStrained{.in_foundations = true, .share = in_foundations, .given_back = given_back};

@@ -197,7 +197,8 @@ function axesOf(chart) {
              values: (u, ticks) => labels(ticks, view.xlog, u.width / 50),
              ...(view.xlog ? logarithmic : {})};
   const angles = {...AXIS, label: 'phase [°]', size: 50, space: 22, incrs: [45, 90, 180, 360, 720, 1440, 3600, 14400]};
-  const amplitudes = {...AXIS, label: chart.caption ? null : u => amplitudeWords(chart, u), size: 50, space: ylog ? 20 : 30,
+  const amplitudes = {...AXIS, label: chart.caption ? null : u => amplitudeWords(chart, u), size: 50,
+                      space: ylog ? 20 : 30,
                       values: (u, ticks) => labels(ticks.map(v => v * suited(u).factor), ylog, chart.height / 25),
                       ...(ylog ? logarithmic : {})};
   return [x, chart.phase ? angles : amplitudes];

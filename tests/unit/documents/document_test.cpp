@@ -160,10 +160,10 @@ TEST(DocumentAsArrays, HasNamesUnitsAndAxes) {
 
 TEST(DocumentForPeople, ShowsTheSameCellsOnTheScreenAndOnThePage) {
   const std::string text = as_text(document(), {}), html = as_html(document(), {});
-  EXPECT_THAT(text, HasSubstr("Highest at 1 Hz: 2 mm\n"));
-  EXPECT_THAT(html, HasSubstr("<p>Highest at 1 Hz: 2 mm</p>"));
+  EXPECT_THAT(text, HasSubstr("Highest at 1 Hz: 2 mm 0-p\n"));
+  EXPECT_THAT(html, HasSubstr("<p>Highest at 1 Hz: 2 mm 0-p</p>"));
   EXPECT_THAT(text, HasSubstr("f [Hz]"));
-  for (const char* words : {"machine.z", "2.00000", "1.25000 mm", "20.0000 µm", "25.0 %", "∞", "–", "yes"}) {
+  for (const char* words : {"machine.z", "2.00000", "1.25000 mm 0-p", "20.0000 µm 0-p", "25.0 %", "∞", "–", "yes"}) {
     EXPECT_THAT(text, HasSubstr(words));
     std::string on_one_line;
     for (const char* c = words; *c; ++c) on_one_line += *c == ' ' ? std::string("\u00a0") : std::string(1, *c);
@@ -186,7 +186,7 @@ TEST(DocumentForPeople, ShowsRoundOffAsZero) {
   one.add(Table{.rows = row.size(),
                 .columns = {row("unit", Kind::words, "", &Resonance::unit),
                             row("amplitude", Kind::amplitude, "amplitude", &Resonance::amplitude)}});
-  EXPECT_EQ(as_text(one, {}), "  amplitude\n  1.00000 m\n          0\n");
+  EXPECT_EQ(as_text(one, {}), "      amplitude\n  1.00000 m 0-p\n              0\n");
 }
 
 TEST(DocumentForPeople, ShowsNoTableWithoutColumnsForThem) {

@@ -121,7 +121,7 @@ TEST(Session, TakesNumbersInPlaceOfTexts) {
   const auto response = [&](engine::Value at) {
     return engine::whole(session.ask({.command = "response", .keys = {{"at", std::move(at)}}}).json);
   };
-  EXPECT_EQ(response("50,62.5"), response(std::vector<engine::Value>{50.0, 62.5}));
+  EXPECT_EQ(response("50 rad/s,62.5 rad/s"), response(std::vector<engine::Value>{50.0, 62.5}));
   EXPECT_EQ(response("8 Hz"), response(std::vector<engine::Value>{"8 Hz"}));
 }
 

@@ -67,7 +67,7 @@ TEST(JudgementBox, IsRedOverAViolatedRequirementAndNamesTheWorstItsPlaceAndItsCa
   EXPECT_THAT(box.html, StartsWith("<div class=\"alert\" role=\"note\"><h2>✗ VIOLATED: 2 of 4 requirements</h2>"));
   EXPECT_THAT(box.html,
               HasSubstr("The base model violates <a href=\"#case=0\" data-select=\"0\"><strong>mass.z</strong></a>: "
-                        "28.77 mm at 2.024 Hz, allowed ≤ 12 mm"));
+                        "28.77 mm 0-p at 2.024 Hz, allowed ≤ 12 mm 0-p"));
   // A quarter of the stiffness: ω0 and ζ are halved. The softer case is worse, so it is named first.
   EXPECT_LT(box.html.find("Case soft violates"), box.html.find("The base model violates"));
   EXPECT_THAT(box.html, HasSubstr("Case soft violates"));

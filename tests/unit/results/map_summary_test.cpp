@@ -87,7 +87,7 @@ TEST(BestWords, CallNoDesignNearestIfEveryMarginIsZero) {
               "analyses.map.y.from=8", "analyses.map.y.to=12"});
   EXPECT_EQ(map.outcomes[*map.best].margin, 0);
   EXPECT_THAT(results::best_words(map),
-              HasSubstr("No design is feasible and all have margin 0 (machine.z ≤ 1 mm); the middle one: stiffness "
+              HasSubstr("No design is feasible and all have margin 0 (machine.z ≤ 1 mm 0-p); the middle one: stiffness "
                         "scale of spring = 1.25, "));
 }
 

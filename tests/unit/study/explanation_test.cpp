@@ -60,7 +60,7 @@ TEST(Explanation, StatesItInWords) {
       "m1.x: 27.78 mm at 30 rad/s (4.775 Hz). Mode 1, translation along x, contributes 100 % of it. 100 % of the "
       "strain energy is in \"k1\", 100 % in its stiffness along x; \"k1\" dissipates 100 % of the power. +10 % on "
       "the stiffness along x of \"k1\" moves the peak to 31.46 rad/s (5.008 Hz) and 25.25 mm (recomputed; to first "
-      "order 31.5 rad/s and 25 mm). Its height is most sensitive to elements.k1.scale: +1 % gives -1 %.");
+      "order 31.5 rad/s (5.013 Hz) and 25 mm). Its height is most sensitive to elements.k1.scale: +1 % gives -1 %.");
 }
 
 TEST(Explanation, HasNoHeightForAnUnboundedPeak) {

@@ -87,7 +87,7 @@ std::string case_options(const std::vector<ShownCase>& cases) {
 std::string units_note(const project::DisplayUnits& display) {
   project::DisplayUnits only_level;
   only_level.level = display.level;
-  if (display == only_level) return "Everything is in SI units.";
+  if (display == only_level) return "Everything is in SI units and their multiples, frequencies in Hz.";
   return "Results are in the units that their axis, column or value shows: those of [display] in the project file. "
          "Inputs, maps and best designs are in SI units.";
 }

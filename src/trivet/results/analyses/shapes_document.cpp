@@ -81,7 +81,7 @@ Table moving_places(std::vector<PlaceOfShape> places, unsigned forms) {
     const std::string name = model::coordinate_names[static_cast<std::size_t>(j)];
     table.columns.push_back(row(name, Kind::amplitude, "|" + name + "|",
                                 [j](const PlaceOfShape& one) { return std::abs(one.place->motion(j)); },
-                                {.unit = "m", .forms = for_people}));
+                                {.unit = "m", .digits = 4, .forms = for_people}));
     table.columns.push_back(row("phase " + name, Kind::number, "phase of " + name,
                                 [j](const PlaceOfShape& one) { return phase_in_degrees(one.place->motion(j)); },
                                 {.unit = "°", .digits = 4, .forms = for_people}));
