@@ -22,13 +22,13 @@ class Terminal(InTemporaryFolder):
         done = trivet("response", GENSET, env={**os.environ, "COLUMNS": "60"}).stdout
         table = done.split("\n  …")[0].splitlines()
         self.assertLessEqual(max(map(len, table)), 60)
-        self.assertIn("for which the screen is too narrow: --full", done)
+        self.assertIn("for which the screen is too narrow: --full", " ".join(done.split()))
 
     def test_frequencies_and_verdicts_stay_on_a_narrow_screen(self):
         narrow = {**os.environ, "COLUMNS": "80"}
         modes = trivet("modes", GENSET, env=narrow).stdout
         self.assertRegex(modes, r"\n  mode +f \[Hz\] +motion\n")
-        self.assertIn("… without ω² [rad²/s²], most strain energy in, for which", modes)
+        self.assertIn("… without most strain energy in, for which", modes)
         drawn = trivet("map", SOURCE / "examples/paper/map.toml", "--points", "5", env=narrow).stdout
         self.assertIn("margin   verdict\n", drawn)
         self.assertIn("… without governed by, for which", drawn)
@@ -83,7 +83,7 @@ class Terminal(InTemporaryFolder):
         short, full = trivet("map", *drawn).stdout, trivet("map", *drawn, "--full").stdout
         self.assertIn("aggregate.x reaches", full)
         self.assertNotIn("aggregate.x reaches", short)
-        self.assertRegex(short, r"Figure 4 +1 +0.1 s +0.0714\d +aggregate.rz ≤ 20.5 mrad +VIOLATED\n")
+        self.assertRegex(short, r"Figure 4 +1 +0.1 s +0.0714\d +aggregate.rz ≤ 20.5 mrad 0-p +VIOLATED\n")
         findings = sum(line.startswith("      ") for line in full.split("Cases on the map")[1].splitlines())
         self.assertIn(f"… {findings} findings on these cases", short)
 

@@ -33,7 +33,11 @@ std::string heading(const Cell& c) {
     else if (c.text[i] == ']') in_unit = false;
     text += in_unit && c.text[i] == ' ' ? "\u00a0" : std::string(1, c.text[i]);
   }
-  return fmt::format("<th scope=\"col\"{}>{}</th>", c.number ? " class=\"number\"" : "", escaped(text));
+  std::string html = escaped(text);
+  for (const std::string level : {"0-p]", "p-p]"})  // a line may end after a hyphen
+    if (html.ends_with(level))
+      html.replace(html.size() - level.size(), level.size(), "<span class=\"level\">" + level + "</span>");
+  return fmt::format("<th scope=\"col\"{}>{}</th>", c.number ? " class=\"number\"" : "", html);
 }
 
 }  // namespace

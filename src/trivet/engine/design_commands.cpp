@@ -324,7 +324,8 @@ std::vector<Command> design_commands() {
                 write_key("best mounts")},
        .csv = true,
        .strict = true,
-       .examples = {"trivet select machine.toml --most 5 --csv", "trivet select machine.toml --by price --write best.toml"},
+       .examples = {"trivet select machine.toml --most 5 --csv",
+                    "trivet select machine.toml --by price --write best.toml"},
        .run = select},
   };
 }

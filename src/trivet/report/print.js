@@ -66,7 +66,8 @@ function paperComparison() {
   const left = vanishing ? html('p', {class: 'hint'}, `Below round-off in all cases: ${vanishing}.`) : null;
   for (let i = 0; i < made.length; i += 2) {
     const pair = made.slice(i, i + 2);
-    const shown = pair.map(({name, chart}) => html('div', {}, html('h4', {}, `${name}: `, chart.caption), chart.holder));
+    const shown = pair.map(({name, chart}) =>
+      html('div', {}, html('h4', {}, `${name}: `, chart.caption), chart.holder));
     const legend = makeLegend(pair[0].chart.curves.map(curve => ({...curve, vanishes: false})), false).node;
     legend.classList.add('names-only');
     rows.push(html('div', {class: 'row'}, legend, html('div', {class: 'pair'}, shown)));
@@ -165,7 +166,8 @@ function pairFoldedTables() {
   const parts = [...document.querySelectorAll('details')].filter(part => part.querySelectorAll('table').length === 1);
   const tables = parts.map(part => part.querySelector('table')), widths = widthsOnOneLine(tables);
   for (let k = 0; k + 1 < parts.length; k++) {
-    const rows = tables[k].rows.length + tables[k + 1].rows.length, fits = [k, k + 1].every(i => widths[i] * 0.75 < HALF);
+    const rows = tables[k].rows.length + tables[k + 1].rows.length;
+    const fits = [k, k + 1].every(i => widths[i] * 0.75 < HALF);
     if (parts[k].nextElementSibling !== parts[k + 1] || rows > 4 * FEW_ROWS || !fits) continue;
     const pair = html('div', {class: 'two-tables'});
     parts[k].before(pair);
@@ -221,7 +223,8 @@ function leaveOutMinorRows() {
     const minor = table.querySelectorAll('tbody tr.minor');
     if (!minor.length) continue;
     for (const row of minor) row.hidden = true;
-    const sentence = html('p', {class: 'hint'}, `${minor.length} less important rows are on the screen and in the files.`);
+    const words = `${minor.length} less important rows are on the screen and in the files.`;
+    const sentence = html('p', {class: 'hint'}, words);
     table.parentNode.after(sentence);
     undo.push(() => {
       for (const row of minor) row.hidden = false;

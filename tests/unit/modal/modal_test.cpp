@@ -199,16 +199,13 @@ TEST(RayleighDamping, IsAlphaAPlusBetaK) {
 // φ2².
 TEST(Modes, KnowTheStrainEnergyOfFoundations) {
   constexpr double m = 6, M = 5, k = 60, K = 400;
-  const auto
-      project =
-          test::
-              project(
-                  "trivet = 1\n[bodies.cube]\nmass = 6\nfree = [\"z\"]\n[elements.k]\ntype = \"bushing\"\non = "
-                  "\"cube\"\nat = "
-                  "[0, 0, 0]\ntranslation = [60, 60, 60]\nrotation = [40, 40, 90]\nfoundation = "
-                  "\"floor\"\n[foundations.floor]\n"
-                  "type = \"modal\"\nmodes = [{frequency = 8.94427190999916, modal_mass = 5, shapes = {k = [0, 0, "
-                  "1]}}]\n");  // √(K/M)
+  const std::string mount =
+      "[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, 60]\n"
+      "rotation = [40, 40, 90]\nfoundation = \"floor\"\n";
+  const std::string floor_of_400 =  // √(K/M)
+      "[foundations.floor]\ntype = \"modal\"\n"
+      "modes = [{frequency = 8.94427190999916, modal_mass = 5, shapes = {k = [0, 0, 1]}}]\n";
+  const auto project = test::project("trivet = 1\n[bodies.cube]\nmass = 6\nfree = [\"z\"]\n" + mount + floor_of_400);
   const modal::Modes modes = modal::modes(project.base().system);
   ASSERT_EQ(modes.list.size(), 2u);
   for (const modal::Mode& mode : modes.list) {

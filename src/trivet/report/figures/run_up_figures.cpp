@@ -74,14 +74,14 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
   std::vector<double> rpm;
   for (const double speed : run_up.speed) rpm.push_back(speed * rpm_per_rad_s);
   PanelRow row;
-  row.title = name;
+  row.title = name + ", orders " + level;
   PanelCurve all{{"all orders, rms"}, rpm, {}, "stroke=\"#000000\" stroke-width=\"2.2\" stroke-linejoin=\"round\""};
   for (const double rms : overall.rms) all.y.push_back(rms * unit.factor);
   row.curves.push_back(std::move(all));
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const response::OrderCurves& order = run_up.orders[shown[i]];
     const std::size_t style = i < 4 ? i : 5;  // black is the colour of the sum
-    PanelCurve one{{fmt::format("order {:g}, {}", order.order, level)}, rpm, {}, series_stroke(style)};
+    PanelCurve one{{fmt::format("order {:g}", order.order)}, rpm, {}, series_stroke(style)};
     for (const auto& value : order.curves[curve].value) one.y.push_back(std::abs(value) * unit.factor * to_level);
     row.curves.push_back(std::move(one));
     for (const response::CriticalSpeed& critical : run_up.critical)
