@@ -63,8 +63,7 @@ class Levels(InTemporaryFolder):
         file = '[limit_lines.severity]\nof = "machine.z"\nfile = "line.csv"\n'
         rows = '[limit_lines.severity]\nof = "machine.z"\nunit = "mm/s 0-p"\nrows = [[1, 6], [50, 6]]\n'
         found = [
-            result_of("limit_lines", self.file(MACHINE + PUSH + RESPONSE + more, "p.toml"))[0]
-            for more in (file, rows)
+            result_of("limit_lines", self.file(MACHINE + PUSH + RESPONSE + more, "p.toml"))[0] for more in (file, rows)
         ]
         self.assertEqual([one["level"] for one in found], ["zero_to_peak"] * 2)
         self.assertAlmostEqual(found[0]["least_margin"] / found[1]["least_margin"], 1, delta=ROUND_OFF)

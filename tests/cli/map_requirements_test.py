@@ -273,9 +273,7 @@ class MapRequirements(InTemporaryFolder):
         self.assertNotIn("rad/s", text)
         in_rad = self.file(MODEL + PUSH + ONE + rules.replace(" Hz", " rad/s"))
         self.assertIn("amplitudes over 0.159155 … 1.43239 Hz", trivet("map", in_rad).stdout)
-        self.assertIn(
-            "amplitudes over 1 … 9 rad/s", trivet("map", in_rad, "--set", "display.frequency=rad/s").stdout
-        )
+        self.assertIn("amplitudes over 1 … 9 rad/s", trivet("map", in_rad, "--set", "display.frequency=rad/s").stdout)
 
     def test_requirement_that_cannot_be_judged_is_no_result(self):
         moving = '[excitations.w]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {half_sine = {amplitude = 5, duration = "11 ms"}}\n'

@@ -49,7 +49,9 @@ class RunSummary(InTemporaryFolder):
     def test_each_case_has_one_line(self):
         text = self.summary(MACHINE + LIMITS + SOFT)
         [line] = re.findall(r"(?m)^  base model .*", text)
-        self.assertEqual(line.split(), "base model 1 of 2 VIOLATED none 2.387 28.77 mm 0-p machine.z at 2.024 Hz".split())
+        self.assertEqual(
+            line.split(), "base model 1 of 2 VIOLATED none 2.387 28.77 mm 0-p machine.z at 2.024 Hz".split()
+        )
         self.assertEqual(len(re.findall(r"(?m)^  soft ", text)), 1)
         self.assertLess(len(text.splitlines()), 20)
 
