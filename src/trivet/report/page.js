@@ -176,4 +176,5 @@ if (cases.length) {
   readAddress();
 }
 byId('controls').hidden = !cases.length;
+byId('hz').parentNode.hidden = frequency?.unit === 'Hz';  // the axes are in it already
 if (byId('overview')) byId('overview').hidden = !drawable().length;
