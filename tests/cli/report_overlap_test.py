@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""In a browser, on a wide and on a narrow screen: no label of a picture lies on another or leaves its picture, and no page is
+wider than its window."""
+import html
+import json
+import os
+import re
+import shutil
+import subprocess
+import unittest
+
+from trivet_test import SOURCE, InTemporaryFolder, trivet
+
+BROWSER = os.environ.get("TRIVET_BROWSER") or shutil.which("chromium") or shutil.which("google-chrome")
+EXAMPLES = (
+    "genset/genset",
+    "fan/fan",
+    "paper/corrected",
+    "optical_table/table",
+    "roll_stop/idle",
+    "bogie/loaded_frame",
+)
+WIDTHS = (1280, 390)
+# Boxes of texts; of slanted ones only the centre is known to be covered.
+MEASURE = r"""
+addEventListener('load', () => setTimeout(() => {
+  const found = [], most = 1.5;  // pixels of the picture: boxes of letters are higher than their ink
+  const words = node => node.textContent.trim();
+  const covered = (a, b) => Math.min(Math.min(a.right, b.right) - Math.max(a.left, b.left),
+                                     Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
+  const isSlanted = node => /rotate\((?!-?90[ ,)])/.test(node.getAttribute('transform') ?? '');
+  let measured = 0;
+  const check = (name, nodes, room, scale) => {
+    const boxes = nodes.map(node => node.getBoundingClientRect());
+    nodes.forEach((node, i) => {
+      const box = boxes[i];
+      if (!box.width) return;
+      measured++;
+      for (let j = 0; j < i; j++)
+        if (boxes[j].width && covered(box, boxes[j]) > most * scale)
+          found.push(`${name}: "${words(nodes[j])}" and "${words(node)}" overlap`);
+      if (room && (box.left < room.left - 1 || box.right > room.right + 1 || box.top < room.top - 1 ||
+                   box.bottom > room.bottom + 1))
+        found.push(`${name}: "${words(node)}" leaves the picture`);
+    });
+  };
+  for (const svg of document.querySelectorAll('figure svg')) {
+    const room = svg.getBoundingClientRect();
+    if (!room.width) continue;
+    const texts = [...svg.querySelectorAll('text')].filter(node => words(node) && !isSlanted(node));
+    check(svg.querySelector('title').textContent, texts, room, room.width / svg.viewBox.baseVal.width);
+  }
+  for (const marks of document.querySelectorAll('.marks')) check('marks', [...marks.querySelectorAll('b')], null, 1);
+  const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
+  if (wide > 0) found.push(`the page is ${wide} px wider than the window`);
+  parent.postMessage(JSON.stringify({measured, found}), '*');
+}, 1500));
+"""
+FRAME = """<iframe src="measured.html" style="width:{width}px;height:9000px;border:0"></iframe><pre id="answer"></pre>
+<script>onmessage = event => document.getElementById('answer').textContent = event.data;</script>"""
+
+
+@unittest.skipUnless(BROWSER, "no browser")
+class Overlaps(InTemporaryFolder):
+    def answer(self, page, width):
+        """Of the page in a frame: windows have a least width."""
+        page.with_name("measured.html").write_text(
+            page.read_text().replace("</head>", f"<script>{MEASURE}</script></head>", 1)
+        )
+        frame = page.with_name("frame.html")
+        frame.write_text(FRAME.format(width=width))
+        arguments = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking"]
+        arguments += ["--window-size=1400,9000", "--virtual-time-budget=9000", "--allow-file-access-from-files"]
+        done = subprocess.run(
+            [BROWSER, *arguments, f"--user-data-dir={self.folder / 'profile'}", "--dump-dom", frame.as_uri()],
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+        text = re.search(r'<pre id="answer">(.*?)</pre>', done.stdout, re.DOTALL)
+        self.assertTrue(text and text[1], done.stderr[-2000:])
+        return json.loads(html.unescape(text[1]))
+
+    def test_labels_lie_beside_each_other(self):
+        for example in EXAMPLES:
+            target = self.folder / example.replace("/", "-")
+            done = trivet("run", SOURCE / f"examples/{example}.toml", "-o", target)
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+            for width in WIDTHS:
+                with self.subTest(example=example, width=width):
+                    answer = self.answer(target / "report.html", width)
+                    self.assertEqual(answer["found"], [])
+                    self.assertGreater(answer["measured"], 10)
+
+
+if __name__ == "__main__":
+    unittest.main()
