@@ -164,7 +164,7 @@ std::string zsh_value(const DescribedOption& option) {
 
 std::string zsh_option(const DescribedOption& option) {
   const std::string value = option.value.empty() ? "" : ":" + zsh_text(option.value) + ":" + zsh_value(option);
-  const std::string about = quoted_for_shell((option.value.empty() ? "[" : "[") + zsh_text(option.about) + "]" + value);
+  const std::string about = quoted_for_shell("[" + zsh_text(option.about) + "]" + value);
   const std::string excludes =
       option.is_repeatable ? "'*'" : quoted_for_shell(fmt::format("({})", fmt::join(spellings(option), " ")));
   if (option.short_name.empty()) return fmt::format("        {}{}{}", excludes, option.name, about);

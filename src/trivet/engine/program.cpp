@@ -21,7 +21,7 @@ namespace trivet::engine {
 std::string version() { return foundation::version(); }
 void keep_freed_memory() { foundation::keep_freed_memory(); }
 void remove_leftovers() { foundation::remove_leftovers(); }
-std::string starter_text() { return project::starter_text; }
+std::string starter_text() { return project::starter_text(); }
 std::string project_schema() { return project::project_schema(); }
 foundation::Expected<std::string> read_source(const std::string& file) { return project::read_source(file); }
 

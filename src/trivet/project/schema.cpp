@@ -78,7 +78,7 @@ void add_analyses(Json& file) {
 }  // namespace
 
 std::string project_schema() {
-  Json schema = Json::parse(schema_text);
+  Json schema = Json::parse(schema_text());
   add_element_laws(schema["$defs"]);
   add_analyses(schema["properties"]);
   return schema.dump(1) + "\n";

@@ -218,7 +218,7 @@ foundation::Expected<Catalogue> read_catalogue(const std::filesystem::path& path
 
 const Catalogue& generic_catalogue() {
   static const Catalogue catalogue = [] {
-    auto read = catalogue_from_text(generic_catalogue_text, "generic.toml");
+    auto read = catalogue_from_text(generic_catalogue_text(), "generic.toml");
     if (!read) throw std::logic_error(message(read.error().list().front()));
     return std::move(*read);
   }();

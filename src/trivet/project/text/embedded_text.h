@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
+/// Files of the source tree that are part of the program.
 namespace trivet::project {
 
-extern const char* const schema_text;   ///< JSON Schema of the project file, without element laws and analyses
-extern const char* const starter_text;  ///< commented starter project
-extern const char* const generic_catalogue_text;  ///< catalogues/generic.toml
+[[nodiscard]] std::string schema_text();   ///< JSON Schema of the project file, without element laws and analyses
+[[nodiscard]] std::string starter_text();  ///< commented starter project
+[[nodiscard]] std::string generic_catalogue_text();  ///< catalogues/generic.toml
+
 }  // namespace trivet::project
