@@ -98,7 +98,12 @@ _trivet_files() {
   while IFS= read -r file; do COMPREPLY+=("$file"); done < <(compgen -f -- "$current")
 }
 _trivet_names() {
-  [[ -n $project ]] && eval "trivet names $project $1" 2>/dev/null
+  local file=$project
+  [[ -z $file || $file == *[\`\$]* ]] && return  # nothing of the line is run
+  file=${file#[\"\']} file=${file%[\"\']}
+  file=${file//\\/}
+  [[ $file == "~/"* ]] && file=$HOME/${file:2}
+  trivet names "$file" "$1" 2>/dev/null
 }
 _trivet() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} place=0 project= i
@@ -106,7 +111,7 @@ _trivet() {
   for ((i = 2; i < COMP_CWORD; i++)); do
     case ${COMP_WORDS[i]} in
       @VALUES@) ((i++)) ;;
-      -?*) ;;
+      -?* | [\<\>\|\&=]*) ;;
       *)
         ((place == 0)) && project=${COMP_WORDS[i]}
         ((place++))

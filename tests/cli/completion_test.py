@@ -65,6 +65,11 @@ class Completion(InTemporaryFolder):
         self.assertEqual(self.bash("trivet", "element", "--case", "hot", GENSET, "'front l"), ["front left"])
         self.assertEqual(self.bash("trivet", "modes", "no such file", "--case", ""), [])
 
+    def test_nothing_of_the_line_is_run_or_written(self):
+        for words in (("$(touch made)", "--case"), ("`touch made`", "--case"), (">", "log", GENSET, "--case")):
+            self.bash("trivet", "modes", *words, "")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["completion.bash"])
+
     def test_files(self):
         self.file("", "machine one.toml")
         self.assertEqual(self.bash("trivet", "modes", "mach"), ["machine one.toml"])

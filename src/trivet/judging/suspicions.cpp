@@ -140,16 +140,21 @@ void add_limited_ranges(const project::Analyses& requested, plausibility::Stated
   };
   if (!requested.limits.empty()) add("analyses.response.band", own);
   if (required)
-    for (const project::AmplitudeLimit& limit : required->limits)
-      if (const auto& band = limit.speed ? limit.speed : limit.band) add("requirements.limits", *band);
-      else add(subject, common);
+    for (const project::AmplitudeLimit& limit : required->limits) {
+      const auto& band = limit.speed ? limit.speed : limit.band;
+      add(band ? "requirements.limits" : subject, band.value_or(common));
+    }
+  if (requested.operation && !requested.operation->limits.empty())
+    for (const assembly::Band& speed : requested.operation->speeds) add("operation.limits", speed);
   for (const project::LimitLineRequest& request : requested.limit_lines) {
     const auto& points = request.line.angular_frequency;
     if (points.empty()) continue;
     if (request.bands)
       stated.band_lines.push_back(
           {"limit_lines." + request.line.name, points.front(), points.back(), request.excitations});
-    else add(subject, {std::max(common.from, points.front()), std::min(common.to, points.back())});
+    else if (common.from <= points.back() && points.front() <= common.to)
+      add("limit_lines." + request.line.name,
+          {std::max(common.from, points.front()), std::min(common.to, points.back())});
   }
 }
 

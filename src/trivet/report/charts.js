@@ -185,7 +185,8 @@ const AXIS = {stroke: '#333', font: FONT, labelFont: FONT, gap: 4, labelSize: 18
 /// "displacement amplitude [mm]" in the unit that suits the shown range.
 function amplitudeWords(chart, u) {
   const {quantity} = units[chart.unit], name = quantity.includes(' ') ? quantity : `${quantity} amplitude`;
-  return `${name} [${multiple(u.scales.y.max, chart.unit).unit}]`;
+  const top = u.scales.y.max ?? amplitudeRange(chart)[1];  // before the first drawing
+  return `${name} [${multiple(top, chart.unit).unit}]`;
 }
 /// Frequency axis and amplitude or phase axis. A chart with a caption has its amplitude's name there.
 function axesOf(chart) {

@@ -80,7 +80,7 @@ TEST(Project, ADamperHasNoStiffnessAndActsAlongItsAxis) {
 }
 
 TEST(Project, TheStarterFileRuns) {
-  const auto project = test::project(project::starter_text);
+  const auto project = test::project(project::starter_text());
   for (const auto& variant : project.cases) {
     const auto results = study::case_results(variant, variant.analyses);
     EXPECT_TRUE(results.response && results.peaks && results.statics);
@@ -89,7 +89,7 @@ TEST(Project, TheStarterFileRuns) {
 }
 
 TEST(Project, TheSameInputGivesTheSameBytes) {
-  const auto a = test::project(project::starter_text), b = test::project(project::starter_text);
+  const auto a = test::project(project::starter_text()), b = test::project(project::starter_text());
   const auto results_a = study::case_results(a.base(), a.base().analyses),
              results_b = study::case_results(b.base(), b.base().analyses);
   EXPECT_EQ(results::result_json("response", a.base(), results_a),

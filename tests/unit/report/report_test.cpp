@@ -45,7 +45,7 @@ TEST(Ticks, AreRoundAndInside) {
 }
 
 TEST(Report, ContainsItsDataAndNoExternalLinks) {
-  const auto project = test::project(project::starter_text);
+  const auto project = test::project(project::starter_text());
   std::vector<study::CaseResults> all;
   for (const auto& variant : project.cases) all.push_back(study::case_results(variant, variant.analyses));
   const std::string page = report::report_page(project, all, results::page_json(project, all));
@@ -57,7 +57,7 @@ TEST(Report, ContainsItsDataAndNoExternalLinks) {
 }
 
 TEST(Report, CarriesModelsOfItsCurvesInsteadOfTheirPoints) {
-  const auto project = test::project(project::starter_text);
+  const auto project = test::project(project::starter_text());
   std::vector<study::CaseResults> all;
   for (const auto& variant : project.cases) all.push_back(study::case_results(variant, variant.analyses));
   const std::string full = results::results_json(project, all), drawn = results::page_json(project, all);
@@ -88,7 +88,7 @@ response = {band = [1, 2]}
 }
 
 TEST(Figures, OnePerGroupOfCurves) {
-  const auto project = test::project(project::starter_text);
+  const auto project = test::project(project::starter_text());
   const auto figures = report::characteristics(study::case_results(project.base(), project.base().analyses));
   ASSERT_EQ(figures.size(), 3u);  // machine, machine.seat, ground
   for (const auto& figure : figures) {

@@ -38,12 +38,24 @@ std::vector<Level> written_levels(const TableReader& reader) {
   return found;
 }
 
+/// Is there a row with a unit, but without a level?
+bool has_row_without_level(const TableReader& reader) {
+  const Node* rows = reader.content().find("rows");
+  return rows && std::ranges::any_of(rows->items, [](const Node& row) {
+           return row.kind == Node::Kind::array && row.items.size() == 2 && row.items[1].kind == Node::Kind::text &&
+               !split_level(row.items[1].text).level;
+         });
+}
+
 }  // namespace
 
 Level read_level_of_line(TableReader& reader, bool over_bands) {
   const auto word = reader.choice("level", {"rms", "zero_to_peak"});
   const Level of_key = word == "zero_to_peak" ? Level::amplitude : Level::rms;
   const std::vector<Level> written = written_levels(reader);
+  if (!written.empty() && !word && has_row_without_level(reader))
+    reader.error("rows", "numbers with a level and others without", "a limit line has one level",
+                 std::string("write ") + level_ending(written.front()) + " after every unit");
   for (const Level level : written) {
     if (over_bands || level == (word ? of_key : written.front())) continue;
     const std::string other = std::string("\"") + level_ending(level) + "\"";

@@ -51,7 +51,7 @@ constexpr Row rows[] = {
     {"t", "tonne metric_ton", {1, 3, mass}, prefixes},
     {"lb lbs lbm", "pound avoirdupois_pound", {pound, 0, mass}},
     {"oz", "ounce avoirdupois_ounce", {pound / 16, 0, mass}},
-    {"gr", "grain", {pound / 7000, 0, mass}},
+    {"", "grain", {pound / 7000, 0, mass}},
     {"slug", "slug", {pound_force / foot, 0, mass}},
     {"", "short_ton", {2000 * pound, 0, mass}},
     {"", "long_ton", {2240 * pound, 0, mass}},

@@ -179,6 +179,19 @@ ExcitationTransmission excitation_transmission(const model::System& system, cons
   return result;
 }
 
+std::string carried_by_constraint(const model::Body& body, const model::Direction& along) {
+  constexpr double round_off = 1e-9;
+  const Eigen::Vector3d axis = body.pose.rotation.transpose() * along.axis.normalized();
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (std::abs(axis(i)) > round_off && body.is_constrained(to_size(i) + (along.rotation ? 3 : 0)))
+      return fmt::format(
+          "\"{}\" is not free {} {}: its constraint carries this force to the ground, and forces of constraints are "
+          "not "
+          "computed; add the direction to `free` and hold it by elements",
+          body.name, along.rotation ? "about" : "along", "xyz"[i]);
+  return "";
+}
+
 Transmission displacement_transmission(const model::System& system, const assembly::Assembled& assembled,
                                        const std::vector<std::string>& of, const model::Direction& moved,
                                        const std::optional<model::Direction>& moved_direction,

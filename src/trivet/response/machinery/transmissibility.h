@@ -43,6 +43,10 @@ struct ExcitationTransmission : Transmission {
                                                              const assembly::Assembled& assembled,
                                                              const model::HarmonicForce& force);
 
+/// Why the force on the ground is not known: a constraint of the body carries a part of it. Empty if none does.
+/// @param along  of the force, ground frame
+[[nodiscard]] std::string carried_by_constraint(const model::Body& body, const model::Direction& along);
+
 /// Absolute motion of bodies (at their poles) and of their points per unit rigid motion of the whole ground about
 /// `base_at` (ground frame).
 /// @param of  names BODY or BODY.POINT

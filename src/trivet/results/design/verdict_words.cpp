@@ -35,7 +35,7 @@ std::string level_on_line(const RequirementResult& r, const project::DisplayUnit
   const std::string share = fmt::format("{:.4g} %", percent * *r.value);
   if (!r.on_line) return share;
   DisplayUnit unit = display_unit(display, r.on_line->unit);
-  unit.level = r.on_line->rms ? " rms" : "";
+  unit.level = r.on_line->rms ? " rms" : " 0-p";
   const std::string limit = value_text(r.on_line->limit, unit);
   return fmt::format("{} of {} ({})", value_text(*r.value * r.on_line->limit, unit), limit, share);
 }

@@ -64,6 +64,10 @@ OperatingIsolation isolation_along(const CaseContext& c, const response::Operati
   const model::Direction& along = force.transmission.directions[direction];
   result.direction = (along.rotation ? "about " : "along ") + modal::direction_words(along.axis.normalized());
   result.unit = force.rotation ? "N m" : "N";
+  const auto& excitations = c.system.description().excitations;
+  const auto excitation = std::ranges::find(excitations, force.excitation, &model::Excitation::name);
+  result.reason = response::carried_by_constraint(c.system.bodies()[*excitation->action.body], along);
+  if (!result.reason.empty()) return result;
   const auto& [loading, channels] = static_cast<const response::Transmission&>(force.transmission);
   if (speed.from < speed.to) {
     const design::LargestAmplitude largest = design::largest_in_band(

@@ -69,19 +69,11 @@ double isolation_magnitude(const CaseContext& c, const RequirementCurve& curve, 
 
 /// @throws foundation::NotComputable if a constraint of the body carries a part of the force to the ground
 void require_free_direction(const CaseContext& c, const RequirementResult::Transmitted& transmitted) {
-  constexpr double round_off = 1e-9;
   const auto force = model::harmonic_force(c.system, transmitted.force);
-  const model::Body& body = c.system.bodies()[*force.action.body];
   const model::Direction along =
       response::excitation_transmission(c.system, c.assembled, transmitted.force).directions[transmitted.direction];
-  const Eigen::Vector3d axis = body.pose.rotation.transpose() * along.axis;
-  for (Eigen::Index i = 0; i < 3; ++i)
-    if (std::abs(axis(i)) > round_off && body.is_constrained(to_size(i) + (along.rotation ? 3 : 0)))
-      throw foundation::NotComputable(
-          fmt::format("\"{}\" is not free {} {}: its constraint carries this force to the ground, and forces of "
-                      "constraints are not "
-                      "computed; add the direction to `free` and hold it by elements",
-                      body.name, along.rotation ? "about" : "along", "xyz"[i]));
+  const std::string reason = response::carried_by_constraint(c.system.bodies()[*force.action.body], along);
+  if (!reason.empty()) throw foundation::NotComputable(reason);
 }
 
 }  // namespace
