@@ -74,6 +74,7 @@ class Title(Folder):
             _, page = self.run_of(given, *options)
             self.assertNotIn("<script", page)
             self.assertNotIn("{{", page)
+            self.assertNotIn("<details>", page)  # paper shows only parts that are open
             headings = re.findall("<h2>(.*?)</h2>", page)
             self.assertEqual(
                 headings[1:],
@@ -95,6 +96,38 @@ class Title(Folder):
         single = SCRIPTS.sub("", self.run_of(text[: text.index("[cases.stiff]")])[1])
         self.assertNotIn('id="overview"', single)
         self.assertNotIn("data-select", single[single.index('id="cases"') :])
+
+
+class OperatingSpeeds(Folder):
+    def page_of(self, text, *options):
+        project, out = self.folder / "fan.toml", self.folder / "out"
+        project.write_text(text)
+        command = [TRIVET, "run", str(project), "-o", str(out), *options]
+        subprocess.run(command, check=True, capture_output=True, timeout=300)
+        return SCRIPTS.sub("", (out / "report.html").read_text())
+
+    def test_both_forms_have_them_before_the_machine(self):
+        text = (SOURCE / "examples/fan/fan.toml").read_text()
+        for options in ((), ("--report", "short")):
+            page = self.page_of(text, *options)
+            headings = re.findall("<h2>(.*?)</h2>", page)
+            self.assertEqual(headings[1:4], ["Requirements", "Operating speeds", "Machine and mounts"])
+            first_page = page[page.index("<h2>Operating speeds</h2>") : page.index("<h2>Machine and mounts</h2>")]
+            self.assertRegex(
+                first_page,
+                r"At 980 rpm: largest velocity [0-9.]+ mm/s rms .*; largest force on the ground [0-9.]+ N 0-p .*; "
+                r"isolation from .*; nearest to resonance: mode 7 \(9\.11[0-9]* Hz\), order 1 at [0-9.]+ % of it",
+            )
+            self.assertIn("<h2>At the operating speed</h2>", page)
+            self.assertIn("Forces on the ground, in total and of each mount", page)
+        self.assertEqual(page.count("largest velocity"), 1)  # the short form
+
+    def test_each_case_has_its_own(self):
+        text = (SOURCE / "examples/fan/fan.toml").read_text()
+        page = self.page_of(text + '\n[cases.fast]\noperation.speeds = ["1450 rpm"]\n', "--report", "short")
+        self.assertIn("Base model. At 980 rpm: ", page)
+        self.assertIn("fast. At 1450 rpm: ", page)
+        self.assertIn("<h2>At the operating speed, base model</h2>", page)
 
 
 class Mounts(Folder):

@@ -8,18 +8,17 @@
 
 #include "trivet/documents/html_table.h"
 #include "trivet/foundation/version.h"
-#include "trivet/report/drawing/figures.h"
 #include "trivet/report/drawing/machine_drawing.h"
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/report/page/design_judgement.h"
 #include "trivet/report/page/drawing_json.h"
+#include "trivet/report/page/first_page.h"
 #include "trivet/report/page/page_notices.h"
 #include "trivet/report/page/result_sections.h"
 #include "trivet/report/page/title_block.h"
 #include "trivet/report/tables/input_tables.h"
 #include "trivet/results/design/verdict_results.h"
 #include "trivet/results/format/written_results.h"
-#include "trivet/results/model/mounts_document.h"
 
 namespace trivet::report {
 
@@ -99,24 +98,6 @@ std::string level_note(const project::DisplayUnits& display) {
   return "rms for velocities and zero-to-peak (0-p) for all others, as their units show." + elsewhere;
 }
 
-/// The machine as its drawing and the table of its mounts show it.
-std::string machine_part(const project::Project& project) {
-  const project::Case& base = project.base();
-  const std::string drawing =
-      "<figure><div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Drawing of the machine\">" +
-      machine_drawing(base) + "</div></figure>\n";
-  return section("machine", "Machine and mounts" + std::string(project.cases.size() > 1 ? " of the base model" : ""),
-                 drawing + as_html(results::mounts_document(base), base.display));
-}
-
-std::string overview_part(const std::string& picture, bool is_short) {
-  return "<figure id=\"overview\">\n<div class=\"scroll\" tabindex=\"0\" role=\"group\" "
-         "aria-label=\"Overview picture\">" +
-      picture + "</div>\n<figcaption>Amplitude characteristics (the first group of curves), all on one scale." +
-      (is_short ? "" : "<span class=\"on-screen\"> Interactive charts of the selected case follow below.</span>") +
-      "</figcaption>\n</figure>\n";
-}
-
 std::string above_pictures(const ShownCase& shown, std::size_t cases) {
   const auto& verdict = shown.results.verdict;
   const std::string requirements = verdict ? as_html(results::verdict_document(*verdict), verdict->display) : "";
@@ -171,6 +152,8 @@ std::string report_page(const project::Project& project, const std::vector<study
   replace(page, "{{drawing}}", inside_script(drawing_json(case_results)));
   replace(page, "{{results}}", inside_script(results));
   replace(page, "{{input_file}}", section("input-file", "Appendix: input file", input_file(project)));
+  replace(page, "{{open}}", is_short ? " open" : "");
+  replace(page, "{{form}}", is_short ? " class=\"short\"" : "");
   replace(page, "{{level}}", level_note(display));
   replace(page, "{{units}}", units_note(display));
   const std::string drawing_of_base = machine_drawing(project.base());
@@ -182,15 +165,13 @@ std::string report_page(const project::Project& project, const std::vector<study
   // Next to the charts of a single case, its overview would be the same curves again.
   replace(page, "{{overview}}",
           is_short || cases.size() > 1 ? overview_part(overview(title, case_results).html(), is_short) : "");
-  replace(page, "{{modes}}",
-          is_short ? section("modes", "Undamped modes" + std::string(cases.size() > 1 ? " of the base model" : ""),
-                             cases.empty() ? "" : results::result_html("modes", cases[0].variant, cases[0].results))
-                   : "");
+  replace(page, "{{short_results}}", is_short ? short_results(cases) : "");
   replace(page, "{{machine}}", machine_part(project));
   const study::Envelope envelope = study::envelope_of(case_results);
   replace(page, "{{glance}}",
           section("glance", "Cases", cases.size() > 1 ? glance_table(cases) : "") +
               section("envelope", "Load cases", as_html(results::envelope_document(envelope), envelope.display)));
+  replace(page, "{{speeds}}", speeds_part(cases));
   replace(page, "{{requirements}}", section("judgements", "Requirements", judgements_table(cases, display)));
   replace(page, "{{notices}}", page_notices(cases, !is_short));
   replace(page, "{{title_block}}", title_block(project));

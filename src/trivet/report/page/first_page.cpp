@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/page/first_page.h"
+
+#include <utility>
+#include <variant>
+
+#include "trivet/documents/document.h"
+#include "trivet/documents/html_table.h"
+#include "trivet/report/drawing/machine_drawing.h"
+#include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/results/analyses/operation_words.h"
+#include "trivet/results/format/written_results.h"
+#include "trivet/results/model/mounts_document.h"
+
+namespace trivet::report {
+namespace {
+
+/// A document without the tables that open by a click.
+Document without_folded_tables(Document document) {
+  std::erase_if(document.parts, [](const Part& part) {
+    const auto* table = std::get_if<Table>(&part.content);
+    return table && table->folded;
+  });
+  return document;
+}
+
+/// A document without the sentences that are on the first page.
+Document without_sentences(Document document) {
+  std::erase_if(document.parts, [](const Part& part) {
+    const auto* sentence = std::get_if<Sentence>(&part.content);
+    return sentence && sentence->place == Sentence::Place::text;
+  });
+  return document;
+}
+
+/// Parts that would open by a click are open.
+std::string opened(std::string html) {
+  const std::string closed = "<details>", open = "<details open>";
+  for (std::size_t at = html.find(closed); at != std::string::npos; at = html.find(closed, at + open.size()))
+    html.replace(at, closed.size(), open);
+  return html;
+}
+
+}  // namespace
+
+std::string speeds_part(const std::vector<ShownCase>& cases) {
+  Document document;
+  for (const ShownCase& shown : cases) {
+    if (!shown.results.operation) continue;
+    for (const study::OperatingSpeed& at : shown.results.operation->speeds) {
+      Sentence sentence = results::operation_sentence(at);
+      if (cases.size() > 1) sentence.parts.insert(sentence.parts.begin(), shown.name() + ". ");
+      document.add(std::move(sentence));
+    }
+  }
+  return cases.empty() ? "" : section("speeds", "Operating speeds", as_html(document, cases.front().variant.display));
+}
+
+std::string machine_part(const project::Project& project) {
+  const project::Case& base = project.base();
+  const std::string drawing =
+      "<figure><div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Drawing of the machine\">" +
+      machine_drawing(base) + "</div></figure>\n";
+  return section("machine", "Machine and mounts" + std::string(project.cases.size() > 1 ? " of the base model" : ""),
+                 drawing + as_html(results::mounts_document(base), base.display));
+}
+
+std::string overview_part(const std::string& picture, bool is_short) {
+  return "<figure id=\"overview\">\n<div class=\"scroll\" tabindex=\"0\" role=\"group\" "
+         "aria-label=\"Overview picture\">" +
+      picture + "</div>\n<figcaption>Amplitude characteristics (the first group of curves), all on one scale." +
+      (is_short ? "" : "<span class=\"on-screen\"> Interactive charts of the selected case follow below.</span>") +
+      "</figcaption>\n</figure>\n";
+}
+
+std::string short_results(const std::vector<ShownCase>& cases) {
+  if (cases.empty()) return "";
+  const ShownCase& base = cases.front();
+  const auto document = [&](const char* result) {
+    return results::result_document(result, base.variant, base.results);
+  };
+  const auto html = [&](const Document& shown) { return as_html(shown, base.variant.display); };
+  const std::string of_base = cases.size() > 1 ? " of the base model" : "";
+  const std::string modes = base.variant.analyses.modes ? html(without_folded_tables(document("modes"))) : "";
+  const std::string speeds = base.results.operation ? html(without_sentences(document("operation"))) : "";
+  return section("modes", "Undamped modes" + of_base, modes) +
+      section("answer", "At the operating speed" + std::string(of_base.empty() ? "" : ", base model"), opened(speeds));
+}
+
+}  // namespace trivet::report
