@@ -16,6 +16,7 @@
 #include "trivet/results/model/element_results.h"
 #include "trivet/results/model/project_json.h"
 #include "trivet/results/model/suspension_document.h"
+#include "trivet/study/requirements/verdict.h"
 
 namespace trivet::engine {
 namespace {
@@ -24,11 +25,9 @@ using foundation::InvalidInput;
 
 /// The note that requirements are judged by `verdict`; empty if the file has nothing to judge.
 std::string judged_by_verdict(const project::Project& project) {
-  const project::Analyses& request = project.base().analyses;
-  const bool clearances = !project.base().system.description().clearances.empty();
-  if (!request.requirements && !clearances && request.limits.empty() && request.limit_lines.empty() &&
-      !(request.operation && !request.operation->limits.empty()))
-    return "";
+  if (std::ranges::none_of(project.cases, study::has_something_to_judge)) return "";
+  const bool clearances = std::ranges::any_of(
+      project.cases, [](const project::Case& one) { return !one.system.description().clearances.empty(); });
   return fmt::format("Not judged here: requirements{} and limits, in all cases. Judge them by: trivet verdict {}\n",
                      clearances ? ", clearances" : "", project.source);
 }

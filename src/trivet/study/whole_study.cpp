@@ -119,9 +119,7 @@ std::vector<CaseResults> run(const project::Project& project, const foundation::
                  (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
     };
     all.push_back(case_results(variant, variant.analyses, step));
-    if (project.base().analyses.requirements || judges_operation(project.base().analyses) ||
-        !project.base().system.description().clearances.empty())
-      add_verdict(project, variant, step, all.back());
+    if (is_judged_in_a_run(variant)) add_verdict(project, variant, step, all.back());
     if (project.cases.size() > 1) all.back().load_case = load_case_of(variant, all.back());
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());
     if (i == 0) add_optimum(project, step, all.back());

@@ -91,10 +91,11 @@ Table requirement_table(const std::vector<const CaseVerdict*>& cases) {
 
 Sentence verdict_sentence(const CaseVerdict& judged) {
   const auto& all = judged.results;
+  const std::string whose = judged.case_name.empty() ? "Base model" : "Case " + judged.case_name;
+  if (all.empty()) return {.parts = {whose + ": nothing to judge"}};
   const auto met = std::ranges::count_if(all, [](const auto& r) { return r.met(); });
   const bool no_other = std::ranges::all_of(all, [](const auto& r) { return !r.value || r.met(); });
-  std::string text = fmt::format("{}: {}, {} of {} requirements met",
-                                 judged.case_name.empty() ? "Base model" : "Case " + judged.case_name,
+  std::string text = fmt::format("{}: {}, {} of {} requirements met", whose,
                                  judged.met()                              ? "meets its requirements"
                                      : judged.not_judged() > 0 && no_other ? "NOT JUDGED completely"
                                                                            : "VIOLATES its requirements",

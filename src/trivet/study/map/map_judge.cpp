@@ -94,10 +94,10 @@ MapJudge::MapJudge(const project::Project& project, const project::Case& variant
     : threads_(options.threads) {
   add_part(variant, request, options);
   const std::vector<std::string> hold_in = cases_to_hold(project);
-  const bool as_requested = variant.analyses.requirements.has_value();
   if (variant.name.empty())
     for (const project::Case& further : project.cases) {
       const bool holds = !further.name.empty() && std::ranges::find(hold_in, further.name) != hold_in.end();
+      const bool as_requested = further.analyses.requirements.has_value();
       if (holds && takes_numbers(further, request, as_requested, warnings_)) add_further(further, request, options);
     }
   if (rules_.size() > DesignOutcome::most_rules)

@@ -11,6 +11,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/project/text/document.h"
 #include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/analyses/case_context.h"
 #include "trivet/study/explain/explanation.h"
@@ -76,13 +77,29 @@ void tell_operation(const project::Case& variant, const foundation::Progress& pr
 
 }  // namespace
 
+bool is_judged_in_a_run(const project::Case& variant) {
+  return variant.analyses.requirements || judges_operation(variant.analyses) ||
+      !variant.system.description().clearances.empty();
+}
+
+bool has_something_to_judge(const project::Case& variant) {
+  return is_judged_in_a_run(variant) || !variant.analyses.limits.empty() || !variant.analyses.limit_lines.empty();
+}
+
 std::vector<std::string> cases_to_hold(const project::Project& project) {
-  if (const auto& requirements = project.base().analyses.requirements) return requirements->hold_in;
-  if (project.base().system.description().clearances.empty() && !judges_operation(project.base().analyses))
-    return project::Requirements().hold_in;
-  std::vector<std::string> all;
-  for (const project::Case& variant : project.cases) all.push_back(variant.name);
-  return all;
+  const project::Case& base = project.base();
+  const auto has_to_hold = [&](const project::Case& variant) {
+    const auto& own = variant.analyses.requirements;
+    const project::Node* table = variant.written.find("requirements");
+    const bool names_cases = base.analyses.requirements || (table && table->find("hold_in"));
+    if (own && names_cases) return std::ranges::find(own->hold_in, variant.name) != own->hold_in.end();
+    if (own || &variant == &base) return true;
+    return has_something_to_judge(base) ? is_judged_in_a_run(variant) : has_something_to_judge(variant);
+  };
+  std::vector<std::string> names;
+  for (const project::Case& variant : project.cases)
+    if (has_to_hold(variant)) names.push_back(variant.name);
+  return names;
 }
 
 CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::string>& hold_in,
@@ -158,9 +175,7 @@ std::optional<std::size_t> Verdict::governing_case() const {
 }
 
 Verdict verdict(const project::Project& project, const foundation::Progress& progress) {
-  const project::Analyses& request = project.base().analyses;
-  if (!request.requirements && request.limits.empty() && request.limit_lines.empty() &&
-      project.base().system.description().clearances.empty() && !judges_operation(request))
+  if (std::ranges::none_of(project.cases, has_something_to_judge))
     throw foundation::InvalidInput(
         "verdict: neither requirements nor limits nor clearances; add [requirements] with limits = {\"BODY.x\" = \"1 "
         "mm\"}, no_peak = "

@@ -118,9 +118,16 @@ struct Verdict {
   [[nodiscard]] std::optional<std::size_t> governing_case() const;
 };
 
-/// Names of the cases in which the design has to hold: those of the requirements. Without requirements every case of a
-/// file with clearances, because nothing may touch in any, or with limits at the speeds of the machine; else the base
-/// model.
+/// True if `run` gives the case a verdict: it has requirements, clearances or limits at the speeds of the machine.
+[[nodiscard]] bool is_judged_in_a_run(const project::Case& variant);
+
+/// True if the case has requirements, clearances or limits of any kind, of its own or from the base model.
+[[nodiscard]] bool has_something_to_judge(const project::Case& variant);
+
+/// Names of the cases in which the design has to hold: those of `hold_in`, as each case has it. If the base model has
+/// no requirements, it and every case with requirements of its own, with clearances, because nothing may touch in any,
+/// or with limits at the speeds of the machine; of a base model with nothing to judge also those with limits of their
+/// own.
 [[nodiscard]] std::vector<std::string> cases_to_hold(const project::Project& project);
 
 /// Judges one case. @param hold_in  names of the cases in which the design has to hold

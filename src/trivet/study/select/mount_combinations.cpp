@@ -21,6 +21,7 @@
 #include "trivet/response/steady/at_rest.h"
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/requirements/margin.h"
+#include "trivet/study/requirements/verdict.h"
 #include "trivet/study/select/summed_model.h"
 
 namespace trivet::study {
@@ -156,7 +157,8 @@ std::vector<const project::Case*> deciding_cases(const project::Project& project
   const std::vector<std::string> hold_in = cases_to_hold(project);
   std::vector<const project::Case*> cases;
   for (const project::Case& variant : project.cases)
-    if (std::ranges::find(hold_in, variant.name) != hold_in.end()) cases.push_back(&variant);
+    if (std::ranges::find(hold_in, variant.name) != hold_in.end() && has_something_to_judge(variant))
+      cases.push_back(&variant);
   return cases;
 }
 

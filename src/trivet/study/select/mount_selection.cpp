@@ -15,6 +15,7 @@
 #include "trivet/study/requirements/mount_loads.h"
 #include "trivet/study/requirements/requirement_values.h"
 #include "trivet/study/requirements/single_mount_forces.h"
+#include "trivet/study/requirements/verdict.h"
 
 namespace trivet::study {
 namespace {
@@ -106,8 +107,7 @@ MountSelection ranked(MountRanking& ranking, std::size_t choices, std::size_t mo
 
 MountSelection mount_selection(const project::Project& project, std::size_t most, const foundation::Progress& progress,
                                MountOrder by) {
-  const project::Analyses& request = project.base().analyses;
-  if (!request.requirements && request.limits.empty() && request.limit_lines.empty())
+  if (std::ranges::none_of(project.cases, has_something_to_judge))
     throw foundation::InvalidInput(
         "select: neither requirements nor limits; add [requirements] with mount_load = \"catalogue\", limits = "
         "{\"BODY.x\" = \"1 mm\"}, natural_frequencies = {avoid = [[\"22 Hz\", \"28 Hz\"]]} …");
