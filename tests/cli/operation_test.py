@@ -231,6 +231,101 @@ class Operation(unittest.TestCase):
         self.assertIn("At 980 rpm: largest velocity", said)
         self.assertIn("At 200 … 400 rpm: largest velocity", said)
 
+    def test_the_command_judges_its_limits(self):
+        amplitude = of_rotor(980 * RPM)
+        text = MACHINE + ROTOR + f'[operation]\nspeeds = ["980 rpm"]\nlimits."m.z" = "{0.8e3 * amplitude} mm"\n'
+        over = self.trivet(text, "operation", "--strict", code=3)
+        self.assertIn("1 limit exceeded", over.stderr)
+        (row,) = [line for line in over.stdout.splitlines() if line.endswith("EXCEEDED")]
+        self.assertIn("125.0 %", row)
+        self.assertIn(f"{0.8e6 * amplitude:.1f} µm 0-p", row)  # the limit
+        self.assertIn(f"{1e6 * amplitude:.1f} µm 0-p", row)  # the value
+        (limit,) = self.operation(text)["limits"]
+        self.near(limit["share"], 1.25)
+        self.near(limit["value"], amplitude)
+        self.assertEqual((limit["quantity"], limit["met"], limit["unit"]), ("displacement", False, "m"))
+        met = self.trivet(text, "operation", "--strict", "--at", "100 rpm", code=4)  # a warning alone
+        self.assertTrue(any(line.endswith("met") for line in met.stdout.splitlines()), met.stdout)
+
+    def test_maps_and_searches_judge_them(self):
+        axes = "x = {parameter = 'elements.s.scale', from = 0.9, to = 1.1}, "
+        axes += "y = {parameter = 'bodies.m.mass', from = 38, to = 42}, limits = {\"m.z\" = \"1 m\"}"
+        parameter = "[parameters.stiffness]\npath = 'elements.s.scale'\nfrom = 0.5\nto = 2\n"
+        text = MACHINE + ROTOR + f"[analyses]\nmap = {{{axes}}}\n" + parameter
+        text += '[operation]\nspeeds = ["980 rpm"]\nlimits."m.z" = "LIMIT mm"\n'
+        small, large = text.replace("LIMIT", "0.01"), text.replace("LIMIT", "5")
+        self.assertIn("infeasible", self.trivet(small, "map", "--points", "5", "--strict", code=3).stderr)
+        self.trivet(large, "map", "--points", "5", "--strict")
+        self.trivet(small, "optimize", "--strict", code=3)
+        best = json.loads(self.trivet(large, "optimize", "--json").stdout)
+        self.assertEqual(best["cases"][0]["after"]["requirements"][0]["kind"], "operation")
+
+    def test_a_range_from_rest_has_its_limit_there(self):
+        floor = '[excitations.floor]\ntype = "base"\nquantity = "QUANTITY"\ntranslation = [0, 0, AMPLITUDE]\n'
+        floor += '[operation]\nspeeds = [["0 rpm", "100 rpm"]]\nexcitations = ["floor"]\nlimits."m.z" = "1 mm"\n'
+        velocity, acceleration = 1e-3, 2e-2
+        given = MACHINE + floor.replace("QUANTITY", "velocity").replace("AMPLITUDE", str(velocity))
+        found = self.operation(given)
+        moved = self.value(found, "m.z")
+        self.assertEqual((moved["amplitude"], moved["rms"], moved["at"]), (None, None, 0))  # v/Ω grows without bound
+        self.assertIn("the ground, whose velocity or acceleration is given, moves without bound", moved["reason"])
+        # Below its resonance the velocity of the mass, v T(Ω), is least at rest and largest at the other end.
+        speed = 100 * RPM
+        self.near(self.value(found, "m.z", "velocity")["amplitude"], velocity * transmissibility(speed))
+        # The force of spring and dashpot, v M Ω T(Ω), vanishes at rest.
+        self.near(
+            self.value(found, "s.force.z", "force")["amplitude"], MASS * speed * velocity * transmissibility(speed)
+        )
+        self.assertIn("Unbounded: towards rest the ground", self.trivet(given, "operation").stdout)
+        said = self.trivet(given, "verdict", "--strict", code=3).stdout
+        self.assertIn("towards rest the ground", said)
+        # Of a given acceleration the velocity grows too; far above the resonance it is largest at rest.
+        given = MACHINE + floor.replace("QUANTITY", "acceleration").replace("AMPLITUDE", str(acceleration))
+        self.assertIsNone(self.value(self.operation(given), "m.z", "velocity")["amplitude"])
+        # A force that stays the same bends the spring as at rest: the limit is F/k, at 0.
+        stiff = MACHINE.replace(f"mass = {MASS}", "mass = 1e-3").replace(f"0, {DASHPOT}", "0, 4e5")
+        push = '[excitations.push]\ntype = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 50]\n'
+        found = self.operation(stiff + push + '[operation]\nspeeds = [["0 rpm", "900 rpm"]]\n')
+        self.near(self.value(found, "m.z")["amplitude"], 50 / STIFFNESS)
+        self.assertEqual(self.value(found, "m.z")["at"], 0)
+
+    def test_the_largest_value_does_not_depend_on_where_the_search_begins(self):
+        # At so low a speed the velocity of the mass is that of the ground, to the closed form.
+        floor = '[excitations.floor]\ntype = "base"\nquantity = "velocity"\ntranslation = [0, 0, 1e-3]\n'
+        heavy = MACHINE.replace(f"0, {DASHPOT}", "0, 1.0") + floor
+        found = self.operation(heavy + '[operation]\nspeeds = [["0 rpm", "1 rpm"]]\nexcitations = ["floor"]\n')
+        speed = 1 * RPM
+        exact = 1e-3 * abs(complex(STIFFNESS, speed) / complex(STIFFNESS - MASS * speed**2, speed))
+        self.near(self.value(found, "m.z", "velocity")["amplitude"], exact)
+
+    def test_the_isolation_names_its_order(self):
+        said = self.trivet(MACHINE + ORDERS + '[operation]\nspeeds = ["100 rpm"]\n', "operation").stdout
+        shares = {order: transmissibility(order * 100 * RPM) for order in (2, 3)}
+        worst = max(shares, key=shares.get)
+        self.assertIn(f'isolation from "shaft" in order {worst} along z', " ".join(said.split()))
+        alone = self.trivet(MACHINE + ROTOR + '[operation]\nspeeds = ["980 rpm"]\n', "operation").stdout
+        self.assertIn('isolation from "rotor" along z', " ".join(alone.split()))
+
+    def test_table_and_sentence_name_the_same_nearest_mode(self):
+        # Ω = 10 rad/s between modes at 7 and 17 rad/s: 43 % above the first, 41 % below the second.
+        two = MACHINE + '[bodies.n]\nmass = 1\nfree = ["z"]\n[elements.t]\ntype = "three_springs"\non = "n"\n'
+        two += "at = [1, 0, 0]\ntranslation = [0, 0, 49]\ndamping = {translation = [0, 0, 1]}\n"
+        two = two.replace(f"0, {STIFFNESS}]", f"0, {MASS * 17**2}]")
+        push = '[excitations.KEY]\ntype = "harmonic"\non = "BODY"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n'
+        both = "".join(push.replace("KEY", "on " + body).replace("BODY", body) for body in "mn")
+        both = both.replace("[excitations.on m]", '[excitations."on m"]').replace(
+            "[excitations.on n]", '[excitations."on n"]'
+        )
+        text = two + both + f'[operation]\nspeeds = ["{10 / RPM} rpm"]\n'
+        rows = self.operation(text)["modes"]
+        nearest = min(rows, key=lambda row: abs(row["distance"]))
+        said = " ".join(self.trivet(text, "operation").stdout.split())
+        self.assertIn(f"nearest to resonance: mode {nearest['mode']} (", said)
+
+    def test_a_speed_without_unit_is_asked_for_in_rpm(self):
+        said = self.trivet(MACHINE + ROTOR, "operation", "--at", "980", code=2).stderr
+        self.assertIn('--at "980": a speed has a unit; write --at "980 rpm" or --at "980 rad/s"', said)
+
     def test_the_fan_has_its_numbers_in_summary_report_and_files(self):
         with tempfile.TemporaryDirectory() as folder:
             run = subprocess.run([TRIVET, "run", FAN, "-o", folder], capture_output=True, text=True, check=True)

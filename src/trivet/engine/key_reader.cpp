@@ -43,10 +43,11 @@ std::string with_missing_units(const std::vector<std::string>& items, bool band,
   return text;
 }
 
-/// Rejects texts whose frequencies have no unit: engineers mean Hz, formulas rad/s. If only some have none, "1,5 Hz"
-/// may also be one number with a decimal comma. The 0 of a band is 0 in every unit.
-void refuse_without_units(const std::string& key, bool band, const std::string& text,
+/// Rejects texts whose frequencies have no unit: engineers mean Hz, or rpm of a speed, formulas rad/s. If only some
+/// have none, "1,5 Hz" may also be one number with a decimal comma. The 0 of a band is 0 in every unit.
+void refuse_without_units(const std::string& key, const Key& row, const std::string& text,
                           const std::vector<std::string>& items) {
+  const bool band = row.name == std::string_view("band"), speed = std::string_view(row.value).starts_with("SPEED");
   const auto bare = std::ranges::count_if(items, [band](const std::string& item) {
     const auto number = plain_number(item);
     return number && !(band && *number == 0);
@@ -58,8 +59,9 @@ void refuse_without_units(const std::string& key, bool band, const std::string& 
         "{} \"{}\": some values have a unit and some have none; give each its unit as in {} \"1 Hz,5 Hz\"; a decimal "
         "number has a point: \"1.5 Hz\"",
         key, text, key));
-  throw InvalidInput(fmt::format("{0} \"{1}\": a frequency has a unit; write {0} \"{2}\" or {0} \"{3}\"", key, text,
-                                 with_missing_units(items, band, "Hz"), with_missing_units(items, band, "rad/s")));
+  throw InvalidInput(fmt::format("{0} \"{1}\": a {4} has a unit; write {0} \"{2}\" or {0} \"{3}\"", key, text,
+                                 with_missing_units(items, band, speed ? "rpm" : "Hz"),
+                                 with_missing_units(items, band, "rad/s"), speed ? "speed" : "frequency"));
 }
 
 std::optional<int> whole_number(const Value& value) {
@@ -168,7 +170,7 @@ std::vector<std::string> KeyReader::texts(const std::string& key) const {
 
 double KeyReader::frequency(const std::string& key, const Value& value) const {
   const std::string text = text_of(value);
-  if (std::holds_alternative<std::string>(value)) refuse_without_units(written(key), key == "band", text, {text});
+  if (std::holds_alternative<std::string>(value)) refuse_without_units(written(key), row(key), text, {text});
   std::optional<double> omega = plain_number(text);
   if (!omega) {
     const auto converted = project::to_si(text, project::Quantity::angular_frequency);
@@ -191,7 +193,7 @@ std::vector<double> KeyReader::frequencies(const std::string& key) const {
   if (!value) return all;
   if (const auto* text = std::get_if<std::string>(value)) {
     const std::vector<std::string> items = between_commas(*text);
-    refuse_without_units(written(key), key == "band", *text, items);
+    refuse_without_units(written(key), row(key), *text, items);
     for (const std::string& item : items) all.push_back(frequency(key, item));
   } else if (const auto* list = std::get_if<std::vector<Value>>(value)) {
     for (const Value& one : *list) all.push_back(frequency(key, one));

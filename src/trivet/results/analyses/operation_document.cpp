@@ -16,6 +16,7 @@ namespace trivet::results {
 namespace {
 
 using study::OperatingIsolation;
+using study::OperatingLimit;
 using study::OperatingMode;
 using study::OperatingMotion;
 using study::OperatingSpeed;
@@ -78,7 +79,8 @@ Table operating_values(const OperationResult& found) {
            row("rms", Kind::quantity, "", [](const ValueRow& one) { return one.what->rms; }),
            row("bound", Kind::quantity, "", [](const ValueRow& one) { return one.what->bound; }),
            row("at", Kind::speed, "", [](const ValueRow& one) { return one.what->at; }),
-           row("order", Kind::number, "", [](const ValueRow& one) { return one.what->order; })}),
+           row("order", Kind::number, "", [](const ValueRow& one) { return one.what->order; }),
+           row("reason", Kind::words, "", [](const ValueRow& one) { return one.what->reason; }, {.forms = in_json})}),
       .csv = {"from [rpm]", "to [rpm]", "name", "quantity", "unit", "amplitude", "rms", "bound", "at [rpm]", "order"},
       .forms = for_programs};
 }
@@ -269,9 +271,8 @@ std::vector<std::size_t> wanted_modes(const OperatingSpeed& at, bool several_ord
   std::vector<std::size_t> rows;
   const auto& modes = at.modes;
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    const bool nearest = std::ranges::none_of(modes, [&](const OperatingMode& other) {
-      return other.order == modes[i].order && std::abs(other.distance()) < std::abs(modes[i].distance());
-    });
+    const bool nearest = std::ranges::none_of(
+        modes, [&](const OperatingMode& other) { return other.order == modes[i].order && is_nearer(other, modes[i]); });
     if (!several_orders || nearest || modes[i].is_near()) rows.push_back(i);
   }
   return rows;
@@ -294,6 +295,79 @@ Table shown_modes(const OperatingSpeed& at, bool several_orders) {
       .forms = for_people};
 }
 
+const char* quantity_name(assembly::MotionQuantity quantity) {
+  switch (quantity) {
+    case assembly::MotionQuantity::velocity:
+      return "velocity";
+    case assembly::MotionQuantity::acceleration:
+      return "acceleration";
+    default:
+      return "displacement";
+  }
+}
+
+struct LimitRow {
+  const OperatingSpeed* in;
+  const OperatingLimit* what;
+};
+
+std::vector<Column> limit_columns(const Rows<LimitRow>& row) {
+  const auto of_value = [](auto member) { return [member](const LimitRow& one) { return one.what->value.*member; }; };
+  return {
+      row("name", Kind::words, "result", of_value(&OperatingValue::name)),
+      row("quantity", Kind::words, "", [](const LimitRow& one) { return quantity_name(one.what->quantity); }),
+      row("unit", Kind::words, "", of_value(&OperatingValue::unit)),
+      row("value", Kind::amplitude, "value", [](const LimitRow& one) { return one.what->value.amplitude(); },
+          {.digits = 4}),
+      row("allowed", Kind::amplitude, "limit", [](const LimitRow& one) { return one.what->allowed; }, {.digits = 4}),
+      row("share", Kind::share, "of the limit", [](const LimitRow& one) { return one.what->share(); }),
+      row("at", Kind::speed, "at", of_value(&OperatingValue::at)),
+      row("met", Kind::yes_no, "", [](const LimitRow& one) { return one.what->met(); }, {.forms = for_programs}),
+      row("reason", Kind::words, "", of_value(&OperatingValue::reason), {.forms = for_programs}),
+      row("verdict", Kind::words, "verdict", [](const LimitRow& one) { return one.what->met() ? "met" : "EXCEEDED"; },
+          {.forms = for_people})};
+}
+
+/// The limits at all speeds, for programs.
+Table limits_of_all_speeds(const OperationResult& found) {
+  std::vector<LimitRow> list;
+  for (const OperatingSpeed& at : found.speeds)
+    for (const OperatingLimit& one : at.limits) list.push_back({&at, &one});
+  const Rows row(std::move(list));
+  return {.key = "limits",
+          .rows = row.size(),
+          .columns = joined_columns(speed_columns(row), limit_columns(row)),
+          .forms = in_json};
+}
+
+Table shown_limits(const OperatingSpeed& at) {
+  std::vector<LimitRow> list;
+  for (const OperatingLimit& one : at.limits) list.push_back({&at, &one});
+  const Rows row(std::move(list));
+  std::vector<Use> columns = {"name", "value", "allowed", "share"};
+  if (at.is_range()) columns.emplace_back("at");
+  columns.emplace_back("verdict");
+  return {.title = "Limits, all orders together",
+          .rows = row.size(),
+          .columns = limit_columns(row),
+          .people = std::move(columns),
+          .mark = [&at](std::size_t i) { return at.limits[i].met() ? Mark::plain : Mark::bad; },
+          .forms = for_people};
+}
+
+/// Why values are infinite.
+std::string unbounded_words(const OperatingSpeed& at) {
+  std::vector<std::string> reasons;
+  const auto add = [&](const OperatingValue& value) {
+    if (!value.reason.empty() && std::ranges::find(reasons, value.reason) == reasons.end())
+      reasons.push_back(value.reason);
+  };
+  for (const OperatingMotion& motion : at.motions) add(motion.displacement), add(motion.velocity);
+  for (const OperatingValue& force : at.forces) add(force);
+  for (const OperatingLimit& limit : at.limits) add(limit.value);
+  return reasons.empty() ? std::string() : fmt::format("Unbounded: {}", fmt::join(reasons, "; "));
+}
+
 std::string undefined_isolation(const OperatingSpeed& at) {
   std::vector<std::string> reasons;
   for (const OperatingIsolation& one : at.isolation)
@@ -304,11 +378,13 @@ std::string undefined_isolation(const OperatingSpeed& at) {
 Group shown_speed(const OperatingSpeed& at, bool several_orders) {
   Group group{.key = "", .parts = {}, .title = "At " + study::speed_words(at.speed)};
   constexpr unsigned details = on_screen | on_page;
+  if (!at.limits.empty()) group.parts.push_back({shown_limits(at)});
   group.parts.push_back({shown_isolation(at, several_orders)});
   group.parts.push_back(
       {Sentence{.parts = {undefined_isolation(at)}, .place = Sentence::Place::note, .forms = details}});
   group.parts.push_back({shown_motions(at, several_orders)});
   group.parts.push_back({shown_forces(at)});
+  group.parts.push_back({Sentence{.parts = {unbounded_words(at)}, .place = Sentence::Place::note, .forms = details}});
   group.parts.push_back({shown_modes(at, several_orders)});
   for (Part& part : group.parts)
     if (auto* table = std::get_if<Table>(&part.content)) table->forms = details;
@@ -330,6 +406,7 @@ Document operation_document(const project::Case&, const study::CaseResults& resu
   document.add(operating_values(found));
   document.add(operating_isolation(found));
   document.add(operating_modes(found));
+  document.add(limits_of_all_speeds(found));
   for (const OperatingSpeed& at : found.speeds) document.add(shown_speed(at, several_orders));
   document.add(warnings_part(results));
   return document;

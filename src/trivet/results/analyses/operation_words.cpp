@@ -54,16 +54,24 @@ void add_largest_value(const OperatingSpeed& at, const OperatingValue* value, co
   sentence.parts.emplace_back(
       Quantity{.value = value->amplitude(), .unit = value->unit, .kind = Kind::amplitude, .digits = sentence_digits});
   sentence.parts.emplace_back(" (" + value->name + ")");
-  add_speed(at, value->at, sentence);
+  if (value->reason.empty()) add_speed(at, value->at, sentence);
+  else sentence.parts.emplace_back(": " + value->reason);
 }
 
 void add_isolation(const OperatingSpeed& at, Sentence& sentence) {
   const study::OperatingIsolation* worst = nullptr;
   for (const study::OperatingIsolation& one : at.isolation)
     if (one.reason.empty() && (!worst || one.transmissibility > worst->transmissibility)) worst = &one;
-  if (!worst) return;
-  sentence.parts.emplace_back(fmt::format("; isolation from {} {}: {}", foundation::quoted(worst->excitation),
-                                          worst->direction, isolation_words(worst->transmissibility)));
+  if (!worst) {
+    if (!at.isolation.empty()) sentence.parts.emplace_back("; isolation not defined: " + at.isolation.front().reason);
+    return;
+  }
+  const bool other_orders = std::ranges::any_of(
+      at.isolation, [&](const study::OperatingIsolation& one) { return one.order != worst->order; });
+  sentence.parts.emplace_back(
+      fmt::format("; isolation from {}{} {}: {}", foundation::quoted(worst->excitation),
+                  other_orders || worst->order != 1 ? fmt::format(" in order {:.6g}", worst->order) : "",
+                  worst->direction, isolation_words(worst->transmissibility)));
   add_speed(at, worst->at, sentence);
 }
 
@@ -71,11 +79,10 @@ void add_nearest_mode(const OperatingSpeed& at, Sentence& sentence) {
   const OperatingMode* nearest = nullptr;
   std::size_t passed = 0;
   for (const OperatingMode& mode : at.modes) {
-    if (!mode.excited) continue;
-    passed += mode.passes;
-    if (!nearest || std::abs(std::log(mode.ratio)) < std::abs(std::log(nearest->ratio))) nearest = &mode;
+    passed += mode.excited && mode.passes;
+    if (!nearest || is_nearer(mode, *nearest)) nearest = &mode;
   }
-  if (!nearest) return;
+  if (!nearest || !nearest->excited) return;
   const std::string order = fmt::format("order {:.6g}", nearest->order);
   if (nearest->passes) sentence.parts.emplace_back(fmt::format("; {} passes through mode {} (", order, nearest->mode));
   else sentence.parts.emplace_back(fmt::format("; nearest to resonance: mode {} (", nearest->mode));

@@ -13,6 +13,7 @@
 #include "trivet/response/steady/at_rest.h"
 #include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/analyses/analysis_run.h"
+#include "trivet/study/analyses/operating_limits.h"
 #include "trivet/study/analyses/summed_orders.h"
 
 namespace trivet::study {
@@ -144,7 +145,7 @@ void warn_of_resonance(const OperatingSpeed& at, foundation::Problems& warnings)
   for (const OperatingMode& mode : at.modes)
     if (mode.excited && mode.is_near()) near.push_back(mode);
   if (near.empty()) return;
-  std::ranges::stable_sort(near, {}, [](const OperatingMode& mode) { return std::abs(mode.distance()); });
+  std::ranges::stable_sort(near, is_nearer);
   std::vector<std::string> words;
   for (std::size_t i = 0; i < std::min(most, near.size()); ++i) words.push_back(nearness_words(near[i]));
   if (near.size() > most) words.push_back(fmt::format("and {} more", near.size() - most));
@@ -177,11 +178,9 @@ OperationResult operation_result(const CaseContext& c, const project::OperationA
     for (const std::string& name : load.excitations)
       if (std::ranges::find(result.excitations, name) == result.excitations.end()) result.excitations.push_back(name);
   }
-  double fastest = 0;
-  for (const assembly::Band& speed : request.speeds)
-    if (speed.from < speed.to) fastest = std::max(fastest, speed.to);
   const OperatingChannels channels = operating_channels(c, request);
-  const SummedOrders summed(c, channels.list, loads, fastest);
+  const SummedOrders summed(c, channels.list, loads, fastest_range(request.speeds));
+  std::vector<std::vector<OperatingLimit>> limits = operating_limits(c, request, loads);
   for (const assembly::Band& speed : request.speeds) {
     OperatingSpeed& at = result.speeds.emplace_back();
     at.speed = speed;
@@ -190,6 +189,7 @@ OperationResult operation_result(const CaseContext& c, const project::OperationA
     at.forces.assign(values.begin() + static_cast<std::ptrdiff_t>(2 * channels.motions), values.end());
     at.isolation = isolation_at(c, speed, selected);
     at.modes = distances(c, loads, speed);
+    at.limits = std::move(limits[result.speeds.size() - 1]);
     warn_of_resonance(at, warnings);
   }
   return result;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trivet/assembly/band.h"
+#include "trivet/assembly/channels.h"
 
 /// What happens at the speeds at which a machine runs. All excitations run with it: its orders, and at order 1
 /// unbalances and harmonic forces. Formulas: docs/analyses.md.
@@ -20,9 +21,20 @@ struct OperatingValue {
   double bound = 0;        ///< Σ |y_k| there: all orders in phase
   double at = 0;           ///< Ω [rad/s]
   double order = 0;        ///< that with the largest part
+  std::string reason;      ///< why it is infinite
 
   /// Zero-to-peak: of one order its amplitude, of several √2 times their root mean square.
   [[nodiscard]] double amplitude() const { return std::numbers::sqrt2 * rms; }
+};
+
+/// A limit on a result at a speed, or over a range of speeds.
+struct OperatingLimit {
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
+  double allowed = 0;  ///< zero-to-peak
+  OperatingValue value;
+
+  [[nodiscard]] double share() const { return value.amplitude() / allowed; }
+  [[nodiscard]] bool met() const;
 };
 
 /// A motion as displacement [m] or [rad] and as velocity [m/s] or [rad/s].
@@ -63,6 +75,12 @@ struct OperatingMode {
 /// twice as large there as at rest.
 inline constexpr double near_resonance = 0.2;
 
+/// Orders modes by what matters at a speed: those that are excited first, then those nearer to their resonance.
+[[nodiscard]] inline bool is_nearer(const OperatingMode& a, const OperatingMode& b) {
+  if (a.excited != b.excited) return a.excited;
+  return std::abs(a.distance()) < std::abs(b.distance());
+}
+
 inline bool OperatingMode::is_near() const { return std::abs(distance()) <= near_resonance * (1 + 1e-9); }
 
 struct OperatingSpeed {
@@ -70,7 +88,8 @@ struct OperatingSpeed {
   std::vector<OperatingMotion> motions;
   std::vector<OperatingValue> forces;  ///< total on the ground, then of each mount; then other requested ones
   std::vector<OperatingIsolation> isolation;
-  std::vector<OperatingMode> modes;  ///< by order, then ascending
+  std::vector<OperatingLimit> limits;  ///< of [operation.limits]
+  std::vector<OperatingMode> modes;    ///< by order, then ascending
 
   [[nodiscard]] bool is_range() const { return speed.from < speed.to; }
 };

@@ -12,21 +12,34 @@
 #include "trivet/response/steady/frequency_response.h"
 
 namespace trivet::study {
+namespace {
+
+constexpr const char* undamped = "an undamped resonance";
+
+}  // namespace
 
 /// |y_k|² of the orders at one speed.
 struct SummedOrders::Place {
   double speed = 0;
   Eigen::VectorXd squares;
+  std::string reason = {};  ///< why they are infinite
   [[nodiscard]] double sum() const { return squares.sum(); }
+  /// @param square  not a number at an undamped resonance
+  void set(Eigen::Index order, double square) {
+    squares(order) = std::isnan(square) ? foundation::infinity : square;
+    if (std::isnan(square)) reason = undamped;
+  }
 };
 
 SummedOrders::SummedOrders(const CaseContext& context, std::vector<assembly::Channel> channels,
                            const std::vector<response::OrderLoading>& loads, double fastest)
     : c_(context), channels_(std::move(channels)), loads_(loads) {
   if (!(fastest > 0) || channels_.empty()) return;
-  for (const response::OrderLoading& load : loads_)
+  for (const response::OrderLoading& load : loads_) {
     peaks_.push_back(response::peaks(c_.assembled, channels_, load.loading, c_.modes, c_.roots(),
                                      {.search_to = load.order * fastest}, c_.progress));
+    searched_from_ = std::max(searched_from_, peaks_.back().searched_from / load.order);
+  }
 }
 
 std::vector<SummedOrders::Place> SummedOrders::places(const std::vector<assembly::Channel>& channels,
@@ -38,12 +51,49 @@ std::vector<SummedOrders::Place> SummedOrders::places(const std::vector<assembly
     for (const double speed : speeds) omega.push_back(loads_[k].order * speed);
     const response::FrequencyResponse found =
         response::frequency_response(c_.assembled, channels, loads_[k].loading, omega);
-    for (std::size_t i = 0; i < speeds.size(); ++i) {
-      const double square = std::norm(found.curves[channel].value(to_index(i)));
-      result[i].squares(to_index(k)) = std::isnan(square) ? foundation::infinity : square;
-    }
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+      result[i].set(to_index(k), std::norm(found.curves[channel].value(to_index(i))));
   }
   return result;
+}
+
+double SummedOrders::round_off(std::size_t channel, std::size_t load, double omega) const {
+  constexpr double share = 1e-10;
+  const std::vector<assembly::Channel> coordinates =
+      assembly::channels(c_.system, c_.assembled, {"coordinates"}, assembly::MotionQuantity::displacement);
+  double largest = 0;
+  for (const response::Curve& curve :
+       response::frequency_response(c_.assembled, coordinates, loads_[load].loading, {omega}).curves)
+    largest = std::max(largest, std::abs(curve.value(0)));
+  const bool is_force = channels_[channel].unit.starts_with('N');
+  const double factor = is_force ? c_.assembled.matrices.K.cwiseAbs().maxCoeff() : 1;
+  return share * factor * largest;
+}
+
+SummedOrders::Place SummedOrders::at_rest(std::size_t channel, double near) const {
+  constexpr double nearer = 0.25, growth = 1.5;  // a curve ∝ ω⁻¹ grows by 4
+  Place place{0, Eigen::VectorXd::Zero(to_index(loads_.size()))};
+  for (std::size_t k = 0; k < loads_.size(); ++k) {
+    const double omega = loads_[k].order * near;
+    const response::FrequencyResponse found =
+        response::frequency_response(c_.assembled, {channels_[channel]}, loads_[k].loading, {0, nearer * omega, omega});
+    const Eigen::VectorXd size = found.curves[0].value.cwiseAbs();
+    const double limit = std::isfinite(size(0)) ? size(0) : size(1);
+    const bool grows = !std::isfinite(limit) ||
+        (!std::isfinite(size(0)) && size(1) > growth * size(2) && size(1) > round_off(channel, k, nearer * omega));
+    place.squares(to_index(k)) = grows ? foundation::infinity : limit * limit;
+    if (!grows || !place.reason.empty()) continue;
+    place.reason = loads_[k].loading.lowest_power() < 0
+        ? "towards rest the ground, whose velocity or acceleration is given, moves without bound"
+        : "towards rest the machine, which nothing holds, moves without bound";
+  }
+  return place;
+}
+
+double SummedOrders::begin(const assembly::Band& speed) const {
+  const bool from_tables =
+      std::ranges::any_of(c_.assembled.elements, [](const auto& map) { return map.defined_from > 0; });
+  return from_tables ? std::min(std::max(speed.from, searched_from_), speed.to) : speed.from;
 }
 
 OperatingValue SummedOrders::value_at(std::size_t channel, const Place& place) const {
@@ -54,7 +104,8 @@ OperatingValue SummedOrders::value_at(std::size_t channel, const Place& place) c
           std::sqrt(0.5 * place.sum()),
           place.squares.cwiseSqrt().sum(),
           place.speed,
-          loads_[to_size(most)].order};
+          loads_[to_size(most)].order,
+          place.reason};
 }
 
 std::vector<OperatingValue> SummedOrders::largest(const assembly::Band& speed) const {
@@ -63,14 +114,11 @@ std::vector<OperatingValue> SummedOrders::largest(const assembly::Band& speed) c
     for (std::size_t c = 0; c < channels_.size(); ++c) result.push_back(largest_of(c, speed));
     return result;
   }
-  std::vector<Place> at(channels_.size(), {speed.from, Eigen::VectorXd::Zero(to_index(loads_.size()))});
+  std::vector<Place> at(channels_.size(), Place{speed.from, Eigen::VectorXd::Zero(to_index(loads_.size()))});
   for (std::size_t k = 0; k < loads_.size(); ++k) {
     const response::FrequencyResponse found =
         response::frequency_response(c_.assembled, channels_, loads_[k].loading, {loads_[k].order * speed.from});
-    for (std::size_t c = 0; c < channels_.size(); ++c) {
-      const double square = std::norm(found.curves[c].value(0));
-      at[c].squares(to_index(k)) = std::isnan(square) ? foundation::infinity : square;
-    }
+    for (std::size_t c = 0; c < channels_.size(); ++c) at[c].set(to_index(k), std::norm(found.curves[c].value(0)));
   }
   for (std::size_t c = 0; c < channels_.size(); ++c) result.push_back(value_at(c, at[c]));
   return result;
@@ -78,9 +126,9 @@ std::vector<OperatingValue> SummedOrders::largest(const assembly::Band& speed) c
 
 std::vector<double> SummedOrders::turning_speeds(std::size_t channel, const assembly::Band& speed,
                                                  std::vector<double>& unbounded) const {
-  double from = speed.from;
-  for (std::size_t k = 0; k < loads_.size(); ++k) from = std::max(from, peaks_[k].searched_from / loads_[k].order);
-  std::vector<double> speeds = {std::min(from, speed.to), speed.to};
+  const double from = begin(speed);
+  std::vector<double> speeds = {speed.to};
+  if (from > 0) speeds.push_back(from);
   for (std::size_t k = 0; k < loads_.size(); ++k) {
     const auto add = [&](double omega, double amplitude) {
       const double at = omega / loads_[k].order;
@@ -107,10 +155,16 @@ OperatingValue SummedOrders::largest_of(std::size_t channel, const assembly::Ban
   if (!unbounded.empty()) {
     Place at = places(alone, 0, {unbounded.front()}).front();
     at.squares.array() += foundation::infinity;
+    at.reason = undamped;
     return value_at(channel, at);
   }
   const auto lower = [](const Place& a, const Place& b) { return a.sum() < b.sum(); };
   std::vector<Place> known = places(alone, 0, turning);
+  if (begin(speed) == 0) {
+    constexpr double close = 1e-6;  // of the range
+    known.insert(known.begin(), at_rest(channel, searched_from_ > 0 ? searched_from_ : close * speed.to));
+    if (std::isinf(known.front().sum())) return value_at(channel, known.front());
+  }
   while (loads_.size() > 1 && known.size() < most_places) {
     const double enough = (1 + proven) * std::ranges::max_element(known, lower)->sum();
     std::vector<double> between;

@@ -9,7 +9,7 @@
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/response/machinery/operating_loads.h"
-#include "trivet/study/analyses/summed_orders.h"
+#include "trivet/study/analyses/operating_limits.h"
 #include "trivet/study/requirements/requirement_list.h"
 
 namespace trivet::study {
@@ -20,6 +20,7 @@ void set_operating_value(const OperatingValue& found, const assembly::Band& spee
   result.margin = design::margin({design::DesignRule::Kind::amplitude, 0, result.allowed}, found.amplitude());
   result.angular_frequency = found.order * found.at;
   if (speed.from < speed.to) result.detail = fmt::format("{:.5g} rpm", found.at * foundation::rpm_per_rad_s);
+  if (!found.reason.empty()) result.detail += (result.detail.empty() ? "" : ", ") + found.reason;
 }
 
 }  // namespace
@@ -45,18 +46,10 @@ void add_operation_requirements(const CaseContext& c, const project::Analyses& a
   list.attempt(first, [&] {
     const auto loads = response::operating_loads(c.system, c.assembled, request.selection.excitations);
     if (loads.empty()) throw without_excitation("operation");
-    std::vector<assembly::Channel> channels;
-    for (const project::AmplitudeLimit& limit : request.limits)
-      channels.push_back(assembly::channels(c.system, c.assembled, {limit.name}, limit.quantity).front());
-    double fastest = 0;
-    for (const assembly::Band& speed : request.speeds)
-      if (speed.from < speed.to) fastest = std::max(fastest, speed.to);
-    const SummedOrders summed(c, channels, loads, fastest);
-    for (std::size_t s = 0; s < request.speeds.size(); ++s) {
-      const std::vector<OperatingValue> values = summed.largest(request.speeds[s]);
+    const std::vector<std::vector<OperatingLimit>> judged = operating_limits(c, request, loads);
+    for (std::size_t s = 0; s < request.speeds.size(); ++s)
       for (std::size_t i = 0; i < limits; ++i)
-        set_operating_value(values[i], request.speeds[s], list[first + s * limits + i]);
-    }
+        set_operating_value(judged[s][i].value, request.speeds[s], list[first + s * limits + i]);
   });
 }
 
