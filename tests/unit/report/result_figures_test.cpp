@@ -78,7 +78,7 @@ const report::Figure& figure(const std::vector<report::Figure>& figures, const s
 
 TEST(ResultFigures, AreWellFormedWithFiniteNumbersAndDifferentNames) {
   std::vector<std::string> names;
-  for (const report::Figure& f : report::result_figures(everything())) {
+  for (const report::Figure& f : report::result_figures(variant(), everything())) {
     EXPECT_EQ(xml_fault(f.svg), "") << f.file_name;
     EXPECT_THAT(f.svg, Not(HasSubstr("nan"))) << f.file_name;
     EXPECT_THAT(f.svg, Not(HasSubstr("inf"))) << f.file_name;
@@ -92,7 +92,7 @@ TEST(ResultFigures, AreWellFormedWithFiniteNumbersAndDifferentNames) {
 }
 
 TEST(ResultFigures, NameQuantityAndUnitOnTheirAxes) {
-  const auto all = report::result_figures(everything());
+  const auto all = report::result_figures(variant(), everything());
   const std::vector<std::pair<std::string, std::vector<std::string>>> expected = {
       {"random-01", {"f [Hz]", "displacement density [mm²/Hz]", "rotation density [mrad²/Hz]"}},
       {"random-03", {"force density [kN²/Hz]", "moment density [(kN m)²/Hz]"}},
@@ -111,7 +111,7 @@ TEST(ResultFigures, NameQuantityAndUnitOnTheirAxes) {
 }
 
 TEST(ResultFigures, DrawOneLinePerCurve) {
-  const auto all = report::result_figures(everything());
+  const auto all = report::result_figures(variant(), everything());
   for (const char* six_curves : {"random-01", "random-03", "transient-01", "transient-02", "transient-03"})
     EXPECT_EQ(count(figure(all, six_curves).svg, "<polyline"), 6) << six_curves;
   EXPECT_EQ(count(figure(all, "orders-01").svg, "<polyline"),
@@ -122,7 +122,7 @@ TEST(ResultFigures, DrawOneLinePerCurve) {
 }
 
 TEST(ResultFigures, AreMissingWithoutResults) {
-  EXPECT_TRUE(report::result_figures({}).empty());
+  EXPECT_TRUE(report::result_figures(variant(), {}).empty());
   EXPECT_EQ(report::result_sections(variant(), {}), "");
 }
 
@@ -148,7 +148,8 @@ TEST(ResultSections, ContainTheFiguresAndTheKeyNumbers) {
   const std::string html = report::result_sections(variant(), everything());
   EXPECT_EQ(xml_fault(html), "");
   int pictures = 0;
-  for (const report::Figure& figure : report::result_figures(everything())) pictures += count(figure.html(), "<svg");
+  for (const report::Figure& figure : report::result_figures(variant(), everything()))
+    pictures += count(figure.html(), "<svg");
   EXPECT_EQ(count(html, "<svg"), pictures);
   for (const char* title : {"Random response", "Time history", "Run-up", "Transmissibility", "Power into the ground",
                             "Shock response spectrum", "Limit lines", "Operating shapes"})

@@ -8,7 +8,7 @@
 
 namespace trivet::report {
 
-inline constexpr double half_figure_width = 485;  ///< [pixels]
+inline constexpr double half_figure_width = 485, quarter_figure_width = 240;  ///< [pixels]
 
 /// One picture for print.
 struct Figure {
@@ -16,7 +16,7 @@ struct Figure {
   std::string file_name;  ///< "01-machine.svg"
   std::string svg;
   std::vector<std::string> strips = {};  ///< the same in parts between which a page may break
-  bool half = false;                     ///< of half the width: the page places two of them side by side
+  int in_row = 1;                        ///< so many of them are side by side: 1, 2 or 4
 
   /// For the page: the strips, or else the picture.
   [[nodiscard]] std::string html() const;

@@ -11,6 +11,7 @@ namespace trivet::report {
 
 inline constexpr const char* drawing_ink = "#333";         ///< bodies, points, text
 inline constexpr const char* drawing_faint = "#b5b5b5";    ///< the given design behind another one; a machine at rest
+inline constexpr const char* drawing_moved = "#0072B2";    ///< a displaced machine
 inline constexpr const char* drawing_springs = "#0072B2";  ///< elastic elements
 inline constexpr const char* drawing_forces = "#D55E00";   ///< excitations
 

@@ -20,9 +20,11 @@ constexpr double font_size = 11;
 /// Colours of a machine, or of a given design behind it.
 struct Palette {
   const char *bodies, *springs, *forces, *fill;
+  bool ground = true;  ///< the hatched lines below springs too
 };
 constexpr Palette clear = {drawing_ink, drawing_springs, drawing_forces, "#eef2f6"};
 constexpr Palette faint = {drawing_faint, drawing_faint, drawing_faint, "none"};
+constexpr Palette displaced = {drawing_moved, drawing_moved, drawing_moved, "none", false};
 
 void draw_solid(SvgCanvas& canvas, const DrawnMachine::Solid& solid, const Projection& projection,
                 const Palette& palette) {
@@ -75,7 +77,8 @@ void draw_elements(SvgCanvas& canvas, const DrawnMachine& machine, const Project
   for (const DrawnMachine::Element& element : machine.elements) {
     const SpringLine line = spring_line(element, size);
     const PixelPoint n = projection.at(line.n), k = projection.at(line.k);
-    draw_support(canvas, n, k, element.support, palette.bodies);
+    if (palette.ground || element.support != DrawnMachine::Support::ground)
+      draw_support(canvas, n, k, element.support, palette.bodies);
     if (element.is_beam) draw_beam(canvas, n, k, palette.springs);
     else draw_spring(canvas, n, k, palette.springs);
   }
@@ -183,6 +186,15 @@ void draw_faint_machine(SvgCanvas& canvas, const DrawnMachine& machine, const Pr
   draw_solids(canvas, machine, projection, faint);
   draw_elements(canvas, machine, projection, size, faint);
   for (const DrawnMachine::Point& point : machine.points) draw_point(canvas, projection.at(point.at), drawing_faint);
+}
+
+void draw_moved_machine(SvgCanvas& canvas, const DrawnMachine& moved, const Projection& projection) {
+  draw_limbs(canvas, moved, projection, displaced);
+  draw_solids(canvas, moved, projection, displaced);
+  draw_elements(canvas, moved, projection, 0, displaced);
+  for (const DrawnMachine::Point& point : moved.points) draw_point(canvas, projection.at(point.at), drawing_moved);
+  for (const DrawnMachine::Body& body : moved.bodies)
+    if (body.is_node) draw_node(canvas, projection.at(body.centre), drawing_moved);
 }
 
 std::vector<std::string> draw_names(SvgCanvas& canvas, const DrawnMachine& machine, std::size_t view,

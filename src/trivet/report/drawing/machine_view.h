@@ -17,6 +17,10 @@ void draw_machine(SvgCanvas& canvas, const DrawnMachine& machine, const Projecti
 /// Draws its bodies, elements and points in grey, without names.
 void draw_faint_machine(SvgCanvas& canvas, const DrawnMachine& machine, const Projection& projection, double size);
 
+/// Draws its bodies, elements and points displaced, in colour over the machine at rest.
+/// @param moved  elements end where their symbols do
+void draw_moved_machine(SvgCanvas& canvas, const DrawnMachine& moved, const Projection& projection);
+
 /// Writes the names that belong into a view: bodies, points and excitations into the front view, elements and nodes
 /// into the top view, foundations and what coincides there into the isometric one.
 /// @param view  place in `four_views()`

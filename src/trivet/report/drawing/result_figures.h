@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/project/project.h"
 #include "trivet/report/drawing/figures.h"
 #include "trivet/response/transient/transient.h"
 #include "trivet/study/analyses/case_results.h"
@@ -46,7 +47,9 @@ namespace trivet::report {
 [[nodiscard]] std::vector<Figure> measurement_figures(const study::CaseResults& results);
 
 /// Operating deflection shapes in three views and an isometric one, at rest and at the largest excursion.
-[[nodiscard]] std::vector<Figure> shape_figures(const study::CaseResults& results);
+[[nodiscard]] std::vector<Figure> shape_figures(const project::Case& variant, const study::CaseResults& results);
+/// The lowest modes, rigid-body ones excepted, each in the view in which it moves most.
+[[nodiscard]] std::vector<Figure> mode_figures(const project::Case& variant, const study::CaseResults& results);
 
 /// Map of the rules of a project over two of its numbers.
 [[nodiscard]] std::vector<Figure> map_figures(const study::CaseResults& results);

@@ -106,7 +106,7 @@ std::vector<Figure> campbell_figures(const study::CaseResults& results) {
   draw_orders(canvas, panel, campbell);
   draw_points(canvas, panel, campbell);
   draw_campbell_key(canvas, {20, 348});
-  return {{title, "campbell-diagram.svg", canvas.svg(title), {}, true}};
+  return {{title, "campbell-diagram.svg", canvas.svg(title), {}, 2}};
 }
 
 }  // namespace trivet::report

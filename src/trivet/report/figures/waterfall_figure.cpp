@@ -142,7 +142,7 @@ std::vector<Figure> waterfall_figures(const study::CaseResults& results) {
     canvas.line({60, y}, {84, y}, fmt::format("stroke=\"{}\" stroke-width=\"3\"", series_colour(k)));
     canvas.text({91, y + 4}, fmt::format("order {:g}", orders[k]), "");
   }
-  return {{title, "waterfall-" + file_part(run_up.overall[*curve].name) + ".svg", canvas.svg(title), {}, true}};
+  return {{title, "waterfall-" + file_part(run_up.overall[*curve].name) + ".svg", canvas.svg(title), {}, 2}};
 }
 
 }  // namespace trivet::report

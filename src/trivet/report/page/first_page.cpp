@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/report/page/first_page.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 #include <variant>
 
 #include "trivet/documents/document.h"
 #include "trivet/documents/html_table.h"
 #include "trivet/report/drawing/machine_drawing.h"
+#include "trivet/report/drawing/result_figures.h"
 #include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/page/result_sections.h"
 #include "trivet/results/analyses/operation_words.h"
 #include "trivet/results/format/written_results.h"
 #include "trivet/results/model/mounts_document.h"
@@ -15,13 +19,9 @@
 namespace trivet::report {
 namespace {
 
-/// A document without the tables that open by a click.
-Document without_folded_tables(Document document) {
-  std::erase_if(document.parts, [](const Part& part) {
-    const auto* table = std::get_if<Table>(&part.content);
-    return table && table->folded;
-  });
-  return document;
+bool is_folded(const Part& part) {
+  const auto* table = std::get_if<Table>(&part.content);
+  return table && table->folded;
 }
 
 /// A document without the sentences that are on the first page.
@@ -73,6 +73,29 @@ std::string overview_part(const std::string& picture, bool is_short) {
       "</figcaption>\n</figure>\n";
 }
 
+namespace {
+
+std::string mode_pictures(const ShownCase& shown) {
+  const std::vector<Figure> figures = mode_figures(shown.variant, shown.results);
+  if (figures.empty()) return "";
+  const std::string which = figures.size() < shown.results.modes.list.size()
+      ? fmt::format(" Drawn: the lowest {} above 0.", count_words(figures.size(), "mode"))
+      : "";
+  return figures_html(figures) + hint("Grey: at rest. Blue: displaced, enlarged; the sign is arbitrary." + which);
+}
+
+}  // namespace
+
+std::string modes_part(const ShownCase& shown, const std::string& title, bool folded) {
+  if (!shown.variant.analyses.modes) return "";
+  const project::DisplayUnits& display = shown.variant.display;
+  Document first = results::result_document("modes", shown.variant, shown.results), last = first;
+  std::erase_if(first.parts, is_folded);
+  std::erase_if(last.parts, [](const Part& part) { return !is_folded(part); });
+  return section("modes", title,
+                 as_html(first, display) + mode_pictures(shown) + (folded ? as_html(last, display) : ""));
+}
+
 std::string short_results(const std::vector<ShownCase>& cases) {
   if (cases.empty()) return "";
   const ShownCase& base = cases.front();
@@ -81,9 +104,9 @@ std::string short_results(const std::vector<ShownCase>& cases) {
   };
   const auto html = [&](const Document& shown) { return as_html(shown, base.variant.display); };
   const std::string of_base = cases.size() > 1 ? " of the base model" : "";
-  const std::string modes = base.variant.analyses.modes ? html(without_folded_tables(document("modes"))) : "";
   const std::string speeds = base.results.operation ? html(without_sentences(document("operation"))) : "";
-  return section("modes", "Undamped modes" + of_base, modes) +
+  return modes_part(base, "Undamped modes" + of_base, false) +
+      section("answer", "Operating shapes" + of_base, figures_html(shape_figures(base.variant, base.results))) +
       section("answer", "At the operating speed" + std::string(of_base.empty() ? "" : ", base model"), opened(speeds));
 }
 

@@ -18,6 +18,9 @@ namespace trivet::report {
 /// Curves of all cases. @param picture  as SVG
 [[nodiscard]] std::string overview_part(const std::string& picture, bool is_short);
 
+/// Table of the modes, their pictures, and, if `folded`, what opens by a click.
+[[nodiscard]] std::string modes_part(const ShownCase& shown, const std::string& title, bool folded);
+
 /// Modes and operating speeds of the base model for the short form, which has no scripts and so nothing that opens by
 /// a click.
 [[nodiscard]] std::string short_results(const std::vector<ShownCase>& cases);

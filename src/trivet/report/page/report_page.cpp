@@ -104,8 +104,7 @@ std::string above_pictures(const ShownCase& shown, std::size_t cases) {
   return case_head(shown, cases) +
       section("requirements", "Requirements in detail",
               cases > 1 || requirements.empty() ? requirements : folded("All requirements", requirements)) +
-      section("limits", "Limits", results::limits_html(shown.results)) +
-      section("modes", "Undamped modes", results::result_html("modes", shown.variant, shown.results)) +
+      section("limits", "Limits", results::limits_html(shown.results)) + modes_part(shown, "Undamped modes", true) +
       section("roots", "Damped roots", results::result_html("roots", shown.variant, shown.results));
 }
 

@@ -12,22 +12,22 @@
 namespace trivet::report {
 namespace {
 
-/// Tables and figures below each other.
-std::string shown(std::string html, const std::vector<Figure>& figures) {
-  for (const Figure& figure : figures)
-    html += std::string(figure.half ? "<figure class=\"half\">" : "<figure>") +
-        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" + escaped(figure.title) + "\">" +
-        figure.html() + "</div></figure>\n";
-  return html;
-}
-
 /// Title, tables and figures of a result, or of several that belong together.
 struct Shown {
   const char* title;
   const char* result;  ///< whose document it is; nullptr: `tables` has its tables
   std::string (*tables)(const study::CaseResults& results);
   std::vector<std::vector<Figure> (*)(const study::CaseResults& results)> figures;
+  std::vector<Figure> (*drawings)(const project::Case& variant, const study::CaseResults& results) = nullptr;
 };
+
+std::vector<std::vector<Figure>> figures_of(const Shown& shown, const project::Case& variant,
+                                            const study::CaseResults& results) {
+  std::vector<std::vector<Figure>> kinds;
+  for (const auto& kind : shown.figures) kinds.push_back(kind(results));
+  if (shown.drawings) kinds.push_back(shown.drawings(variant, results));
+  return kinds;
+}
 
 std::string best_design(const study::CaseResults& results) {
   return results.optimization ? as_html(results::optimization_document(*results.optimization), results.display) : "";
@@ -55,7 +55,7 @@ const std::vector<Shown>& all_shown() {
       {"Earthquake", "earthquake", nullptr, {}},
       {"Limit lines", "limit_lines", nullptr, {limit_figures}},
       {"Measurements", "measurements", nullptr, {measurement_figures}},
-      {"Operating shapes", "shapes", nullptr, {shape_figures}},
+      {"Operating shapes", "shapes", nullptr, {}, shape_figures},
       {"Load sharing", "load_sharing", nullptr, {}},
   };
   return list;
@@ -63,30 +63,51 @@ const std::vector<Shown>& all_shown() {
 
 }  // namespace
 
-std::vector<Figure> result_figures(const study::CaseResults& results) {
-  std::vector<Figure> all;
-  for (const Shown& kinds : all_shown())
-    for (const auto& kind : kinds.figures) {
-      int number = 0;  // different names may share the letters that are safe in a file name
-      for (Figure& figure : kind(results)) {
-        const std::size_t dash = figure.file_name.find('-');
-        if (dash != std::string::npos) figure.file_name.insert(dash, fmt::format("-{:02}", ++number));
-        all.push_back(std::move(figure));
-      }
+std::string figures_html(const std::vector<Figure>& figures) {
+  std::string html, quarters;
+  const auto end_row = [&] {
+    if (!quarters.empty()) html += "<div class=\"quarters\">" + quarters + "</div>\n";
+    quarters.clear();
+  };
+  for (const Figure& figure : figures) {
+    if (figure.in_row == 4) {
+      quarters += "<figure>" + figure.html() + "</figure>\n";
+      continue;
     }
+    end_row();
+    html += std::string(figure.in_row == 2 ? "<figure class=\"half\">" : "<figure>") +
+        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" + escaped(figure.title) + "\">" +
+        figure.html() + "</div></figure>\n";
+  }
+  end_row();
+  return html;
+}
+
+std::vector<Figure> result_figures(const project::Case& variant, const study::CaseResults& results) {
+  std::vector<Figure> all;
+  const auto add = [&all](std::vector<Figure> figures) {
+    int number = 0;  // different names may share the letters that are safe in a file name
+    for (Figure& figure : figures) {
+      const std::size_t dash = figure.file_name.find('-');
+      if (dash != std::string::npos) figure.file_name.insert(dash, fmt::format("-{:02}", ++number));
+      all.push_back(std::move(figure));
+    }
+  };
+  add(mode_figures(variant, results));
+  for (const Shown& kinds : all_shown())
+    for (std::vector<Figure>& kind : figures_of(kinds, variant, results)) add(std::move(kind));
   return all;
 }
 
 std::string result_sections(const project::Case& variant, const study::CaseResults& results) {
   std::string html;
   for (const Shown& kinds : all_shown()) {
-    std::vector<Figure> figures;
-    for (const auto& kind : kinds.figures)
-      for (Figure& figure : kind(results)) figures.push_back(std::move(figure));
+    std::string figures;
+    for (const std::vector<Figure>& kind : figures_of(kinds, variant, results)) figures += figures_html(kind);
     const std::string tables = kinds.result ? results::result_html(kinds.result, variant, results)
         : kinds.tables                      ? kinds.tables(results)
                                             : "";
-    html += section("answer", kinds.title, shown(tables, figures));
+    html += section("answer", kinds.title, tables + figures);
   }
   return html;
 }

@@ -13,7 +13,10 @@ namespace trivet::report {
 /// their key numbers. HTML without scripts.
 [[nodiscard]] std::string result_sections(const project::Case& variant, const study::CaseResults& results);
 
-/// Only their figures, numbered by kind in their file names.
-[[nodiscard]] std::vector<Figure> result_figures(const study::CaseResults& results);
+/// Only their figures and those of the modes, numbered by kind in their file names.
+[[nodiscard]] std::vector<Figure> result_figures(const project::Case& variant, const study::CaseResults& results);
+
+/// Figures on the page.
+[[nodiscard]] std::string figures_html(const std::vector<Figure>& figures);
 
 }  // namespace trivet::report

@@ -41,7 +41,7 @@ void write_case(results::ResultFolder& folder, const std::string& stem, const pr
     folder.write(stem + "/" + file.name, file.content);
   if (results.response)
     for (const Figure& figure : characteristics(results)) folder.write(stem + "/" + figure.file_name, figure.svg);
-  for (const Figure& figure : result_figures(results)) folder.write(stem + "/" + figure.file_name, figure.svg);
+  for (const Figure& figure : result_figures(variant, results)) folder.write(stem + "/" + figure.file_name, figure.svg);
 }
 
 }  // namespace
