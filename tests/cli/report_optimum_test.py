@@ -9,6 +9,37 @@ from front_test import BAND, TWO
 from trivet_test import InTemporaryFolder, result_of, trivet
 
 
+MOVED_SPRING = """
+trivet = 1
+[bodies.plate]
+mass = 20
+inertia = {about = "center_of_mass", xx = 1, yy = 2, zz = 3}
+center_of_mass = [0.05, 0, 0.1]
+free = ["z", "ry"]
+[element_types.spring]
+type = "bushing"
+translation = [9e4, 9e4, 9e4]
+damping = {loss_factor = 0.1}
+[elements]
+left = {type = "spring", on = "plate", at = [-0.3, 0, 0]}
+right = {type = "spring", on = "plate", at = [0.3, 0, 0]}
+[excitations.force]
+type = "harmonic"
+on = "plate"
+at = [0, 0, 0]
+force = [0, 0, 1]
+[parameters.place]
+path = "elements.right.at.x"
+from = "0.1 m"
+to = "0.6 m"
+[requirements]
+limits = {"plate.ry" = 1e-4}
+[analyses]
+response = {band = ["1 Hz", "40 Hz"]}
+optimize = {minimize = "plate.ry", starts = 2}
+"""
+
+
 class ReportOptimum(InTemporaryFolder):
     def run_of(self, text):
         project = self.file(text)
@@ -45,6 +76,20 @@ class ReportOptimum(InTemporaryFolder):
             self.assertIn(words.lower(), page.lower())
         self.assertIn("what holds the optimum", screen)
         self.assert_page_has_words_of(screen, page)
+
+    def test_a_design_with_other_places_is_drawn_over_the_given_one(self):
+        _, _, page, _ = self.run_of(MOVED_SPRING)
+        self.assertRegex(page, "(?s)>Best design</h2>.*<svg.*>given design</text>.*</section>")
+        drawing = (self.folder / "out/00-base/best_design.svg").read_text()
+        self.assertIn("#b5b5b5", drawing)  # the given spring, in grey
+        self.assertIn(">given design</text>", drawing)
+
+    def test_a_design_with_other_stiffnesses_alone_has_no_drawing(self):
+        text = MOVED_SPRING.replace("elements.right.at.x", "elements.right.scale").replace('"0.1 m"', "0.5")
+        _, _, page, _ = self.run_of(text.replace('"0.6 m"', "2"))
+        self.assertIn(">Best design</h2>", page)
+        self.assertNotIn("given design", page)
+        self.assertFalse((self.folder / "out/00-base/best_design.svg").exists())
 
     def assert_page_has_words_of(self, screen, page):
         """Every number of the result on the screen is in its section of the page, perhaps with an SI prefix."""

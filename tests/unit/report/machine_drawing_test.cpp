@@ -52,6 +52,13 @@ TEST(EquivalentBox, OfAHomogeneousBoxIsThatBox) {
   EXPECT_NEAR((bounds.high - Eigen::Vector3d(1.3, 2.2, 3.1)).norm(), 0, 10 * round_off);
 }
 
+TEST(SeenOutline, OfAPlateWithoutThicknessIsALineFromTheFront) {
+  const report::SolidOutline plate = report::box_outline({1, 2, 0});
+  const auto front = report::seen(plate, plate.vertices, {report::four_views()[0], 1, Eigen::Vector3d::Zero(), {}});
+  EXPECT_TRUE(front.faces.empty());
+  EXPECT_FALSE(front.lines.empty());
+}
+
 TEST(SeenOutline, OfABoxHasOneFaceFromTheFrontAndThreeIsometrically) {
   const report::SolidOutline box = report::box_outline({1, 2, 3});
   const auto faces = [&](std::size_t view) {

@@ -65,6 +65,9 @@ namespace trivet::report {
   return results.case_name.empty() ? what : what + ", " + results.case_name;
 }
 
+/// The machine of [analyses.optimize] over the given one, if places, shapes or masses differ.
+[[nodiscard]] std::vector<Figure> best_design_figures(const project::Case& variant, const study::CaseResults& results);
+
 /// The front of two results.
 [[nodiscard]] std::vector<Figure> front_figures(const study::CaseResults& results);
 

@@ -163,9 +163,10 @@ SeenOutline seen(const SolidOutline& outline, const std::vector<Eigen::Vector3d>
     result.faces.emplace_back();
     for (const int v : face) result.faces.back().push_back(projection.at(vertices[v]));
   }
+  const bool edge_on_only = result.faces.empty();  // a plate without thickness
   for (const SolidOutline::Edge& edge : outline.edges) {
     const bool left = visible[edge.left], right = edge.right >= 0 && visible[edge.right];
-    if (edge.sharp ? left || right : left != right)
+    if (edge_on_only || (edge.sharp ? left || right : left != right))
       result.lines.emplace_back(projection.at(vertices[edge.a]), projection.at(vertices[edge.b]));
   }
   return result;

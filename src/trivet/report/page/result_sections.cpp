@@ -41,7 +41,7 @@ std::string front_between(const study::CaseResults& results) {
 const std::vector<Shown>& all_shown() {
   static const std::vector<Shown> list = {
       {"Map of designs", "map", nullptr, {map_figures}},
-      {"Best design", nullptr, best_design, {}},
+      {"Best design", nullptr, best_design, {}, best_design_figures},
       {"Front", nullptr, front_between, {front_figures}},
       {"At the operating speed", "operation", nullptr, {}},
       {"Random response", "random", nullptr, {random_figures}},
