@@ -43,7 +43,8 @@ class Writing {
     for (const UsedColumn& used : columns_)
       if (has_own_unit(used.column->kind))
         for (const std::size_t i : rows_)
-          largest_.add(unit_in_row(table, *used.column, i), number_or_nothing(used.column->value(i)));
+          largest_[group_of(*used.column)].add(unit_in_row(table, *used.column, i),
+                                               number_or_nothing(used.column->value(i)));
     for (const UsedColumn& used : columns_) add_common_unit(*used.column);
   }
 
@@ -59,6 +60,15 @@ class Writing {
   }
 
  private:
+  /// Columns whose numbers are of one kind, such as the components of a vector: those with one unit in all rows. A
+  /// column with units of its rows may be a limit beside what it limits, and stands alone.
+  static std::string group_of(const Column& column) {
+    const bool of_rows = column.unit == unit_of_the_row || column.unit.starts_with('@');
+    return of_rows ? "column " + column.name : "components";
+  }
+
+  [[nodiscard]] const LargestOfKind& of_group(const Column& column) const { return largest_.at(group_of(column)); }
+
   /// The unit of a quantity that is the same in all rows, with the prefix for the largest number.
   void add_common_unit(const Column& column) {
     if (!has_own_unit(column.kind) || column.unit == unit_of_the_row || column.unit.starts_with('@')) return;
@@ -67,7 +77,7 @@ class Writing {
       const bool same_unit = has_own_unit(other.column->kind) && other.column->unit == column.unit;
       if (other.column != &column && !(table_.one_prefix && same_unit)) continue;
       for (const std::size_t i : rows_) {
-        const double size = std::abs(largest_.shown(column.unit, number_or_nothing(other.column->value(i))));
+        const double size = std::abs(of_group(column).shown(column.unit, number_or_nothing(other.column->value(i))));
         if (std::isfinite(size)) largest = std::max(largest, size);
       }
     }
@@ -126,11 +136,11 @@ class Writing {
       cells.push_back(fixed_digits(converted(number, "rad/s", "rpm"), column.digits));
     } else if (common_units_.contains(&column)) {
       cells.push_back(
-          fixed_digits(largest_.shown(column.unit, number) * common_units_.at(&column).factor, column.digits));
+          fixed_digits(of_group(column).shown(column.unit, number) * common_units_.at(&column).factor, column.digits));
     } else if (has_own_unit(column.kind)) {
       const std::string unit = unit_in_row(table_, column, row);
       cells.push_back(
-          with_unit(largest_.shown(unit, number), display_unit_of(column.kind, unit, display_), column.digits));
+          with_unit(of_group(column).shown(unit, number), display_unit_of(column.kind, unit, display_), column.digits));
     } else {
       cells.push_back(fixed_digits(shown_frequency(display_, number), column.digits));
     }
@@ -141,7 +151,7 @@ class Writing {
   std::vector<UsedColumn> columns_;
   std::vector<std::size_t> rows_;
   std::map<const Column*, UnitPrefix> common_units_;
-  LargestOfKind largest_;  ///< of the quantities: smaller ones are round-off
+  std::map<std::string, LargestOfKind> largest_;  ///< by group of columns; much smaller ones are round-off
 };
 
 }  // namespace

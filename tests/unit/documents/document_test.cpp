@@ -189,6 +189,17 @@ TEST(DocumentForPeople, ShowsRoundOffAsZero) {
   EXPECT_EQ(as_text(one, {}), "      amplitude\n  1.00000 m 0-p\n              0\n");
 }
 
+TEST(DocumentForPeople, ComparesRoundOffWithinOneColumnOnly) {
+  static const std::vector<Resonance> list = {{"a", "m", 1e9, 1e-5, 1, 1, true}};  // a limit beside a small value
+  const Rows row(list);
+  Document one;
+  one.add(Table{.rows = row.size(),
+                .columns = {row("unit", Kind::words, "", &Resonance::unit),
+                            row("allowed", Kind::quantity, "limit", &Resonance::omega),
+                            row("value", Kind::quantity, "value", &Resonance::amplitude)}});
+  EXPECT_THAT(as_text(one, {}), HasSubstr("10.0000 µm"));
+}
+
 TEST(DocumentForPeople, ShowsNoTableWithoutColumnsForThem) {
   const Rows row(resonances());
   Document one;
