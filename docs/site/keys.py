@@ -79,7 +79,10 @@ def _united(forms):
     for key in dict.fromkeys(key for form in forms for key in form):
         values = [form[key] for form in forms if form.get(key, False) is not False]
         constants = list(dict.fromkeys(value["const"] for value in values if "const" in value))
-        united[key] = {"enum": constants} if len(constants) > 1 else values[0] if values else False
+        united[key] = values[0] if values else False
+        if len(constants) > 1:
+            about = {"description": text for value in values if (text := value.get("description"))}
+            united[key] = {"enum": constants, **about}
     return united
 
 
@@ -146,8 +149,8 @@ class Keys:
             unit, text = unit_and_rest(text)
             if key in required:
                 default = "required"
-            if unit == "" and self.definition(value) in ("number", "vector") and value.get("description") is None:
-                text = ""
+            if value.get("$ref") == "#/$defs/number" and "description" not in value:
+                text = ""  # the definition tells only how any number is written
             kind = self.kind(value)
             yield f"| `{prefix}{key}` | {_cell(kind)} | {_cell(unit)} | {_cell(default)} | {_cell(text)} |"
             if self.definition(value) and self.is_table(value):

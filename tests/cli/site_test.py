@@ -29,6 +29,24 @@ def names_of(value):
     return own.union(*(names_of(one) for one in value.values()))
 
 
+def undescribed(value, place=""):
+    """Places of keys that say nothing of their own. A key whose value is fixed, such as a type, needs none."""
+    if isinstance(value, list):
+        return [found for i, one in enumerate(value) for found in undescribed(one, f"{place}[{i}]")]
+    if not isinstance(value, dict):
+        return []
+    properties = value.get("properties")
+    missing = []
+    for key, one in (properties if isinstance(properties, dict) else {}).items():
+        if one is False or key == "accept" or "const" in one or "pattern" in one:
+            continue
+        reference = one.get("$ref", "")
+        own = one if reference == "#/$defs/number" else keys.Keys(SCHEMA).resolved(one)
+        if not own.get("description"):
+            missing.append(f"{place}.{key}")
+    return missing + [found for key, one in value.items() for found in undescribed(one, f"{place}.{key}")]
+
+
 class Site(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -41,6 +59,10 @@ class Site(unittest.TestCase):
         without_laws = {key: value for key, value in SCHEMA.items() if key != "$defs"}
         used = {key: value for key, value in SCHEMA["$defs"].items() if key != "shared_keys"}
         self.assertEqual(names_of([without_laws, used]) - shown - {"accept"}, set())
+
+    def test_every_key_is_described(self):
+        self.assertEqual(undescribed(SCHEMA), [])
+        self.assertEqual([row for row in self.rows if not row[-1].strip(" |")], [])
 
     def test_rows_have_units_and_defaults(self):
         for expected in (

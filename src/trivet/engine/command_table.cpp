@@ -114,9 +114,10 @@ std::string file_keys(const Command& command) {
   for (const auto& [key, value] : keys->items()) {
     if (key == "accept") continue;
     const Json& own = *resolved(value, whole);
-    const std::string words = value.contains("description") ? value["description"].get<std::string>()
-        : own.contains("description")                       ? own["description"].get<std::string>()
-                                                            : kind_words(own);
+    std::string words = value.contains("description") ? value["description"].get<std::string>()
+        : own.contains("description")                 ? own["description"].get<std::string>()
+                                                      : kind_words(own);
+    if (own.contains("enum") && words != kind_words(own)) words += "; " + kind_words(own);
     text += fmt::format("  {:<18} {}\n", key, words);
   }
   return text.empty() ? text : "Keys of [" + file_table(command) + "] in the file:\n" + text;

@@ -99,7 +99,8 @@ const AnalysisReader operation_analysis =
                                                      .drive = Drive::harmonic_or_orders,
                                                      .searches_peaks = true,
                                                      .check = check_operation,
-                                                     .keys = R"json({"properties": {
+                                                     .keys = R"json({"description": "results at the speeds at which the machine runs",
+  "properties": {
    "speeds": {"anyOf": [{"type": "string"}, {"type": "array", "minItems": 1, "items": {"anyOf": [{"type": "string"},
      {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2}]}}],
      "description": "speeds at which the machine runs: \"980 rpm\"; a pair is a range"},

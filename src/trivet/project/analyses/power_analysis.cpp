@@ -18,7 +18,8 @@ PowerAnalysis read_power(TableReader& reader, const ResultNames&, const SymbolTa
 }  // namespace
 
 const AnalysisReader power_analysis = read_into<&Analyses::power, read_power>(
-    {.drive = Drive::harmonic, .searches_peaks = true, .keys = R"json({"properties": {
+    {.drive = Drive::harmonic, .searches_peaks = true, .keys = R"json({"description": "power that the excitations feed and the dampers dissipate, over frequency",
+  "properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "band": {"$ref": "#/$defs/band"},
    "at": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1,

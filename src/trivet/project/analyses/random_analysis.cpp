@@ -48,12 +48,14 @@ RandomAnalysis read_random(TableReader& reader, const ResultNames& names, const 
 }  // namespace
 
 const AnalysisReader random_analysis =
-    read_into<&Analyses::random, read_random>({.drive = Drive::random, .keys = R"json({"properties": {
+    read_into<&Analyses::random, read_random>({.drive = Drive::random, .keys = R"json({"description": "root mean squares under the random excitations",
+  "properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "weighting": {"enum": ["Wb", "Wc", "Wd", "We", "Wf", "Wj", "Wk", "Wm", "seat", "backrest", "feet",
-     "standing"]},
+     "standing"],
+     "description": "of ISO 2631, one for all results; or the place of a person: the weighting of each axis there"},
    "bands": {"$ref": "#/$defs/bands"}}})json"});
 
 }  // namespace trivet::project

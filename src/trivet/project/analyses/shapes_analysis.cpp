@@ -29,9 +29,11 @@ ShapesAnalysis read_shapes(TableReader& reader, const ResultNames&, const Symbol
 }  // namespace
 
 const AnalysisReader shapes_analysis =
-    read_into<&Analyses::shapes, read_shapes>({.drive = Drive::harmonic, .keys = R"json({"properties": {
+    read_into<&Analyses::shapes, read_shapes>({.drive = Drive::harmonic, .keys = R"json({"description": "motion of all bodies at single frequencies, as pictures and for other programs",
+  "properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
-   "at": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1}},
+   "at": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1,
+     "description": "frequencies, rad/s or with a unit"}},
   "required": ["at"]})json"});
 
 }  // namespace trivet::project

@@ -91,14 +91,15 @@ void check_steady(const Analyses&, const model::System& system, foundation::Prob
 }  // namespace
 
 const AnalysisReader steady_analysis = read_into<&Analyses::steady, read_steady>(
-    {.drive = Drive::harmonic_or_orders, .check = check_steady, .keys = R"json({"properties": {
+    {.drive = Drive::harmonic_or_orders, .check = check_steady, .keys = R"json({"description": "all periodic motions of a nonlinear machine under harmonic excitations or orders",
+  "properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "band": {"$ref": "#/$defs/band"},
    "over": {"enum": ["frequency", "load_factor"], "description": "what is varied (default: the frequency)"},
    "at": {"$ref": "#/$defs/number", "description": "rad/s: the frequency, over the load factor"},
-   "phase": {"type": "object", "description": "instead of at: the frequency at which a displacement lags the excitation by a phase", "properties": {"of": {"type": "string"}, "lag": {"$ref": "#/$defs/number", "description": "rad (default: 90 degrees, phase resonance)"}}, "required": ["of"], "additionalProperties": false},
+   "phase": {"type": "object", "description": "instead of at: the frequency at which a displacement lags the excitation by a phase", "properties": {"of": {"type": "string", "description": "the displacement: BODY.x or BODY.POINT.z"}, "lag": {"$ref": "#/$defs/number", "description": "rad: behind the excitation (default: 90 degrees, phase resonance)"}}, "required": ["of"], "additionalProperties": false},
    "load_factor": {"type": "array", "items": {"type": "number", "exclusiveMinimum": 0}, "minItems": 2, "maxItems": 2, "description": "range of the factor on all excitations"},
    "harmonics": {"type": "integer", "minimum": 1, "maximum": 200, "description": "number of harmonics (default: as many as tolerance needs)"},
    "tolerance": {"$ref": "#/$defs/number", "description": "share of the deflections beyond the last harmonic, 0 to 1 (default: 1e-3)"},

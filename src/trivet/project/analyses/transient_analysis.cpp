@@ -75,15 +75,16 @@ const AnalysisReader transient_analysis =
     read_into<&Analyses::transient, read_transient>({.drive = Drive::time,
                                                      .of_large_systems = true,
                                                      .moves_by_itself = starts_from_initial_values,
-                                                     .keys = R"json({"properties": {
+                                                     .keys = R"json({"description": "motion over time after pulses, histories and an initial state",
+  "properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
-   "from": {"$ref": "#/$defs/number", "description": "s (default: 0)"},
-   "to": {"$ref": "#/$defs/number", "description": "s (default: up to ten periods of the slowest excited mode after the last corner)"},
-   "step": {"$ref": "#/$defs/number", "description": "s (default: 1/20 of the shortest period)"},
+   "from": {"$ref": "#/$defs/number", "description": "s: beginning of the time (default: 0)"},
+   "to": {"$ref": "#/$defs/number", "description": "s: end of the time (default: up to ten periods of the slowest excited mode after the last corner)"},
+   "step": {"$ref": "#/$defs/number", "description": "s: between the rows of the result (default: 1/20 of the shortest period)"},
    "nearest_linear_system": {"type": "boolean", "description": "in place of elements that depend on frequency (default: false)"},
-   "initial_displacement": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}, "description": "BODY.x = value just before the beginning"},
-   "initial_velocity": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}, "description": "BODY.x = value just before the beginning"}}})json"});
+   "initial_displacement": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number", "description": "from rest: m, or rad of a rotation"}, "description": "BODY.x = value just before the beginning"},
+   "initial_velocity": {"type": "object", "additionalProperties": {"$ref": "#/$defs/number", "description": "m/s, or rad/s of a rotation"}, "description": "BODY.x = value just before the beginning"}}})json"});
 
 }  // namespace trivet::project

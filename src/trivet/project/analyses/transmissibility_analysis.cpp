@@ -69,11 +69,13 @@ double curves_of_transmissibility(const Analyses& request) {
 }  // namespace
 
 const AnalysisReader transmissibility_analysis = read_into<&Analyses::transmissibility, read_transmissibility>(
-    {.searches_peaks = true, .curves = curves_of_transmissibility, .check = check_force, .keys = R"json({"properties": {
+    {.searches_peaks = true, .curves = curves_of_transmissibility, .check = check_force, .keys = R"json({"description": "force on the ground over a harmonic force, or motion of places over that of the ground",
+  "properties": {
    "force": {"type": "string", "description": "a harmonic force excitation"},
-   "base": {"$ref": "#/$defs/direction"},
-   "rotation": {"type": "boolean"},
-   "of": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}]},
+   "base": {"$ref": "#/$defs/direction", "description": "of a motion of the ground, ground frame; instead of force"},
+   "rotation": {"type": "boolean", "description": "the ground turns about `base` instead (default: false)"},
+   "of": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}, "minItems": 1}],
+     "description": "bodies and points whose motion is compared with that of the ground"},
    "band": {"$ref": "#/$defs/band"},
    "at": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1,
      "description": "single frequencies told besides, rad/s or with a unit"}}})json"});

@@ -142,7 +142,7 @@ const ElementLaw beam_law = {.type = "beam", .sized = read_beam, .keys = R"json(
    "length": {"$ref": "#/$defs/number", "description": "m, > 0 (default: between its ends, if both are given)"},
    "section": {"$ref": "#/$defs/section"},
    "material": {"$ref": "#/$defs/metal"},
-   "level": {"enum": ["quasi_static", "with_mass"], "description": "default: with_mass"}},
+   "level": {"enum": ["quasi_static", "with_mass"], "description": "without or with the inertia of the beam (default: with_mass)"}},
   "required": ["section", "material"]})json"};
 
 /// Two names of one law: a rod between two ball joints.

@@ -138,16 +138,16 @@ const ElementLaw hydromount_law = {.type = "hydromount", .placed = read_hydromou
    "rotation": {"$ref": "#/$defs/vector", "description": "of the rubber, N m/rad"},
    "upper": {"$ref": "#/$defs/number", "description": "bulge stiffness of the upper chamber, Pa/m^3, a bare number"},
    "lower": {"$ref": "#/$defs/number", "description": "of the lower chamber, Pa/m^3"},
-   "piston_area": {"$ref": "#/$defs/number", "description": "m^2"},
-   "track": {"type": "object", "properties": {
-     "inertance": {"$ref": "#/$defs/number", "description": "Pa s^2/m^3"},
-     "resistance": {"$ref": "#/$defs/number", "description": "Pa s/m^3 (default: 0)"},
-     "quadratic_resistance": {"$ref": "#/$defs/number", "description": "Pa s^2/m^6 (default: 0)"}},
+   "piston_area": {"$ref": "#/$defs/number", "description": "m^2: effective area that pumps the fluid, > 0"},
+   "track": {"type": "object", "description": "channel between both chambers", "properties": {
+     "inertance": {"$ref": "#/$defs/number", "description": "Pa s^2/m^3: pressure per acceleration of the flow, > 0"},
+     "resistance": {"$ref": "#/$defs/number", "description": "Pa s/m^3: pressure per flow (default: 0)"},
+     "quadratic_resistance": {"$ref": "#/$defs/number", "description": "Pa s^2/m^6: pressure per flow squared (default: 0)"}},
      "required": ["inertance"], "additionalProperties": false},
-   "decoupler": {"type": "object", "properties": {
-     "inertance": {"$ref": "#/$defs/number", "description": "Pa s^2/m^3"},
-     "resistance": {"$ref": "#/$defs/number", "description": "Pa s/m^3 (default: 0)"},
-     "quadratic_resistance": {"$ref": "#/$defs/number", "description": "Pa s^2/m^6 (default: 0)"},
+   "decoupler": {"type": "object", "description": "membrane with play beside the track", "properties": {
+     "inertance": {"$ref": "#/$defs/number", "description": "Pa s^2/m^3: pressure per acceleration of the flow, > 0"},
+     "resistance": {"$ref": "#/$defs/number", "description": "Pa s/m^3: pressure per flow (default: 0)"},
+     "quadratic_resistance": {"$ref": "#/$defs/number", "description": "Pa s^2/m^6: pressure per flow squared (default: 0)"},
      "play": {"$ref": "#/$defs/number", "description": "volume until it closes, either way, m^3"},
      "seat": {"$ref": "#/$defs/number", "description": "stiffness when closed, Pa/m^3 (default: upper)"},
      "centring": {"$ref": "#/$defs/number", "description": "stiffness when open, Pa/m^3 (default: 1e-5 lower)"}},

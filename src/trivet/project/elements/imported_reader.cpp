@@ -122,7 +122,7 @@ void read_imported(TableReader& reader, Placement& placement, model::Element& el
 const ElementLaw imported_law = {.type = "imported", .placed = read_imported, .keys = R"json({"properties": {
    "file": {"type": "string", "description": "relative to the project file"},
    "format": {"enum": ["matrix_market", "numpy", "csv", "nastran", "abaqus", "calculix"],
-     "description": "default: determined from the file"},
+     "description": "of the file (default: determined from the file)"},
    "name": {"type": "string", "description": "of one of several matrices in the file"},
    "length_unit": {"$ref": "#/$defs/number", "description": "length of 1 in the file, m (default: 1)"},
    "force_unit": {"$ref": "#/$defs/number", "description": "force of 1 in the file, N (default: 1)"},

@@ -269,7 +269,7 @@ const ElementLaw coil_spring_law = {
    "ends": {"description": "seats (default: clamped), or [N, K]; a pivoted one carries no moment about the )json"
             R"json(lateral axes", "anyOf": [{"enum": ["clamped", "pivoted"]}, {"type": "array", "items": {"enum": )json"
             R"json(["clamped", "pivoted"]}, "minItems": 1, "maxItems": 2}]},
-   "hand": {"enum": ["right", "left"], "description": "default: right"},
+   "hand": {"enum": ["right", "left"], "description": "in which the wire winds (default: right)"},
    "start_angle": {"$ref": "#/$defs/number", "description": "of the wire at end N, about e3 from e1, rad (default: 0)"},
    "shear_factor": {"$ref": "#/$defs/number", "description": "of the wire's section, > 0 (default: Cowper's)"},
    "level": {"enum": ["quasi_static", "with_mass", "exact"],

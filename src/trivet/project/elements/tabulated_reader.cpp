@@ -159,8 +159,10 @@ const ElementLaw table_law = {
 const ElementLaw air_spring_law = {.type = "air_spring", .placed = read_air_spring, .keys = R"json([
    {"properties": {
    "file": {"type": "string", "description": "CSV as of a table"},
-   "interpolation": {"enum": ["monotone_cubic", "linear"]},
-   "center": {"$ref": "#/$defs/number"},
+   "interpolation": {"enum": ["monotone_cubic", "linear"],
+     "description": "between the rows (default: monotone_cubic)"},
+   "center": {"$ref": "#/$defs/number",
+     "description": "elastic centre as a fraction of the length from N, 0 to 1 (default: 0.5)"},
    "damping": false},
    "required": ["file"]},
    {"properties": {
@@ -168,7 +170,7 @@ const ElementLaw air_spring_law = {.type = "air_spring", .placed = read_air_spri
    "volume": {"$ref": "#/$defs/number", "description": "of the gas there, m^3, > 0"},
    "area": {"$ref": "#/$defs/number", "description": "effective, m^2, > 0"},
    "exponent": {"$ref": "#/$defs/number", "description": "polytropic, 1 to 2 (default: 1.4)"},
-   "atmosphere": {"$ref": "#/$defs/number", "description": "Pa (default: 101325)"},
+   "atmosphere": {"$ref": "#/$defs/number", "description": "Pa: absolute pressure outside (default: 101325)"},
    "lateral": {"$ref": "#/$defs/number", "description": "stiffness across the axis, N/m (default: 0)"},
    "damping": false},
    "required": ["pressure", "volume", "area"]}])json"};

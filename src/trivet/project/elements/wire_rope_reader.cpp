@@ -144,8 +144,10 @@ void read_wire_rope(TableReader& reader, Placement& ends, model::Element& elemen
 const ElementLaw wire_rope_law = {.type = "wire_rope", .placed = read_wire_rope, .keys = R"json([
    {"properties": {
    "file": {"type": "string", "description": "CSV as of a table"},
-   "interpolation": {"enum": ["monotone_cubic", "linear"]},
-   "center": {"$ref": "#/$defs/number"},
+   "interpolation": {"enum": ["monotone_cubic", "linear"],
+     "description": "between the rows (default: monotone_cubic)"},
+   "center": {"$ref": "#/$defs/number",
+     "description": "elastic centre as a fraction of the length from N, 0 to 1 (default: 0.5)"},
    "damping": false},
    "required": ["file"]},
    {"properties": {
