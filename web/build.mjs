@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bundles the page into dist (page.js, page.css, index.html, licences.txt), or with --tests the unit tests into build.
+// --out FOLDER writes the page elsewhere, so that scripts/web can compare it with the committed one.
+import {build} from 'esbuild';
+import {copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {dirname, join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const option = name => process.argv.includes(name);
+const common = {absWorkingDir: here, bundle: true, format: 'esm', target: 'es2022', charset: 'utf8', logLevel: 'warning',
+                tsconfig: 'tsconfig.json'};
+
+/// Licences of the packages that are in the bundle, in the order of their names.
+function licences(metafile) {
+  const names = new Set();
+  for (const file of Object.keys(metafile.inputs)) {
+    const match = file.match(/node_modules\/((?:@[^/]+\/)?[^/]+)\//);
+    if (match) names.add(match[1]);
+  }
+  const texts = [...names].sort().map(name => {
+    const folder = join(here, 'node_modules', name);
+    const {version, license} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+    const file = readdirSync(folder).find(entry => /^licen[cs]e/i.test(entry));
+    if (!file) throw new Error(`${name} has no licence file`);
+    return `${name} ${version} (${license})\n\n${readFileSync(join(folder, file), 'utf8').trim()}\n`;
+  });
+  return `This page contains the following packages.\n\n${texts.join(`\n${'-'.repeat(78)}\n\n`)}`;
+}
+
+async function buildPage(out) {
+  mkdirSync(out, {recursive: true});
+  const result = await build({...common, entryPoints: ['src/page.ts', 'src/page.css'], outdir: out, minify: true,
+                              metafile: true, legalComments: 'none'});
+  writeFileSync(join(out, 'licences.txt'), licences(result.metafile));
+  copyFileSync(join(here, 'src/index.html'), join(out, 'index.html'));
+}
+
+async function buildTests() {
+  const tests = readdirSync(join(here, 'tests')).filter(file => file.endsWith('_test.ts'));
+  await build({...common, entryPoints: tests.map(file => join('tests', file)), outdir: 'build/tests', platform: 'node',
+               outExtension: {'.js': '.mjs'}});
+}
+
+const at = process.argv.indexOf('--out');
+await (option('--tests') ? buildTests() : buildPage(at > 0 ? process.argv[at + 1] : join(here, 'dist')));

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import uPlot from 'uplot';
+import type {Display} from '../display.ts';
+import {number, type Scale} from '../quantities.ts';
+import {partsAbove} from './parts_above.ts';
+import {chartColours, strokeOf} from './strokes.ts';
+
+/// One curve on the page: values in the shown unit.
+export interface Shown {
+  name: string;
+  stroke: number;
+  amplitude: (number | null)[];
+  phase: (number | null)[];
+  limit: number | null;
+  peaks: {x: number; y: number}[];
+}
+export interface Picture {
+  x: number[];  // in the shown unit of frequency
+  curves: Shown[];
+  natural: number[];
+  scale: Scale;
+  cursor: number | null;
+}
+
+/// Amplitudes below this share of the largest are not drawn on a logarithmic axis: they are zeros and round-off.
+const LOWEST = 1e-6;
+
+/// uPlot of the amplitudes or of the phases of a picture.
+export class Plot {
+  private plot: uPlot | null = null;
+  private picture: Picture | null = null;
+  private made = '';
+
+  constructor(private readonly parent: HTMLElement, private readonly what: 'amplitude' | 'phase', private readonly display: Display,
+              private readonly clicked: (x: number) => void) {}
+
+  show(picture: Picture) {
+    this.picture = picture;
+    const {display, what} = this, {theme, frequencyUnit, logarithmicFrequency, logarithmicAmplitude, decibel} = display;
+    const names = picture.curves.map(c => `${c.name} ${c.stroke}`);
+    const form = JSON.stringify([theme, frequencyUnit, logarithmicFrequency, logarithmicAmplitude, decibel, names, picture.scale.unit]);
+    const data = [picture.x, ...picture.curves.map(c => (what === 'phase' ? c.phase : c.amplitude))] as uPlot.AlignedData;
+    if (form === this.made && this.plot) this.plot.setData(data);
+    else {
+      this.plot?.destroy();
+      this.plot = new uPlot(this.options(), data, this.parent);
+      this.made = form;
+    }
+  }
+  resize() {
+    const {clientWidth: width, clientHeight: height} = this.parent;
+    if (width > 0 && height > 0) this.plot?.setSize({width, height});
+  }
+  /// Redraws what follows the cursor.
+  redraw() { this.plot?.redraw(false); }
+  destroy() { this.plot?.destroy(); }
+
+  private options(): uPlot.Options {
+    const {display, what, picture} = this, colours = chartColours(display.theme), isPhase = what === 'phase';
+    const logarithmic = !isPhase && display.logarithmicAmplitude && !display.decibel;
+    const axis = {stroke: colours.axis, grid: {stroke: colours.grid, width: 1}, ticks: {stroke: colours.grid, width: 1}, font: '11px system-ui, sans-serif',
+                  labelFont: '12px system-ui, sans-serif', labelSize: 16};
+    const values = (_: uPlot, all: number[]) => all.map(v => (v === null ? '' : number(v, 6)));
+    return {
+      width: Math.max(this.parent.clientWidth, 50), height: Math.max(this.parent.clientHeight, 50), padding: [isPhase ? 4 : 14, 10, 0, 0],
+      legend: {show: false},
+      cursor: {y: false, drag: {x: true, y: false}, points: {show: false}, lock: false},
+      scales: {x: {time: false, distr: display.logarithmicFrequency ? 3 : 1},
+               y: isPhase ? {range: [-190, 190]} : {distr: logarithmic ? 3 : 1, range: (_, low, high) => this.range(low, high, logarithmic)}},
+      axes: [{...axis, size: isPhase ? 34 : 20, values, ...(isPhase ? {label: `frequency [${display.frequencyUnit}]`} : {values: (_, all) => all.map(() => '')})},
+             {...axis, size: 46, label: isPhase ? 'phase [°]' : display.decibel ? `dB re 1 ${picture!.scale.unit}` : picture!.scale.unit,
+              values: logarithmic ? (_, all) => all.map(v => (v !== null && isDecade(v) ? number(v, 6) : '')) : values,
+              ...(isPhase ? {splits: () => [-180, -90, 0, 90, 180]} : {})}],
+      series: [{}, ...picture!.curves.map(curve => {
+        const {colour, dash} = strokeOf(curve.stroke, display.theme);
+        return {label: curve.name, stroke: colour, dash, width: 1.6, pxAlign: 0, points: {show: false}, spanGaps: false,
+                ...(isPhase ? {paths: wrapped} : {})} as uPlot.Series;
+      })],
+      hooks: {draw: [plot => this.marks(plot)],
+              ready: [plot => plot.over.addEventListener('click', event => this.clickedAt(plot, event))]},
+    };
+  }
+  private range(low: number | null, high: number | null, logarithmic: boolean): [number, number] {
+    const limits = this.picture!.curves.flatMap(c => (c.limit === null ? [] : [c.limit]));
+    const top = Math.max(high ?? 1, ...limits), bottom = Math.min(low ?? 0, ...limits);
+    if (logarithmic) return [Math.max(bottom, LOWEST * top) / 1.3, top * 2];
+    return this.display.decibel ? [Math.max(bottom, top - 120) - 3, top + 6] : [0, top * 1.12 || 1];
+  }
+  private clickedAt(plot: uPlot, event: MouseEvent) {
+    const moved = plot.select.width > 2;
+    if (!moved) this.clicked(plot.posToVal(event.offsetX, 'x'));
+  }
+  /// Natural frequencies, limits, parts above limits, peaks with their values, and the cursor.
+  private marks(plot: uPlot) {
+    const {ctx, bbox} = plot, picture = this.picture!, colours = chartColours(this.display.theme), ratio = devicePixelRatio;
+    const x = (value: number) => plot.valToPos(value, 'x', true), y = (value: number) => plot.valToPos(value, 'y', true);
+    const vertical = (value: number, colour: string, width: number, dash: number[]) => {
+      if (value < plot.scales['x']!.min! || value > plot.scales['x']!.max!) return;
+      stroke(ctx, colour, width * ratio, dash.map(d => d * ratio), [[x(value), bbox.top], [x(value), bbox.top + bbox.height]]);
+    };
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top - 14 * ratio, bbox.width, bbox.height + 14 * ratio);
+    ctx.clip();
+    for (const value of picture.natural) vertical(value, colours.mode, 1, [1, 3]);
+    if (this.what === 'amplitude') {
+      for (const curve of picture.curves) if (curve.limit !== null) {
+        stroke(ctx, colours.limit, 1.4 * ratio, [8 * ratio, 4 * ratio],
+               [[bbox.left, y(curve.limit)], [bbox.left + bbox.width, y(curve.limit)]]);
+        for (const part of partsAbove(picture.x, curve.amplitude, curve.limit))
+          stroke(ctx, colours.violated, 3.2 * ratio, [], part.map(([a, b]) => [x(a), y(b)] as const));
+      }
+      this.labels(plot, colours.text);
+    }
+    if (picture.cursor !== null) vertical(picture.cursor, colours.text, 1, []);
+    ctx.restore();
+  }
+  /// Values at the highest peaks, as many as have room.
+  private labels(plot: uPlot, colour: string) {
+    const {ctx: pen, bbox} = plot, ratio = devicePixelRatio, taken: Box[] = [];
+    const peaks = this.picture!.curves.flatMap(curve => curve.peaks.map(p => ({...p, curve}))).sort((a, b) => b.y - a.y).slice(0, 16);
+    pen.font = `${11 * ratio}px system-ui, sans-serif`;
+    pen.textAlign = 'center';
+    const places = peaks.map(p => ({...p, left: plot.valToPos(p.x, 'x', true), top: plot.valToPos(p.y, 'y', true)}))
+      .filter(p => p.left >= bbox.left && p.left <= bbox.left + bbox.width && p.top >= bbox.top && p.top <= bbox.top + bbox.height);
+    const around = 4 * ratio;
+    for (const {left, top, curve} of places) {
+      taken.push([left - around, top - around, left + around, top + around]);
+      pen.fillStyle = strokeOf(curve.stroke, this.display.theme).colour;
+      pen.beginPath();
+      pen.arc(left, top, 2.6 * ratio, 0, 7);
+      pen.fill();
+    }
+    pen.fillStyle = colour;
+    for (const {left, top, y} of places) {
+      const text = number(y, 3), half = pen.measureText(text).width / 2;
+      const middle = Math.min(Math.max(left, bbox.left + half), bbox.left + bbox.width - half);
+      const box: Box = [middle - half - 3, top - 18 * ratio, middle + half + 3, top - around];
+      if (taken.some(b => b[0] < box[2] && b[2] > box[0] && b[1] < box[3] && b[3] > box[1])) continue;
+      taken.push(box);
+      pen.fillText(text, middle, top - 7 * ratio);
+    }
+  }
+}
+
+type Box = [number, number, number, number];
+const isDecade = (value: number) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
+
+function stroke(pen: CanvasRenderingContext2D, colour: string, width: number, dash: number[], points: readonly (readonly [number, number])[]) {
+  pen.strokeStyle = colour;
+  pen.lineWidth = width;
+  pen.setLineDash(dash);
+  pen.beginPath();
+  points.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
+  pen.stroke();
+  pen.setLineDash([]);
+}
+/// A phase that passes ±180° continues at the other edge, without a line across the chart.
+const wrapped: uPlot.Series.PathBuilder = (plot, series, first, last) => {
+  const path = new Path2D(), x = plot.data[0], y = plot.data[series]!;
+  let before: number | null = null;
+  for (let i = first; i <= last; i++) {
+    const value = y[i] ?? null;
+    if (value !== null) {
+      const at = [plot.valToPos(x[i]!, 'x', true), plot.valToPos(value, 'y', true)] as const;
+      if (before === null || Math.abs(value - before) > 180) path.moveTo(...at);
+      else path.lineTo(...at);
+    }
+    before = value;
+  }
+  return {stroke: path, fill: null, clip: null, band: null, gaps: null, flags: 0} as unknown as uPlot.Series.Paths;
+};

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How the results are shown: nothing here changes a result.
+import type {FrequencyUnit} from './quantities.ts';
+
+/// The motion that the machine makes on the page.
+export type Shown = {kind: 'mode'; number: number} | {kind: 'frequency'; omega: number} | {kind: 'rest'};
+export type Theme = 'light' | 'dark';
+
+export class Display {
+  theme: Theme = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
+  frequencyUnit: FrequencyUnit = 'Hz';
+  logarithmicFrequency = false;
+  decibel = false;
+  logarithmicAmplitude = true;
+  shown: Shown = {kind: 'mode', number: 1};
+  damped = false;
+  playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
+  share = 0.06;  // largest drawn displacement over the size of the machine
+  speed = 0.5;  // drawn periods a second
+  phase = 0;  // [rad]
+  traces = false;
+  cursor: number | null = null;  // ω [rad/s] of the linked cursor
+  pins: readonly string[] = [];  // numbers of the tree that are sliders, too
+  leftTab: 'sliders' | 'model' | 'text' = 'sliders';
+  private readonly listeners = new Set<() => void>();
+
+  set(values: Partial<Omit<Display, 'set' | 'subscribe'>>) {
+    Object.assign(this, values);
+    for (const listener of this.listeners) listener();
+  }
+  subscribe(listener: () => void) {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+}

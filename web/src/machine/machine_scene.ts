@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import {Box3, Group, Object3D, Vector3, type ArrowHelper, type Sprite} from 'three';
+import {corners, displacement, largestDisplacement, type Motion} from '../motion.ts';
+import type {Scene, SceneBody, Vector} from '../results.ts';
+import type {Selection} from '../state.ts';
+import {BodyObject, disposeAll} from './body_object.ts';
+import type {Colours} from './colours.ts';
+import {ElementObject} from './element_object.ts';
+import {axesMark, centreOfMassMark, forceArrow, ground, pointMark, trace} from './marks.ts';
+
+interface Follower {
+  object: Object3D;
+  body: SceneBody;
+  at: Vector;
+  rest: Vector3;
+}
+
+/// All objects of a machine, and how they move.
+export class MachineScene {
+  readonly root = new Group();
+  readonly bounds = new Box3();
+  private readonly bodies: BodyObject[];
+  private readonly elements: ElementObject[];
+  private readonly byName: ReadonlyMap<string, SceneBody>;
+  private readonly followers: Follower[] = [];  // marks that move with their body
+  private readonly rest = new Group();
+  private readonly traces = new Group();
+
+  constructor(readonly scene: Scene, private readonly colours: Colours) {
+    const up = scene.gravity && Math.hypot(...scene.gravity) > 0 ? new Vector3(...scene.gravity).negate().normalize() : new Vector3(0, 0, 1);
+    this.byName = new Map(scene.bodies.map(b => [b.name, b]));
+    this.bodies = scene.bodies.map(b => new BodyObject(b, colours));
+    this.elements = scene.elements.map(e => new ElementObject(e, this.byName, scene.size, up, colours));
+    this.root.add(...this.bodies.map(b => b.object), ...this.elements.map(e => e.object), this.rest, this.traces);
+    this.rest.add(...this.bodies.map(b => b.atRest));
+    for (const body of scene.bodies) this.follow(centreOfMassMark(colours), body, body.centre_of_mass, {kind: 'body', name: body.name});
+    for (const point of scene.points) {
+      const body = this.byName.get(point.body);
+      if (body) this.follow(pointMark(colours), body, point.at, {kind: 'point', name: point.name});
+    }
+    for (const force of scene.forces) {
+      const body = this.byName.get(force.body), arrow = forceArrow(force, scene.size, colours);
+      if (body) this.follow(arrow, body, force.at, {kind: 'force', name: force.name}, arrow.position.clone());
+    }
+    this.root.updateMatrixWorld(true);
+    this.measure();
+    const centre = this.bounds.getCenter(new Vector3()), lowest = lowestAlong(this.bounds, up);
+    this.root.add(ground(lowest, centre, scene.size, up, colours), axesMark(this.cornerOfGround(lowest, up), 0.12 * scene.size, colours));
+  }
+  /// Factor from the true motion to the drawn one: the largest displacement is `share` of the size of the machine.
+  scaleFor(motion: Motion, share: number): number {
+    const largest = largestDisplacement(motion, this.scene.bodies);
+    return largest > 0 ? share * this.scene.size / largest : 0;
+  }
+  move(motion: Motion | null, phase: number, scale: number) {
+    for (const body of this.bodies) body.move(motion?.bodies.get(body.body.name) ?? null, phase, scale);
+    for (const element of this.elements) element.move(motion, this.byName, phase, scale);
+    for (const {object, body, at, rest} of this.followers) {
+      const rigid = motion?.bodies.get(body.name), arm = at.map((v, k) => v - body.pole[k]!) as unknown as Vector;
+      object.position.copy(rest);
+      if (rigid) object.position.addScaledVector(new Vector3(...displacement(rigid, arm, phase)), scale);
+    }
+    this.rest.visible = motion !== null && scale > 0;
+  }
+  showTraces(motion: Motion | null, scale: number) {
+    disposeAll(this.traces);
+    this.traces.clear();
+    if (!motion) return;
+    for (const body of this.scene.bodies) {
+      const points = this.scene.points.filter(p => p.body === body.name).map(p => p.at);
+      for (const at of [...points, body.centre_of_mass, ...corners(body).slice(-4)])
+        this.traces.add(trace(at, body, motion, scale, this.colours));
+    }
+  }
+  highlight(selection: Selection | null) {
+    for (const b of this.bodies) b.highlight(selection?.kind === 'body' && selection.name === b.body.name, this.colours);
+    for (const e of this.elements) e.highlight(selection?.kind === 'element' && selection.name === e.element.name, this.colours);
+  }
+  dispose() { disposeAll(this.root); }
+
+  private follow(object: Sprite | ArrowHelper, body: SceneBody, at: Vector, selection: Selection, rest = new Vector3(...at)) {
+    object.position.copy(rest);
+    object.traverse(part => (part.userData = selection));
+    this.followers.push({object, body, at, rest});
+    this.root.add(object);
+  }
+  private measure() {
+    for (const {object} of [...this.bodies, ...this.elements]) this.bounds.expandByObject(object);
+    for (const {rest} of this.followers) this.bounds.expandByPoint(rest);
+    if (this.bounds.isEmpty()) this.bounds.expandByPoint(new Vector3());
+  }
+  private cornerOfGround(lowest: number, up: Vector3): Vector3 {
+    const corner = this.bounds.min.clone().addScaledVector(new Vector3(1, 1, 1), -0.12 * this.scene.size);
+    return corner.addScaledVector(up, lowest - corner.dot(up));
+  }
+}
+const lowestAlong = ({min, max}: Box3, up: Vector3) => [0, 1, 2].reduce((sum, k) => {
+  const u = up.getComponent(k);
+  return sum + u * (u > 0 ? min : max).getComponent(k);
+}, 0);

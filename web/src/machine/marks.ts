@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is drawn beside bodies and elements: centres of mass, points, forces, axes, the ground, traces of points.
+import {ArrowHelper, BufferGeometry, CanvasTexture, Float32BufferAttribute, GridHelper, Group, Line, LineBasicMaterial, Quaternion, Sprite,
+        SpriteMaterial, Vector3} from 'three';
+import {displacement, type Motion} from '../motion.ts';
+import type {Scene, SceneBody, Vector} from '../results.ts';
+import type {Colours} from './colours.ts';
+
+export type Up = Vector3;
+
+/// The quartered circle of a centre of mass, a dot for a point, a letter of an axis: always of the same size on screen.
+function sprite(draw: (pen: CanvasRenderingContext2D, size: number) => void, height: number): Sprite {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 64;
+  draw(canvas.getContext('2d')!, 64);
+  const result = new Sprite(new SpriteMaterial({map: new CanvasTexture(canvas), depthTest: false, sizeAttenuation: false, transparent: true}));
+  result.scale.setScalar(height);
+  result.renderOrder = 10;
+  return result;
+}
+export function centreOfMassMark(colours: Colours): Sprite {
+  return sprite((pen, size) => {
+    const middle = size / 2, radius = 0.4 * size;
+    for (let quarter = 0; quarter < 4; quarter++) {
+      pen.beginPath();
+      pen.moveTo(middle, middle);
+      pen.arc(middle, middle, radius, quarter * Math.PI / 2, (quarter + 1) * Math.PI / 2);
+      pen.fillStyle = quarter % 2 ? '#fff' : '#111';
+      pen.fill();
+    }
+    pen.strokeStyle = colours.text;
+    pen.lineWidth = 3;
+    pen.beginPath();
+    pen.arc(middle, middle, radius, 0, 2 * Math.PI);
+    pen.stroke();
+  }, 0.022);
+}
+export function pointMark(colours: Colours): Sprite {
+  return sprite((pen, size) => {
+    pen.beginPath();
+    pen.arc(size / 2, size / 2, 0.3 * size, 0, 2 * Math.PI);
+    pen.fillStyle = `#${colours.trace.toString(16).padStart(6, '0')}`;
+    pen.fill();
+    pen.strokeStyle = '#fff';
+    pen.lineWidth = 6;
+    pen.stroke();
+  }, 0.016);
+}
+function letter(text: string, colours: Colours): Sprite {
+  return sprite((pen, size) => {
+    pen.font = `600 ${0.7 * size}px system-ui, sans-serif`;
+    pen.textAlign = 'center';
+    pen.textBaseline = 'middle';
+    pen.fillStyle = colours.text;
+    pen.fillText(text, size / 2, size / 2);
+  }, 0.03);
+}
+
+/// Axes of the project at a place, with their letters.
+export function axesMark(at: Vector3, length: number, colours: Colours): Group {
+  const group = new Group();
+  ['x', 'y', 'z'].forEach((name, k) => {
+    const direction = new Vector3().setComponent(k, 1), tip = letter(name, colours);
+    group.add(new ArrowHelper(direction, new Vector3(), length, colours.edge, 0.22 * length, 0.1 * length), tip);
+    tip.position.copy(direction).multiplyScalar(1.25 * length);
+  });
+  group.position.copy(at);
+  return group;
+}
+export function forceArrow(force: Scene['forces'][number], size: number, colours: Colours): ArrowHelper {
+  const length = 0.2 * size, direction = new Vector3(...force.direction);
+  if (direction.lengthSq() === 0) direction.set(0, 0, 1);
+  direction.normalize();
+  const from = new Vector3(...force.at).addScaledVector(direction, -length);  // the tip is where it acts
+  const arrow = new ArrowHelper(direction, from, length, colours.force, 0.05 * size, 0.03 * size);
+  arrow.traverse(part => (part.userData = {kind: 'force', name: force.name}));
+  return arrow;
+}
+/// The ground below the machine, normal to `up`.
+export function ground(lowest: number, centre: Vector3, size: number, up: Up, colours: Colours): GridHelper {
+  const step = 10 ** Math.round(Math.log10(size / 6)), cells = Math.ceil(2.6 * size / step);
+  const grid = new GridHelper(cells * step, cells, colours.grid, colours.grid);
+  grid.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), up));
+  grid.position.copy(centre).addScaledVector(up, lowest - centre.dot(up));
+  return grid;
+}
+
+/// The closed curve of a point over one period of a motion: an ellipse.
+export function trace(at: Vector, body: SceneBody, motion: Motion, scale: number, colours: Colours): Line {
+  const arm = at.map((v, k) => v - body.pole[k]!) as unknown as Vector, rigid = motion.bodies.get(body.name), places: number[] = [];
+  for (let i = 0; rigid && i <= 72; i++) {
+    const u = displacement(rigid, arm, 2 * Math.PI * i / 72);
+    places.push(...u.map((v, k) => at[k]! + scale * v));
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new Float32BufferAttribute(places, 3));
+  const line = new Line(geometry, new LineBasicMaterial({color: colours.trace, depthTest: false}));
+  line.renderOrder = 9;
+  return line;
+}

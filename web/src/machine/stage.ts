@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import {DirectionalLight, HemisphereLight, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer} from 'three';
+import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
+import type {Selection} from '../state.ts';
+import type {Colours} from './colours.ts';
+import type {MachineScene} from './machine_scene.ts';
+
+export type View = 'oblique' | 'front' | 'side' | 'top';
+const DIRECTIONS: Record<View, [number, number, number]> = {oblique: [0.75, -1, 0.55], front: [0, -1, 0], side: [1, 0, 0], top: [0, 0, 1]};
+
+/// Camera, light and renderer. It draws only when something changed.
+export class Stage {
+  readonly renderer: WebGLRenderer;
+  readonly camera = new PerspectiveCamera(28, 1, 0.01, 100);
+  private readonly scene = new Scene();
+  private readonly controls: OrbitControls;
+  private readonly light = new DirectionalLight(0xffffff, 2);
+  private machine: MachineScene | null = null;
+  private wanted = false;
+
+  constructor(canvas: HTMLCanvasElement, private readonly beforeFrame: () => void) {
+    this.renderer = new WebGLRenderer({canvas, antialias: true});
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener('change', () => this.draw());
+    this.scene.add(new HemisphereLight(0xffffff, 0x8899aa, 1.6), this.light);
+  }
+  show(machine: MachineScene, colours: Colours, fit: boolean) {
+    if (this.machine) this.scene.remove(this.machine.root);
+    this.machine?.dispose();
+    this.machine = machine;
+    this.scene.add(machine.root);
+    this.renderer.setClearColor(colours.background);
+    if (fit) this.look('oblique');
+    this.draw();
+  }
+  look(view: View) {
+    if (!this.machine) return;
+    const sphere = this.machine.bounds.getBoundingSphere(new Sphere()), half = this.camera.fov * Math.PI / 360;
+    const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
+    const distance = 1.02 * sphere.radius / Math.sin(narrow), direction = new Vector3(...DIRECTIONS[view]).normalize();
+    if (view === 'top') direction.add(new Vector3(0, -1e-3, 0));
+    this.controls.target.copy(sphere.center);
+    this.camera.position.copy(sphere.center).addScaledVector(direction, distance);
+    [this.camera.near, this.camera.far] = [distance / 50, distance * 20];
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.draw();
+  }
+  /// Turns the camera about the machine [rad], or goes closer: for the keyboard.
+  turn(right: number, upwards: number, closer = 1) {
+    const {target} = this.controls, arm = this.camera.position.clone().sub(target).multiplyScalar(closer);
+    const side = new Vector3().crossVectors(this.camera.up, arm).normalize();
+    arm.applyAxisAngle(this.camera.up, right);
+    const angle = arm.angleTo(this.camera.up);
+    if (angle - upwards > 0.05 && angle - upwards < Math.PI - 0.05) arm.applyAxisAngle(side.applyAxisAngle(this.camera.up, right), -upwards);
+    this.camera.position.copy(target).add(arm);
+    this.controls.update();
+    this.draw();
+  }
+  resize(width: number, height: number) {
+    if (width < 1 || height < 1) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+  draw() {
+    if (this.wanted) return;
+    this.wanted = true;
+    requestAnimationFrame(() => {
+      this.wanted = false;
+      this.drawNow();
+    });
+  }
+  drawNow() {
+    this.beforeFrame();
+    this.light.position.copy(this.camera.position).add(new Vector3(0, 0, this.camera.position.length()));
+    this.renderer.render(this.scene, this.camera);
+  }
+  /// What is at a place of the canvas, from −1 to 1.
+  pick(x: number, y: number): Selection | null {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(x, y), this.camera);
+    if (!this.machine) return null;
+    const hit = ray.intersectObjects(this.machine.root.children, true).find(h => h.object.userData['kind'] && h.object.visible &&
+                                                                       h.object.type !== 'LineSegments');
+    return hit ? hit.object.userData as Selection : null;
+  }
+  dispose() {
+    this.machine?.dispose();
+    this.controls.dispose();
+    this.renderer.dispose();
+  }
+}

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import {html, nothing} from 'lit';
+import {DARK, LIGHT} from './machine/colours.ts';
+import {MachineScene} from './machine/machine_scene.ts';
+import {Stage, type View} from './machine/stage.ts';
+import type {Motion} from './motion.ts';
+import {Part} from './part.ts';
+import {frequency} from './quantities.ts';
+import type {Modes, Scene} from './results.ts';
+import {shownMotion} from './shown_motion.ts';
+import {machineKeys} from './machine_keys.ts';
+
+/// The machine in 3D: one selects in it, and modes and operating shapes move.
+export class MachineView extends Part {
+  private stage: Stage | null = null;
+  private machine: MachineScene | null = null;
+  private drawn = '';  // scene and theme that are drawn
+  private fitted = -1;  // generation that the camera shows
+  private motion: Motion | null = null;
+  private scale = 0;
+  private last = 0;
+  private watcher: ResizeObserver | null = null;
+  private hovered = '';
+
+  override render() {
+    const {display, asker, state} = this.app, modes = asker.result<Modes>('modes');
+    const chosen = display.shown.kind === 'mode' ? `${display.shown.number}` : display.shown.kind;
+    const label = this.motion ? `${this.motion.label}, ${frequency(this.motion.angular_frequency, display.frequencyUnit)}` : 'at rest';
+    const views: View[] = ['oblique', 'front', 'side', 'top'];
+    return html`
+      <div class="stage" tabindex="0" role="application" aria-label="Machine in 3D: ${label}. Arrow keys turn it, plus and minus zoom, space plays or stops, n and p show the next and the previous mode, s selects the next part."
+           @keydown=${(event: KeyboardEvent) => machineKeys(event, this.app, this.stage)}>
+        <canvas class="machine" @pointerdown=${this.pressed} @pointerup=${this.released} @pointermove=${this.moved}></canvas>
+        <div class="caption" aria-hidden="true">${label}${asker.isOld('modes') ? html` <span class="old">…</span>` : nothing}</div>
+        <div class="hover" aria-hidden="true">${this.hovered || state.selection?.name || ''}</div>
+        ${asker.result<Scene>('scene') ? nothing : html`<p class="missing">${asker.failure('scene') || 'The machine is drawn when the file has no errors.'}</p>`}
+      </div>
+      <div class="bar">
+        <button class="play" aria-pressed=${display.playing} title="Play or stop (space)" @click=${() => display.set({playing: !display.playing})}>
+          ${display.playing ? '❚❚' : '▶'}<span class="hidden">${display.playing ? 'Stop' : 'Play'}</span></button>
+        <select aria-label="Motion" .value=${chosen} @change=${this.choose}>
+          ${modes?.modes.map(m => html`<option value=${m.number} ?selected=${chosen === `${m.number}`}>${m.number} · ${frequency(m.angular_frequency, display.frequencyUnit)} · ${m.name}</option>`)}
+          ${display.shown.kind === 'frequency' ? html`<option value="frequency" selected>operating shape at ${frequency(display.shown.omega, display.frequencyUnit)}</option>` : nothing}
+          <option value="rest" ?selected=${chosen === 'rest'}>at rest</option>
+        </select>
+        <span class="views" role="group" aria-label="View">${views.map(v => html`<button @click=${() => this.stage?.look(v)}>${v}</button>`)}</span>
+        <button title="Save the picture as PNG" @click=${this.savePicture}>PNG</button>
+      </div>
+      <div class="bar">
+        ${this.slider('Size', 0.01, 0.2, 0.005, display.share, share => display.set({share}))}
+        ${this.slider('Speed', 0.1, 2, 0.1, display.speed, speed => display.set({speed}))}
+        ${this.slider('Phase', 0, 360, 1, display.phase * 180 / Math.PI, degrees => display.set({phase: degrees * Math.PI / 180, playing: false}))}
+        <label><input type="checkbox" .checked=${display.damped} @change=${(e: Event) => { display.set({damped: (e.target as HTMLInputElement).checked}); asker.again(); }}> damped</label>
+        <label><input type="checkbox" .checked=${display.traces} @change=${(e: Event) => display.set({traces: (e.target as HTMLInputElement).checked})}> trace</label>
+      </div>`;
+  }
+  override firstUpdated() {
+    const canvas = this.querySelector('canvas')!;
+    this.stage = new Stage(canvas, () => this.frame());
+    this.watcher = new ResizeObserver(() => this.stage!.resize(canvas.clientWidth, canvas.clientHeight));
+    this.watcher.observe(canvas.parentElement!);
+    this.stage.resize(canvas.clientWidth, canvas.clientHeight);
+    this.updated();
+  }
+  override updated() {
+    const {asker, display, state} = this.app, scene = asker.result<Scene>('scene');
+    if (!this.stage || !scene) return;
+    const key = display.theme + JSON.stringify(scene), colours = display.theme === 'dark' ? DARK : LIGHT;
+    if (key !== this.drawn) {
+      this.machine = new MachineScene(scene, colours);
+      this.stage.show(this.machine, colours, this.fitted !== state.generation);
+      [this.drawn, this.fitted] = [key, state.generation];
+    }
+    const before = this.motion?.label;
+    this.motion = shownMotion(this.app);
+    this.scale = this.motion ? this.machine!.scaleFor(this.motion, display.share) : 0;
+    this.machine!.showTraces(display.traces ? this.motion : null, this.scale);
+    this.machine!.highlight(state.selection);
+    this.stage.draw();
+    if (before !== this.motion?.label) this.requestUpdate();
+  }
+  override disconnectedCallback() {
+    super.disconnectedCallback();
+    this.watcher?.disconnect();
+    this.stage?.dispose();
+  }
+
+  /// Moves the machine to its present phase, and asks for the next frame while it plays.
+  private frame() {
+    const {display} = this.app, now = performance.now(), step = Math.min((now - this.last) / 1000, 0.1);
+    this.last = now;
+    if (display.playing && this.motion) {
+      display.phase = (display.phase + 2 * Math.PI * display.speed * step) % (2 * Math.PI);
+      this.stage!.draw();
+    }
+    this.machine?.move(this.motion, display.phase, this.scale);
+  }
+  private slider(name: string, min: number, max: number, step: number, value: number, set: (value: number) => void) {
+    return html`<label class="small">${name}<input type="range" min=${min} max=${max} step=${step} .value=${String(value)}
+                  @input=${(e: Event) => set(Number((e.target as HTMLInputElement).value))}></label>`;
+  }
+  private choose(event: Event) {
+    const {value} = event.target as HTMLSelectElement;
+    if (value === 'frequency') return;
+    this.app.display.set({shown: value === 'rest' ? {kind: 'rest'} : {kind: 'mode', number: Number(value)}});
+  }
+  private down = [0, 0];
+  private pressed(event: PointerEvent) { this.down = [event.clientX, event.clientY]; }
+  private released(event: PointerEvent) {
+    if (Math.hypot(event.clientX - this.down[0]!, event.clientY - this.down[1]!) < 4) this.app.state.select(this.under(event));
+  }
+  private moved(event: PointerEvent) {
+    if (event.buttons) return;
+    const name = this.under(event)?.name ?? '';
+    if (name !== this.hovered) {
+      this.hovered = name;
+      this.requestUpdate();
+    }
+  }
+  private under(event: PointerEvent) {
+    const {left, top, width, height} = (event.currentTarget as HTMLElement).getBoundingClientRect();
+    return this.stage!.pick(2 * (event.clientX - left) / width - 1, 1 - 2 * (event.clientY - top) / height);
+  }
+  private savePicture() {
+    this.stage!.drawNow();
+    this.querySelector('canvas')!.toBlob(blob => {
+      const link = document.createElement('a');
+      link.href = URL.createObjectURL(blob!);
+      link.download = 'machine.png';
+      link.click();
+      URL.revokeObjectURL(link.href);
+    });
+  }
+}
+customElements.define('machine-view', MachineView);

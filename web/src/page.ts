@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Starts the page of `trivet serve`.
+import {Asker, type Wish} from './asker.ts';
+import {Display} from './display.ts';
+import {ServerEngine, tokenOfTab} from './engine.ts';
+import {hasRequirements} from './judgement.ts';
+import {PageShell} from './page_shell.ts';
+import {App} from './part.ts';
+import {Schema} from './schema.ts';
+import {State} from './state.ts';
+import {wishes} from './wishes.ts';
+
+async function start() {
+  const engine = new ServerEngine(tokenOfTab()), project = await engine.project();
+  const state = new State(), display = new Display();
+  const wanted = (): Wish[] => (state.design.text ? wishes(display, hasRequirements(app)) : []);
+  const asker = new Asker(engine, state, wanted), app: App = new App(engine, project, state, display, asker);
+  const shell = new PageShell();
+  shell.app = app;
+  if (project.text !== undefined) state.open(project.text, true);
+  document.body.replaceChildren(shell);
+  app.schema = new Schema(await engine.schema() as ConstructorParameters<typeof Schema>[0]);
+  shell.requestUpdate();
+}
+
+start().catch((error: unknown) => {
+  const said = document.createElement('p');
+  said.className = 'fatal';
+  said.setAttribute('role', 'alert');
+  said.textContent = error instanceof Error ? error.message : String(error);
+  document.body.replaceChildren(said);
+});

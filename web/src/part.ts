@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import {LitElement} from 'lit';
+import type {Asker} from './asker.ts';
+import type {Display} from './display.ts';
+import type {Engine, Project} from './engine.ts';
+import {indexOf, type TextIndex} from './numbers_of_text.ts';
+import type {Schema} from './schema.ts';
+import type {State} from './state.ts';
+
+/// What all parts of the page share.
+export class App {
+  schema: Schema | null = null;
+  private indexed: {text: string; index: TextIndex} | null = null;
+
+  constructor(readonly engine: Engine, readonly project: Project, readonly state: State, readonly display: Display, readonly asker: Asker) {}
+
+  /// Keys and numbers of the present text.
+  get index(): TextIndex {
+    const {text} = this.state.design;
+    if (this.indexed?.text !== text) this.indexed = {text, index: indexOf(text)};
+    return this.indexed.index;
+  }
+}
+
+/// A part of the page. It is rendered into the document, not into a shadow root, so that page.css and labels reach it.
+export class Part extends LitElement {
+  static override properties = {app: {attribute: false}};
+  declare app: App;
+  private unsubscribe: (() => void)[] = [];
+
+  override createRenderRoot(): HTMLElement | ShadowRoot { return this; }
+  override connectedCallback() {
+    super.connectedCallback();
+    const update = () => this.requestUpdate();
+    const {state, display, asker} = this.app;
+    this.unsubscribe = [state.subscribe(update), display.subscribe(update), asker.subscribe(update)];
+  }
+  override disconnectedCallback() {
+    super.disconnectedCallback();
+    for (const end of this.unsubscribe) end();
+  }
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers in the units that the page shows. Everything else on the page is in SI.
+
+const TURN = 2 * Math.PI;
+
+/// Units of the frequency axis: factor from rad/s.
+export const FREQUENCY_UNITS = {Hz: 1 / TURN, rpm: 60 / TURN, 'rad/s': 1} as const;
+export type FrequencyUnit = keyof typeof FREQUENCY_UNITS;
+
+/// A number with significant digits, without zeros at its end.
+export function number(value: number | null | undefined, digits = 4): string {
+  if (value === null || value === undefined || Number.isNaN(value)) return '–';
+  if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  const text = size >= 1e6 || size < 1e-4 ? value.toExponential(digits - 1) : value.toPrecision(digits);
+  const short = text.includes('e') ? text.replace(/\.?0*e\+?/, 'e') : /\./.test(text) ? text.replace(/\.?0+$/, '') : text;
+  return short.replace('-', '−');
+}
+
+/// Prefixes of a unit of which engineers use multiples; others are shown as they are.
+const PREFIXES: readonly (readonly [number, string])[] =
+    [[1e6, 'M'], [1e3, 'k'], [1, ''], [1e-3, 'm'], [1e-6, 'µ'], [1e-9, 'n']];
+const WITHOUT_LARGE = new Set(['m', 'm/s', 'm/s^2', 'm/s2', 'm/s²', 'rad', 'rad/s', 'rad/s^2', 's']);
+const PREFIXED = /^(m|N|rad|W|J|Pa|s)\b/;
+
+export interface Scale {
+  factor: number;
+  unit: string;
+}
+/// The multiple of an SI unit that suits the largest value: {1000, "mm"}.
+export function scaleOf(largest: number, unit: string): Scale {
+  const shown = unit.replace('^2', '²').replace('s2', 's²');
+  if (!PREFIXED.test(unit) || !(largest > 0)) return {factor: 1, unit: shown};
+  for (const [size, prefix] of PREFIXES) {
+    if (size > 1 && WITHOUT_LARGE.has(unit)) continue;
+    if (largest >= size * 0.9995) return {factor: 1 / size, unit: prefix + shown};
+  }
+  return {factor: 1e9, unit: `n${shown}`};
+}
+export function withUnit(value: number | null | undefined, unit: string, digits = 4): string {
+  if (value === null || value === undefined || !Number.isFinite(value)) return number(value);
+  const scale = scaleOf(Math.abs(value), unit);
+  return `${number(value * scale.factor, digits)} ${scale.unit}`.trim();
+}
+export const frequency = (omega: number | null, unit: FrequencyUnit, digits = 4) =>
+  omega === null ? '–' : `${number(omega * FREQUENCY_UNITS[unit], digits)} ${unit}`;
+
+/// A number of the project file: "1.6 kN/mm" has a value and a unit, 4200 only a value. Null: it is not one.
+export function quantity(text: string): {value: number; unit: string} | null {
+  const match = text.trim().match(/^"?\s*([-+−]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^"]*?)\s*"?$/);
+  if (!match) return null;
+  const value = Number(match[1]!.replaceAll('_', '').replace('−', '-'));
+  return Number.isFinite(value) ? {value, unit: match[2]!} : null;
+}
+/// In the form of the project file, with as many digits as a hand would write.
+export const written = (value: number, unit: string) => {
+  const text = String(Number(value.toPrecision(6)));
+  return unit ? `"${text} ${unit}"` : text;
+};

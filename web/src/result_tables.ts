@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import {html, nothing} from 'lit';
+import {hasRequirements} from './judgement.ts';
+import {Part} from './part.ts';
+import {frequency, number, withUnit} from './quantities.ts';
+import type {Check, Curves, Modes, Roots, Verdict} from './results.ts';
+
+const TABS = {modes: 'Modes', requirements: 'Requirements', mounts: 'Mounts', peaks: 'Peaks'} as const;
+type Tab = keyof typeof TABS;
+const COORDINATES = ['x', 'y', 'z', 'θx', 'θy', 'θz'];
+
+/// Tables of the results: modes with their energies, margins of requirements, loads of mounts, peaks.
+export class ResultTables extends Part {
+  static override properties = {...Part.properties, tab: {state: true}};
+  declare tab: Tab | null;
+
+  constructor() {
+    super();
+    this.tab = null;
+  }
+  override render() {
+    const tab = this.tab ?? (hasRequirements(this.app) ? 'requirements' : 'modes');
+    const bodies: Record<Tab, () => unknown> = {modes: () => this.modes(), requirements: () => this.requirements(), mounts: () => this.mounts(), peaks: () => this.peaks()};
+    return html`<div class="tabs" role="tablist" aria-label="Tables">${(Object.keys(TABS) as Tab[]).map(t => html`<button role="tab" id="tab-${t}" aria-controls="table-panel" aria-selected=${t === tab} @click=${() => { this.tab = t; }}>${TABS[t]}</button>`)}</div>
+      <div class="scroll table" role="tabpanel" id="table-panel" aria-labelledby="tab-${tab}" tabindex="0">${bodies[tab]()}</div>`;
+  }
+  private modes() {
+    const {asker, display} = this.app, modes = asker.result<Modes>('modes'), roots = asker.result<Roots>('roots');
+    if (!modes) return this.missing('modes');
+    const one = modes.bodies.length === 1;
+    return html`<table><thead><tr><th scope="col">Mode</th><th scope="col">${display.frequencyUnit}</th><th scope="col" title="damping ratio of the nearest root">ζ</th><th scope="col">motion</th>
+      ${one ? COORDINATES.map(c => html`<th scope="col" title="share of the kinetic energy">${c}</th>`) : html`<th scope="col">kinetic energy</th>`}</tr></thead><tbody>
+      ${modes.modes.map(m => {
+        const chosen = display.shown.kind === 'mode' && display.shown.number === m.number, root = roots?.roots.find(r => r.nearest_mode === m.number && r.eigenvalue[1] > 0);
+        return html`<tr aria-selected=${chosen} class=${chosen ? 'chosen' : ''} @click=${() => display.set({shown: {kind: 'mode', number: m.number}})}>
+          <th scope="row"><button class="link" aria-label="Show mode ${m.number}">${m.number}</button></th><td>${frequency(m.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
+          <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : html`<span class="old">…</span>`}</td><td class="words">${m.name}</td>
+          ${one ? m.kinetic_energy_share.map(share => html`<td class="share">${share >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m.kinetic_energy_share)}</td>`}</tr>`;
+      })}</tbody></table>${one ? html`<p class="hint">x … θz: share of the kinetic energy in %.</p>` : nothing}`;
+  }
+  private requirements() {
+    const {asker, state} = this.app, verdict = asker.result<Verdict>('verdict');
+    if (!hasRequirements(this.app)) return html`<p class="hint">The file has no [requirements]. With them every design is judged here, with its margins.</p>`;
+    if (!verdict) return this.missing('verdict');
+    const found = verdict.cases.find(c => c.case === state.case) ?? verdict.cases[0];
+    const sorted = [...found?.requirements ?? []].sort((a, b) => (a.margin ?? Infinity) - (b.margin ?? Infinity));
+    return html`<table><thead><tr><th scope="col">Requirement</th><th scope="col">value</th><th scope="col" title="1: just met; more: met with room">margin</th><th scope="col">met</th></tr></thead><tbody>
+      ${sorted.map(r => html`<tr class=${!r.judged ? 'unjudged' : r.met ? '' : 'violated'}><th scope="row" class="words">${r.requirement}</th><td>${withUnit(r.value, r.unit, 3)}</td>
+        <td>${r.margin === null ? '–' : number(r.margin, 3)}</td><td>${!r.judged ? r.reason || '–' : r.met ? '✓' : '✗'}<span class="hidden">${r.met ? 'yes' : 'no'}</span></td></tr>`)}</tbody></table>`;
+  }
+  private mounts() {
+    const {asker, state} = this.app, check = asker.result<Check>('check'), rows = check?.mounts?.filter(m => m.case === state.case) ?? [];
+    if (!check) return this.missing('check');
+    if (!rows.length) return html`<p class="hint">No load at rest: the file has no gravity, or no mount that carries a load.</p>`;
+    return html`<table><caption>At rest under gravity</caption><thead><tr><th scope="col">Mount</th><th scope="col">compression</th><th scope="col">across</th><th scope="col">deflection</th></tr></thead><tbody>
+      ${rows.map(m => {
+        const chosen = state.selection?.kind === 'element' && state.selection.name === m.element;
+        return html`<tr class=${chosen ? 'chosen' : ''} @click=${() => state.select({kind: 'element', name: m.element})}><th scope="row"><button class="link">${m.element}</button></th>
+          <td>${withUnit(m.compression, 'N')}</td><td>${withUnit(m.across, 'N')}</td><td>${withUnit(m.deflection, 'm')}</td></tr>`;
+      })}</tbody></table>`;
+  }
+  private peaks() {
+    const {asker, display} = this.app, curves = asker.result<Curves>('curves');
+    if (!curves) return this.missing('curves');
+    const unit = new Map(curves.results.map(r => [r.name, r.unit]));
+    const rows = curves.peaks.filter(p => p.angular_frequency >= curves.band[0] && p.angular_frequency <= curves.band[1]);
+    return html`<table><thead><tr><th scope="col">Result</th><th scope="col">${display.frequencyUnit}</th><th scope="col">amplitude</th><th scope="col">phase</th></tr></thead><tbody>
+      ${rows.map(p => html`<tr @click=${() => { display.set({shown: {kind: 'frequency', omega: p.angular_frequency}, cursor: p.angular_frequency}); asker.again(); }}>
+        <th scope="row"><button class="link" aria-label="Show the motion at this peak of ${p.result}">${p.result}</button></th><td>${frequency(p.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
+        <td>${p.amplitude === null ? '∞' : withUnit(p.amplitude, unit.get(p.result) ?? '')}</td><td>${p.phase == null ? '–' : `${number(p.phase * 180 / Math.PI, 3)}°`}</td></tr>`)}</tbody></table>`;
+  }
+  private missing(command: string) {
+    const why = this.app.asker.failure(command);
+    return html`<p class="hint">${why || html`<span class="old">…</span>`}</p>`;
+  }
+}
+/// "frame 81 %, axle 12 %": shares of the bodies.
+function largestShares(modes: Modes, shares: number[]): string {
+  const ofBodies = modes.bodies.map((name, i) => ({name, share: shares.slice(6 * i, 6 * i + 6).reduce((a, b) => a + b, 0)}));
+  return ofBodies.filter(b => b.share >= 0.05).sort((a, b) => b.share - a.share).slice(0, 3).map(b => `${b.name} ${Math.round(100 * b.share)} %`).join(', ');
+}
+customElements.define('result-tables', ResultTables);

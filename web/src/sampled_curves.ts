@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import {modelAt} from './rational_model.ts';
+import type {Curves} from './results.ts';
+
+/// Amplitude in SI and phase in degrees, −180 to 180, of each result over ω [rad/s]; null where it is not defined.
+export interface SampledCurves {
+  omega: number[];
+  amplitude: (number | null)[][];
+  phase: (number | null)[][];
+}
+
+/// Distances from a peak, relative to its frequency, at which its flanks are drawn.
+const FLANKS = Array.from({length: 14}, (_, k) => 10 ** (-4.5 + 0.25 * k));
+
+/// Frequencies of a drawing: evenly spaced on the axis, with all peaks and the flanks of peaks and modes.
+export function drawnFrequencies(curves: Curves, count: number, logarithmic: boolean): number[] {
+  const [from, to] = curves.band, start = from > 0 ? from : to * 1e-3, all: number[] = [from, to];
+  for (let i = 0; i <= count; i++) {
+    const part = i / count;
+    all.push(logarithmic ? start * (to / start) ** part : from + (to - from) * part);
+  }
+  for (const p of curves.peaks) all.push(p.angular_frequency);
+  const centres = [...curves.natural, ...curves.peaks.map(p => p.angular_frequency)];
+  for (const w of new Set(centres)) for (const d of FLANKS) all.push(w * (1 - d), w * (1 + d));
+  return [...new Set(all)].filter(w => w >= from && w <= to).sort((a, b) => a - b);
+}
+
+/// Curves of one excitation. Peaks have the exact amplitude that the program found.
+export function sampledCurves(curves: Curves, model: number, omega: number[]): SampledCurves {
+  const count = curves.results.length, chosen = curves.models[model];
+  const amplitude: (number | null)[][] = curves.results.map(() => []), phase: (number | null)[][] = curves.results.map(() => []);
+  if (!chosen) return {omega: [], amplitude, phase};
+  const exact = curves.results.map(r => new Map(
+    curves.peaks.filter(p => p.result === r.name).map(p => [p.angular_frequency, p.amplitude])));
+  for (const w of omega) {
+    const values = modelAt(chosen, w, count);
+    for (let c = 0; c < count; c++) {
+      const re = values[2 * c]!, im = values[2 * c + 1]!, size = Math.hypot(re, im);
+      const defined = Number.isFinite(size), isReal = Math.abs(im) <= 1e-9 * Math.abs(re);
+      amplitude[c]!.push(defined ? exact[c]!.get(w) ?? size : null);
+      const angle = isReal ? (re < 0 ? Math.PI : 0) : Math.atan2(im, re);  // the sign of round-off changes at random
+      phase[c]!.push(defined && size > 0 ? angle * 180 / Math.PI : null);
+    }
+  }
+  return {omega, amplitude, phase};
+}
+
+/// Does any curve of a result exceed its limit, and where? Frequencies of the drawing above it.
+export const exceeds = (amplitude: readonly (number | null)[], limit: number) => amplitude.some(a => a !== null && a > limit);

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import {html, nothing} from 'lit';
+import {Part} from './part.ts';
+import {number, quantity} from './quantities.ts';
+import {settingsOf, sliders, type Slider} from './slider_list.ts';
+
+const STEPS = 1000;
+
+/// Sliders of the parameters. Everything else on the page follows while one moves.
+export class SliderPanel extends Part {
+  override render() {
+    const {state, display} = this.app, all = sliders(state.design, this.app.index, display.pins);
+    return html`<ul class="sliders">${all.map(s => this.row(s))}</ul>
+      ${all.length ? nothing : html`<p class="hint">The file has no number that a slider could move. Add [parameters], or pin a number in the model.</p>`}
+      <p class="hint">${display.pins.length ? nothing : 'More sliders: ⊕ beside a number of the model, or [parameters] in the file.'}</p>`;
+  }
+  private row(s: Slider) {
+    const position = positionOf(s, s.value), isSet = s.paths.some(p => this.app.state.design.settings.has(p.path));
+    const pinned = this.app.display.pins.includes(s.name);
+    return html`<li class=${isSet ? 'changed' : ''}>
+      <label title=${s.paths.map(p => p.path).join('\n')}><span>${s.name}</span>
+        <input type="range" min="0" max=${STEPS} .value=${String(position)} aria-valuetext="${number(s.value)} ${s.unit}"
+          @input=${(e: Event) => this.move(s, (e.target as HTMLInputElement).value, true)} @change=${() => this.app.state.dropped()}></label>
+      <input class="number" aria-label="${s.name}, value" .value="${number(s.value, 5)}${s.unit ? ` ${s.unit}` : ''}"
+        @change=${(e: Event) => this.type(s, e.target as HTMLInputElement)}>
+      ${pinned ? html`<button title="Remove the slider" @click=${() => this.app.display.set({pins: this.app.display.pins.filter(p => p !== s.name)})}>×</button>` : nothing}
+    </li>`;
+  }
+  private move(s: Slider, position: string, drag: boolean) {
+    const part = Number(position) / STEPS, value = s.logarithmic ? s.from * (s.to / s.from) ** part : s.from + part * (s.to - s.from);
+    this.app.state.set(settingsOf(s, value), drag);
+  }
+  /// A typed number has the unit of the slider, or its own.
+  private type(s: Slider, input: HTMLInputElement) {
+    const typed = quantity(input.value.replaceAll('−', '-').replace(',', '.'));
+    if (!typed) return this.requestUpdate();
+    this.app.state.set(settingsOf({...s, unit: typed.unit || s.unit}, typed.value));
+  }
+}
+function positionOf({from, to, logarithmic}: Slider, value: number): number {
+  const part = logarithmic ? Math.log(value / from) / Math.log(to / from) : (value - from) / (to - from);
+  return Math.round(STEPS * Math.min(Math.max(part || 0, 0), 1));
+}
+customElements.define('slider-panel', SliderPanel);

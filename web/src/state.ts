@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the user decided: text, settings of sliders, case and selection, with undo and redo. Nothing here is computed.
+import type {Change} from './engine.ts';
+
+/// The part of the state that undo brings back.
+export interface Design {
+  readonly text: string;
+  readonly settings: ReadonlyMap<string, string>;  // path → value as in the project file
+}
+export interface Selection {
+  kind: 'body' | 'element' | 'point' | 'force';
+  name: string;
+}
+
+export class State {
+  design: Design = {text: '', settings: new Map()};
+  case = '';
+  selection: Selection | null = null;
+  /// Counts every change that results depend on.
+  revision = 0;
+  /// Counts changes after which older results belong to another machine: another text or case, not a moved slider.
+  generation = 0;
+  private past: Design[] = [];
+  private future: Design[] = [];
+  private saved: Design = this.design;
+  private opened = '';
+  private dragged: Design | null = null;  // the design before the drag of a slider
+  private readonly listeners = new Set<() => void>();
+
+  /// Opens a file; it has no history.
+  open(text: string, onDisk: boolean) {
+    this.design = {text, settings: new Map()};
+    this.opened = onDisk ? text : '\0';
+    this.saved = onDisk ? this.design : {text: '', settings: new Map()};
+    [this.past, this.future, this.selection, this.case] = [[], [], null, ''];
+    this.changed(true);
+  }
+  get change(): Change {
+    const {text, settings} = this.design;
+    return {text: text === this.opened ? null : text, settings: [...settings].map(([path, value]) => `${path} = ${value}`),
+            case: this.case};
+  }
+  get isSaved(): boolean {
+    return this.design.text === this.saved.text && this.design.settings.size === 0;
+  }
+  get canUndo() { return this.past.length > 0; }
+  get canRedo() { return this.future.length > 0; }
+
+  /// Sets a number. During a drag all values are one step of undo, which `dropped` ends.
+  set(values: Readonly<Record<string, string>>, drag = false) {
+    const before = this.design, settings = new Map(before.settings);
+    for (const [path, value] of Object.entries(values)) settings.set(path, value);
+    if (drag) this.dragged ??= before;
+    else this.remember(this.dragged ?? before);
+    if (!drag) this.dragged = null;
+    this.design = {text: before.text, settings};
+    this.changed(false);
+  }
+  dropped() {
+    if (this.dragged) this.remember(this.dragged);
+    this.dragged = null;
+    this.notify();
+  }
+  edit(text: string) {
+    if (text === this.design.text) return;
+    this.remember(this.design);
+    this.design = {text, settings: this.design.settings};
+    this.changed(true);
+  }
+  /// The settings are now written into the text: the same design in another form, no step of undo.
+  folded(text: string) {
+    this.design = {text, settings: new Map()};
+    this.changed(false);
+  }
+  undo() { this.travel(this.past, this.future); }
+  redo() { this.travel(this.future, this.past); }
+
+  wasSaved(text: string) {
+    this.design = this.saved = {text, settings: new Map()};
+    this.opened = '\0';  // the server may still have the file as it was opened
+    this.changed(false);
+  }
+  chooseCase(name: string) {
+    this.case = name;
+    this.changed(true);
+  }
+  select(selection: Selection | null) {
+    this.selection = selection;
+    this.notify();
+  }
+  subscribe(listener: () => void) {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  private remember(design: Design) {
+    this.past.push(design);
+    this.future = [];
+  }
+  private travel(from: Design[], to: Design[]) {
+    const next = from.pop();
+    if (!next) return;
+    to.push(this.design);
+    const sameText = next.text === this.design.text;
+    this.design = next;
+    this.changed(!sameText);
+  }
+  private changed(anotherMachine: boolean) {
+    this.revision++;
+    if (anotherMachine) this.generation++;
+    this.notify();
+  }
+  private notify() {
+    for (const listener of this.listeners) listener();
+  }
+}

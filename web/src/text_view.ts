@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import {autocompletion, completionKeymap, type CompletionContext, type CompletionResult} from '@codemirror/autocomplete';
+import {defaultKeymap, history, historyKeymap} from '@codemirror/commands';
+import {HighlightStyle, StreamLanguage, syntaxHighlighting} from '@codemirror/language';
+import {toml} from '@codemirror/legacy-modes/mode/toml';
+import {lintGutter, setDiagnostics, type Diagnostic} from '@codemirror/lint';
+import {Compartment, EditorState} from '@codemirror/state';
+import {EditorView, keymap, lineNumbers} from '@codemirror/view';
+import {tags} from '@lezer/highlight';
+import {completionsAt} from './completions.ts';
+import {Part} from './part.ts';
+import type {Problem} from './results.ts';
+
+const PAUSE = 300;  // ms after a key, before the text is checked
+
+/// The project file as text, with the program's messages at their lines and completion from the schema.
+export class TextView extends Part {
+  private editor: EditorView | null = null;
+  private readonly look = new Compartment();
+  private theme = '';
+  private shown: Problem[] = [];
+  private timer = 0;
+
+  /// A shadow root of its own: the editor puts its styles there as a constructed sheet, which the page's policy allows.
+  override createRenderRoot(): ShadowRoot { return this.attachShadow({mode: 'open'}); }
+  override render() { return undefined; }
+  override firstUpdated() {
+    const {state} = this.app;
+    this.editor = new EditorView({root: this.shadowRoot!, parent: this.shadowRoot!, state: EditorState.create({doc: state.design.text, extensions: [
+      lineNumbers(), history(), lintGutter(), StreamLanguage.define(toml), this.look.of([]),
+      autocompletion({override: [context => this.complete(context)]}),
+      keymap.of([...defaultKeymap, ...historyKeymap, ...completionKeymap]),
+      EditorView.contentAttributes.of({'aria-label': 'Project file'}),
+      EditorView.updateListener.of(update => {
+        if (!update.docChanged || update.state.doc.toString() === state.design.text) return;
+        clearTimeout(this.timer);
+        this.timer = window.setTimeout(() => state.edit(this.editor!.state.doc.toString()), PAUSE);
+      })]})});
+    void this.fold();
+    this.updated();
+  }
+  override updated() {
+    const {editor} = this, {state, asker, display} = this.app;
+    if (!editor) return;
+    const isEdited = this.timer !== 0 && editor.hasFocus, text = editor.state.doc.toString();
+    if (text !== state.design.text && !isEdited) {
+      editor.dispatch({changes: {from: 0, to: text.length, insert: state.design.text}});
+      this.shown = [];
+    }
+    if (text === state.design.text) this.timer = 0;
+    if (this.theme !== display.theme) editor.dispatch({effects: this.look.reconfigure(appearance(display.theme === 'dark'))});
+    this.theme = display.theme;
+    if (this.shown !== asker.problems) editor.dispatch(setDiagnostics(editor.state, asker.problems.flatMap(p => this.diagnostic(p))));
+    this.shown = asker.problems;
+    void this.fold();
+  }
+  override disconnectedCallback() {
+    super.disconnectedCallback();
+    this.editor?.destroy();
+    this.editor = null;
+  }
+  show(line: number) {
+    const {editor} = this;
+    if (!editor || line < 1 || line > editor.state.doc.lines) return;
+    const {from} = editor.state.doc.line(line);
+    editor.dispatch({selection: {anchor: from}, effects: EditorView.scrollIntoView(from, {y: 'center'})});
+    editor.focus();
+  }
+
+  /// The text shows what sliders changed, too: the program writes it.
+  private async fold() {
+    const {state, engine} = this.app, {design} = state;
+    if (!design.settings.size) return;
+    const text = await engine.text(state.change).catch(() => null);
+    if (text !== null && state.design === design) state.folded(text);
+  }
+  private diagnostic({line, column, message, severity}: Problem): Diagnostic[] {
+    const {doc} = this.editor!.state;
+    if (!line || line > doc.lines) return [];
+    const {from, to} = doc.line(line), start = Math.min(from + Math.max((column ?? 1) - 1, 0), to);
+    return [{from: start, to, severity, message}];
+  }
+  private complete(context: CompletionContext): CompletionResult | null {
+    const {schema} = this.app, found = schema && completionsAt(context.state.doc.toString(), context.pos, schema);
+    if (!found || (!context.explicit && found.from === context.pos)) return null;
+    return {from: found.from, validFor: /^[\w-]*$/, options: found.options.map(o => ({
+      label: o.name, detail: o.description, apply: o.apply, type: o.apply.includes('=') ? 'property' : 'constant'}))};
+  }
+}
+
+function appearance(dark: boolean) {
+  const c = dark ? {text: '#dbe5ec', key: '#7cc7f2', text2: '#a8d8a0', number: '#ffb347', comment: '#93a4af', back: '#14191d', line: '#1d252b'}
+                 : {text: '#24323b', key: '#00527f', text2: '#1c6b2f', number: '#9a4a00', comment: '#5d6d77', back: '#ffffff', line: '#eef3f7'};
+  return [
+    EditorView.theme({
+      '&': {height: '100%', fontSize: '12px', color: c.text, backgroundColor: c.back},
+      '.cm-scroller': {fontFamily: 'ui-monospace, "DejaVu Sans Mono", monospace'},
+      '.cm-gutters': {backgroundColor: c.line, color: c.comment, border: 'none'},
+      '.cm-content': {caretColor: c.text},
+      '.cm-tooltip': {backgroundColor: c.line, color: c.text, maxWidth: '420px'},
+    }, {dark}),
+    syntaxHighlighting(HighlightStyle.define([
+      {tag: [tags.propertyName, tags.atom], color: c.key}, {tag: tags.string, color: c.text2}, {tag: tags.number, color: c.number},
+      {tag: tags.comment, color: c.comment}]))];
+}
+customElements.define('text-view', TextView);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+import {displacement, inProjectFrame, largestDisplacement, ofMode, ofRoot, ofShape, type Motion, type RigidMotion} from '../src/motion.ts';
+import type {Complex, SceneBody, Vector} from '../src/results.ts';
+
+const close = (a: readonly number[], b: readonly number[]) =>
+  b.forEach((v, i) => assert.ok(Math.abs(a[i]! - v) < 1e-12, `${a} is not ${b}`));
+const real = (...values: number[]): RigidMotion => values.map((v): Complex => [v, 0]);
+const box = (pole: Vector): SceneBody => ({name: 'body', pole, centre_of_mass: pole, axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], mass: 1,
+                                           box: {centre: pole, axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], size: [2, 4, 6]}});
+
+test('a rotation about z moves a point on x along y', () => close(displacement(real(0, 0, 0, 0, 0, 0.1), [2, 0, 0], 0), [0, 0.2, 0]));
+test('a rotation about x moves a point on z against y', () => close(displacement(real(0, 0, 0, 0.1, 0, 0), [0, 0, 3], 0), [0, -0.3, 0]));
+test('a rotation about an axis moves no point of the axis', () => close(displacement(real(0, 0, 0, 1, 2, 3), [2, 4, 6], 0.7), [0, 0, 0]));
+test('an imaginary part lags: it is −sin of the phase', () => {
+  const motion: RigidMotion = [[0, 1], ...real(0, 0, 0, 0, 0)];
+  close(displacement(motion, [0, 0, 0], Math.PI / 2), [-1, 0, 0]);
+  close(displacement(motion, [0, 0, 0], 0), [0, 0, 0]);
+});
+test('two directions with a quarter of a period between them make a circle', () => {
+  const motion: RigidMotion = [[1, 0], [0, -1], ...real(0, 0, 0, 0)];
+  for (let i = 0; i < 8; i++) assert.ok(Math.abs(Math.hypot(...displacement(motion, [0, 0, 0], i)) - 1) < 1e-12);
+});
+test('coordinates along the axes of a turned body become those of the project', () => {
+  const turned: SceneBody['axes'] = [[0, 1, 0], [-1, 0, 0], [0, 0, 1]];  // its x is the project's y
+  close(inProjectFrame(real(1, 0, 0, 0, 2, 0), turned).map(v => v[0]), [0, 1, 0, -2, 0, 0]);
+});
+test('the largest displacement of a translation is its size, of a rotation that of the farthest corner', () => {
+  const of = (motion: RigidMotion): Motion => ({label: '', angular_frequency: 1, ends: new Map(), bodies: new Map([['body', motion]])});
+  assert.ok(Math.abs(largestDisplacement(of(real(0, 3, 0, 0, 0, 0)), [box([1, 1, 1])]) - 3) < 1e-12);
+  assert.ok(Math.abs(largestDisplacement(of(real(0, 0, 0, 1, 0, 0)), [box([0, 0, 0])]) - Math.hypot(2, 3)) < 1e-12);
+});
+test('shapes of several bodies are taken apart in their order', () => {
+  const shape = [...Array(6).fill(0), 0, 0, 5, 0, 0, 0] as number[];
+  const mode = {number: 4, angular_frequency: 9, shape, kinetic_energy_share: [], strain_energy_share: [], name: 'z'};
+  const motion = ofMode({bodies: ['first', 'body'], elements: [], modes: [mode]}, 0, [box([0, 0, 0])])!;
+  close(motion.bodies.get('body')!.map(v => v[0]), [0, 0, 5, 0, 0, 0]);
+  assert.equal(motion.angular_frequency, 9);
+});
+test('a damped mode is the root with positive frequency that is nearest to it', () => {
+  const root = (im: number, mode: number) => ({eigenvalue: [-1, im] as const, kind: 'oscillating', angular_frequency: Math.abs(im), damping_ratio: 0.1,
+                                               nearest_mode: mode, shape: [[im, 2], ...real(0, 0, 0, 0, 0)] as Complex[]});
+  const motion = ofRoot({bodies: ['body'], roots: [root(-7, 2), root(5, 1), root(7, 2)]}, 2, [box([0, 0, 0])])!;
+  assert.deepEqual(motion.bodies.get('body')![0], [7, 2]);
+});
+test('operating shapes move bodies about their poles, and ends on a foundation', () => {
+  const shapes = {shapes: [{angular_frequency: 3, places: [{name: 'body', motion: [...real(1, 0, 0, 0, 0, 0)]}, {name: 'mount.foot', motion: [...real(0, 0, 2, 0, 0, 0)]}]}]};
+  const motion = ofShape(shapes, [box([0, 0, 0])])!;
+  assert.equal(motion.bodies.size, 1);
+  assert.equal(motion.ends.get('mount.foot')![2]![0], 2);
+});
