@@ -9,7 +9,7 @@
 
 #include "support/excited_machine.h"
 #include "trivet/report/drawing/label_placement.h"
-#include "trivet/report/drawing/solid_outline.h"
+#include "trivet/report/drawing/seen_surface.h"
 #include "trivet/report/drawing/view_projection.h"
 
 namespace machine_drawing_test {
@@ -47,22 +47,22 @@ TEST(EquivalentBox, OfAHomogeneousBoxIsThatBox) {
   spatial::MassProperties mass{m, {1, 2, 3}, Eigen::Matrix3d::Zero()};
   mass.inertia_about_centre.diagonal() << m / 3 * (b * b + c * c), m / 3 * (a * a + c * c), m / 3 * (a * a + b * b);
   report::Bounds bounds;
-  for (const Eigen::Vector3d& v : report::equivalent_box(mass).vertices) bounds.include(v);
+  for (const Eigen::Vector3d& v : results::equivalent_box(mass).surface().vertices) bounds.include(v);
   EXPECT_NEAR((bounds.low - Eigen::Vector3d(0.7, 1.8, 2.9)).norm(), 0, 10 * round_off);
   EXPECT_NEAR((bounds.high - Eigen::Vector3d(1.3, 2.2, 3.1)).norm(), 0, 10 * round_off);
 }
 
-TEST(SeenOutline, OfAPlateWithoutThicknessIsALineFromTheFront) {
-  const report::SolidOutline plate = report::box_outline({1, 2, 0});
-  const auto front = report::seen(plate, plate.vertices, {report::four_views()[0], 1, Eigen::Vector3d::Zero(), {}});
+TEST(SeenSurface, OfAPlateWithoutThicknessIsALineFromTheFront) {
+  const auto front =
+      report::seen(results::box_surface({1, 2, 0}), {report::four_views()[0], 1, Eigen::Vector3d::Zero(), {}});
   EXPECT_TRUE(front.faces.empty());
   EXPECT_FALSE(front.lines.empty());
 }
 
-TEST(SeenOutline, OfABoxHasOneFaceFromTheFrontAndThreeIsometrically) {
-  const report::SolidOutline box = report::box_outline({1, 2, 3});
+TEST(SeenSurface, OfABoxHasOneFaceFromTheFrontAndThreeIsometrically) {
+  const results::SolidSurface box = results::box_surface({1, 2, 3});
   const auto faces = [&](std::size_t view) {
-    return report::seen(box, box.vertices, {report::four_views()[view], 1, Eigen::Vector3d::Zero(), {}});
+    return report::seen(box, {report::four_views()[view], 1, Eigen::Vector3d::Zero(), {}});
   };
   EXPECT_EQ(faces(0).faces.size(), 1u);
   EXPECT_EQ(faces(0).lines.size(), 4u);

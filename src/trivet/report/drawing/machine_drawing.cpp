@@ -100,12 +100,12 @@ std::string described(const project::Case& machine) {
 }  // namespace
 
 std::string machine_drawing(const project::Case& machine) {
-  return drawn(drawn_machine(machine), nullptr, machine.display, described(machine));
+  return drawn(results::drawn_machine(machine), nullptr, machine.display, described(machine));
 }
 
 std::string machine_drawing(const project::Case& given, const project::Case& design) {
-  const DrawnMachine before = drawn_machine(given);
-  return drawn(drawn_machine(design), &before, design.display, described(design));
+  const DrawnMachine before = results::drawn_machine(given);
+  return drawn(results::drawn_machine(design), &before, design.display, described(design));
 }
 
 }  // namespace trivet::report

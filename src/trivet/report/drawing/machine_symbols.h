@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "trivet/report/drawing/drawn_machine.h"
-#include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/drawing/view_projection.h"
 
 /// Symbols of a machine drawing, as engineers use them. All lengths [pixels].
 namespace trivet::report {

@@ -10,6 +10,7 @@
 
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/report/drawing/in_documents.h"
+#include "trivet/report/drawing/seen_surface.h"
 
 namespace trivet::report {
 namespace {
@@ -29,12 +30,13 @@ constexpr Palette displaced = {drawing_moved, drawing_moved, drawing_moved, "non
 void draw_solid(SvgCanvas& canvas, const DrawnMachine::Solid& solid, const Projection& projection,
                 const Palette& palette) {
   constexpr std::size_t most_faces = 4000;  // of a surface that is drawn face by face
-  SeenOutline outline = seen(solid.outline, solid.outline.vertices, projection);
-  if (solid.outline.faces.size() > most_faces) {
+  SeenSurface outline;
+  if (solid.surface.faces.size() <= most_faces) {
+    outline = seen(solid.surface, projection);
+  } else {
     std::vector<PixelPoint> points;
-    for (const Eigen::Vector3d& v : solid.outline.vertices) points.push_back(projection.at(v));
+    for (const Eigen::Vector3d& v : solid.surface.vertices) points.push_back(projection.at(v));
     outline.faces = {convex_hull(points)};
-    outline.lines.clear();
     const std::vector<PixelPoint>& hull = outline.faces.front();
     for (std::size_t i = 0; i < hull.size(); ++i) outline.lines.emplace_back(hull[i], hull[(i + 1) % hull.size()]);
   }
@@ -51,7 +53,7 @@ void draw_solids(SvgCanvas& canvas, const DrawnMachine& machine, const Projectio
   std::vector<std::pair<double, const DrawnMachine::Solid*>> far_to_near;
   for (const DrawnMachine::Solid& solid : machine.solids) {
     Bounds box;
-    for (const Eigen::Vector3d& v : solid.outline.vertices) box.include(v);
+    for (const Eigen::Vector3d& v : solid.surface.vertices) box.include(v);
     far_to_near.emplace_back(projection.view.towards().dot(box.centre()), &solid);
   }
   std::ranges::stable_sort(far_to_near, {}, &std::pair<double, const DrawnMachine::Solid*>::first);

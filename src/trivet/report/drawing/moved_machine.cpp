@@ -39,7 +39,7 @@ void for_places(const DrawnMachine& machine, const MachineMotion& motion, const 
   };
   for (std::size_t b = 0; b < machine.bodies.size(); ++b) of_body(b, machine.bodies[b].centre);
   for (const DrawnMachine::Solid& solid : machine.solids)
-    for (const Eigen::Vector3d& v : solid.outline.vertices) of_body(solid.body, v);
+    for (const Eigen::Vector3d& v : solid.surface.vertices) of_body(solid.body, v);
   for (const DrawnMachine::Point& point : machine.points) of_body(point.body, point.at);
   for (std::size_t e = 0; e < machine.elements.size(); ++e) {
     const DrawnMachine::Element& element = machine.elements[e];
@@ -107,7 +107,7 @@ DrawnMachine moved(DrawnMachine machine, const MachineMotion& motion, double sca
     return turned_place(rest[b].pose.position, scale * motion.bodies[b], at);
   };
   for (DrawnMachine::Solid& solid : machine.solids)
-    for (Eigen::Vector3d& v : solid.outline.vertices) v = with_body(solid.body, v);
+    for (Eigen::Vector3d& v : solid.surface.vertices) v = with_body(solid.body, v);
   for (DrawnMachine::Point& point : machine.points) point.at = with_body(point.body, point.at);
   for (std::size_t e = 0; e < machine.elements.size(); ++e) {
     DrawnMachine::Element& element = machine.elements[e];
@@ -128,7 +128,7 @@ DrawnMachine moved(DrawnMachine machine, const MachineMotion& motion, double sca
 }
 
 MovedPicture::MovedPicture(const project::Case& variant)
-    : rest_(drawn_machine(variant)), bounds_(rest_.bounds()), size_(std::max(bounds_.size(), least_size)) {
+    : rest_(results::drawn_machine(variant)), bounds_(rest_.bounds()), size_(std::max(bounds_.size(), least_size)) {
   rest_.excitations.clear();
   for (const DrawnMachine::Element& element : rest_.elements) {
     const SpringLine line = spring_line(element, size_);

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "trivet/modal/modes.h"
-#include "trivet/report/drawing/drawn_machine.h"
 #include "trivet/report/drawing/label_placement.h"
 #include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/drawing/view_projection.h"
 #include "trivet/response/machinery/deflection_shape.h"
 #include "trivet/spatial/types.h"
 

@@ -20,11 +20,6 @@ PixelPoint Projection::at(const Eigen::Vector3d& place) const {
   return {middle.x + scale * view.right.dot(d), middle.y - scale * view.up.dot(d)};
 }
 
-void Bounds::include(const Eigen::Vector3d& place) {
-  low = low.cwiseMin(place);
-  high = high.cwiseMax(place);
-}
-
 std::vector<PixelPoint> convex_hull(std::vector<PixelPoint> points) {
   std::ranges::sort(points, [](PixelPoint a, PixelPoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
   const auto turn = [](PixelPoint o, PixelPoint a, PixelPoint b) {

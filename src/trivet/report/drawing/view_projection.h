@@ -7,8 +7,13 @@
 #include <vector>
 
 #include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/results/scene/drawn_machine.h"
 
 namespace trivet::report {
+
+using results::Bounds;
+using results::DrawnMachine;
+using results::SolidSurface;
 
 /// Direction from which a machine is drawn: the unit vectors of the paper in the ground frame.
 struct View {
@@ -30,16 +35,6 @@ struct Projection {
   PixelPoint middle;
 
   [[nodiscard]] PixelPoint at(const Eigen::Vector3d& place) const;
-};
-
-/// Lowest and highest coordinates of some places [m].
-struct Bounds {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300), high = Eigen::Vector3d::Constant(-1e300);
-
-  void include(const Eigen::Vector3d& place);
-  [[nodiscard]] Eigen::Vector3d centre() const { return (low + high) / 2; }
-  /// Length of the diagonal.
-  [[nodiscard]] double size() const { return (high - low).norm(); }
 };
 
 /// Corners of the convex hull of points on the paper, in order around it.

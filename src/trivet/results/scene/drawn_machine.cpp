@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/report/drawing/drawn_machine.h"
+#include "trivet/results/scene/drawn_machine.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "trivet/model/point_mass.h"
 #include "trivet/project/body_solids.h"
 
-namespace trivet::report {
+namespace trivet::results {
 namespace {
 
 using Complex6 = model::Action::Amplitude;
@@ -24,11 +25,11 @@ std::vector<DrawnMachine::Solid> solids_of(const project::Case& machine, std::si
   const project::Node* written = bodies ? bodies->find(body.name) : nullptr;
   const std::vector<solids::Part> parts = written ? project::body_solids(*written) : std::vector<solids::Part>();
   for (const solids::Part& part : parts)
-    if (auto outline = outline_of(part)) result.push_back({index, std::move(*outline), false});
+    if (auto surface = surface_of(part)) result.push_back({index, std::move(*surface), false});
   const bool has_box = body.has_inertia && !model::is_point_mass(body);
   if (result.size() < parts.size() || result.empty()) {
     result.clear();
-    if (has_box) result.push_back({index, equivalent_box(body.mass), true});
+    if (has_box) result.push_back({index, equivalent_box(body.mass).surface(), true});
   }
   return result;
 }
@@ -98,7 +99,7 @@ DrawnMachine drawn_machine(const project::Case& machine) {
       drawn.points.push_back({point.name, in_ground(body.pose, point.at), b});
     if (body.is_node) continue;
     for (DrawnMachine::Solid& solid : solids_of(machine, b)) {
-      for (Eigen::Vector3d& v : solid.outline.vertices) v = in_ground(body.pose, v);
+      for (Eigen::Vector3d& v : solid.surface.vertices) v = in_ground(body.pose, v);
       drawn.solids.push_back(std::move(solid));
     }
   }
@@ -123,7 +124,7 @@ Bounds DrawnMachine::bounds() const {
   Bounds bounds;
   for (const Body& body : bodies) bounds.include(body.centre);
   for (const Solid& solid : solids)
-    for (const Eigen::Vector3d& v : solid.outline.vertices) bounds.include(v);
+    for (const Eigen::Vector3d& v : solid.surface.vertices) bounds.include(v);
   for (const Point& point : points) bounds.include(point.at);
   for (const Element& element : elements) {
     bounds.include(element.n);
@@ -144,7 +145,7 @@ Eigen::Vector3d DrawnMachine::nearest_on(std::size_t body, const Eigen::Vector3d
   for (const Solid& solid : solids) {
     if (solid.body != body) continue;
     Bounds box;
-    for (const Eigen::Vector3d& v : solid.outline.vertices) box.include(into_body(v));
+    for (const Eigen::Vector3d& v : solid.surface.vertices) box.include(into_body(v));
     const Eigen::Vector3d on = in_ground(pose, sought.cwiseMax(box.low).cwiseMin(box.high));
     if (!found || (on - place).norm() < (best - place).norm()) best = on;
     found = true;
@@ -152,4 +153,4 @@ Eigen::Vector3d DrawnMachine::nearest_on(std::size_t body, const Eigen::Vector3d
   return best;
 }
 
-}  // namespace trivet::report
+}  // namespace trivet::results

@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "trivet/project/project.h"
-#include "trivet/report/drawing/solid_outline.h"
+#include "trivet/results/scene/bounds.h"
+#include "trivet/results/scene/solid_surface.h"
 
-namespace trivet::report {
+namespace trivet::results {
 
 /// A machine as its drawing shows it: places in the ground frame [m], at rest.
 struct DrawnMachine {
   struct Solid {
     std::size_t body = 0;
-    SolidOutline outline;     ///< its vertices in the ground frame
+    SolidSurface surface;     ///< its vertices in the ground frame
     bool equivalent = false;  ///< the box of the inertia: no shape is given
   };
   struct Body {
@@ -66,4 +67,4 @@ struct DrawnMachine {
 
 [[nodiscard]] DrawnMachine drawn_machine(const project::Case& machine);
 
-}  // namespace trivet::report
+}  // namespace trivet::results
