@@ -10,10 +10,11 @@ export interface Kept {
   generation: number;
   outcome: Outcome;
 }
-/// A command that the page wants. `slow`: asked when the state rests.
+/// A command that the page wants. `slow`: asked when the state rests. `settings`: of the question, not of the design.
 export interface Wish {
   want: Want;
   slow?: boolean;
+  settings?: readonly string[];
 }
 
 const REST = 200;  // ms without a change, after which slow results are asked for
@@ -64,13 +65,13 @@ export class Asker {
     }, REST);
   }
   private async send(pace: 'quick' | 'slow', revision: number) {
-    const wants = this.wishes().filter(w => (pace === 'slow') === (w.slow ?? false)).map(w => w.want);
+    const wished = this.wishes().filter(w => (pace === 'slow') === (w.slow ?? false)), wants = wished.map(w => w.want);
     const {generation, change} = this.state;
     this.asked[pace] = revision;
     if (wants.length) {
       this.underWay = true;
       try {
-        this.take(await this.engine.ask(revision, change, wants), generation);
+        this.take(await this.engine.ask(revision, {...change, settings: [...change.settings, ...wished.flatMap(w => w.settings ?? [])]}, wants), generation);
         this.trouble = '';
       } catch (error) {
         this.trouble = error instanceof EngineError ? error.message : String(error);

@@ -33,9 +33,9 @@ export class CurveChart extends Part {
       @change=${(e: Event) => set((e.target as HTMLInputElement).checked)}> ${label}</label>`;
     return html`
       <div class="bar">
-        <h2>Characteristics${asker.isOld('curves') ? html` <span class="old">…</span>` : nothing}</h2>
+        <h2 class="hidden">Characteristics</h2>${asker.isOld('curves') ? html`<span class="old">…</span>` : nothing}
         ${units.length > 1 ? html`<select aria-label="Quantity" @change=${(e: Event) => { this.choice = {...this.choice, unit: (e.target as HTMLSelectElement).value}; }}>
-          ${units.map(u => html`<option value=${u} ?selected=${u === unit}>${QUANTITIES[u] ?? u} [${u}]</option>`)}</select>` : nothing}
+          ${units.map(u => html`<option value=${u} ?selected=${u === unit}>${QUANTITIES[u] ?? u}</option>`)}</select>` : nothing}
         ${curves && curves.models.length > 1 ? html`<select aria-label="Excitation" @change=${(e: Event) => { this.choice = {...this.choice, model: Number((e.target as HTMLSelectElement).value)}; }}>
           ${curves.models.map((m, i) => html`<option value=${i} ?selected=${i === this.choice.model}>${m.excitation || 'all excitations'}</option>`)}</select>` : nothing}
         <select aria-label="Unit of frequency" @change=${(e: Event) => display.set({frequencyUnit: (e.target as HTMLSelectElement).value as FrequencyUnit})}>
@@ -95,7 +95,7 @@ export class CurveChart extends Part {
   private legend(curves: Curves | null) {
     if (!curves || !this.picture) return nothing;
     const {display} = this.app, all = curves.results.filter(r => r.unit === this.choice.unit), at = this.indexAtCursor();
-    return html`<span class="cursor">${at === null ? '' : `${number(this.picture.x[at], 4)} ${display.frequencyUnit}`}</span>${all.map((r, i) => {
+    return html`${at === null ? nothing : html`<span class="cursor">${number(this.picture.x[at], 4)} ${display.frequencyUnit}</span>`}${all.map((r, i) => {
       const curve = this.picture!.curves.find(c => c.name === r.name), {colour} = strokeOf(i, display.theme);
       const value = at !== null && curve ? number(curve.amplitude[at], 3) : '';
       return html`<button class="curve" aria-pressed=${curve !== undefined} @click=${() => this.toggle(r.name)}>

@@ -7,15 +7,17 @@ import type {Motion} from './motion.ts';
 import {Part} from './part.ts';
 import {frequency} from './quantities.ts';
 import type {Modes, Scene} from './results.ts';
-import {shownMotion} from './shown_motion.ts';
+import {ShownMotion} from './shown_motion.ts';
 import {machineKeys} from './machine_keys.ts';
 
 /// The machine in 3D: one selects in it, and modes and operating shapes move.
 export class MachineView extends Part {
   private stage: Stage | null = null;
   private machine: MachineScene | null = null;
-  private drawn = '';  // scene and theme that are drawn
-  private fitted = -1;  // generation that the camera shows
+  private drawn: {scene: Scene | null; key: string} = {scene: null, key: ''};
+  private readonly shownMotion = new ShownMotion();
+  private traced: unknown[] = [];
+  private fitted = '';  // title of the machine that the camera was set for
   private motion: Motion | null = null;
   private scale = 0;
   private last = 0;
@@ -65,16 +67,21 @@ export class MachineView extends Part {
   override updated() {
     const {asker, display, state} = this.app, scene = asker.result<Scene>('scene');
     if (!this.stage || !scene) return;
-    const key = display.theme + JSON.stringify(scene), colours = display.theme === 'dark' ? DARK : LIGHT;
-    if (key !== this.drawn) {
-      this.machine = new MachineScene(scene, colours);
-      this.stage.show(this.machine, colours, this.fitted !== state.generation);
-      [this.drawn, this.fitted] = [key, state.generation];
+    const colours = display.theme === 'dark' ? DARK : LIGHT;
+    if (scene !== this.drawn.scene || !this.drawn.key.startsWith(display.theme)) {
+      const key = display.theme + JSON.stringify(scene);  // most sliders do not change what is drawn
+      if (key !== this.drawn.key) {
+        this.machine = new MachineScene(scene, colours);
+        this.stage.show(this.machine, colours, this.fitted !== scene.title);
+        this.fitted = scene.title;
+        this.traced = [];
+      }
+      this.drawn = {scene, key};
     }
     const before = this.motion?.label;
-    this.motion = shownMotion(this.app);
+    this.motion = this.shownMotion.of(this.app);
     this.scale = this.motion ? this.machine!.scaleFor(this.motion, display.share) : 0;
-    this.machine!.showTraces(display.traces ? this.motion : null, this.scale);
+    this.trace();
     this.machine!.highlight(state.selection);
     this.stage.draw();
     if (before !== this.motion?.label) this.requestUpdate();
@@ -94,6 +101,13 @@ export class MachineView extends Part {
       this.stage!.draw();
     }
     this.machine?.move(this.motion, display.phase, this.scale);
+  }
+  /// Traces of places over a period, made again only if they changed.
+  private trace() {
+    const {traces} = this.app.display, wanted = [traces, this.motion, this.scale];
+    if (wanted.every((value, i) => value === this.traced[i])) return;
+    this.traced = wanted;
+    this.machine!.showTraces(traces ? this.motion : null, this.scale);
   }
   private slider(name: string, min: number, max: number, step: number, value: number, set: (value: number) => void) {
     return html`<label class="small">${name}<input type="range" min=${min} max=${max} step=${step} .value=${String(value)}

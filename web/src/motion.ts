@@ -30,14 +30,12 @@ export function valuesAt(motion: RigidMotion, phase: number): number[] {
   return motion.map(([re, im]) => re * cos - im * sin);
 }
 
-const sixOf = <T>(all: readonly T[], index: number) => all.slice(6 * index, 6 * index + 6);
-
-function ofBodies(names: readonly string[], bodies: readonly SceneBody[], shape: readonly Complex[]) {
+function ofBodies(bodies: readonly SceneBody[], shape: readonly Complex[]) {
   const found = new Map<string, RigidMotion>();
-  names.forEach((name, i) => {
-    const body = bodies.find(b => b.name === name), six = sixOf(shape, i);
-    if (six.length === 6) found.set(name, body ? inProjectFrame(six, body.axes) : six);
-  });
+  for (const {name, axes, dofs} of bodies) {
+    const six = dofs.map(place => shape[place]);
+    if (six.every(value => value !== undefined)) found.set(name, inProjectFrame(six, axes));
+  }
   return found;
 }
 
@@ -45,14 +43,14 @@ export function ofMode(modes: Modes, index: number, bodies: readonly SceneBody[]
   const mode = modes.modes[index];
   if (!mode) return null;
   return {label: `Mode ${mode.number}: ${mode.name}`, angular_frequency: mode.angular_frequency, ends: new Map(),
-          bodies: ofBodies(modes.bodies, bodies, mode.shape.map(v => [v, 0]))};
+          bodies: ofBodies(bodies, mode.shape.map(v => [v, 0]))};
 }
 /// The damped motion of the root nearest to a mode, without its decay: places move with different phases.
 export function ofRoot(roots: Roots, mode: number, bodies: readonly SceneBody[]): Motion | null {
   const root = roots.roots.find(r => r.nearest_mode === mode && r.eigenvalue[1] > 0);
   if (!root) return null;
   return {label: `Damped mode ${mode}`, angular_frequency: root.eigenvalue[1], ends: new Map(),
-          bodies: ofBodies(roots.bodies, bodies, root.shape)};
+          bodies: ofBodies(bodies, root.shape)};
 }
 /// The forced motion at a frequency.
 export function ofShape(shapes: Shapes, bodies: readonly SceneBody[]): Motion | null {
@@ -81,10 +79,24 @@ export function largestDisplacement(motion: Motion, bodies: readonly SceneBody[]
   return largest;
 }
 /// Corners of the box of a body, in the frame of the project.
-export function corners({box, pole}: SceneBody): Vector[] {
+export function corners({box, pole, solids}: SceneBody): Vector[] {
+  if (solids.length) return solids.flatMap(({vertices}) => extremes(vertices));
   if (!box) return [pole];
   const signs = [-0.5, 0.5];
   return signs.flatMap(i => signs.flatMap(j => signs.map(k => [0, 1, 2].map(row =>
     box.centre[row]! + i * box.size[0] * box.axes[0][row]! + j * box.size[1] * box.axes[1][row]! +
     k * box.size[2] * box.axes[2][row]!) as unknown as Vector)));
+}
+/// The vertices of a solid that are farthest along and against each axis.
+function extremes(vertices: readonly number[]): Vector[] {
+  const found: Vector[] = [];
+  for (let k = 0; k < 3; k++) {
+    let [low, high] = [0, 0];
+    for (let i = 0; i < vertices.length; i += 3) {
+      if (vertices[i + k]! < vertices[low + k]!) low = i;
+      if (vertices[i + k]! > vertices[high + k]!) high = i;
+    }
+    for (const i of [low, high]) found.push([vertices[i]!, vertices[i + 1]!, vertices[i + 2]!]);
+  }
+  return found;
 }

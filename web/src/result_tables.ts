@@ -28,13 +28,13 @@ export class ResultTables extends Part {
     const {asker, display} = this.app, modes = asker.result<Modes>('modes'), roots = asker.result<Roots>('roots');
     if (!modes) return this.missing('modes');
     const one = modes.bodies.length === 1;
-    return html`<table><thead><tr><th scope="col">Mode</th><th scope="col">${display.frequencyUnit}</th><th scope="col" title="damping ratio of the nearest root">ζ</th><th scope="col">motion</th>
+    return html`<table><thead><tr><th scope="col">Mode</th><th scope="col">${display.frequencyUnit}</th><th scope="col" title="damping ratio of the nearest root">ζ</th><th scope="col" class="words">motion</th>
       ${one ? COORDINATES.map(c => html`<th scope="col" title="share of the kinetic energy">${c}</th>`) : html`<th scope="col">kinetic energy</th>`}</tr></thead><tbody>
       ${modes.modes.map(m => {
         const chosen = display.shown.kind === 'mode' && display.shown.number === m.number, root = roots?.roots.find(r => r.nearest_mode === m.number && r.eigenvalue[1] > 0);
         return html`<tr aria-selected=${chosen} class=${chosen ? 'chosen' : ''} @click=${() => display.set({shown: {kind: 'mode', number: m.number}})}>
           <th scope="row"><button class="link" aria-label="Show mode ${m.number}">${m.number}</button></th><td>${frequency(m.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
-          <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : html`<span class="old">…</span>`}</td><td class="words">${m.name}</td>
+          <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : roots ? '–' : html`<span class="old">…</span>`}</td><td class="words cut" title=${m.name}>${m.name}</td>
           ${one ? m.kinetic_energy_share.map(share => html`<td class="share">${share >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m.kinetic_energy_share)}</td>`}</tr>`;
       })}</tbody></table>${one ? html`<p class="hint">x … θz: share of the kinetic energy in %.</p>` : nothing}`;
   }
@@ -45,7 +45,7 @@ export class ResultTables extends Part {
     const found = verdict.cases.find(c => c.case === state.case) ?? verdict.cases[0];
     const sorted = [...found?.requirements ?? []].sort((a, b) => (a.margin ?? Infinity) - (b.margin ?? Infinity));
     return html`<table><thead><tr><th scope="col">Requirement</th><th scope="col">value</th><th scope="col" title="1: just met; more: met with room">margin</th><th scope="col">met</th></tr></thead><tbody>
-      ${sorted.map(r => html`<tr class=${!r.judged ? 'unjudged' : r.met ? '' : 'violated'}><th scope="row" class="words">${r.requirement}</th><td>${withUnit(r.value, r.unit, 3)}</td>
+      ${sorted.map(r => html`<tr class=${!r.judged ? 'unjudged' : r.met ? '' : 'violated'}><th scope="row" class="words">${r.requirement}</th><td>${this.value(r.value, r.unit)}</td>
         <td>${r.margin === null ? '–' : number(r.margin, 3)}</td><td>${!r.judged ? r.reason || '–' : r.met ? '✓' : '✗'}<span class="hidden">${r.met ? 'yes' : 'no'}</span></td></tr>`)}</tbody></table>`;
   }
   private mounts() {
@@ -68,6 +68,10 @@ export class ResultTables extends Part {
       ${rows.map(p => html`<tr @click=${() => { display.set({shown: {kind: 'frequency', omega: p.angular_frequency}, cursor: p.angular_frequency}); asker.again(); }}>
         <th scope="row"><button class="link" aria-label="Show the motion at this peak of ${p.result}">${p.result}</button></th><td>${frequency(p.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
         <td>${p.amplitude === null ? '∞' : withUnit(p.amplitude, unit.get(p.result) ?? '')}</td><td>${p.phase == null ? '–' : `${number(p.phase * 180 / Math.PI, 3)}°`}</td></tr>`)}</tbody></table>`;
+  }
+  private value(value: number | null, unit: string) {
+    if (unit === 'rad/s') return frequency(value, this.app.display.frequencyUnit, 3);
+    return unit === '1' ? number(value, 3) : withUnit(value, unit, 3);
   }
   private missing(command: string) {
     const why = this.app.asker.failure(command);

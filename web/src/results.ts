@@ -17,33 +17,67 @@ export interface Problem {
   remedy?: string;
 }
 
+/// Exactly one of body, foundation and ground is given.
 export interface End {
-  body: string;  // "ground": not on a body
+  body?: string;
+  foundation?: string;
+  ground?: boolean;
   at: Vector;
+}
+export type Frame = readonly [Vector, Vector, Vector];  // its three unit vectors
+export interface Box {
+  centre: Vector;
+  axes: Frame;
+  size: Vector;
 }
 export interface SceneBody {
   name: string;
+  node: boolean;
+  mass: number;
+  drawn_as: string;
   pole: Vector;
   centre_of_mass: Vector;
-  axes: readonly [Vector, Vector, Vector];  // x, y and z axis of the body in the frame of the project
-  mass: number;
-  box?: {centre: Vector; axes: readonly [Vector, Vector, Vector]; size: Vector} | null;
-  solids?: readonly Solid[];
+  axes: Frame;
+  dofs: readonly number[];  // places of its coordinates in shapes over all bodies
+  box: Box | null;
+  solids: readonly {vertices: readonly number[]; triangles: readonly number[]}[];
 }
-export interface Solid {
-  shape?: string;
-  vertices?: readonly number[];
-  triangles?: readonly number[];
+export interface Coil {
+  wire: readonly [number, number];  // radial, axial
+  mean_diameter: number;
+  turns: number;
+  dead_turns: readonly [number, number];
+  left_handed: boolean;
+  start_angle: number;  // [rad] from e1
+}
+export interface Rubber {
+  diameter?: number;
+  hole_diameter?: number;
+  widths?: readonly [number, number];
+  layers?: readonly {thickness: number; metal: boolean}[];  // from N to K
+  inner_diameter?: number;  // of a bush
+  outer_diameter?: number;
+  length?: number;
 }
 export interface SceneElement {
   name: string;
   type: string;
+  kind: string;
   from: End;
   to: End;
-  axis?: Vector;
+  axes: Frame;
+  size: readonly [number, number | null];  // length, largest diameter or width
+  coil?: Coil;
+  rubber?: Rubber;
+  section?: {outer_diameter?: number; inner_diameter?: number; widths?: readonly [number, number]};
+}
+export interface SceneForce {
+  name: string;
+  type: string;
   kind: string;
-  size?: readonly (number | null)[];  // length, diameter
-  coil?: {wire: number; mean_diameter: number; turns: number};
+  body: string | null;
+  at: Vector;
+  direction: Vector;
 }
 export interface Scene {
   title: string;
@@ -51,10 +85,11 @@ export interface Scene {
   gravity: Vector | null;
   bodies: SceneBody[];
   elements: SceneElement[];
-  stops: {name: string; at: Vector; direction: Vector; gap: number}[];
-  foundations: {name: string; points?: Vector[]}[];
+  stops: {name: string; kind: string; at: Vector; direction: Vector; gap: number; unit: string}[];
+  foundations: {name: string; at: Vector}[];
   points: {name: string; body: string; at: Vector}[];
-  forces: {name: string; body: string; at: Vector; direction: Vector; kind: string}[];
+  clearances: {name: string; from: End; to: End; direction: Vector; gap: number}[];
+  forces: SceneForce[];
 }
 
 export interface Mode {

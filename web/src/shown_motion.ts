@@ -4,17 +4,24 @@ import type {App} from './part.ts';
 import type {Modes, Roots, Scene, Shapes} from './results.ts';
 
 /// The motion that the user chose, from the newest results. Null: at rest, or not computed.
-export function shownMotion({asker, display}: App): Motion | null {
-  const bodies = asker.result<Scene>('scene')?.bodies ?? [], {shown} = display;
-  if (shown.kind === 'frequency') {
-    const shapes = asker.result<Shapes>('shapes');
-    return shapes ? ofShape(shapes, bodies) : null;
+export class ShownMotion {
+  private from: unknown[] = [];
+  private motion: Motion | null = null;
+
+  /// The same object until a result or the choice changes.
+  of({asker, display: {shown, damped}}: App): Motion | null {
+    const scene = asker.result<Scene>('scene'), modes = asker.result<Modes>('modes');
+    const roots = damped ? asker.result<Roots>('roots') : null, shapes = shown.kind === 'frequency' ? asker.result<Shapes>('shapes') : null;
+    const from = [shown, scene, modes, roots, shapes];
+    if (from.every((value, i) => value === this.from[i]) && this.from.length) return this.motion;
+    this.from = from;
+    const bodies = scene?.bodies ?? [];
+    if (shown.kind === 'frequency') this.motion = shapes && ofShape(shapes, bodies);
+    else if (shown.kind === 'rest' || !modes) this.motion = null;
+    else {
+      const index = modes.modes.findIndex(m => m.number === shown.number), decaying = roots && ofRoot(roots, shown.number, bodies);
+      this.motion = decaying ? {...decaying, label: `Damped mode ${shown.number}: ${modes.modes[index]?.name ?? ''}`} : ofMode(modes, index, bodies);
+    }
+    return this.motion;
   }
-  const modes = asker.result<Modes>('modes');
-  if (shown.kind === 'rest' || !modes) return null;
-  const roots = display.damped ? asker.result<Roots>('roots') : null;
-  const index = modes.modes.findIndex(m => m.number === shown.number);
-  const damped = roots && ofRoot(roots, shown.number, bodies);
-  if (damped) return {...damped, label: `Damped mode ${shown.number}: ${modes.modes[index]?.name ?? ''}`};
-  return ofMode(modes, index, bodies);
 }

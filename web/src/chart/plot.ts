@@ -23,7 +23,7 @@ export interface Picture {
 }
 
 /// Amplitudes below this share of the largest are not drawn on a logarithmic axis: they are zeros and round-off.
-const LOWEST = 1e-6;
+const LOWEST = 1e-5;
 
 /// uPlot of the amplitudes or of the phases of a picture.
 export class Plot {
@@ -69,12 +69,15 @@ export class Plot {
                y: isPhase ? {range: [-190, 190]} : {distr: logarithmic ? 3 : 1, range: (_, low, high) => this.range(low, high, logarithmic)}},
       axes: [{...axis, size: isPhase ? 34 : 20, values, ...(isPhase ? {label: `frequency [${display.frequencyUnit}]`} : {values: (_, all) => all.map(() => '')})},
              {...axis, size: 46, label: isPhase ? 'phase [°]' : display.decibel ? `dB re 1 ${picture!.scale.unit}` : picture!.scale.unit,
-              values: logarithmic ? (_, all) => all.map(v => (v !== null && isDecade(v) ? number(v, 6) : '')) : values,
+              values: logarithmic ? (_, all) => {
+                const digits = all.at(-1)! / all[0]! < 300 ? [1, 2, 5] : [1];
+                return all.map(v => (v !== null && digits.some(d => isDecade(v / d)) ? number(v, 6) : ''));
+              } : values,
               ...(isPhase ? {splits: () => [-180, -90, 0, 90, 180]} : {})}],
       series: [{}, ...picture!.curves.map(curve => {
         const {colour, dash} = strokeOf(curve.stroke, display.theme);
-        return {label: curve.name, stroke: colour, dash, width: 1.6, pxAlign: 0, points: {show: false}, spanGaps: false,
-                ...(isPhase ? {paths: wrapped} : {})} as uPlot.Series;
+        return {label: curve.name, stroke: colour, dash, width: 1.6, points: {show: false}, spanGaps: false,
+                paths: isPhase ? lines(180) : lines(Infinity)} as uPlot.Series;
       })],
       hooks: {draw: [plot => this.marks(plot)],
               ready: [plot => plot.over.addEventListener('click', event => this.clickedAt(plot, event))]},
@@ -155,15 +158,16 @@ function stroke(pen: CanvasRenderingContext2D, colour: string, width: number, da
   pen.stroke();
   pen.setLineDash([]);
 }
-/// A phase that passes ±180° continues at the other edge, without a line across the chart.
-const wrapped: uPlot.Series.PathBuilder = (plot, series, first, last) => {
+/// Straight lines between the points, at parts of pixels, so that steep parts are not stairs. A value that changes by more
+/// than `jump` begins a new line: a phase that passes ±180° continues at the other edge.
+const lines = (jump: number): uPlot.Series.PathBuilder => (plot, series, first, last) => {
   const path = new Path2D(), x = plot.data[0], y = plot.data[series]!;
   let before: number | null = null;
-  for (let i = first; i <= last; i++) {
+  for (let i = Math.max(first - 1, 0); i <= Math.min(last + 1, x.length - 1); i++) {
     const value = y[i] ?? null;
     if (value !== null) {
       const at = [plot.valToPos(x[i]!, 'x', true), plot.valToPos(value, 'y', true)] as const;
-      if (before === null || Math.abs(value - before) > 180) path.moveTo(...at);
+      if (before === null || Math.abs(value - before) > jump) path.moveTo(...at);
       else path.lineTo(...at);
     }
     before = value;

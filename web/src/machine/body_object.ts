@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {BoxGeometry, BufferAttribute, BufferGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh,
-        MeshStandardMaterial, type Material, type Object3D} from 'three';
+        MeshStandardMaterial, SphereGeometry, type Material, type Object3D} from 'three';
 import {valuesAt, type RigidMotion} from '../motion.ts';
 import type {SceneBody, Vector} from '../results.ts';
 import type {Colours} from './colours.ts';
@@ -12,11 +12,11 @@ export class BodyObject {
   readonly atRest = new Group();  // its edges, where it is at rest
   private readonly materials: MeshStandardMaterial[] = [];
 
-  constructor(readonly body: SceneBody, colours: Colours) {
+  constructor(readonly body: SceneBody, size: number, colours: Colours) {
     this.object.matrixAutoUpdate = this.atRest.matrixAutoUpdate = false;
-    const meshes = (body.solids ?? []).filter(s => s.vertices && s.triangles);
-    if (meshes.length) for (const solid of meshes) this.add(meshOf(solid.vertices!, solid.triangles!, body.pole), colours);
-    else if (body.box) this.add(boxOf(body), colours, 0.82);
+    if (body.solids.length) for (const solid of body.solids) this.add(meshOf(solid.vertices, solid.triangles, body.pole), colours, 0.75);
+    else if (body.box) this.add(boxOf(body), colours, 0.55);
+    else if (body.node) this.add(new SphereGeometry(0.006 * size, 12, 8), colours);
     this.move(null, 0, 0);
     this.atRest.matrix.makeTranslation(...body.pole);
     this.object.traverse(part => (part.userData = {kind: 'body', name: body.name}));
@@ -34,7 +34,7 @@ export class BodyObject {
   }
 
   private add(geometry: BufferGeometry, colours: Colours, opacity = 1) {
-    const material = new MeshStandardMaterial({color: colours.body, roughness: 0.75, metalness: 0.05, transparent: opacity < 1, opacity,
+    const material = new MeshStandardMaterial({color: colours.body, roughness: 0.75, metalness: 0.05, transparent: opacity < 1, opacity, depthWrite: opacity === 1,
                                                polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1});
     const edges = new EdgesGeometry(geometry, 25);
     this.materials.push(material);

@@ -1,37 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import {Group, Matrix4, Vector3, type MeshStandardMaterial, type Mesh} from 'three';
+import {Group, Matrix4, Vector3, type Mesh, type MeshStandardMaterial} from 'three';
 import {displacement, type Motion, type RigidMotion} from '../motion.ts';
 import type {End, SceneBody, SceneElement, Vector} from '../results.ts';
 import {disposeAll} from './body_object.ts';
 import type {Colours} from './colours.ts';
 import {elementShape} from './element_shapes.ts';
 
-/// An element between its two ends, as a coil, a rubber mount, a bush, … It is stretched and sheared as its ends move.
-/// An element whose ends coincide has no length in the model; it is drawn with one, away from its body.
+type Bodies = ReadonlyMap<string, SceneBody>;
+
+/// An element between its two ends, as a coil, a rubber mount, … It is stretched and sheared as its ends move. One whose
+/// ends coincide has no length in the model; it is drawn with one, away from its body.
 export class ElementObject {
   readonly object = new Group();
   private readonly rest: {from: Vector3; to: Vector3};
-  private readonly across: [Vector3, Vector3];
+  private readonly across: readonly [Vector3, Vector3];
   private readonly length: number;
 
-  constructor(readonly element: SceneElement, bodies: ReadonlyMap<string, SceneBody>, size: number, up: Vector3, colours: Colours) {
+  constructor(readonly element: SceneElement, bodies: Bodies, size: number, colours: Colours) {
     this.object.matrixAutoUpdate = false;
-    const from = new Vector3(...element.from.at), to = new Vector3(...element.to.at);
-    if (from.distanceTo(to) < 0.01 * size) {
-      const length = Math.min(Math.max(element.size?.[0] ?? 0, 0.05 * size), 0.12 * size);
-      const isGround = !bodies.has(element.to.body), away = awayFrom(element, bodies, up).multiplyScalar(length);
-      (isGround ? to : from).add(away);
+    const [e1, e2, e3] = element.axes.map(e => new Vector3(...e)) as [Vector3, Vector3, Vector3];
+    const from = new Vector3(...element.from.at), to = new Vector3(...element.to.at), bush = element.rubber?.length;
+    if (bush) spread(from, to, e3, bush / 2, bush / 2);
+    else if (from.distanceTo(to) < 0.01 * size) {
+      const length = Math.min(Math.max(element.size[0], 0.05 * size), 0.12 * size), side = e3.clone().multiplyScalar(outwards(element, bodies, e3));
+      if (element.from.body && element.to.body) spread(from, to, e3, length / 2, length / 2);
+      else if (element.from.body) to.addScaledVector(side, length);
+      else from.addScaledVector(side, length);
     }
     this.rest = {from, to};
     this.length = Math.max(from.distanceTo(to), 1e-9);
-    const along = to.clone().sub(from).normalize();
-    const first = new Vector3(Math.abs(along.x) < 0.9 ? 1 : 0, Math.abs(along.x) < 0.9 ? 0 : 1, 0).cross(along).normalize();
-    this.across = [first, along.clone().cross(first)];
+    const along = to.clone().sub(from).normalize(), straight = Math.abs(along.dot(e3)) > 0.99;
+    const first = straight ? e1 : new Vector3().crossVectors(Math.abs(along.x) < 0.9 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0), along).normalize();
+    this.across = [first, straight && along.dot(e3) > 0 ? e2 : along.clone().cross(first)];
     this.object.add(...elementShape(element, this.length, size, colours));
     this.object.traverse(part => (part.userData = {kind: 'element', name: element.name}));
     this.place(from, to);
   }
-  move(motion: Motion | null, bodies: ReadonlyMap<string, SceneBody>, phase: number, scale: number) {
+  move(motion: Motion | null, bodies: Bodies, phase: number, scale: number) {
     const {element: {from, to, name}, rest} = this;
     this.place(moved(rest.from, from, motion, bodies, phase, scale, `${name}.foot`),
                moved(rest.to, to, motion, bodies, phase, scale, `${name}.head`));
@@ -51,22 +56,21 @@ export class ElementObject {
   }
 }
 
+const spread = (from: Vector3, to: Vector3, axis: Vector3, back: number, ahead: number) => {
+  from.addScaledVector(axis, -back);
+  to.addScaledVector(axis, ahead);
+};
 /// Where an end is in a phase of the motion: on its body, or on a foundation that moves.
-function moved(rest: Vector3, end: End, motion: Motion | null, bodies: ReadonlyMap<string, SceneBody>, phase: number, scale: number,
-               name: string): Vector3 {
+function moved(rest: Vector3, end: End, motion: Motion | null, bodies: Bodies, phase: number, scale: number, name: string): Vector3 {
   if (!motion) return rest;
-  const body = bodies.get(end.body), rigid: RigidMotion | undefined = body ? motion.bodies.get(body.name) : motion.ends.get(name);
+  const body = bodies.get(end.body ?? ''), rigid: RigidMotion | undefined = body ? motion.bodies.get(body.name) : motion.ends.get(name);
   if (!rigid) return rest;
   const arm = (body ? end.at.map((v, k) => v - body.pole[k]!) : [0, 0, 0]) as unknown as Vector;
-  const [x, y, z] = displacement(rigid, arm, phase);
-  return rest.clone().add(new Vector3(x, y, z).multiplyScalar(scale));
+  return rest.clone().addScaledVector(new Vector3(...displacement(rigid, arm, phase)), scale);
 }
-
-/// Direction in which an element without length is drawn: along its axis, away from the centre of mass of its body.
-function awayFrom({axis, from, to}: SceneElement, bodies: ReadonlyMap<string, SceneBody>, up: Vector3): Vector3 {
-  if (!axis) return up.clone().negate();
-  const body = bodies.get(to.body) ?? bodies.get(from.body), direction = new Vector3(...axis).normalize();
-  if (!body) return direction;
-  const outwards = new Vector3(...to.at).sub(new Vector3(...body.centre_of_mass));
-  return direction.dot(outwards) < 0 ? direction.negate() : direction;
+/// 1 or −1: the side of the axis that points away from the centre of mass of the body; down if there is no difference.
+function outwards({from, to}: SceneElement, bodies: Bodies, axis: Vector3): number {
+  const body = bodies.get(to.body ?? '') ?? bodies.get(from.body ?? '');
+  const along = body ? axis.dot(new Vector3(...to.at).sub(new Vector3(...body.centre_of_mass))) : 0;
+  return along > 1e-9 ? 1 : along < -1e-9 ? -1 : axis.z > 0 ? -1 : 1;
 }

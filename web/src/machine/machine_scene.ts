@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import {Box3, Group, Object3D, Vector3, type ArrowHelper, type Sprite} from 'three';
+import {Box3, Group, Vector3, type Object3D} from 'three';
 import {corners, displacement, largestDisplacement, type Motion} from '../motion.ts';
 import type {Scene, SceneBody, Vector} from '../results.ts';
 import type {Selection} from '../state.ts';
 import {BodyObject, disposeAll} from './body_object.ts';
 import type {Colours} from './colours.ts';
 import {ElementObject} from './element_object.ts';
-import {axesMark, centreOfMassMark, forceArrow, ground, pointMark, trace} from './marks.ts';
+import {forceMark} from './force_marks.ts';
+import {centreOfMassMark, clearanceMark, ground, pointMark, stopMark, trace} from './marks.ts';
 
 interface Follower {
   object: Object3D;
@@ -29,23 +30,36 @@ export class MachineScene {
   constructor(readonly scene: Scene, private readonly colours: Colours) {
     const up = scene.gravity && Math.hypot(...scene.gravity) > 0 ? new Vector3(...scene.gravity).negate().normalize() : new Vector3(0, 0, 1);
     this.byName = new Map(scene.bodies.map(b => [b.name, b]));
-    this.bodies = scene.bodies.map(b => new BodyObject(b, colours));
-    this.elements = scene.elements.map(e => new ElementObject(e, this.byName, scene.size, up, colours));
-    this.root.add(...this.bodies.map(b => b.object), ...this.elements.map(e => e.object), this.rest, this.traces);
-    this.rest.add(...this.bodies.map(b => b.atRest));
-    for (const body of scene.bodies) this.follow(centreOfMassMark(colours), body, body.centre_of_mass, {kind: 'body', name: body.name});
+    this.bodies = scene.bodies.map(b => new BodyObject(b, scene.size, colours));
+    this.elements = scene.elements.map(e => new ElementObject(e, this.byName, scene.size, colours));
+    for (const {object, atRest} of this.bodies) {
+      this.root.add(object);
+      this.rest.add(atRest);
+    }
+    for (const {object} of this.elements) this.root.add(object);
+    this.root.add(this.rest, this.traces);
+    for (const body of scene.bodies.filter(b => !b.node)) this.follow(centreOfMassMark(colours), body, body.centre_of_mass, {kind: 'body', name: body.name});
     for (const point of scene.points) {
       const body = this.byName.get(point.body);
       if (body) this.follow(pointMark(colours), body, point.at, {kind: 'point', name: point.name});
     }
     for (const force of scene.forces) {
-      const body = this.byName.get(force.body), arrow = forceArrow(force, scene.size, colours);
-      if (body) this.follow(arrow, body, force.at, {kind: 'force', name: force.name}, arrow.position.clone());
+      const body = this.byName.get(force.body ?? ''), mark = forceMark(force, scene.size, colours);
+      mark.position.set(...force.at);
+      if (body) this.follow(mark, body, force.at, {kind: 'force', name: force.name});
+      else this.root.add(mark);
     }
+    for (const stop of scene.stops) {
+      const mark = stopMark(stop, scene.size, colours);
+      mark.position.set(...stop.at);
+      mark.traverse(part => (part.userData = {kind: 'element', name: stop.name}));
+      this.root.add(mark);
+    }
+    for (const clearance of scene.clearances) this.root.add(clearanceMark(clearance, colours));
     this.root.updateMatrixWorld(true);
     this.measure();
     const centre = this.bounds.getCenter(new Vector3()), lowest = lowestAlong(this.bounds, up);
-    this.root.add(ground(lowest, centre, scene.size, up, colours), axesMark(this.cornerOfGround(lowest, up), 0.12 * scene.size, colours));
+    this.root.add(ground(lowest, centre, scene.size, up, colours));
   }
   /// Factor from the true motion to the drawn one: the largest displacement is `share` of the size of the machine.
   scaleFor(motion: Motion, share: number): number {
@@ -78,7 +92,8 @@ export class MachineScene {
   }
   dispose() { disposeAll(this.root); }
 
-  private follow(object: Sprite | ArrowHelper, body: SceneBody, at: Vector, selection: Selection, rest = new Vector3(...at)) {
+  private follow(object: Object3D, body: SceneBody, at: Vector, selection: Selection) {
+    const rest = new Vector3(...at);
     object.position.copy(rest);
     object.traverse(part => (part.userData = selection));
     this.followers.push({object, body, at, rest});
@@ -88,10 +103,6 @@ export class MachineScene {
     for (const {object} of [...this.bodies, ...this.elements]) this.bounds.expandByObject(object);
     for (const {rest} of this.followers) this.bounds.expandByPoint(rest);
     if (this.bounds.isEmpty()) this.bounds.expandByPoint(new Vector3());
-  }
-  private cornerOfGround(lowest: number, up: Vector3): Vector3 {
-    const corner = this.bounds.min.clone().addScaledVector(new Vector3(1, 1, 1), -0.12 * this.scene.size);
-    return corner.addScaledVector(up, lowest - corner.dot(up));
   }
 }
 const lowestAlong = ({min, max}: Box3, up: Vector3) => [0, 1, 2].reduce((sum, k) => {

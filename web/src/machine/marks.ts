@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn beside bodies and elements: centres of mass, points, forces, axes, the ground, traces of points.
-import {ArrowHelper, BufferGeometry, CanvasTexture, Float32BufferAttribute, GridHelper, Group, Line, LineBasicMaterial, Quaternion, Sprite,
-        SpriteMaterial, Vector3} from 'three';
+// What is drawn beside bodies and elements: centres of mass, points, axes, stops, clearances, the ground, traces.
+import {ArrowHelper, BufferGeometry, CanvasTexture, CircleGeometry, DoubleSide, Float32BufferAttribute, GridHelper, Group, Line, LineBasicMaterial, Mesh,
+        MeshBasicMaterial, Quaternion, RingGeometry, Sprite, SpriteMaterial, Vector3} from 'three';
 import {displacement, type Motion} from '../motion.ts';
 import type {Scene, SceneBody, Vector} from '../results.ts';
 import type {Colours} from './colours.ts';
@@ -13,7 +13,7 @@ function sprite(draw: (pen: CanvasRenderingContext2D, size: number) => void, hei
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = 64;
   draw(canvas.getContext('2d')!, 64);
-  const result = new Sprite(new SpriteMaterial({map: new CanvasTexture(canvas), depthTest: false, sizeAttenuation: false, transparent: true}));
+  const result = new Sprite(new SpriteMaterial({map: new CanvasTexture(canvas), depthTest: false, sizeAttenuation: false, transparent: true, toneMapped: false}));
   result.scale.setScalar(height);
   result.renderOrder = 10;
   return result;
@@ -56,25 +56,34 @@ function letter(text: string, colours: Colours): Sprite {
   }, 0.03);
 }
 
-/// Axes of the project at a place, with their letters.
-export function axesMark(at: Vector3, length: number, colours: Colours): Group {
+/// Axes of the project with their letters.
+export function axesMark(length: number, colours: Colours): Group {
   const group = new Group();
   ['x', 'y', 'z'].forEach((name, k) => {
     const direction = new Vector3().setComponent(k, 1), tip = letter(name, colours);
+    tip.scale.setScalar(0.45 * length);
     group.add(new ArrowHelper(direction, new Vector3(), length, colours.edge, 0.22 * length, 0.1 * length), tip);
     tip.position.copy(direction).multiplyScalar(1.25 * length);
   });
-  group.position.copy(at);
   return group;
 }
-export function forceArrow(force: Scene['forces'][number], size: number, colours: Colours): ArrowHelper {
-  const length = 0.2 * size, direction = new Vector3(...force.direction);
-  if (direction.lengthSq() === 0) direction.set(0, 0, 1);
-  direction.normalize();
-  const from = new Vector3(...force.at).addScaledVector(direction, -length);  // the tip is where it acts
-  const arrow = new ArrowHelper(direction, from, length, colours.force, 0.05 * size, 0.03 * size);
-  arrow.traverse(part => (part.userData = {kind: 'force', name: force.name}));
-  return arrow;
+/// The plate that a stop touches after its gap, or the circle of a ring.
+export function stopMark({direction, gap, kind}: Scene['stops'][number], size: number, colours: Colours): Group {
+  const group = new Group(), axis = new Vector3(...direction), closed = gap <= 0;
+  const material = new MeshBasicMaterial({color: closed ? colours.force : colours.selected, side: DoubleSide, transparent: true, opacity: 0.75});
+  const radius = 0.028 * size, shape = kind === 'ring' ? new RingGeometry(radius, 1.15 * radius, 36) : new CircleGeometry(radius, 28);
+  const plate = new Mesh(shape, material);
+  plate.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), axis));
+  if (kind !== 'ring') plate.position.copy(axis).multiplyScalar(Math.max(gap, 0));
+  group.add(plate);
+  return group;
+}
+/// The line across which two places may touch.
+export function clearanceMark({from, to}: Scene['clearances'][number], colours: Colours): Line {
+  const ends = [new Vector3(...from.at), new Vector3(...to.at)];
+  const line = new Line(new BufferGeometry().setFromPoints(ends), new LineBasicMaterial({color: colours.selected, depthTest: false}));
+  line.renderOrder = 7;
+  return line;
 }
 /// The ground below the machine, normal to `up`.
 export function ground(lowest: number, centre: Vector3, size: number, up: Up, colours: Colours): GridHelper {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import {DirectionalLight, HemisphereLight, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer} from 'three';
+import {DirectionalLight, HemisphereLight, OrthographicCamera, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer} from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import type {Selection} from '../state.ts';
 import type {Colours} from './colours.ts';
 import type {MachineScene} from './machine_scene.ts';
+import {disposeAll} from './body_object.ts';
+import {axesMark} from './marks.ts';
 
 export type View = 'oblique' | 'front' | 'side' | 'top';
 const DIRECTIONS: Record<View, [number, number, number]> = {oblique: [0.75, -1, 0.55], front: [0, -1, 0], side: [1, 0, 0], top: [0, 0, 1]};
@@ -16,6 +18,8 @@ export class Stage {
   private readonly controls: OrbitControls;
   private readonly light = new DirectionalLight(0xffffff, 2);
   private machine: MachineScene | null = null;
+  private readonly corner = new Scene();  // the axes of the project, in a corner of the canvas
+  private readonly cornerCamera = new OrthographicCamera(-1.6, 1.6, 1.6, -1.6, 0.1, 10);
   private wanted = false;
 
   constructor(canvas: HTMLCanvasElement, private readonly beforeFrame: () => void) {
@@ -32,6 +36,9 @@ export class Stage {
     this.machine = machine;
     this.scene.add(machine.root);
     this.renderer.setClearColor(colours.background);
+    disposeAll(this.corner);
+    this.corner.clear();
+    this.corner.add(axesMark(1, colours));
     if (fit) this.look('oblique');
     this.draw();
   }
@@ -78,6 +85,19 @@ export class Stage {
     this.beforeFrame();
     this.light.position.copy(this.camera.position).add(new Vector3(0, 0, this.camera.position.length()));
     this.renderer.render(this.scene, this.camera);
+    this.drawCorner();
+  }
+  private drawCorner() {
+    const side = 84, {x: width} = this.renderer.getSize(new Vector2());
+    this.cornerCamera.up.copy(this.camera.up);
+    this.cornerCamera.position.copy(this.camera.position).sub(this.controls.target).setLength(5);
+    this.cornerCamera.lookAt(0, 0, 0);
+    this.renderer.autoClear = false;
+    this.renderer.setViewport(width - side, 0, side, side);
+    this.renderer.clearDepth();
+    this.renderer.render(this.corner, this.cornerCamera);
+    this.renderer.setViewport(0, 0, width, this.renderer.getSize(new Vector2()).y);
+    this.renderer.autoClear = true;
   }
   /// What is at a place of the canvas, from −1 to 1.
   pick(x: number, y: number): Selection | null {
