@@ -22,6 +22,7 @@ export class Display {
   cursor: number | null = null;  // ω [rad/s] of the linked cursor
   pins: readonly string[] = [];  // numbers of the tree that are sliders, too
   leftTab: 'sliders' | 'model' | 'text' = 'sliders';
+  notice = '';  // one sentence for a few seconds
   private readonly listeners = new Set<() => void>();
 
   set(values: Partial<Omit<Display, 'set' | 'subscribe'>>) {

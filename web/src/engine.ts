@@ -91,8 +91,9 @@ const body = ({text, settings, case: name}: Change) => ({...(text === null ? {} 
 
 async function content<T>(response: Response): Promise<T> {
   if (response.ok) return response.json() as Promise<T>;
-  const {error} = await response.json().catch(() => ({error: `The program answered ${response.status}.`}));
-  throw new EngineError(String(error));
+  const {error, problems = []} = await response.json().catch(() => ({error: `The program answered ${response.status}.`})) as
+      {error: string; problems?: Problem[]};
+  throw new EngineError([error, ...problems.map(p => p.message)].join(': '));
 }
 
 /// The token of this tab: once in the fragment of the address, then only in the storage of the tab.

@@ -18,15 +18,14 @@ const TABS = {sliders: 'Sliders', model: 'Model', text: 'Text'} as const;
 
 /// The whole page: verdict, picture and sliders first, text last.
 export class PageShell extends Part {
-  static override properties = {...Part.properties, message: {state: true}, conflict: {state: true}, opened: {state: true}};
-  declare message: string;
+  static override properties = {...Part.properties, conflict: {state: true}, opened: {state: true}};
   declare conflict: {version: string; text: string} | null;
   declare opened: boolean;
   private version = '';
 
   constructor() {
     super();
-    [this.message, this.conflict, this.opened] = ['', null, false];
+    [this.conflict, this.opened] = [null, false];
   }
   override connectedCallback() {
     super.connectedCallback();
@@ -36,6 +35,18 @@ export class PageShell extends Part {
     addEventListener('keydown', event => this.key(event));
     addEventListener('beforeunload', event => { if (this.opened && !this.app.state.isSaved) event.preventDefault(); });
   }
+  /// A notice goes away when it was read.
+  override updated() {
+    const {display} = this.app, {notice} = display;
+    if (!notice || notice === this.timed) return;
+    this.timed = notice;
+    setTimeout(() => {
+      this.timed = '';
+      if (display.notice === notice) display.set({notice: ''});
+    }, 2000 + 60 * notice.length);
+  }
+  private timed = '';
+
   override render() {
     const {app} = this, {display, project} = app;
     document.documentElement.dataset['theme'] = display.theme;
@@ -52,7 +63,7 @@ export class PageShell extends Part {
         <section class="middle" aria-label="Machine"><machine-view .app=${app}></machine-view></section>
         <section class="right" aria-label="Results"><curve-chart .app=${app}></curve-chart><result-tables .app=${app}></result-tables></section>
       </main>
-      <p class="toast" role="status" ?hidden=${!this.message}>${this.message}</p>`;
+      <p class="toast" role="status" ?hidden=${!display.notice}>${display.notice}</p>`;
   }
   private leftPanel() {
     const {app} = this;
@@ -64,7 +75,7 @@ export class PageShell extends Part {
   }
   private brand() { return html`<h1>Trivet</h1>`; }
   private heading() {
-    const {state, asker, project} = this.app, said = judgement(this.app), cases = project.cases ?? [''];
+    const {state, asker, project} = this.app, said = judgement(this.app), {cases} = this.app;
     const title = asker.result<Scene>('scene')?.title || project.title || '';
     return html`<span class="title" title=${title}>${title}</span>
       ${cases.length > 1 ? html`<select aria-label="Case" @change=${(e: Event) => state.chooseCase((e.target as HTMLSelectElement).value)}>
@@ -102,10 +113,10 @@ export class PageShell extends Part {
       else {
         this.version = saved.version;
         state.wasSaved(text);
-        this.say(`${project.name} is saved.`);
+        this.app.display.set({notice: `${project.name} is saved.`});
       }
     } catch (error) {
-      this.say(error instanceof EngineError ? error.message : String(error));
+      this.app.display.set({notice: error instanceof EngineError ? error.message : String(error)});
     }
   }
   private download(text: string) {
@@ -114,10 +125,6 @@ export class PageShell extends Part {
     link.download = 'machine.toml';
     link.click();
     URL.revokeObjectURL(link.href);
-  }
-  private say(message: string) {
-    this.message = message;
-    setTimeout(() => { if (this.message === message) this.message = ''; }, 5000);
   }
   private key(event: KeyboardEvent) {
     if (!(event.ctrlKey || event.metaKey) || !this.opened) return;

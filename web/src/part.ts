@@ -14,6 +14,11 @@ export class App {
 
   constructor(readonly engine: Engine, readonly project: Project, readonly state: State, readonly display: Display, readonly asker: Asker) {}
 
+  /// Names of the cases of the present text; "" is the base model.
+  get cases(): string[] {
+    const names = [...this.index.byPath.values()].filter(e => e.path[0] === 'cases' && e.path.length > 1).map(e => e.path[1]!);
+    return ['', ...new Set(names)];
+  }
   /// Keys and numbers of the present text.
   get index(): TextIndex {
     const {text} = this.state.design;

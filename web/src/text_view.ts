@@ -10,6 +10,7 @@ import {tags} from '@lezer/highlight';
 import {completionsAt} from './completions.ts';
 import {Part} from './part.ts';
 import type {Problem} from './results.ts';
+import type {Design} from './state.ts';
 
 const PAUSE = 300;  // ms after a key, before the text is checked
 
@@ -20,6 +21,7 @@ export class TextView extends Part {
   private theme = '';
   private shown: Problem[] = [];
   private timer = 0;
+  private refused: Design | null = null;  // its settings cannot be written into the text
 
   /// A shadow root of its own: the editor puts its styles there as a constructed sheet, which the page's policy allows.
   override createRenderRoot(): ShadowRoot { return this.attachShadow({mode: 'open'}); }
@@ -71,8 +73,14 @@ export class TextView extends Part {
   private async fold() {
     const {state, engine} = this.app, {design} = state;
     if (!design.settings.size) return;
-    const text = await engine.text(state.change).catch(() => null);
-    if (text !== null && state.design === design) state.folded(text);
+    if (this.refused === design) return;
+    try {
+      const text = await engine.text(state.change);
+      if (state.design === design) state.folded(text);
+    } catch (error) {
+      this.refused = design;
+      this.app.display.set({notice: `The text does not show the sliders: ${(error as Error).message}`});
+    }
   }
   private diagnostic({line, column, message, severity}: Problem): Diagnostic[] {
     const {doc} = this.editor!.state;

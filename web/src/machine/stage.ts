@@ -44,9 +44,7 @@ export class Stage {
   }
   look(view: View) {
     if (!this.machine) return;
-    const sphere = this.machine.bounds.getBoundingSphere(new Sphere()), half = this.camera.fov * Math.PI / 360;
-    const narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
-    const distance = 1.02 * sphere.radius / Math.sin(narrow), direction = new Vector3(...DIRECTIONS[view]).normalize();
+    const sphere = this.machine.bounds.getBoundingSphere(new Sphere()), distance = sphere.radius * this.reach(), direction = new Vector3(...DIRECTIONS[view]).normalize();
     if (view === 'top') direction.add(new Vector3(0, -1e-3, 0));
     this.controls.target.copy(sphere.center);
     this.camera.position.copy(sphere.center).addScaledVector(direction, distance);
@@ -66,11 +64,19 @@ export class Stage {
     this.controls.update();
     this.draw();
   }
+  /// Distance from which a sphere of radius 1 fills the canvas.
+  private reach(): number {
+    const half = this.camera.fov * Math.PI / 360, narrow = Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect));
+    return 1.02 / Math.sin(narrow);
+  }
   resize(width: number, height: number) {
     if (width < 1 || height < 1) return;
     this.renderer.setSize(width, height, false);
+    const before = this.reach();
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    const arm = this.camera.position.clone().sub(this.controls.target).multiplyScalar(this.reach() / before);
+    this.camera.position.copy(this.controls.target).add(arm);  // what was seen stays in sight
     this.draw();
   }
   draw() {
