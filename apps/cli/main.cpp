@@ -19,8 +19,10 @@
 #include "cli/console.h"
 #include "cli/main_program.h"
 #include "cli/parser.h"
+#include "cli/shown_page.h"
 #include "cli/signals.h"
 #include "trivet/engine/program.h"
+#include "trivet/server/page_server.h"
 
 namespace {
 
@@ -94,9 +96,29 @@ int print_names(const CommandLine& line, const std::string& kind) {
   return trivet::cli::write_output(text), 0;
 }
 
+/// Serves the page of a project until a signal ends the program; a wrong project, too, but not a missing one.
+int serve_page(const CommandLine& line, const FurtherWords& words) {
+  if (!line.source.name.empty())
+    if (const auto text = trivet::engine::read_source(line.source.name); !text) {
+      trivet::cli::write_error(trivet::engine::message_list(text.error()));
+      return wrong_input;
+    }
+  trivet::server::ServeOptions options{.file = line.source.name, .port = words.port, .read_only = words.read_only};
+  options.say = trivet::cli::write_output;
+  options.log = trivet::cli::write_error;
+  if (!words.no_browser) options.show = trivet::cli::show_page;
+  try {
+    trivet::server::serve(options);
+  } catch (const trivet::foundation::InvalidInput& wrong) {
+    trivet::cli::write_error("error: " + trivet::engine::on_one_line(wrong.what()) + "\n");
+    return wrong_input;
+  }
+}
+
 int exit_code_of(const CLI::App& app, CommandLine& line, const FurtherWords& words) {
   const std::string name = app.get_subcommands().front()->get_name();
   if (name == "new") return write_starter(words.starter);
+  if (name == "serve") return serve_page(line, words);
   if (name == "schema") return trivet::cli::write_output(trivet::engine::project_schema()), 0;
   if (name == "man") return trivet::cli::write_output(trivet::cli::manual_page(trivet::cli::described_program(app))), 0;
   if (name == "completion")

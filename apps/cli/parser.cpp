@@ -134,7 +134,17 @@ void add_command(CLI::App& app, const Command& command, CommandLine& line) {
   added->footer([&command] { return footer_of(command); });
 }
 
-/// Commands that ask nothing of a project.
+void add_serve(CLI::App& app, CommandLine& line, FurtherWords& words) {
+  app.add_option("PROJECT", line.source.name, "project file (TOML); without it the page offers examples")
+      ->type_name("FILE");
+  app.add_option("--port", words.port, "port of 127.0.0.1; without it a free one")
+      ->check(CLI::Range(1, 65535))
+      ->type_name("N");
+  app.add_flag("--no-browser", words.no_browser, "print the address instead of opening it: BROWSER, or xdg-open");
+  app.add_flag("--read-only", words.read_only, "the page cannot save");
+}
+
+/// Commands that are not in the engine's table.
 void add_further_commands(CLI::App& app, CommandLine& line, FurtherWords& words) {
   const std::string files = engine::heading(engine::Group::data);
   const auto add = [&app](const char* name, const char* about, const std::string& group,
@@ -146,6 +156,9 @@ void add_further_commands(CLI::App& app, CommandLine& line, FurtherWords& words)
   add("new", "a commented starter file", files, {"trivet new first.toml", "trivet new | trivet check -"})
       ->add_option("FILE", words.starter, "file to write; without it the text is printed")
       ->type_name("FILE");
+  add_serve(*add("serve", "the page of a project in the browser of this machine: change numbers and see what moves",
+                 files, {"trivet serve machine.toml", "trivet serve machine.toml --read-only --no-browser"}),
+            line, words);
   add("schema", "the JSON Schema of the project file", files, {"trivet schema", "trivet schema > trivet.schema.json"});
   add("help", "help on a command", about_help, {"trivet help modes", "trivet help export"})
       ->add_option("COMMAND", words.helped, "its name")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "cli/command_line.h"
@@ -14,10 +15,13 @@ namespace trivet::cli {
 
 /// Words of the commands that ask nothing of a project.
 struct FurtherWords {
-  std::string starter;  ///< file of `new`
-  std::string helped;   ///< command of `help`
-  std::string shell;    ///< of `completion`
-  std::string kind;     ///< of `names`: "cases", "elements"
+  std::string starter;      ///< file of `new`
+  std::string helped;       ///< command of `help`
+  std::string shell;        ///< of `completion`
+  std::string kind;         ///< of `names`: "cases", "elements"
+  std::uint16_t port = 0;   ///< of `serve`; 0: any free one
+  bool no_browser = false;  ///< `serve` prints its address instead
+  bool read_only = false;   ///< of `serve`
 };
 
 /// The commands of the engine's table, and those that ask nothing of a project. What is parsed goes to the two, which

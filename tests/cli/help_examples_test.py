@@ -3,7 +3,9 @@
 import os
 import pathlib
 import re
+import shlex
 import shutil
+import signal
 import subprocess
 import unittest
 
@@ -49,7 +51,21 @@ class HelpExamples(InTemporaryFolder):
 
     def test_each_runs(self):
         for command in commands():
-            self.run_examples(command)
+            if command != "serve":
+                self.run_examples(command)
+
+    def test_serve_runs_until_it_is_interrupted(self):
+        shutil.copy(SOURCE / "examples" / MACHINES["run"], self.folder / "machine.toml")
+        for example in examples("serve"):
+            words = [TRIVET, *shlex.split(example)[1:]]
+            environment = {**os.environ, "BROWSER": "true"}
+            run = subprocess.Popen(
+                words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=self.folder, env=environment
+            )
+            self.assertIn(b"http://127.0.0.1:", run.stdout.readline())
+            run.send_signal(signal.SIGINT)
+            self.assertEqual(run.wait(timeout=30), 130)
+            run.stdout.close()
 
     def run_examples(self, command):
         folder = self.folder / command

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/engine/request.h"
+
+namespace trivet::server {
+
+/// What the page sends with /ask, /text and /save. Keys that a path does not use are absent.
+struct PageQuestion {
+  double revision = 0;                     ///< counts the changes of the page; in the answer again
+  std::optional<std::string> text = {};    ///< of the edited file; otherwise the file as it was opened
+  std::vector<std::string> settings = {};  ///< "elements.mount.scale = 1.5"
+  std::string case_name = {};
+  std::vector<engine::Request> wants = {};  ///< without their case
+  std::string version = {};                 ///< of the file with which the edits began
+};
+
+/// @throws foundation::InvalidInput with a sentence if the body is not the JSON of a question
+[[nodiscard]] PageQuestion read_question(const std::string& body);
+
+}  // namespace trivet::server

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/server/page_server.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <boost/asio/io_context.hpp>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "trivet/engine/program.h"
+#include "trivet/server/listener.h"
+#include "trivet/server/page_files.h"
+#include "trivet/server/project_service.h"
+#include "trivet/server/session_start.h"
+#include "trivet/server/worker.h"
+
+namespace trivet::server {
+namespace {
+
+Answer page_file_answer(const std::string& path) {
+  const EmbeddedFile* file = find_page_file(path);  // judged to exist
+  const std::string_view name = file->name;
+  return {.file = file->content, .type = media_type(name)};
+}
+
+/// Who computes what: files of the page at once, results on one thread, reading and saving on another.
+class Responder {
+ public:
+  Responder(const std::string& file, bool read_only) : service_(file, read_only) {}
+
+  void respond(const AcceptedRequest& request, std::string body, HasLeft has_left, Reply reply) {
+    WorkerTask task{.reply = std::move(reply), .has_left = std::move(has_left)};
+    switch (request.route) {
+      case Route::page_file:
+        return task.reply(page_file_answer(request.path));
+      case Route::schema:
+        return task.reply(schema_answer());
+      case Route::ask:
+        task.client = request.client;
+        task.compute = [this, body = std::move(body)](const auto& progress) { return service_.ask(body, progress); };
+        return results_.put(std::move(task));
+      case Route::project:
+        task.compute = [this](const auto&) { return service_.project(); };
+        break;
+      case Route::text:
+        task.compute = [this, body = std::move(body)](const auto&) { return service_.text(body); };
+        break;
+      case Route::save:
+        task.compute = [this, body = std::move(body)](const auto&) { return service_.save(body); };
+        task.has_left = std::make_shared<const std::atomic<bool>>(false);  // saved, even if the page is closed
+        break;
+    }
+    files_.put(std::move(task));
+  }
+
+ private:
+  ProjectService service_;
+  Worker results_, files_;
+};
+
+/// The browser may be this call until it is closed, so it has its own thread.
+void show_in_browser(const ServeOptions& options, const std::string& address, const std::string& redirect) {
+  std::thread([&options, address, redirect] {
+    const std::string reason = options.show(redirect);
+    if (!reason.empty())
+      options.log(fmt::format("the page is not shown: {}\nopen {}\n", engine::on_one_line(reason), address));
+  }).detach();
+}
+
+}  // namespace
+
+void serve(const ServeOptions& options) {
+  boost::asio::io_context loop(1);
+  Listener listener(loop, options.port);
+  Responder responder(options.file, options.read_only);
+  Site site{{.port = listener.port(),
+             .token = new_token(),
+             .read_only = options.read_only,
+             .is_page_file = [](std::string_view path) { return find_page_file(path) != nullptr; }},
+            [&](const AcceptedRequest& request, std::string body, HasLeft has_left, Reply reply) {
+              responder.respond(request, std::move(body), std::move(has_left), std::move(reply));
+            },
+            RefusalLog(options.log)};
+  listener.begin(site);
+  const std::string place = fmt::format("http://127.0.0.1:{}/", site.rules.port);
+  const std::string address = place + "#token=" + site.rules.token;
+  std::optional<RedirectFile> redirect;  // as long as the server: a browser may start slowly
+  if (options.show) {
+    show_in_browser(options, address, redirect.emplace(address).path());
+    const std::string name = options.file.empty() ? "examples" : engine::on_one_line(options.file);
+    options.say(fmt::format("{}: open in your browser at {}; Ctrl-C ends it\n", name, place));
+  } else {
+    options.say(address + "\n");
+  }
+  for (;;) {
+    try {
+      loop.run();
+    } catch (const std::exception& failure) {  // of one connection: no memory, for instance
+      options.log("error: " + engine::failure_words(failure) + "\n");
+    }
+  }
+}
+
+}  // namespace trivet::server

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/server/project_service.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "trivet/documents/json_text.h"
+#include "trivet/engine/program.h"
+#include "trivet/project/unopened_text.h"
+#include "trivet/server/page_files.h"
+
+namespace trivet::server {
+namespace {
+
+using documents::json::Json;
+using foundation::Problems;
+
+constexpr const char* unsaved_name = "machine.toml";  // in messages of a page without a project
+
+Json problems_json(const Problems& problems) { return Json::parse(engine::errors_json(problems))["problems"]; }
+
+/// Commands whose result a page can have: those with JSON.
+Json commands_json() {
+  Json list = Json::array();
+  for (const engine::Command& command : engine::commands())
+    if (command.json && !command.for_programs)
+      list.push_back({{"name", command.name},
+                      {"about", command.about},
+                      {"group", engine::heading(command.group)},
+                      {"of_one_case", command.of_one_case}});
+  return list;
+}
+
+Json examples_json() {
+  Json list = Json::array();
+  for (const EmbeddedFile& file : example_files()) {
+    const std::string name(file.name), text(file.content);
+    list.push_back({{"name", name}, {"title", project::title_in_text(text, name)}, {"text", text}});
+  }
+  return list;
+}
+
+/// What a page must not want: it reads results, and only /save writes.
+Problems want_problems(const engine::Request& want) {
+  Problems problems;
+  const engine::Command* command = engine::find_command(want.command);
+  if (!command) return problems;  // reported by the session
+  if (!command->json || command->for_programs)
+    problems.error("wants", want.command, "a page can want commands with --json", "run it in a terminal");
+  for (const engine::Key& key : command->keys)
+    for (const auto& [name, value] : want.keys)
+      if (key.kind == engine::KeyKind::file && name == key.name)
+        problems.error(want.command + "." + name, "", "a page writes no files but the project", "leave the key out");
+  return problems;
+}
+
+engine::Result refused_result(const engine::Request& want, Problems problems) {
+  engine::Result result;
+  result.command = want.command;
+  result.errors = std::move(problems);
+  return result;
+}
+
+/// One entry of "results"; "json" has the bytes that the command prints with --json.
+std::string result_text(const engine::Result& result) {
+  const bool ok = !result.errors.has_errors() && result.failure.empty();
+  std::string text =
+      documents::json::text({{"command", result.command},
+                             {"ok", ok},
+                             {"problems", problems_json(ok ? engine::shown_warnings(result) : result.errors)},
+                             {"failure", result.failure},
+                             {"failures", result.failures},
+                             {"notes", result.notes}});
+  text.back() = ',';
+  return text + "\"json\":" + (ok && result.json ? engine::whole(result.json) : "null") + "}";
+}
+
+Problems warnings_of(const engine::Session& session, const std::string& case_name) {
+  const std::vector<std::string> cases = session.case_names();
+  return std::ranges::find(cases, case_name) == cases.end() ? Problems() : session.model(case_name).warnings;
+}
+
+Answer unprocessable(const std::string& sentence, const Problems& problems) {
+  return {.status = 422, .body = documents::json::text({{"error", sentence}, {"problems", problems_json(problems)}})};
+}
+
+}  // namespace
+
+Answer schema_answer() {
+  static const std::string schema = engine::project_schema();
+  return {.file = schema};
+}
+
+ProjectService::ProjectService(std::string file, bool read_only)
+    : file_(std::move(file)), read_only_(read_only), sessions_(file_.empty() ? unsaved_name : file_) {
+  if (!file_.empty()) open(read_state(file_));
+}
+
+FileState ProjectService::opened() const {
+  const std::scoped_lock guard(lock_);
+  return opened_;
+}
+
+void ProjectService::open(const FileState& state) {
+  const std::scoped_lock guard(lock_);
+  if (state.version == opened_.version && !state.version.empty()) return;  // its sessions stay
+  sessions_.permit(PermittedFiles(file_, state.text));
+  opened_ = state;
+}
+
+std::string ProjectService::text_of(const PageQuestion& question) const {
+  return question.text ? *question.text : opened().text;
+}
+
+Answer ProjectService::project() {
+  Json answer{{"name", nullptr}, {"program", engine::version()}, {"commands", commands_json()}};
+  if (file_.empty()) {
+    answer["examples"] = examples_json();
+    return {.body = documents::json::text(answer)};
+  }
+  const FileState state = read_state(file_);
+  open(state);
+  Problems problems = state.problems;
+  std::vector<std::string> cases{""};
+  if (!state.version.empty()) {
+    const auto session = sessions_.of(state.text, {});
+    problems = session ? warnings_of(**session, "") : session.error();
+    if (session) cases = (*session)->case_names();
+  }
+  answer["name"] = std::filesystem::path(file_).filename().string();
+  answer["title"] = project::title_in_text(state.text, file_);
+  answer["text"] = state.text;
+  answer["version"] = state.version;
+  answer["read_only"] = read_only_;
+  answer["cases"] = cases;
+  answer["problems"] = problems_json(problems);
+  return {.body = documents::json::text(answer)};
+}
+
+Answer ProjectService::ask(const std::string& body, const foundation::Progress& progress) {
+  PageQuestion question = read_question(body);
+  const std::string text = text_of(question);
+  const auto session = sessions_.of(text, question.settings);
+  const Problems refused = session ? Problems() : sessions_.refused_files(text, question.settings);
+  std::string results;
+  for (engine::Request& want : question.wants) {
+    const engine::Command* command = engine::find_command(want.command);
+    if (command && command->of_one_case) want.case_name = question.case_name;
+    if (Problems problems = want_problems(want); problems.has_errors()) {
+      results += (results.empty() ? "" : ",") + result_text(refused_result(want, std::move(problems)));
+    } else if (session) {
+      results += (results.empty() ? "" : ",") + result_text((*session)->ask(want, progress));
+    } else if (!refused.has_errors()) {  // a wrong table that this command does not look at is no reason against it
+      const auto own = sessions_.only_for(want, text, question.settings);
+      results += (results.empty() ? "" : ",") +
+          result_text(own ? own->ask(want, progress) : refused_result(want, own.error()));
+    }
+  }
+  std::string head = documents::json::text(
+      {{"revision", question.revision},
+       {"ok", session.has_value()},
+       {"version", opened().version},
+       {"problems", problems_json(session ? warnings_of(**session, question.case_name) : session.error())}});
+  head.back() = ',';
+  return {.body = head + "\"results\":[" + results + "]}"};
+}
+
+foundation::Expected<std::string> ProjectService::new_text(const PageQuestion& question) {
+  const std::string text = text_of(question);
+  if (Problems refused = sessions_.refused_files(text, question.settings); refused.has_errors())
+    return tl::make_unexpected(std::move(refused));
+  if (question.settings.empty()) return text;  // a wrong text may be saved, as in an editor
+  const auto session = sessions_.of(text, question.settings);
+  if (!session) return tl::make_unexpected(session.error());
+  return (*session)->text_with_settings();
+}
+
+Answer ProjectService::text(const std::string& body) {
+  const auto text = new_text(read_question(body));
+  if (!text) return unprocessable("the text with these settings is wrong", text.error());
+  return {.body = documents::json::text({{"text", *text}})};
+}
+
+Answer ProjectService::save(const std::string& body) {
+  const PageQuestion question = read_question(body);
+  if (read_only_) return error_answer(403, "the server was started with --read-only; nothing is saved");
+  if (file_.empty()) return error_answer(409, "the page was opened without a project file; start trivet serve FILE");
+  const std::scoped_lock guard(saving_);
+  const auto text = new_text(question);
+  if (!text) return unprocessable("the text with these settings is wrong", text.error());
+  if (text->find_first_not_of(" \t\r\n") == std::string::npos || text->find('\0') != std::string::npos)
+    return error_answer(422, "a project file has text and no NUL bytes");
+  const FileState on_disk = read_state(file_);
+  if (on_disk.version != question.version)
+    return {.status = 409,
+            .body = documents::json::text({{"error", "the file was changed meanwhile; nothing is written"},
+                                           {"version", on_disk.version},
+                                           {"text", on_disk.text}})};
+  replace_text(file_, *text);
+  open({.text = *text, .version = version_of(*text)});
+  return {.body = documents::json::text({{"version", version_of(*text)}})};
+}
+
+}  // namespace trivet::server

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mutex>
+#include <string>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/server/answer.h"
+#include "trivet/server/opened_sessions.h"
+#include "trivet/server/page_question.h"
+#include "trivet/server/project_file.h"
+
+namespace trivet::server {
+
+/// The answers of the data paths (docs/serve.md). It opens, changes, asks and saves; every number comes from the
+/// engine. Thread-safe. A wrong body throws foundation::InvalidInput.
+class ProjectService {
+ public:
+  /// @param file  the project; empty: a page that offers examples
+  ProjectService(std::string file, bool read_only);
+
+  /// GET /project: the file as it is on disk now, which questions without a text are about from now on.
+  [[nodiscard]] Answer project();
+  /// POST /ask: results of commands. Errors of the project are content, too.
+  [[nodiscard]] Answer ask(const std::string& body, const foundation::Progress& progress);
+  /// POST /text: the text with settings, nothing is written.
+  [[nodiscard]] Answer text(const std::string& body);
+  /// POST /save: writes the text with settings, unless the file was changed meanwhile.
+  [[nodiscard]] Answer save(const std::string& body);
+
+ private:
+  [[nodiscard]] FileState opened() const;
+  void open(const FileState& state);
+  [[nodiscard]] std::string text_of(const PageQuestion& question) const;
+  /// The text to write, or why there is none.
+  [[nodiscard]] foundation::Expected<std::string> new_text(const PageQuestion& question);
+
+  const std::string file_;
+  const bool read_only_;
+  OpenedSessions sessions_;
+  std::mutex saving_;
+  mutable std::mutex lock_;
+  FileState opened_;
+};
+
+/// GET /schema
+[[nodiscard]] Answer schema_answer();
+
+}  // namespace trivet::server
