@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "trivet/documents/csv_field.h"
+#include "trivet/documents/integer_list.h"
 #include "trivet/foundation/index.h"
 
 /// JSON as text. Lists of numbers are text already: binary values, which no other part of the results uses.
@@ -119,6 +121,13 @@ class Writer {
 };
 
 }  // namespace
+
+Json integer_list(const std::vector<int>& values) {
+  std::string text = "[";
+  for (const int value : values) text += (text.size() > 1 ? "," : "") + std::to_string(value);
+  text += ']';
+  return Json::binary({text.begin(), text.end()});
+}
 
 std::string text(const Json& json, int indent) {
   const std::size_t lists = size_of_lists(json);

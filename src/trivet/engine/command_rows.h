@@ -12,7 +12,7 @@ namespace trivet::engine {
 /// run, export, and matrices, state_space and sweep for programs.
 [[nodiscard]] std::vector<Command> whole_commands();
 [[nodiscard]] std::vector<Command> data_commands();
-/// check, element, suspension, explain
+/// check, element, scene, suspension, explain
 [[nodiscard]] std::vector<Command> machine_commands();
 /// One for each analysis of a case.
 [[nodiscard]] std::vector<Command> analysis_commands();

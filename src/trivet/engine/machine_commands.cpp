@@ -16,6 +16,7 @@
 #include "trivet/results/model/element_results.h"
 #include "trivet/results/model/project_json.h"
 #include "trivet/results/model/suspension_document.h"
+#include "trivet/results/scene/scene_document.h"
 #include "trivet/study/requirements/verdict.h"
 
 namespace trivet::engine {
@@ -92,6 +93,15 @@ Result suspension(const Task& task) {
   result.warnings = held->found.warnings;
   const auto document = [held](const project::Case& shown) { return results::suspension_document(shown, held->found); };
   set_forms(in_units(document, variant), held, variant.display, {"suspension.csv"}, result);
+  return result;
+}
+
+Result scene(const Task& task) {
+  const project::Case& variant = task.variant;
+  const auto held = hold(task, results::scene_of(variant));
+  Result result;
+  const auto document = [held](const project::Case& shown) { return results::scene_document(shown, held->found); };
+  set_forms(in_units(document, variant), held, variant.display, {}, result);
   return result;
 }
 
@@ -178,6 +188,12 @@ std::vector<Command> machine_commands() {
        .examples = {"trivet element machine.toml \"front left\"",
                     "trivet element machine.toml \"front left\" --picture mount.svg"},
        .run = element},
+      {.name = "scene",
+       .about = "what is drawn of the machine: bodies, elements, stops, points, forces, for programs that draw it",
+       .group = Group::machine,
+       .of_one_case = true,
+       .examples = {"trivet scene machine.toml", "trivet scene machine.toml --case winter --json"},
+       .run = scene},
       {.name = "suspension",
        .about = "elastic centre, roll axes, decoupling and frequency separation",
        .group = Group::machine,

@@ -12,6 +12,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/elements/condensed_solid.h"
 #include "trivet/project/elements/element_law.h"
+#include "trivet/project/elements/element_shape.h"
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/material_reader.h"
 
@@ -204,14 +205,7 @@ void read_coil_bind(TableReader& reader, const CoilSpring& spring, model::Elemen
 ElementLength read_coil_spring(TableReader& reader, model::Element& element) {
   const std::size_t before = reader.errors();
   reader.also_known({"preload", "internal_modes", "coil_bind"});
-  CoilSpring spring;
-  read_wire(reader, spring);
-  spring.mean_diameter = reader.required_number("mean_diameter", Quantity::length);
-  spring.active_coils = reader.required_number("active_coils", Quantity::pure);
-  read_length(reader, spring);
-  read_ends_of_coil(reader, spring);
-  spring.hand = reader.choice("hand", {"right", "left"}) == "left" ? elements::Hand::left : elements::Hand::right;
-  spring.start_angle = reader.number("start_angle", Quantity::angle).value_or(0);
+  CoilSpring spring = read_coil(reader);
   if (const auto factor = reader.number("shear_factor", Quantity::pure)) spring.shear_factor = *factor;
   const std::string level = reader.choice("level", {"quasi_static", "with_mass", "exact"}).value_or("quasi_static");
   if (const auto metal = read_metal(reader)) {
@@ -249,6 +243,18 @@ ElementLength read_coil_spring(TableReader& reader, model::Element& element) {
 }
 
 }  // namespace
+
+CoilSpring read_coil(TableReader& reader) {
+  CoilSpring spring;
+  read_wire(reader, spring);
+  spring.mean_diameter = reader.required_number("mean_diameter", Quantity::length);
+  spring.active_coils = reader.required_number("active_coils", Quantity::pure);
+  read_length(reader, spring);
+  read_ends_of_coil(reader, spring);
+  spring.hand = reader.choice("hand", {"right", "left"}) == "left" ? elements::Hand::left : elements::Hand::right;
+  spring.start_angle = reader.number("start_angle", Quantity::angle).value_or(0);
+  return spring;
+}
 
 const ElementLaw coil_spring_law = {
     .type = "coil_spring",
