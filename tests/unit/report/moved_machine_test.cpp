@@ -32,13 +32,13 @@ report::MachineMotion motion(const report::DrawnMachine& machine, const spatial:
 }
 
 TEST(MovedMachine, IsRigidAlsoInALargeRotation) {
-  const report::DrawnMachine rest = report::drawn_machine(variant());
+  const report::DrawnMachine rest = results::drawn_machine(variant());
   spatial::Vector6 of_pole;
   of_pole << 0.1, -0.2, 0.3, 0.4, 0.5, -0.6;
   const report::DrawnMachine now = report::moved(rest, motion(rest, of_pole), 2, rest.bounds().size());
   ASSERT_EQ(rest.solids.size(), 1u);
-  const auto& before = rest.solids[0].outline.vertices;
-  const auto& after = now.solids[0].outline.vertices;
+  const auto& before = rest.solids[0].surface.vertices;
+  const auto& after = now.solids[0].surface.vertices;
   for (std::size_t i = 0; i < before.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       EXPECT_NEAR((after[i] - after[j]).norm(), (before[i] - before[j]).norm(), 10 * round_off);
@@ -46,7 +46,7 @@ TEST(MovedMachine, IsRigidAlsoInALargeRotation) {
 }
 
 TEST(MovedMachine, OfASmallMotionMovesAsUPlusThetaCrossR) {
-  const report::DrawnMachine rest = report::drawn_machine(variant());
+  const report::DrawnMachine rest = results::drawn_machine(variant());
   spatial::Vector6 of_pole;
   of_pole << 1, 2, -3, 0.5, -4, 2;
   constexpr double small = 1e-6;
@@ -57,7 +57,7 @@ TEST(MovedMachine, OfASmallMotionMovesAsUPlusThetaCrossR) {
 }
 
 TEST(MovedMachine, KeepsTheEndsOfItsElementsOnTheGround) {
-  const report::DrawnMachine rest = report::drawn_machine(variant());
+  const report::DrawnMachine rest = results::drawn_machine(variant());
   const report::DrawnMachine now =
       report::moved(rest, motion(rest, spatial::Vector6::Constant(0.3)), 1, rest.bounds().size());
   for (std::size_t e = 0; e < rest.elements.size(); ++e) {
@@ -67,7 +67,7 @@ TEST(MovedMachine, KeepsTheEndsOfItsElementsOnTheGround) {
 }
 
 TEST(DrawnExcursion, ChoosesTheViewInWhichTheMotionIsSeen) {
-  const report::DrawnMachine rest = report::drawn_machine(variant());
+  const report::DrawnMachine rest = results::drawn_machine(variant());
   const auto best = [&](int coordinate) {
     return report::drawn_excursion(rest, motion(rest, spatial::Vector6::Unit(coordinate))).best_view();
   };
@@ -81,10 +81,10 @@ TEST(DrawnExcursion, ChoosesTheViewInWhichTheMotionIsSeen) {
 }
 
 TEST(DrawnExcursion, IsThatOfTheFarthestPlace) {
-  const report::DrawnMachine rest = report::drawn_machine(variant());
+  const report::DrawnMachine rest = results::drawn_machine(variant());
   double farthest = 0;
   const auto include = [&](const Eigen::Vector3d& at) { farthest = std::max(farthest, at.head<2>().norm()); };
-  for (const Eigen::Vector3d& v : rest.solids[0].outline.vertices) include(v);
+  for (const Eigen::Vector3d& v : rest.solids[0].surface.vertices) include(v);
   for (const auto& element : rest.elements) include(element.k);
   const auto about_z = motion(rest, spatial::Vector6::Unit(5));
   EXPECT_NEAR(report::drawn_excursion(rest, about_z).largest, farthest, round_off);
@@ -106,7 +106,7 @@ TEST(MotionOfAShape, IsThatOfItsPhase) {
   const study::CaseResults results = test::results_of_everything();
   const response::DeflectionShape& shape = results.shapes->front();
   const double phase = 0.7;
-  const report::DrawnMachine rest = report::drawn_machine(machine);
+  const report::DrawnMachine rest = results::drawn_machine(machine);
   const report::DrawnMachine now =
       report::moved(rest, report::motion_of(shape, machine.system, phase), 1, rest.bounds().size());
   const Eigen::Vector3d expected = response::displaced(shape.points[0], phase, 1);

@@ -23,8 +23,12 @@ TEST(GaussRules, IntegratePolynomialsExactlyUpToTheirDegree) {
   for (int degree = 0; degree <= 31; ++degree) {
     const double exact = degree % 2 == 0 ? 2.0 / (degree + 1) : 0;
     EXPECT_NEAR(by_sixteen(degree), exact, rounding) << degree;
-    if (degree <= 23) EXPECT_NEAR(by_kronrod(degree), exact, rounding) << degree;
-    if (degree <= 13) EXPECT_NEAR(by_seven(degree), exact, rounding) << degree;
+    if (degree <= 23) {
+      EXPECT_NEAR(by_kronrod(degree), exact, rounding) << degree;
+    }
+    if (degree <= 13) {
+      EXPECT_NEAR(by_seven(degree), exact, rounding) << degree;
+    }
   }
   // The next even degree 2n misses the square of the monic Legendre polynomial, 2²ⁿ⁺¹ n!⁴/((2n + 1) (2n)!²).
   const auto missed = [](int n) {
