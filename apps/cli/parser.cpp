@@ -121,11 +121,12 @@ void add_command(CLI::App& app, const Command& command, CommandLine& line) {
                    "change a number: elements.front.scale=1.5 (repeatable); overrides the file and its cases")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
+  const std::string about_case = command.of_one_case ? "a case of the file instead of the base model"
+      : !command.case_alone.empty()                  ? command.case_alone
+                                                     : "refused: " + command.without_case;
   CLI::Option* one_case =
-      added->add_option("--case", line.request.case_name, "a case of the file instead of the base model")
-          ->check(not_empty)
-          ->type_name("NAME");
-  if (!command.of_one_case) one_case->group("");  // refused with the reason
+      added->add_option("--case", line.request.case_name, about_case)->check(not_empty)->type_name("NAME");
+  if (!command.of_one_case && command.case_alone.empty() && command.without_case.empty()) one_case->group("");
   for (const Key& key : command.keys) add_key(*added, key, line);
   for (const Key& key : command.keys)
     if (*key.excludes != '\0')

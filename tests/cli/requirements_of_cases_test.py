@@ -109,6 +109,36 @@ class RequirementsOfCases(InTemporaryFolder):
         self.assertEqual(mapped.returncode, OVER_A_LIMIT, mapped.stdout + mapped.stderr)
         self.assertIn("Feasible: 0.00 % of the map", mapped.stdout)
 
+    def test_one_case_is_judged_alone(self):
+        text = '[requirements]\nlimits = {"m.z" = "5 mm"}\n' + WINTER + 'requirements.limits = {"m.z" = "0.05 mm"}\n'
+        path, target = self.file(MACHINE + text), self.folder / "out"
+        self.assertEqual(trivet("verdict", path, "--strict").returncode, DONE)  # hold_in names the base model alone
+        alone = trivet("verdict", path, "--case", "winter", "--strict")
+        self.assertEqual(alone.returncode, OVER_A_LIMIT)
+        self.assertIn("Case winter: VIOLATES its requirements, 0 of 1 requirements met", alone.stdout)
+        self.assertNotIn("Base model", alone.stdout)
+        self.assertNotIn("need not hold", alone.stdout)
+        (case,) = json.loads(trivet("verdict", path, "--case", "winter", "--json").stdout)["cases"]
+        self.assertEqual((case["case"], case["decides"], case["met"]), ("winter", True, False))
+        run = trivet("run", path, "--case", "winter", "-o", target, "--strict")
+        self.assertEqual(run.returncode, OVER_A_LIMIT, run.stderr)
+        (case,) = json.loads((target / "results.json").read_text())["cases"]
+        self.assertEqual((case["name"], case["verdict"]["decides"]), ("winter", True))
+        check = trivet("check", path, "--case", "winter").stdout
+        self.assertIn("Case winter\n", check)
+        self.assertNotIn("Base model", check)
+        self.assertIn(f'trivet verdict {path} --case "winter"', check)
+        wrong = trivet("verdict", path, "--case", "wnter")
+        self.assertEqual(wrong.returncode, 2)
+        self.assertIn('did you mean "winter"?', wrong.stderr)
+
+    def test_a_search_for_all_cases_refuses_one(self):
+        for command in ("optimize", "select"):
+            refused = trivet(command, self.file(MACHINE + REQUIRED), "--case", "winter")
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn("one design is sought for all cases in which it has to hold", refused.stderr)
+            self.assertIn("requirements.hold_in names them", " ".join(trivet(command, "--help").stdout.split()))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -197,17 +197,19 @@ class Project(Analyses):
         with shown(progress) as callback:
             return self._result(self._inner.ask("select", "", {"most": most, "by": by}, threads, callback))
 
-    def verdict(self, *, threads: int = 0, progress: Progress | bool | None = None) -> Result:
-        """Is every requirement met in every case, which one governs, and by what margin?"""
-        require_case_and_threads("", threads)
+    def verdict(self, *, case: str = "", threads: int = 0, progress: Progress | bool | None = None) -> Result:
+        """Is every requirement met in every case, which one governs, and by what margin? `case` judges this case alone."""
+        require_case_and_threads(case, threads)
         with shown(progress) as callback:
-            return self._result(self._inner.ask("verdict", "", {}, threads, callback))
+            return self._result(self._inner.ask("verdict", case, {}, threads, callback))
 
-    def check(self, *, deep: bool = False, threads: int = 0, progress: Progress | bool | None = None) -> Result:
-        """All checks of the data; with `deep` two independent solvers are compared."""
-        require_case_and_threads("", threads)
+    def check(
+        self, *, deep: bool = False, case: str = "", threads: int = 0, progress: Progress | bool | None = None
+    ) -> Result:
+        """All checks of the data, or of one case alone; with `deep` two independent solvers are compared."""
+        require_case_and_threads(case, threads)
         with shown(progress) as callback:
-            return self._result(self._inner.ask("check", "", {"deep": bool(deep)}, threads, callback))
+            return self._result(self._inner.ask("check", case, {"deep": bool(deep)}, threads, callback))
 
     def explain(
         self,

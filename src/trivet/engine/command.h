@@ -64,6 +64,9 @@ struct Command {
   std::string about;  ///< one line of help
   Group group;
   bool of_one_case;  ///< otherwise of the whole project
+  /// Of a command of the whole project: what `--case` does, "judge this case alone"; empty: it is refused.
+  std::string case_alone = {};
+  std::string without_case = {};  ///< why it is refused, and what to do instead
   /// Tables of the file whose errors stop the command; others are ignored. `all_tables`: every one.
   std::vector<std::string> looks_at = {};
   bool all_tables = false;

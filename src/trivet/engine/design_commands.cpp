@@ -39,6 +39,9 @@ std::vector<std::string> with(std::vector<std::string> tables) {
   return tables;
 }
 
+constexpr const char* one_design_for_all =
+    "one design is sought for all cases in which it has to hold; requirements.hold_in names them";
+
 Result verdict(const Task& task) {
   const auto held = hold(task, study::verdict(*task.project, task.progress));
   const std::vector<study::CaseVerdict>& cases = held->found.cases;
@@ -275,6 +278,7 @@ std::vector<Command> design_commands() {
        .about = "is every requirement met in every case, which one governs, and by what margin?",
        .group = Group::design,
        .of_one_case = false,
+       .case_alone = "judge this case alone, as one in which the design has to hold",
        .looks_at = judged_tables,
        .csv = true,
        .strict = true,
@@ -298,6 +302,7 @@ std::vector<Command> design_commands() {
        .about = "the values of [parameters] with the largest least margin, or the smallest amplitudes",
        .group = Group::design,
        .of_one_case = false,
+       .without_case = one_design_for_all,
        .looks_at = with({"optimize", "parameters"}),
        .keys = {write_key("optimum"),
                 {.name = "time-limit",
@@ -314,6 +319,7 @@ std::vector<Command> design_commands() {
        .about = "the mounts of a catalogue with the largest least margin of all requirements",
        .group = Group::design,
        .of_one_case = false,
+       .without_case = one_design_for_all,
        .looks_at = with({"parameters"}),
        .keys = {{.name = "most", .kind = KeyKind::count, .about = "number of combinations listed", .by_default = "10"},
                 {.name = "by",

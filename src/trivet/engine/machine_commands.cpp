@@ -9,6 +9,7 @@
 #include "trivet/engine/command_rows.h"
 #include "trivet/engine/key_reader.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/project/analysis_filter.h"
 #include "trivet/report/figures/element_picture.h"
 #include "trivet/results/design/explanation_results.h"
@@ -25,12 +26,14 @@ namespace {
 using foundation::InvalidInput;
 
 /// The note that requirements are judged by `verdict`; empty if the file has nothing to judge.
-std::string judged_by_verdict(const project::Project& project) {
+/// @param alone  a case that is checked without the others
+std::string judged_by_verdict(const project::Project& project, const std::string& alone) {
   if (std::ranges::none_of(project.cases, study::has_something_to_judge)) return "";
   const bool clearances = std::ranges::any_of(
       project.cases, [](const project::Case& one) { return !one.system.description().clearances.empty(); });
-  return fmt::format("Not judged here: requirements{} and limits, in all cases. Judge them by: trivet verdict {}\n",
-                     clearances ? ", clearances" : "", project.source);
+  return fmt::format("Not judged here: requirements{} and limits{}. Judge them by: trivet verdict {}{}\n",
+                     clearances ? ", clearances" : "", alone.empty() ? ", in all cases" : "", project.source,
+                     alone.empty() ? "" : " --case " + foundation::quoted(alone));
 }
 
 Result check(const Task& task) {
@@ -43,7 +46,7 @@ Result check(const Task& task) {
   result.json = writer([held, warnings = result.warnings] {
     return results::problems_json(warnings, held->found.front().free_motions, held->found);
   });
-  const std::string closing = judged_by_verdict(*task.project) +
+  const std::string closing = judged_by_verdict(*task.project, task.variant.name) +
       fmt::format("{}: no errors{}\n", task.project->source,
                   result.warnings.list().empty() ? "" : ", but there are warnings");
   result.text_in = [held, closing](const project::DisplayUnits& display) {
@@ -167,6 +170,7 @@ std::vector<Command> machine_commands() {
        .about = "check a project file and list all its problems",
        .group = Group::machine,
        .of_one_case = false,
+       .case_alone = "check this case alone",
        .all_tables = true,
        .keys = {{.name = "deep", .kind = KeyKind::flag, .about = "compare the solver with a second, independent one"}},
        .strict = true,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "trivet/engine/case_alone.h"
 #include "trivet/engine/key_reader.h"
 #include "trivet/engine/solved_cases.h"
 #include "trivet/foundation/invalid_input.h"
@@ -28,7 +29,7 @@ project::AnalysisFilter looked_at(const Request* request) {
   const Command* command = request ? find_command(request->command) : nullptr;
   if (!command || command->all_tables) return {};
   project::AnalysisFilter filter{command->looks_at, {}, {}, 0};
-  if (command->of_one_case) filter.of_case = request->case_name;
+  if (command->of_one_case || !request->case_name.empty()) filter.of_case = request->case_name;
   if (command->is_analysis) {
     filter.command = command->name;
     const auto lowest = std::ranges::find(request->keys, "lowest", [](const auto& key) { return key.first; });
@@ -120,15 +121,20 @@ Result Session::ask(const Request& request, const foundation::Progress& progress
   try {
     const Command* command = find_command(request.command);
     if (!command) throw InvalidInput("no command is called \"" + request.command + "\"");
-    if (!command->of_one_case && !request.case_name.empty())
+    const bool alone = !command->of_one_case && !request.case_name.empty();
+    if (alone && command->case_alone.empty())
       result.errors.error(request.before_keys + "case \"" + request.case_name + "\"", "",
-                          request.command + " is about the whole project, in all its cases",
+                          command->without_case.empty()
+                              ? request.command + " is about the whole project, in all its cases"
+                              : command->without_case,
                           "remove it; its result names each case");
     const KeyReader keys(*command, request, result.errors);
     if (result.errors.has_errors()) return result;
-    const project::Case& variant = case_of(*project_, request.case_name, request.before_keys);
+    const project::Case& named = case_of(*project_, request.case_name, request.before_keys);
+    const std::shared_ptr<const project::Project> project = alone ? case_alone(*project_, named) : project_;
+    const project::Case& variant = alone ? project->base() : named;
     const foundation::ThreadLimit limit(request.threads);
-    Result found = run_with_picture({*command, project_, settings_, variant, keys, request, progress, *solved_});
+    Result found = run_with_picture({*command, project, settings_, variant, keys, request, progress, *solved_});
     found.command = result.command;
     found.case_name = result.case_name;
     found.title = result.title;

@@ -108,6 +108,7 @@ std::vector<Command> whole_commands() {
        .about = "all analyses of the file: a summary on the screen, numbers and report.html in a folder",
        .group = Group::whole,
        .of_one_case = false,
+       .case_alone = "the analyses of this case alone, judged as one in which the design has to hold; no search",
        .all_tables = true,
        .keys = {{.name = "output",
                  .kind = KeyKind::file,

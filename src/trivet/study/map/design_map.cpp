@@ -187,7 +187,8 @@ std::vector<DesignMap> design_maps(const project::Project& project, const projec
 
 bool has_own_map(const project::Project& project, const project::Case& variant) {
   const std::optional<project::MapRequest>& of_base = project.base().analyses.map;
-  return variant.analyses.map && (variant.name.empty() || !of_base || !(*variant.analyses.map == *of_base));
+  return variant.analyses.map &&
+      (variant.name == project.base().name || !of_base || !(*variant.analyses.map == *of_base));
 }
 
 }  // namespace trivet::study
