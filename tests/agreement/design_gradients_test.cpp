@@ -103,7 +103,7 @@ class Comparison {
       return result.kind == RequirementKind::mount_load && !result.value;
     });
     for (const RequirementResult& result : results_) {
-      EXPECT_TRUE(result.value) << result.words << ": " << result.reason;
+      EXPECT_TRUE(result.value) << result.words.text() << ": " << result.reason;
       if (const std::string channel = channel_name(result); !channel.empty())
         channels_.emplace_back(channel, result.quantity);
     }
@@ -154,8 +154,8 @@ class Comparison {
     const double largest = std::max(noticeable, expected.cwiseProduct(in_shares).cwiseAbs().maxCoeff());
     for (Eigen::Index j = 0; j < found.size(); ++j)
       EXPECT_LE(error(j), exact * largest)
-          << result.words << ", candidate at " << candidate.angular_frequency << " rad/s, mode " << candidate.mode
-          << ", " << space_.axes()[j].name << ": " << found(j) << " instead of " << expected(j);
+          << result.words.text() << ", candidate at " << candidate.angular_frequency << " rad/s, mode "
+          << candidate.mode << ", " << space_.axes()[j].name << ": " << found(j) << " instead of " << expected(j);
   }
 
   /// The result that a requirement bounds; the axes of a mount are those of the ground.
@@ -170,7 +170,7 @@ class Comparison {
   [[nodiscard]] std::size_t channel_of(const RequirementResult& result) const {
     for (std::size_t c = 0; c < channels_.size(); ++c)
       if (channels_[c] == std::pair(channel_name(result), result.quantity)) return c;
-    throw std::logic_error("no channel of " + result.words);
+    throw std::logic_error("no channel of " + result.words.text());
   }
 
   test::QuadFamily::Numbers numbers(const model::System& system) const {
@@ -244,7 +244,7 @@ class Comparison {
         throw std::logic_error("no mount " + result.subject);
       }
       default:
-        throw std::logic_error("no reference for " + result.words);
+        throw std::logic_error("no reference for " + result.words.text());
     }
   }
 

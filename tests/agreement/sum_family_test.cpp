@@ -48,9 +48,10 @@ void expect_agreement(const std::string& damping, const std::string& gravity = "
     const Eigen::ArrayXXd judged = study::packed_margins(found.packed(), entries.transpose());
     const std::vector<study::RequirementResult> alone = objective.results(0, system);
     for (std::size_t r = 0; r < alone.size(); ++r) {
-      EXPECT_TRUE(found.packed().covers(r)) << alone[r].words;
+      EXPECT_TRUE(found.packed().covers(r)) << alone[r].words.text();
       if (std::isnan(judged(0, to_index(r)))) continue;  // not proven in lanes
-      EXPECT_NEAR(judged(0, to_index(r)) / alone[r].margin, 1, margins) << alone[r].words << " of trial " << trial;
+      EXPECT_NEAR(judged(0, to_index(r)) / alone[r].margin, 1, margins)
+          << alone[r].words.text() << " of trial " << trial;
       ++compared;
     }
   }

@@ -2,6 +2,7 @@
 """rms, 0-p and p-p after units: in limits, limit lines, requirements and excitations, and in what people read."""
 import json
 import math
+import re
 import unittest
 
 from trivet_test import InTemporaryFolder, result_of, trivet
@@ -106,6 +107,61 @@ class Levels(InTemporaryFolder):
         for level, word in (("amplitude", "0-p"), ("peak_to_peak", "p-p"), ("rms", "rms")):
             shown = trivet("response", path, "--set", f"display.level={level}", "--full").stdout
             self.assertIn(f"|machine.z| [mm/s {word}]", shown)
+
+    def test_requirement_rows_name_the_level_of_their_numbers(self):
+        rows = PUSH + NOISE + '[requirements]\nlimits = {"machine.z" = "4.5 mm/s"}\nrms = {"machine.z" = "5 mm"}\n'
+        rows += "damping_ratio = 0.01\n"
+        found = json.loads(trivet("verdict", self.file(MACHINE + rows), "--json").stdout)["cases"][0]["requirements"]
+        self.assertEqual(
+            {row["kind"]: row["level"] for row in found}, {"amplitude": "0-p", "rms": "rms", "damping_ratio": None}
+        )
+        words = {row["kind"]: row["requirement"] for row in found}
+        self.assertEqual(words["amplitude"], "machine.z ≤ 4.5 mm/s")  # data have no level in their words
+        self.assertEqual(words["rms"], "rms of machine.z ≤ 5 mm")
+        self.assertEqual(words["damping_ratio"], "every damping ratio ≥ 0.01")
+
+    def test_searches_and_maps_state_the_level_of_their_bounds(self):
+        axes = "x = {parameter = 'bodies.machine.mass', from = 38, to = 42}, "
+        axes += "y = {parameter = 'elements.mount.scale', from = 0.9, to = 1.1}"
+        text = MACHINE + PUSH + NOISE + f"[analyses]\nmap = {{{axes}}}\n[requirements]\n"
+        text += 'limits = {"machine.z" = {limit = "0.1 mm", band = ["5 Hz", "20 Hz"]}}\nrms = {"machine.z" = "1 um"}\n'
+        text += "[parameters.scale]\npath = 'elements.mount.scale'\nfrom = 0.5\nto = 2\n"
+        path = self.file(text)
+        for arguments in (("optimize", path), ("map", path, "--points", "3", "--full")):
+            said = trivet(*arguments).stdout
+            self.assertIn("machine.z ≤ 100 µm 0-p in 5 … 20 Hz", said, arguments)
+            self.assertIn("rms of machine.z ≤ 1 µm rms", said, arguments)
+        found = json.loads(trivet("map", path, "--points", "3", "--json").stdout)
+        self.assertEqual(
+            {rule["words"]: rule["level"] for rule in found["rules"]},
+            {"machine.z ≤ 100 µm in 5 … 20 Hz": "0-p", "rms of machine.z ≤ 1 µm": "rms"},
+        )
+        for mark in found["marks"]:
+            self.assertEqual([rule["level"] for rule in mark["rules"]], [rule["level"] for rule in found["rules"]])
+
+    def test_names_with_signs_of_bounds_do_not_divide_a_requirement(self):
+        named = (MACHINE + PUSH).replace("bodies.machine]", "bodies.'a ≤ b']").replace('on = "machine"', 'on = "a ≤ b"')
+        named += '[requirements]\nlimits = {"a ≤ b.z" = "1 um"}\nband = ["2 Hz", "40 Hz"]\n'
+        target = self.folder / "out"
+        said = trivet("run", self.file(named), "-o", target).stdout
+        self.assertIn("a ≤ b.z ≤ 1 µm 0-p", said)
+        words = " ".join(re.sub("<[^>]*>", "", (target / "report.html").read_text()).split())
+        self.assertIn("violates a ≤ b.z:", words)
+        self.assertIn("allowed ≤ 1", words)
+
+    def test_a_misspelt_level_is_named(self):
+        for limit, meant in (
+            ("4.5 mm/s rmss", "4.5 mm/s rms"),
+            ("4.5 mm/s RMS", "4.5 mm/s rms"),
+            ("1 mm pk", "1 mm 0-p"),
+        ):
+            text = MACHINE + PUSH + f'[requirements]\nlimits = {{"machine.z" = "{limit}"}}\n'
+            done = trivet("check", self.file(text))
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(
+                f'is no level; levels are rms, 0-p (zero-to-peak) and p-p (peak-to-peak); did you mean "{meant}"?',
+                done.stderr,
+            )
 
     def test_data_stay_zero_to_peak(self):
         path = self.file(MACHINE + PUSH + RESPONSE)

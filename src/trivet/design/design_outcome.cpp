@@ -38,6 +38,11 @@ void MapRule::set_case(const std::string& name) {
   words += case_words();
 }
 
+void MapRule::unset_case() {
+  words.erase(words.size() - case_words().size());
+  in_case.clear();
+}
+
 std::string MapRule::case_words() const { return in_case.empty() ? "" : " in case " + foundation::quoted(in_case); }
 
 std::string without_numbers(const std::string& message) {

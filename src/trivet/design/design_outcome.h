@@ -12,15 +12,18 @@ namespace trivet::design {
 /// One rule of a map, as shown to the user.
 struct MapRule {
   DesignRule::Kind kind = DesignRule::Kind::amplitude;
-  std::string channel;           ///< "aggregate.rz"
-  std::string unit;              ///< SI unit of the result
-  double allowed = 0;            ///< amplitude [SI], or relative prominence
-  std::string words;             ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
-  std::string requirement = {};  ///< kind of a requirement: "damping_ratio"
-  std::string in_case = {};      ///< a further case in which it is judged; its words name that case too
+  std::string channel;              ///< "aggregate.rz"
+  std::string unit;                 ///< SI unit of the result
+  double allowed = 0;               ///< amplitude [SI], or relative prominence
+  std::string words;                ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
+  std::string requirement = {};     ///< kind of a requirement: "damping_ratio"
+  std::string words_at_level = {};  ///< of a requirement, with the level of its bound, without a further case
+  std::string level = {};           ///< of a requirement: "0-p", "rms" or empty
+  std::string in_case = {};         ///< a further case in which it is judged; its words name that case too
 
   /// Notes a further case and names it in the words.
   void set_case(const std::string& name);
+  void unset_case();
   [[nodiscard]] std::string case_words() const;  ///< " in case \"soft\"", empty in the case of the map
 };
 

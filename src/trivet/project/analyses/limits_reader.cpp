@@ -13,6 +13,7 @@
 #include "trivet/project/analyses/named_limit_lines.h"
 #include "trivet/project/analyses/selection_reader.h"
 #include "trivet/project/text/bands_reader.h"
+#include "trivet/project/text/level_slips.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/pairs_reader.h"
 #include "trivet/project/text/shared_keys.h"
@@ -42,6 +43,10 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
       limits.push_back({name, quantity, *si, {}, {}, {}});
       return;
     }
+  if (value.kind == Node::Kind::text && levels != Levels::none)
+    for (const assembly::MotionQuantity quantity : motion_quantities)
+      if (const auto slip = level_slip(value.text, *names.component(name, quantity)))
+        return static_cast<void>(reader.error(key, value_text(value), slip->rule, slip->remedy));
   if (value.kind == Node::Kind::text && written_number(value)) {
     std::string units;
     for (const assembly::MotionQuantity quantity : motion_quantities) {

@@ -10,6 +10,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/accepting_tables.h"
 #include "trivet/project/text/admissible_range.h"
+#include "trivet/project/text/level_slips.h"
 #include "trivet/project/text/unsupported_keys.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -127,7 +128,8 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
   } else if (value.kind == Node::Kind::text) {
     const auto converted = to_si_at_level(value.text, quantity, levels);
     if (!converted) {
-      error_at(value, where, value_text(value), converted.error(), remedy);
+      const auto slip = levels == Levels::none ? std::nullopt : level_slip(value.text, quantity);
+      error_at(value, where, value_text(value), slip ? slip->rule : converted.error(), slip ? slip->remedy : remedy);
       return std::nullopt;
     }
     number = *converted;

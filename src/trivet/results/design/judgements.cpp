@@ -37,16 +37,6 @@ std::string at_frequency(double omega, const project::DisplayUnits& display) {
   return fmt::format("at {:.5g} {}", shown_frequency(display, omega), frequency_unit(display));
 }
 
-/// Divides "machine.z ≤ 0.5 mm" into what is judged and its bound.
-void divide_at_bound(Judgement& one) {
-  for (const std::string sign : {" ≤ ", " ≥ ", " within \""})
-    if (const std::size_t at = one.words.find(sign); at != std::string::npos) {
-      one.subject = one.words.substr(0, at);
-      one.bound = one.words.substr(at + 1);
-      return;
-    }
-}
-
 void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std::vector<Judgement>& list) {
   for (const std::size_t i : by_margin(verdict)) {
     const study::RequirementResult& result = verdict.results[i];
@@ -58,7 +48,8 @@ void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std:
                   result.margin,
                   which,
                   verdict.decides};
-    divide_at_bound(one);
+    if (!result.words.bound.empty())
+      one.subject = result.words.judged, one.bound = bound_words(result, verdict.display);
     if (!result.value) {
       one.outcome = Outcome::not_judged;
       one.finding = result.reason;
@@ -87,7 +78,8 @@ void add_limits(const study::CaseResults& case_results, std::size_t which, std::
                                 std::isfinite(limit.in_band) ? percent(limit.in_band / limit.limit) : "∞"),
                     limit.in_band > 0 ? limit.limit / limit.in_band : std::numeric_limits<double>::infinity(), which});
     Judgement& one = list.back();
-    divide_at_bound(one);
+    one.subject = limit.name;
+    one.bound = "≤ " + value_text(limit.limit, unit);
     one.value = std::isfinite(limit.in_band) ? value_text(limit.in_band, unit) : "∞";
     one.place = shown_quantity({.value = limit.in_band_at, .kind = Kind::frequency}, case_results.display);
     one.is_at = std::isfinite(limit.in_band_at);

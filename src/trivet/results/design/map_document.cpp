@@ -53,6 +53,12 @@ Json best_json(const DesignMap& map) {
           {"without_bound", map.without_bound}};
 }
 
+/// Of the numbers of a rule: zero-to-peak of amplitudes; null if they have none.
+Json level_of_rule(const design::MapRule& rule) {
+  if (rule.kind == design::DesignRule::Kind::amplitude) return rule.unit == "1" ? Json() : Json("0-p");
+  return rule.level.empty() ? Json() : Json(rule.level);
+}
+
 Json mark_json(const DesignMap& map, const study::MapMark& m) {
   Json result{{"case", m.name},
               {"x", json::optional(m.x)},
@@ -69,6 +75,7 @@ Json mark_json(const DesignMap& map, const study::MapMark& m) {
     const design::MapRule& rule = map.rules[r];
     const double value = m.judged->rules.values[r], margin = m.judged->margins[r];
     result["rules"].push_back({{"words", rule.words},
+                               {"level", level_of_rule(rule)},
                                {"value", json::number(value)},
                                {"angular_frequency", json::number(m.judged->rules.angular_frequencies[r])},
                                {"allowed", rule.allowed},
@@ -122,7 +129,7 @@ Table rule_table(const DesignMap& map) {
       .columns = {row("kind", Kind::words, "", kind_of_rule), row("name", Kind::words, "", &design::MapRule::channel),
                   row("unit", Kind::words, "", &design::MapRule::unit),
                   row("allowed", Kind::quantity, "", &design::MapRule::allowed),
-                  row("words", Kind::words, "", &design::MapRule::words),
+                  row("level", Kind::words, "", level_of_rule), row("words", Kind::words, "", &design::MapRule::words),
                   row("rule", Kind::words, "rule",
                       [&map](const design::MapRule& rule) { return rule_words(map, rule); }, {.forms = for_people}),
                   number("governs_kept", &study::RuleShare::feasible),

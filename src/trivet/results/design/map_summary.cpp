@@ -49,9 +49,16 @@ DisplayUnit rule_unit(const design::MapRule& rule, const project::DisplayUnits& 
   return readers == Readers::people ? amplitude_unit(display, rule.unit) : display_unit(display, rule.unit);
 }
 
+/// " 0-p" behind a value of a requirement that people read.
+std::string level_after(const design::MapRule& rule, double value, Readers readers) {
+  return readers == Readers::people && !rule.level.empty() && std::isfinite(value) ? " " + rule.level : "";
+}
+
 /// The words of a rule beside a mark, without the case if that is the mark's own.
-std::string words_beside(const study::MapMark& mark, const design::MapRule& rule) {
-  return rule.in_case == mark.name ? rule.words.substr(0, rule.words.size() - rule.case_words().size()) : rule.words;
+std::string words_beside(const study::DesignMap& map, const study::MapMark& mark, design::MapRule rule,
+                         Readers readers) {
+  if (rule.in_case == mark.name) rule.unset_case();
+  return readers == Readers::people ? rule_words(map, rule) : rule.words;
 }
 
 /// Are the peaks of this rule among those of the model of the mark, which are listed together?
@@ -87,8 +94,8 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
     const design::MapRule& rule = map.rules[r];
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
     if (rule.kind == design::DesignRule::Kind::requirement && judged.margins[r] < 1)
-      add(fmt::format("{}: {}, margin {:.4g}", words_beside(mark, rule), requirement_value(rule, value, display),
-                      judged.margins[r]));
+      add(fmt::format("{}: {}{}, margin {:.4g}", words_beside(map, mark, rule, readers),
+                      requirement_value(rule, value, display), level_after(rule, value, readers), judged.margins[r]));
     if (rule.kind == design::DesignRule::Kind::no_peak && judged.margins[r] < 1 && !lists_peaks(map, mark, rule))
       add(fmt::format("{}{} peaks at {} ({})", rule.channel, rule.case_words(), frequency_words(display, at),
                       std::isinf(value) ? "unbounded" : fmt::format("{:.3g} %", 100 * value)));
@@ -127,7 +134,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
     words.push_back(std::isinf(judged.governing.margin)
                         ? "no rule limits it"
                         : fmt::format("least margin {:.4g}: {}", judged.governing.margin,
-                                      words_beside(mark, map.rules[judged.governing.rule])));
+                                      words_beside(map, mark, map.rules[judged.governing.rule], readers)));
   return words;
 }
 
@@ -163,6 +170,7 @@ std::string criteria_words(const study::DesignMap& map) {
 }
 
 std::string rule_words(const study::DesignMap& map, const design::MapRule& rule) {
+  if (!rule.words_at_level.empty()) return rule.words_at_level + rule.case_words();
   if (rule.kind != RuleKind::amplitude) return rule.words;
   const DisplayUnit unit = rule_unit(rule, units_for_people(map), Readers::people);
   return fmt::format("{} ≤ {}{}", rule.channel, value_text(rule.allowed, unit), rule.case_words());

@@ -33,7 +33,8 @@ Table compared(const std::string& heading, Kind kind, const std::vector<Compared
 
 /// The words of a requirement; those of both designs if they differ, as load ranges of other mounts do.
 std::string words_of_both(const study::RequirementResult& given, const study::RequirementResult& best) {
-  return given.words == best.words ? best.words : fmt::format("{} (given: {})", best.words, given.words);
+  const std::string best_words = best.words_at_level();
+  return given.words == best.words ? best_words : fmt::format("{} (given: {})", best_words, given.words_at_level());
 }
 
 /// The requirements of each case by ascending margin.

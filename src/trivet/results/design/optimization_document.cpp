@@ -131,7 +131,7 @@ Table active_table(const Optimization& found) {
   Table table{.key = "active",
               .axis = "active",
               .rows = row.size(),
-              .columns = columns_of_case(found, row, "what holds the optimum", &ActiveRequirement::words),
+              .columns = columns_of_case(found, row, "what holds the optimum", &ActiveRequirement::words_at_level),
               .arrays = {{"active", "requirement"}, "case", "multiplier"}};
   table.columns.push_back(row("requirement", Kind::words, "", &ActiveRequirement::words));
   table.columns.push_back(row("minimized", Kind::yes_no, "", &ActiveRequirement::minimized));
@@ -168,7 +168,7 @@ Table conflict_table(const Optimization& found) {
                   : "These requirements contradict each other within the ranges. All can be met with every bound eased "
                     "by its factor:",
               .rows = row.size(),
-              .columns = columns_of_case(found, row, "requirement", &Conflict::words),
+              .columns = columns_of_case(found, row, "requirement", &Conflict::words_at_level),
               .mark = [](std::size_t) { return Mark::bad; }};
   table.columns.push_back(row("requirement", Kind::words, "", &Conflict::words));
   table.columns.push_back(row("factor", Kind::number, "factor", &Conflict::factor, {.digits = 4}));

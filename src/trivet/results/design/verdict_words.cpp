@@ -56,12 +56,13 @@ DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayU
   return kind == Kind::amplitude ? amplitude_unit(display, r.unit) : display_unit(display, r.unit);
 }
 
+std::string bound_words(const RequirementResult& r, const project::DisplayUnits& display) {
+  if (!r.has_bound_in_units()) return r.words.bound + r.words.scope;
+  return "≤ " + value_text(r.allowed, requirement_unit(r, display)) + r.words.scope;
+}
+
 std::string requirement_words(const RequirementResult& r, const project::DisplayUnits& display) {
-  const std::string bound = "≤ " + study::value_words(r.allowed, r.unit);
-  const std::size_t at = r.words.rfind(bound);
-  const std::size_t end = at + bound.size();  // a limit with its own band has this behind its bound
-  if (at == std::string::npos || (end < r.words.size() && r.words[end] != ' ')) return r.words;
-  return r.words.substr(0, at) + "≤ " + value_text(r.allowed, requirement_unit(r, display)) + r.words.substr(end);
+  return r.words.judged + (r.words.bound.empty() ? "" : " " + bound_words(r, display));
 }
 
 std::string judged_value(const RequirementResult& r, const project::DisplayUnits& display) {

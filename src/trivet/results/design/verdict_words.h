@@ -17,9 +17,12 @@ namespace trivet::results {
 /// How the bound and the value of a requirement are shown.
 [[nodiscard]] DisplayUnit requirement_unit(const study::RequirementResult& result,
                                            const project::DisplayUnits& display);
-/// "machine.z ≤ 0.5 mm" with the bound in the units of the display. Words without a bound at their end stay.
+/// "machine.z ≤ 0.5 mm" with the bound in the units of the display. Words without such a bound stay.
 [[nodiscard]] std::string requirement_words(const study::RequirementResult& result,
                                             const project::DisplayUnits& display);
+
+/// What is behind "machine.z": "≤ 0.5 mm in 5 … 12 Hz", with a bound of numbers in the units of the display.
+[[nodiscard]] std::string bound_words(const study::RequirementResult& result, const project::DisplayUnits& display);
 
 /// The value, empty if there is none, and where it occurs: "at" a frequency or a time, with details.
 [[nodiscard]] std::string judged_value(const study::RequirementResult& result, const project::DisplayUnits& display);

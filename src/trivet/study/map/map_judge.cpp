@@ -196,7 +196,7 @@ void MapJudge::judge_separately(const Part& part, std::size_t index, const desig
     const std::size_t first = part.first_requirement() + (others ? 0 : part.requirements.first_by_matrices());
     for (std::size_t r = 0; r < results.size(); ++r) {
       if (!results[r].value) {
-        const std::string words = results[r].words + ": " + results[r].reason;
+        const std::string words = results[r].words.text() + ": " + results[r].reason;
         return refuse(words, words, DesignOutcome::not_computed);
       }
       consider(results[r].margin, first + r, outcome);
@@ -229,7 +229,7 @@ void MapJudge::append(const Part& part, const model::System& system, design::Jud
   }
   if (part.requirements.is_empty()) return;
   for (const RequirementResult& requirement : part.requirements.results(system)) {
-    if (!requirement.value) throw foundation::NotComputable(requirement.words + ": " + requirement.reason);
+    if (!requirement.value) throw foundation::NotComputable(requirement.words.text() + ": " + requirement.reason);
     result.rules.values.push_back(*requirement.value);
     result.rules.angular_frequencies.push_back(requirement.angular_frequency.value_or(none));
     result.margins.push_back(requirement.margin);

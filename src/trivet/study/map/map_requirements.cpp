@@ -51,9 +51,12 @@ MapRequirements::MapRequirements(const project::Case& variant, const project::Ma
 }
 
 void MapRequirements::add_rules(const std::vector<RequirementResult>& results) {
-  for (const RequirementResult& result : results)
-    rules_.push_back({design::DesignRule::Kind::requirement, result.subject, result.unit, result.allowed, result.words,
-                      name(result.kind)});
+  for (const RequirementResult& result : results) {
+    rules_.push_back({design::DesignRule::Kind::requirement, result.subject, result.unit, result.allowed,
+                      result.words.text(), name(result.kind)});
+    rules_.back().words_at_level = result.words_at_level();
+    rules_.back().level = result.level();
+  }
 }
 
 std::vector<RequirementResult> MapRequirements::separate_results(const model::System& system) const {

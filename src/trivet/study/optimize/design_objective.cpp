@@ -231,7 +231,11 @@ std::vector<std::string> DesignObjective::differenced() const {
 
 std::string DesignObjective::words(const Place& place) const {
   const RequirementResult& result = given_[place.result_case][place.result];
-  return minimized_.contain(place) ? minimized_.words(result) : result.words;
+  return minimized_.contain(place) ? minimized_.words(result) : result.words.text();
+}
+
+std::string DesignObjective::words_at_level(const Place& place) const {
+  return minimized_.contain(place) ? words(place) : given_[place.result_case][place.result].words_at_level();
 }
 
 std::vector<RequirementResult> DesignObjective::results(std::size_t result_case, const model::System& system) const {

@@ -33,6 +33,7 @@ struct OptimizedParameter {
 struct ActiveRequirement {
   std::size_t result_case = 0;  ///< index in Optimization::after
   std::string words;            ///< "machine.z ≤ 1 mm", or "the largest amplitude of machine.z"
+  std::string words_at_level;   ///< the same with the level of the bound
   bool minimized = false;       ///< a minimised amplitude, no requirement
   double multiplier = 0;        ///< the objective gains this many percent if the bound is relaxed by 1 %
 };
@@ -55,7 +56,7 @@ struct OtherOptimum {
 /// A requirement of a set that cannot be met.
 struct Conflict {
   std::size_t result_case = 0;  ///< index in Optimization::after
-  std::string words;
+  std::string words, words_at_level;
   double factor = 0;   ///< by which its bound is missed at the design with the largest least margin
   double without = 0;  ///< largest least margin of the others without it; infinite if nothing limits it
 };

@@ -44,9 +44,9 @@ foundation::Problems zero_results(const Optimization& found) {
       const RequirementResult& result = found.after[c].results[r];
       if (!is_zero(result) || !is_zero(found.before[c].results[r])) continue;
       ++zero;
-      warnings.warning("optimize: " + result.words, "the result is zero except for round-off, given and at the optimum",
-                       "its requirement has no effect",
-                       "check the directions of forces and constraints, or remove the requirement");
+      warnings.warning(
+          "optimize: " + result.words.text(), "the result is zero except for round-off, given and at the optimum",
+          "its requirement has no effect", "check the directions of forces and constraints, or remove the requirement");
     }
   if (all > 0 && zero == all)
     throw foundation::NotComputable(

@@ -49,7 +49,7 @@ class CurveRequirements {
     const std::size_t first = list_.size();
     list_.add_bounds(c_, RequirementKind::amplitude, harmonic, "");
     for (std::size_t i = 0; i < harmonic.size(); ++i)
-      if (!harmonic[i].has_common_scope()) list_[first + i].words += scope_words(harmonic[i]);
+      if (!harmonic[i].has_common_scope()) list_[first + i].words.scope += scope_words(harmonic[i]);
     set_amplitudes(first, harmonic, band, excitations);
   }
 
@@ -60,8 +60,7 @@ class CurveRequirements {
     const std::string speeds = fmt::format("{:.5g} … {:.5g} rpm", limit.speed->from * rpm, limit.speed->to * rpm);
     const std::size_t first = list_.size();
     list_.add_bounds(c_, RequirementKind::amplitude, {limit}, "");
-    const std::string words = list_[first].words;
-    list_[first].words += " in the orders of " + speeds;
+    list_[first].words.scope += " in the orders of " + speeds;
     list_[first].excitations = excitations;
     std::vector<double> orders;
     list_.attempt(first, [&] {
@@ -73,7 +72,7 @@ class CurveRequirements {
       const std::size_t place = first + i;
       if (i > 0) list_.add_bounds(c_, RequirementKind::amplitude, {limit}, "");
       RequirementResult& result = list_[place];
-      result.words = words + fmt::format(" in order {:.6g} of ", orders[i]) + speeds;
+      result.words.scope = fmt::format(" in order {:.6g} of ", orders[i]) + speeds;
       result.order = orders[i];
       result.band = {orders[i] * limit.speed->from, orders[i] * limit.speed->to};
       result.excitations = excitations;
@@ -149,8 +148,8 @@ class CurveRequirements {
       }
       if (!(response || required.band)) continue;
       const std::size_t first = list_.size();
-      RequirementResult& result = list_.add(RequirementKind::limit_line, line.of,
-                                            fmt::format("{} within \"{}\"", line.of, line.line.name), "1", 1);
+      RequirementResult& result =
+          list_.add(RequirementKind::limit_line, line.of, {line.of, "within \"" + line.line.name + "\""}, "1", 1);
       result.line = line.line.name;
       list_.attempt(first, [&] {
         const assembly::Band band = required.band ? *required.band
@@ -173,8 +172,8 @@ class CurveRequirements {
  private:
   void add_band_line(const project::LimitLineRequest& line) {
     const std::size_t place = list_.size();
-    list_.add(RequirementKind::band_line, line.of, fmt::format("{} within \"{}\"", line.of, line.line.name), "1", 1)
-        .line = line.line.name;
+    list_.add(RequirementKind::band_line, line.of, {line.of, "within \"" + line.line.name + "\""}, "1", 1).line =
+        line.line.name;
     list_.attempt(place, [&] {
       const LimitLineResult found = band_line_result(c_, line);
       RequirementResult& result = list_[place];

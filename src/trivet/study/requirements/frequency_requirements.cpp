@@ -61,9 +61,9 @@ class FrequencyRequirements {
   void add_damping_ratio(const project::Requirements& required) {
     if (required.damping_ratio == 0) return;
     const std::size_t first = list_.size();
-    RequirementResult& result =
-        list_.add(RequirementKind::damping_ratio, "",
-                  fmt::format("every damping ratio ≥ {:.4g}", required.damping_ratio), "1", required.damping_ratio);
+    RequirementResult& result = list_.add(RequirementKind::damping_ratio, "",
+                                          {"every damping ratio", fmt::format("≥ {:.4g}", required.damping_ratio)}, "1",
+                                          required.damping_ratio);
     list_.attempt(first, [&] {
       result.margin = result.value.emplace(infinity);
       const std::vector<modal::Root>& roots = c_.roots().list;

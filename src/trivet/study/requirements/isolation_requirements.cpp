@@ -106,10 +106,9 @@ void add_isolation_requirements(const CaseContext& c, const project::Requirement
     for (const IsolationRow& row : isolation_rows(c, wanted))
       for (const assembly::Band& band : row.at) {
         const std::size_t place = list.size();
-        RequirementResult& result =
-            list.add(RequirementKind::isolation, row.subject,
-                     fmt::format("{} {} {}", row.words, least_isolation_words(wanted), isolated_band_words(band)), "1",
-                     wanted.transmitted);
+        RequirementResult& result = list.add(
+            RequirementKind::isolation, row.subject,
+            {row.words, least_isolation_words(wanted), " " + isolated_band_words(band)}, "1", wanted.transmitted);
         result.band = band;
         result.transmitted = row.transmitted;
         list.attempt(place, [&] { judge_transmitted(c, list[place]); });

@@ -65,7 +65,7 @@ RequirementResult judged_deflection(const model::Element& element, double allowe
   RequirementResult result;
   result.kind = RequirementKind::mount_deflection;
   result.subject = element.name;
-  result.words = fmt::format("{} deflects ≤ {}", element.name, value_words(allowed, "m"));
+  result.words = {element.name + " deflects", "≤ " + value_words(allowed, "m")};
   result.unit = "m";
   result.allowed = allowed;
   if (!at_rest) return result;
@@ -152,7 +152,7 @@ std::vector<RequirementResult> mount_loads(const CaseContext& context) {
 
 namespace {
 
-RequirementResult limit_of_sum(RequirementKind kind, std::string words, std::string unit, double allowed,
+RequirementResult limit_of_sum(RequirementKind kind, RequirementWords words, std::string unit, double allowed,
                                const std::optional<double>& sum) {
   RequirementResult result;
   result.kind = kind;
@@ -192,14 +192,14 @@ std::vector<RequirementResult> mount_sums(const model::System& system, const pro
   if (required.price) {
     const bool same = sums.price && sums.price->currency == required.price->currency;
     RequirementResult& result = results.emplace_back(limit_of_sum(
-        RequirementKind::price, "mounts cost ≤ " + project::price_words(*required.price), required.price->currency,
-        required.price->amount, same ? std::optional(sums.price->amount) : std::nullopt));
+        RequirementKind::price, RequirementWords("mounts cost", "≤ " + project::price_words(*required.price)),
+        required.price->currency, required.price->amount, same ? std::optional(sums.price->amount) : std::nullopt));
     if (!same) result.reason = "price: not every mount has one in " + required.price->currency;
   }
   if (required.mass > 0) {
-    RequirementResult& result = results.emplace_back(
-        limit_of_sum(RequirementKind::mount_mass, fmt::format("mounts weigh ≤ {:.5g} kg", required.mass), "kg",
-                     required.mass, sums.mass));
+    RequirementResult& result = results.emplace_back(limit_of_sum(
+        RequirementKind::mount_mass, RequirementWords("mounts weigh", fmt::format("≤ {:.5g} kg", required.mass)), "kg",
+        required.mass, sums.mass));
     if (!sums.mass) result.reason = "mass: not every mount has one";
   }
   return results;

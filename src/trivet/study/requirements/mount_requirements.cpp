@@ -46,8 +46,7 @@ std::size_t add_limits(RequirementKind kind, const std::vector<project::Amplitud
   const std::size_t first = list.size();
   for (const project::AmplitudeLimit& limit : limits) {
     const std::string element = limit.name.substr(0, limit.name.rfind(deflection_along_axis));
-    list.add(kind, element, fmt::format("{} {} ≤ {}", element, verb, value_words(limit.amplitude, "m")), "m",
-             limit.amplitude);
+    list.add(kind, element, {element + " " + verb, "≤ " + value_words(limit.amplitude, "m")}, "m", limit.amplitude);
   }
   return first;
 }

@@ -38,7 +38,7 @@ void add_operation_requirements(const CaseContext& c, const project::Analyses& a
     list.add_bounds(c, RequirementKind::operation, request.limits, "");
     for (std::size_t i = 0; i < limits; ++i) {
       RequirementResult& result = list[of_speed + i];
-      result.words += (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
+      result.words.scope += (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
       result.quantity = request.limits[i].quantity;
       result.excitations = request.selection.excitations;
     }

@@ -43,7 +43,7 @@ bool have_same_drive(const RequirementResult& a, const RequirementResult& b) {
   return a.transmitted->force == b.transmitted->force && a.transmitted->base == b.transmitted->base;
 }
 
-RequirementResult& RequirementList::add(RequirementKind kind, const std::string& subject, std::string words,
+RequirementResult& RequirementList::add(RequirementKind kind, const std::string& subject, RequirementWords words,
                                         const std::string& unit, double allowed) {
   RequirementResult& result = results_.emplace_back();
   result.kind = kind;
@@ -59,8 +59,7 @@ void RequirementList::add_bounds(const CaseContext& context, RequirementKind kin
   for (const project::AmplitudeLimit& limit : limits) {
     const std::string in =
         assembly::channels(context.system, context.assembled, {limit.name}, limit.quantity).front().unit;
-    add(kind, limit.name, fmt::format("{}{} ≤ {}", of, limit.name, value_words(limit.amplitude, in)), in,
-        limit.amplitude);
+    add(kind, limit.name, {of + limit.name, "≤ " + value_words(limit.amplitude, in)}, in, limit.amplitude);
   }
 }
 

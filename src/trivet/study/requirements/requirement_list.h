@@ -27,8 +27,8 @@ struct RequirementCurve {
 /// Requirements of a case that are being judged, in their order.
 class RequirementList {
  public:
-  RequirementResult& add(RequirementKind kind, const std::string& subject, std::string words, const std::string& unit,
-                         double allowed);
+  RequirementResult& add(RequirementKind kind, const std::string& subject, RequirementWords words,
+                         const std::string& unit, double allowed);
   /// Bounds of single results, all with the same kind and words: "NAME ≤ 0.5 mm".
   void add_bounds(const CaseContext& context, RequirementKind kind, const std::vector<project::AmplitudeLimit>& limits,
                   const std::string& of);

@@ -192,7 +192,7 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
   const std::vector<Stop> stops = required.no_contact ? stops_of(context.system) : std::vector<Stop>();
   if (required.no_jump) list.add(RequirementKind::no_jump, "", "no jumps of the steady motion", "1", 0);
   for (const Stop& stop : stops)
-    list.add(RequirementKind::no_contact, stop.element, stop.element + " untouched: travel ≤ gap", "1", 1);
+    list.add(RequirementKind::no_contact, stop.element, {stop.element + " untouched: travel", "≤ gap"}, "1", 1);
   const std::size_t bounds = list.size();
   list.add_bounds(context, RequirementKind::steady, required.steady, "steady ");
   list.attempt(first, [&] {

@@ -154,6 +154,21 @@ const char* name(RequirementKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+const char* RequirementResult::level() const {
+  if (kind == RequirementKind::rms) return "rms";
+  const bool harmonic = kind == RequirementKind::amplitude || kind == RequirementKind::operation ||
+      kind == RequirementKind::mount_dynamic_deflection;
+  return harmonic && unit != "1" ? "0-p" : "";
+}
+
+bool RequirementResult::has_bound_in_units() const { return words.bound == "≤ " + value_words(allowed, unit); }
+
+std::string RequirementResult::words_at_level() const {
+  RequirementWords shown = words;
+  if (*level() && has_bound_in_units()) shown.bound += std::string(" ") + level();
+  return shown.text();
+}
+
 std::size_t CaseVerdict::not_judged() const {
   return to_size(std::ranges::count_if(results, [](const RequirementResult& r) { return !r.value; }));
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
@@ -41,11 +42,27 @@ enum class RequirementKind {
 };
 [[nodiscard]] const char* name(RequirementKind kind);  ///< "amplitude", "no_peak" …
 
+/// A requirement in words, in SI.
+struct RequirementWords {
+  std::string judged;  ///< "largest machine.seat.z"; everything if there is no bound
+  std::string bound;   ///< "≤ 0.5 mm", "within \"severity\"", or empty
+  std::string scope;   ///< where it holds: " in 5 … 12 Hz"
+
+  RequirementWords(std::string all = {}) : judged(std::move(all)) {}  // NOLINT: words without a bound are words
+  RequirementWords(const char* all) : judged(all) {}                  // NOLINT
+  RequirementWords(std::string of, std::string limit, std::string where = {})
+      : judged(std::move(of)), bound(std::move(limit)), scope(std::move(where)) {}
+
+  /// "largest machine.seat.z ≤ 0.5 mm in 5 … 12 Hz"
+  [[nodiscard]] std::string text() const { return judged + (bound.empty() ? "" : " " + bound) + scope; }
+  bool operator==(const RequirementWords&) const = default;
+};
+
 /// One requirement with its value in one case.
 struct RequirementResult {
   RequirementKind kind = RequirementKind::amplitude;
-  std::string subject;    ///< the result, body or element that is judged; empty: the whole system
-  std::string words;      ///< "machine.seat.z ≤ 0.5 mm"
+  std::string subject;  ///< the result, body or element that is judged; empty: the whole system
+  RequirementWords words;
   std::string line = {};  ///< name of the limit line
   /// The line where it is nearest. `value` is the share of it.
   struct OnLine {
@@ -89,6 +106,12 @@ struct RequirementResult {
   std::optional<Transmitted> transmitted;  ///< none: the curve is that of `subject` under `excitations`
 
   [[nodiscard]] bool met() const { return value && margin >= 1; }
+  /// Level of `allowed` and `value`: "0-p" of harmonic amplitudes, "rms" of root mean squares; else empty.
+  [[nodiscard]] const char* level() const;
+  /// Its bound is the text of `allowed`, not another number or a name.
+  [[nodiscard]] bool has_bound_in_units() const;
+  /// The words in SI with the level of the bound: "machine.seat.z ≤ 0.5 mm 0-p".
+  [[nodiscard]] std::string words_at_level() const;
 };
 
 /// All requirements of one case.
