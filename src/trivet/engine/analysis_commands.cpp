@@ -21,6 +21,7 @@
 namespace trivet::engine {
 namespace {
 
+using excitation::BandWidth;
 using foundation::InvalidInput;
 
 void set_band(const Task& task, project::Analyses& analyses) {
@@ -58,8 +59,12 @@ project::Analyses operation_at(const Task& task) {
 /// The analysis of the file, or one with defaults, with the keys of the request in place of those of the file.
 project::Analyses with_keys(const Task& task) {
   const std::string& name = task.command.name;
-  if (name == "operation" && task.keys.has("at")) return operation_at(task);
-  project::Analyses analyses = study::analysis_command(name).request(task.variant);
+  project::Analyses analyses = name == "operation" && task.keys.has("at")
+      ? operation_at(task)
+      : study::analysis_command(name).request(task.variant);
+  if (name == "operation" && task.keys.has("bands"))
+    analyses.operation->bands =
+        task.keys.text("bands") == excitation::name(BandWidth::octave) ? BandWidth::octave : BandWidth::third_octave;
   if (name == "modes" && task.keys.has("lowest")) analyses.lowest_modes = task.keys.count("lowest");
   if (name == "response" && task.keys.has("at")) {
     analyses.response->at = task.keys.frequencies("at");
@@ -135,7 +140,11 @@ std::vector<Key> keys_of(const std::string& name) {
     return {{.name = "at",
              .kind = KeyKind::text,
              .about = "speeds in place of those of the file: \"980 rpm\", or several with units",
-             .value = "SPEED,…"}};
+             .value = "SPEED,…"},
+            {.name = "bands",
+             .kind = KeyKind::choice,
+             .about = "also the root mean square of the orders in each frequency band",
+             .choices = {excitation::name(BandWidth::third_octave), excitation::name(BandWidth::octave)}}};
   if (name == "orders")
     return {{.name = "at",
              .kind = KeyKind::text,
@@ -163,7 +172,8 @@ std::vector<std::string> examples_of(const std::string& name) {
     return {"trivet response machine.toml --band \"5 Hz,60 Hz\"",
             "trivet response machine.toml --at \"16.3 Hz\" --csv"};
   if (name == "operation")
-    return {"trivet operation machine.toml --at \"980 rpm\"", "trivet operation machine.toml --case winter --csv"};
+    return {"trivet operation machine.toml --at \"980 rpm\" --bands third-octave",
+            "trivet operation machine.toml --case winter --csv"};
   if (name == "orders" || name == "transmissibility" || name == "power")
     return {"trivet " + name + " machine.toml --at \"980 rpm\"",
             "trivet " + name + " machine.toml --case winter --csv"};

@@ -51,6 +51,14 @@ std::optional<FrequencyBand> band_of(BandWidth width, double midband_hz) {
   return named || exact ? std::optional(band) : std::nullopt;
 }
 
+FrequencyBand band_of_tone(BandWidth width, double angular_frequency) {
+  constexpr double rounding = 1e-9;
+  FrequencyBand band = nearest_band(width, angular_frequency / foundation::two_pi);
+  if (angular_frequency >= band.to() * (1 - rounding)) ++band.index;
+  else if (angular_frequency < band.from() * (1 - rounding)) --band.index;
+  return band;
+}
+
 std::vector<FrequencyBand> bands_between(BandWidth width, double from, double to) {
   constexpr double rounding = 1e-9;
   std::vector<FrequencyBand> bands;

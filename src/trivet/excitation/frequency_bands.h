@@ -34,6 +34,9 @@ struct FrequencyBand {
 /// The band whose midband frequency is nearest to this one [Hz] > 0.
 [[nodiscard]] FrequencyBand nearest_band(BandWidth width, double hertz);
 
+/// The band in which a tone [rad/s] > 0 is. One on an edge, to round-off, is in the band above.
+[[nodiscard]] FrequencyBand band_of_tone(BandWidth width, double angular_frequency);
+
 /// All bands that share more than round-off with the range from … to [rad/s], ascending. A range from 0 begins with the
 /// band of `lowest_hz`, as there are infinitely many bands below.
 [[nodiscard]] std::vector<FrequencyBand> bands_between(BandWidth width, double from, double to);

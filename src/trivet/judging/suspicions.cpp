@@ -144,8 +144,9 @@ void add_limited_ranges(const project::Analyses& requested, plausibility::Stated
       const auto& band = limit.speed ? limit.speed : limit.band;
       add(band ? "requirements.limits" : subject, band.value_or(common));
     }
-  if (requested.operation && !requested.operation->limits.empty())
-    for (const assembly::Band& speed : requested.operation->speeds) add("operation.limits", speed);
+  if (requested.operation && (!requested.operation->limits.empty() || requested.operation->has_lines()))
+    for (const assembly::Band& speed : requested.operation->speeds)
+      add(requested.operation->limits.empty() ? "operation.bands" : "operation.limits", speed);
   for (const project::LimitLineRequest& request : requested.limit_lines) {
     const auto& points = request.line.angular_frequency;
     if (points.empty()) continue;

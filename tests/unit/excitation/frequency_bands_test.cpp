@@ -62,6 +62,17 @@ TEST(FrequencyBands, ARangeFromEdgeToEdgeHasNoBandBeside) {
   EXPECT_EQ(bands_between(BandWidth::octave, 0, two_pi).front().nominal_hz(), 0.125);
 }
 
+TEST(FrequencyBands, AToneOnAnEdgeIsInTheUpperBand) {
+  for (const BandWidth width : {BandWidth::octave, BandWidth::third_octave})
+    for (int index = -20; index <= 40; ++index) {
+      const FrequencyBand band{width, index}, above{width, index + 1};
+      EXPECT_EQ(band_of_tone(width, band.to()), above) << index;
+      EXPECT_EQ(band_of_tone(width, band.to() * (1 - 1e-12)), above) << "round-off, " << index;
+      EXPECT_EQ(band_of_tone(width, band.to() * (1 - 1e-8)), band) << index;
+      EXPECT_EQ(band_of_tone(width, two_pi * band.midband_hz()), band) << index;
+    }
+}
+
 TEST(FrequencyBands, ABandIsFoundByNominalAndByExactFrequencyOnly) {
   EXPECT_EQ(band_of(BandWidth::third_octave, 31.5)->index, 15);
   EXPECT_EQ(band_of(BandWidth::third_octave, 31.622776)->index, 15);

@@ -13,8 +13,8 @@
 
 #include "trivet/assembly/band.h"
 #include "trivet/assembly/channels.h"
-#include "trivet/assembly/limit_line.h"
 #include "trivet/project/analyses/analysis_types.h"
+#include "trivet/project/analyses/limit_line_request.h"
 #include "trivet/project/analyses/requirements.h"
 #include "trivet/project/text/document.h"
 #include "trivet/project/text/units.h"
@@ -151,15 +151,6 @@ struct PeaksRequest {
 struct Limit {
   std::string name;
   double amplitude = 0;
-};
-
-/// A channel with a limit line: of the response, or, in bands, of the random vibration.
-struct LimitLineRequest {
-  std::string of;
-  assembly::LimitLine line;
-  std::optional<excitation::BandWidth> bands = {};  ///< the line bounds the root mean square in each band
-  std::vector<std::string> excitations = {};        ///< of the random vibration; empty: all
-  std::string source = {};                          ///< the publication of a named line
 };
 
 /// Most designs of one map.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 #include "trivet/excitation/shock_spectrum.h"
 #include "trivet/model/harmonic_force.h"
 #include "trivet/project/analyses/analysis.h"
+#include "trivet/project/analyses/limit_line_request.h"
 #include "trivet/project/analyses/requirements.h"
 
 namespace trivet::project {
@@ -35,8 +38,14 @@ struct EarthquakeAnalysis : Analysis {
 /// What happens at the speeds at which the machine runs: the table [operation]. Results named by `selection.of`; none:
 /// all coordinates and all points.
 struct OperationAnalysis : Analysis {
-  std::vector<assembly::Band> speeds;  ///< [rad/s]; from = to: one speed, else a range
-  std::vector<AmplitudeLimit> limits;  ///< of amplitudes at these speeds, without a scope of their own
+  std::vector<assembly::Band> speeds;               ///< [rad/s]; from = to: one speed, else a range
+  std::vector<AmplitudeLimit> limits;               ///< of amplitudes at these speeds, without a scope of their own
+  std::optional<excitation::BandWidth> bands = {};  ///< root mean squares of the orders in these bands too
+  std::vector<LimitLineRequest> lines = {};         ///< over bands; those of this width bound them
+
+  [[nodiscard]] bool has_lines() const {
+    return std::ranges::any_of(lines, [this](const LimitLineRequest& line) { return line.bands == bands; });
+  }
 };
 
 /// Run-up: all orders over the speed of the shaft.

@@ -172,11 +172,14 @@ bool read_bands_of_line(TableReader& reader, const SymbolTable& symbols, const A
   if (named && !reader.has("bands")) request.bands = excitation::BandWidth::third_octave;
   if (named && request.bands == excitation::BandWidth::octave)
     reader.error("bands", "\"octave\"", "the named lines are published for third octaves", "remove the key");
-  else if (request.bands && symbols.random_excitations.empty())
+  else if (request.bands && symbols.random_excitations.empty() &&
+           !(analyses.operation && analyses.operation->bands == request.bands))
     reader.error(named ? "line" : "bands", "no random excitation in the model",
-                 "a line over bands bounds the root mean square of a random vibration in each band; a sweep of one "
-                 "harmonic after the other has none",
-                 "add [excitations.NAME] with type = \"random\", or remove bands to compare the response");
+                 "a line over bands bounds the root mean square in each band, of a random vibration or of the orders "
+                 "at the speeds of [operation]; a sweep of one harmonic after the other has none",
+                 fmt::format("add [excitations.NAME] with type = \"random\", or bands = \"{}\" to [operation], or "
+                             "remove bands to compare the response",
+                             excitation::name(*request.bands)));
   else if (request.bands) {
     if (analyses.random) request.excitations = analyses.random->selection.excitations;
     return true;
@@ -208,6 +211,12 @@ bool read_named_line(TableReader& reader, Quantity measured, LimitLineRequest& r
   }
   request.source = line->source;
   return !reader.has("rows") && !reader.has("file");
+}
+
+/// A line over bands bounds random vibration, if the model has any, and the orders at the speeds of the machine.
+void add_line(LimitLineRequest request, const SymbolTable& symbols, Analyses& result) {
+  if (request.bands && result.operation) result.operation->lines.push_back(request);
+  if (!request.bands || !symbols.random_excitations.empty()) result.limit_lines.push_back(std::move(request));
 }
 
 }  // namespace
@@ -262,7 +271,7 @@ void read_limit_lines(TableReader& root, const ResultNames& names, const SymbolT
     request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")
                               : (turns ? turning : units)[static_cast<std::size_t>(motion_quantity)];
     if (named) {
-      if (read_named_line(reader, *measured, request)) result.limit_lines.push_back(std::move(request));
+      if (read_named_line(reader, *measured, request)) add_line(std::move(request), symbols, result);
       continue;
     }
     const Levels levels = request.bands ? Levels::of_random : Levels::of_harmonic;
@@ -276,7 +285,7 @@ void read_limit_lines(TableReader& root, const ResultNames& names, const SymbolT
     for (const double limit : rows->col(1)) request.line.limit.push_back(level.bare * limit);
     const foundation::Problems findings = assembly::check(request.line, reader.has("rows") ? "rows" : "file");
     reader.add(findings);
-    if (!findings.has_errors()) result.limit_lines.push_back(std::move(request));
+    if (!findings.has_errors()) add_line(std::move(request), symbols, result);
   }
 }
 

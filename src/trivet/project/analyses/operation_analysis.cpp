@@ -10,6 +10,7 @@
 #include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/analyses/limits_reader.h"
 #include "trivet/project/text/admissible_range.h"
+#include "trivet/project/text/bands_reader.h"
 #include "trivet/project/text/shared_keys.h"
 
 namespace trivet::project {
@@ -79,6 +80,7 @@ OperationAnalysis read_operation(TableReader& reader, const ResultNames& names, 
   request.selection.excitations = read_selected(reader, known, "harmonic or order");
   request.limits =
       read_amplitude_limits(reader, "limits", names, assembly::MotionQuantity::displacement, Levels::of_harmonic);
+  request.bands = read_bands(reader, "bands");
   return request;
 }
 
@@ -94,12 +96,12 @@ void check_operation(const Analyses& request, const model::System& system, found
 
 }  // namespace
 
-const AnalysisReader operation_analysis =
-    read_into<&Analyses::operation, read_operation>({.at_top = true,
-                                                     .drive = Drive::harmonic_or_orders,
-                                                     .searches_peaks = true,
-                                                     .check = check_operation,
-                                                     .keys = R"json({"description": "results at the speeds at which the machine runs",
+const AnalysisReader operation_analysis = read_into<&Analyses::operation, read_operation>(
+    {.at_top = true,
+     .drive = Drive::harmonic_or_orders,
+     .searches_peaks = true,
+     .check = check_operation,
+     .keys = R"json({"description": "results at the speeds at which the machine runs",
   "properties": {
    "speeds": {"anyOf": [{"type": "string"}, {"type": "array", "minItems": 1, "items": {"anyOf": [{"type": "string"},
      {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2}]}}],
@@ -108,7 +110,9 @@ const AnalysisReader operation_analysis =
    "excitations": {"$ref": "#/$defs/selected_excitations",
      "description": "that run; default: orders, unbalances and harmonic forces on bodies"},
    "limits": {"$ref": "#/$defs/amplitude_limits",
-     "description": "\"BODY.x\" = largest amplitude at each of the speeds, all orders together"}},
+     "description": "\"BODY.x\" = largest amplitude at each of the speeds, all orders together"},
+   "bands": {"$ref": "#/$defs/bands",
+     "description": "also the root mean square of the orders in each band, judged by limit lines over such bands"}},
   "required": ["speeds"]})json"});
 
 }  // namespace trivet::project

@@ -7,6 +7,7 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/response/machinery/transmissibility.h"
+#include "trivet/results/analyses/operation_levels.h"
 #include "trivet/results/analyses/operation_words.h"
 #include "trivet/results/format/result_writer.h"
 #include "trivet/study/analyses/analysis_results.h"
@@ -407,7 +408,11 @@ Document operation_document(const project::Case&, const study::CaseResults& resu
   document.add(operating_isolation(found));
   document.add(operating_modes(found));
   document.add(limits_of_all_speeds(found));
-  for (const OperatingSpeed& at : found.speeds) document.add(shown_speed(at, several_orders));
+  if (!found.levels.empty()) document.add(operating_levels(found));
+  for (const OperatingSpeed& at : found.speeds) {
+    document.add(shown_speed(at, several_orders));
+    if (!found.levels.empty()) document.add(shown_levels(found, at.speed));
+  }
   document.add(warnings_part(results));
   return document;
 }
@@ -415,6 +420,9 @@ Document operation_document(const project::Case&, const study::CaseResults& resu
 }  // namespace
 
 const ResultWriter operation_results = {.document = operation_document,
-                                        .files = {"operation.csv", "operation_isolation.csv", "operation_modes.csv"}};
+                                        .files = {"operation.csv", "operation_isolation.csv", "operation_modes.csv"},
+                                        .optional_file = {"operation_bands.csv", [](const study::CaseResults& results) {
+                                                            return !results.operation->levels.empty();
+                                                          }}};
 
 }  // namespace trivet::results

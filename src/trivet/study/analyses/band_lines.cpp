@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/analyses/band_lines.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,16 +19,6 @@ namespace {
 
 using excitation::FrequencyBand;
 
-/// The nominal midband frequency [rad/s], at which a line is read; an end of the line that differs by round-off is
-/// meant.
-double read_at(const FrequencyBand& band, const assembly::LimitLine& line) {
-  constexpr double rounding = 1e-9;
-  const double nominal = foundation::two_pi * band.nominal_hz();
-  for (const double point : line.angular_frequency)
-    if (std::abs(nominal - point) <= rounding * point) return point;
-  return nominal;
-}
-
 assembly::Band range_of(const response::RandomLoading& loading) {
   assembly::Band range{foundation::infinity, 0};
   for (const response::RandomInput& input : loading.inputs) {
@@ -41,10 +33,7 @@ std::vector<FrequencyBand> judged_bands(const project::LimitLineRequest& request
   const auto& points = request.line.angular_frequency;
   std::vector<FrequencyBand> bands =
       excitation::bands_between(*request.bands, std::max(range.from, edge * points.front()), range.to);
-  std::erase_if(bands, [&](const FrequencyBand& band) {
-    const double at = read_at(band, request.line);
-    return at < points.front() || at > points.back();
-  });
+  std::erase_if(bands, [&](const FrequencyBand& band) { return !covers(request.line, band); });
   if (bands.empty())
     throw foundation::NotComputable(
         fmt::format("limit line \"{}\" runs from {:.4g} to {:.4g} Hz, the random excitation from {:.4g} to {:.4g} Hz: "
@@ -55,6 +44,19 @@ std::vector<FrequencyBand> judged_bands(const project::LimitLineRequest& request
 }
 
 }  // namespace
+
+double read_at(const FrequencyBand& band, const assembly::LimitLine& line) {
+  constexpr double rounding = 1e-9;
+  const double nominal = foundation::two_pi * band.nominal_hz();
+  for (const double point : line.angular_frequency)
+    if (std::abs(nominal - point) <= rounding * point) return point;
+  return nominal;
+}
+
+bool covers(const assembly::LimitLine& line, const FrequencyBand& band) {
+  const double at = read_at(band, line);
+  return at >= line.angular_frequency.front() && at <= line.angular_frequency.back();
+}
 
 LimitLineResult band_line_result(const CaseContext& c, const project::LimitLineRequest& request) {
   const response::RandomLoading loading = response::random_loading(c.system, c.assembled, request.excitations);

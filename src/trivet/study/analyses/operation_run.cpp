@@ -13,6 +13,7 @@
 #include "trivet/response/steady/at_rest.h"
 #include "trivet/study/analyses/analysis_results.h"
 #include "trivet/study/analyses/analysis_run.h"
+#include "trivet/study/analyses/operating_levels.h"
 #include "trivet/study/analyses/operating_limits.h"
 #include "trivet/study/analyses/summed_orders.h"
 
@@ -191,6 +192,10 @@ OperationResult operation_result(const CaseContext& c, const project::OperationA
     at.modes = distances(c, loads, speed);
     at.limits = std::move(limits[result.speeds.size() - 1]);
     warn_of_resonance(at, warnings);
+  }
+  if (request.bands) {
+    const auto velocities = channels.list.begin() + static_cast<std::ptrdiff_t>(channels.motions);
+    result.levels = operating_levels(c, request, loads, {velocities, channels.list.end()});
   }
   return result;
 }

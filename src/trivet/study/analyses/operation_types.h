@@ -9,6 +9,7 @@
 
 #include "trivet/assembly/band.h"
 #include "trivet/assembly/channels.h"
+#include "trivet/excitation/frequency_bands.h"
 
 /// What happens at the speeds at which a machine runs. All excitations run with it: its orders, and at order 1
 /// unbalances and harmonic forces. Formulas: docs/analyses.md.
@@ -94,10 +95,23 @@ struct OperatingSpeed {
   [[nodiscard]] bool is_range() const { return speed.from < speed.to; }
 };
 
+/// Level of a result in one frequency band, at a speed or the largest over a range of speeds.
+struct OperatingLevel {
+  assembly::Band speed;  ///< Ω [rad/s]; from = to: one speed
+  std::string quantity;  ///< "velocity", "force" …
+  excitation::FrequencyBand band;
+  OperatingValue value;   ///< under the orders whose frequencies are in the band; of these `rms` is the level
+  std::string line = {};  ///< of several limit lines that judge this band, the lowest there; empty: none
+  double limit = 0;       ///< of the line, root mean square [unit]
+
+  [[nodiscard]] double share() const { return value.rms / limit; }  ///< of the line
+};
+
 struct OperationResult {
   std::vector<std::string> excitations;  ///< that run
   std::vector<double> orders;            ///< ascending
   std::vector<OperatingSpeed> speeds;    ///< as in the file
+  std::vector<OperatingLevel> levels;    ///< by speed, result and band, if bands are requested
 };
 
 /// "980 rpm", "600 … 900 rpm"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "trivet/foundation/constants.h"
@@ -18,35 +19,32 @@ constexpr const char* undamped = "an undamped resonance";
 
 }  // namespace
 
-/// |y_k|² of the orders at one speed.
-struct SummedOrders::Place {
-  double speed = 0;
-  Eigen::VectorXd squares;
-  std::string reason = {};  ///< why they are infinite
-  [[nodiscard]] double sum() const { return squares.sum(); }
-  /// @param square  not a number at an undamped resonance
-  void set(Eigen::Index order, double square) {
-    squares(order) = std::isnan(square) ? foundation::infinity : square;
-    if (std::isnan(square)) reason = undamped;
-  }
-};
+void SummedOrders::Place::set(Eigen::Index order, double square) {
+  squares(order) = std::isnan(square) ? foundation::infinity : square;
+  if (std::isnan(square)) reason = undamped;
+}
 
 SummedOrders::SummedOrders(const CaseContext& context, std::vector<assembly::Channel> channels,
                            const std::vector<response::OrderLoading>& loads, double fastest)
     : c_(context), channels_(std::move(channels)), loads_(loads) {
   if (!(fastest > 0) || channels_.empty()) return;
-  for (const response::OrderLoading& load : loads_) {
+  for (const response::OrderLoading& load : loads_)
     peaks_.push_back(response::peaks(c_.assembled, channels_, load.loading, c_.modes, c_.roots(),
                                      {.search_to = load.order * fastest}, c_.progress));
-    searched_from_ = std::max(searched_from_, peaks_.back().searched_from / load.order);
-  }
+}
+
+SummedOrders::Counted SummedOrders::all() const {
+  Counted orders(loads_.size());
+  std::iota(orders.begin(), orders.end(), std::size_t{0});
+  return orders;
 }
 
 std::vector<SummedOrders::Place> SummedOrders::places(const std::vector<assembly::Channel>& channels,
-                                                      std::size_t channel, const std::vector<double>& speeds) const {
+                                                      std::size_t channel, const std::vector<double>& speeds,
+                                                      const Counted& orders) const {
   std::vector<Place> result;
   for (const double speed : speeds) result.push_back({speed, Eigen::VectorXd::Zero(to_index(loads_.size()))});
-  for (std::size_t k = 0; k < loads_.size(); ++k) {
+  for (const std::size_t k : orders) {
     std::vector<double> omega;
     for (const double speed : speeds) omega.push_back(loads_[k].order * speed);
     const response::FrequencyResponse found =
@@ -70,10 +68,10 @@ double SummedOrders::round_off(std::size_t channel, std::size_t load, double ome
   return share * factor * largest;
 }
 
-SummedOrders::Place SummedOrders::at_rest(std::size_t channel, double near) const {
+SummedOrders::Place SummedOrders::at_rest(std::size_t channel, double near, const Counted& orders) const {
   constexpr double nearer = 0.25, growth = 1.5;  // a curve ∝ ω⁻¹ grows by 4
   Place place{0, Eigen::VectorXd::Zero(to_index(loads_.size()))};
-  for (std::size_t k = 0; k < loads_.size(); ++k) {
+  for (const std::size_t k : orders) {
     const double omega = loads_[k].order * near;
     const response::FrequencyResponse found =
         response::frequency_response(c_.assembled, {channels_[channel]}, loads_[k].loading, {0, nearer * omega, omega});
@@ -90,46 +88,54 @@ SummedOrders::Place SummedOrders::at_rest(std::size_t channel, double near) cons
   return place;
 }
 
-double SummedOrders::begin(const assembly::Band& speed) const {
-  const bool from_tables =
-      std::ranges::any_of(c_.assembled.elements, [](const auto& map) { return map.defined_from > 0; });
-  return from_tables ? std::min(std::max(speed.from, searched_from_), speed.to) : speed.from;
+double SummedOrders::searched_from(const Counted& orders) const {
+  double from = 0;
+  for (const std::size_t k : orders) from = std::max(from, peaks_[k].searched_from / loads_[k].order);
+  return from;
 }
 
-OperatingValue SummedOrders::value_at(std::size_t channel, const Place& place) const {
-  Eigen::Index most = 0;
-  place.squares.maxCoeff(&most);
+double SummedOrders::begin(const assembly::Band& speed, const Counted& orders) const {
+  const bool from_tables =
+      std::ranges::any_of(c_.assembled.elements, [](const auto& map) { return map.defined_from > 0; });
+  return from_tables ? std::min(std::max(speed.from, searched_from(orders)), speed.to) : speed.from;
+}
+
+OperatingValue SummedOrders::value_at(std::size_t channel, const Place& place, const Counted& orders) const {
+  const auto most = std::ranges::max_element(orders, {}, [&](std::size_t k) { return place.squares(to_index(k)); });
   return {channels_[channel].name,
           channels_[channel].unit,
           std::sqrt(0.5 * place.sum()),
           place.squares.cwiseSqrt().sum(),
           place.speed,
-          loads_[to_size(most)].order,
+          most == orders.end() ? 0 : loads_[*most].order,
           place.reason};
 }
 
 std::vector<OperatingValue> SummedOrders::largest(const assembly::Band& speed) const {
+  if (!(speed.from < speed.to)) return at_speed(speed.from, all());
   std::vector<OperatingValue> result;
-  if (speed.from < speed.to) {
-    for (std::size_t c = 0; c < channels_.size(); ++c) result.push_back(largest_of(c, speed));
-    return result;
-  }
-  std::vector<Place> at(channels_.size(), Place{speed.from, Eigen::VectorXd::Zero(to_index(loads_.size()))});
-  for (std::size_t k = 0; k < loads_.size(); ++k) {
+  for (std::size_t c = 0; c < channels_.size(); ++c) result.push_back(largest_of(c, speed, all()));
+  return result;
+}
+
+std::vector<OperatingValue> SummedOrders::at_speed(double speed, const Counted& orders) const {
+  std::vector<OperatingValue> result;
+  std::vector<Place> at(channels_.size(), {speed, Eigen::VectorXd::Zero(to_index(loads_.size()))});
+  for (const std::size_t k : orders) {
     const response::FrequencyResponse found =
-        response::frequency_response(c_.assembled, channels_, loads_[k].loading, {loads_[k].order * speed.from});
+        response::frequency_response(c_.assembled, channels_, loads_[k].loading, {loads_[k].order * speed});
     for (std::size_t c = 0; c < channels_.size(); ++c) at[c].set(to_index(k), std::norm(found.curves[c].value(0)));
   }
-  for (std::size_t c = 0; c < channels_.size(); ++c) result.push_back(value_at(c, at[c]));
+  for (std::size_t c = 0; c < channels_.size(); ++c) result.push_back(value_at(c, at[c], orders));
   return result;
 }
 
 std::vector<double> SummedOrders::turning_speeds(std::size_t channel, const assembly::Band& speed,
-                                                 std::vector<double>& unbounded) const {
-  const double from = begin(speed);
+                                                 const Counted& orders, std::vector<double>& unbounded) const {
+  const double from = begin(speed, orders);
   std::vector<double> speeds = {speed.to};
   if (from > 0) speeds.push_back(from);
-  for (std::size_t k = 0; k < loads_.size(); ++k) {
+  for (const std::size_t k : orders) {
     const auto add = [&](double omega, double amplitude) {
       const double at = omega / loads_[k].order;
       if (!(at >= from && at <= speed.to)) return;
@@ -146,43 +152,44 @@ std::vector<double> SummedOrders::turning_speeds(std::size_t channel, const asse
   return speeds;
 }
 
-OperatingValue SummedOrders::largest_of(std::size_t channel, const assembly::Band& speed) const {
+OperatingValue SummedOrders::largest_of(std::size_t channel, const assembly::Band& speed, const Counted& orders) const {
   constexpr double proven = 1e-4;  // of the square
   constexpr std::size_t most_places = 20'000;
   const std::vector<assembly::Channel> alone = {channels_[channel]};
   std::vector<double> unbounded;
-  const std::vector<double> turning = turning_speeds(channel, speed, unbounded);
+  const std::vector<double> turning = turning_speeds(channel, speed, orders, unbounded);
   if (!unbounded.empty()) {
-    Place at = places(alone, 0, {unbounded.front()}).front();
+    Place at = places(alone, 0, {unbounded.front()}, orders).front();
     at.squares.array() += foundation::infinity;
     at.reason = undamped;
-    return value_at(channel, at);
+    return value_at(channel, at, orders);
   }
   const auto lower = [](const Place& a, const Place& b) { return a.sum() < b.sum(); };
-  std::vector<Place> known = places(alone, 0, turning);
-  if (begin(speed) == 0) {
+  std::vector<Place> known = places(alone, 0, turning, orders);
+  if (begin(speed, orders) == 0) {
     constexpr double close = 1e-6;  // of the range
-    known.insert(known.begin(), at_rest(channel, searched_from_ > 0 ? searched_from_ : close * speed.to));
-    if (std::isinf(known.front().sum())) return value_at(channel, known.front());
+    const double from = searched_from(orders);
+    known.insert(known.begin(), at_rest(channel, from > 0 ? from : close * speed.to, orders));
+    if (std::isinf(known.front().sum())) return value_at(channel, known.front(), orders);
   }
-  while (loads_.size() > 1 && known.size() < most_places) {
+  while (orders.size() > 1 && known.size() < most_places) {
     const double enough = (1 + proven) * std::ranges::max_element(known, lower)->sum();
     std::vector<double> between;
     for (std::size_t i = 1; i < known.size(); ++i)
       if (known[i].squares.cwiseMax(known[i - 1].squares).sum() > enough)
         between.push_back(0.5 * (known[i - 1].speed + known[i].speed));
     if (between.empty() || !std::isfinite(enough)) break;
-    std::ranges::move(places(alone, 0, between), std::back_inserter(known));
+    std::ranges::move(places(alone, 0, between, orders), std::back_inserter(known));
     std::ranges::sort(known, {}, &Place::speed);
   }
   auto best = std::ranges::max_element(known, lower);
-  if (loads_.size() > 1 && best != known.begin() && std::next(best) != known.end() && std::isfinite(best->sum())) {
-    const auto minus_sum = [&](double at) { return -places(alone, 0, {at}).front().sum(); };
+  if (orders.size() > 1 && best != known.begin() && std::next(best) != known.end() && std::isfinite(best->sum())) {
+    const auto minus_sum = [&](double at) { return -places(alone, 0, {at}, orders).front().sum(); };
     const numerics::Minimum refined =
         numerics::minimum_between(std::prev(best)->speed, std::next(best)->speed, minus_sum);
-    if (-refined.value > best->sum()) return value_at(channel, places(alone, 0, {refined.at}).front());
+    if (-refined.value > best->sum()) return value_at(channel, places(alone, 0, {refined.at}, orders).front(), orders);
   }
-  return value_at(channel, *best);
+  return value_at(channel, *best, orders);
 }
 
 }  // namespace trivet::study

@@ -26,7 +26,7 @@ void set_operating_value(const OperatingValue& found, const assembly::Band& spee
 }  // namespace
 
 bool judges_operation(const project::Analyses& analyses) {
-  return analyses.operation && !analyses.operation->limits.empty();
+  return analyses.operation && (!analyses.operation->limits.empty() || analyses.operation->has_lines());
 }
 
 void add_operation_requirements(const CaseContext& c, const project::Analyses& analyses, RequirementList& list) {

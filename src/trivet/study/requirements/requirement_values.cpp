@@ -12,6 +12,7 @@ std::vector<RequirementResult> requirement_values(const CaseContext& context, co
   const project::Requirements& required = analyses.requirements ? *analyses.requirements : none;
   RequirementList list;
   add_operation_requirements(context, analyses, list);
+  add_operating_line_requirements(context, analyses, list);
   add_curve_requirements(context, analyses, list);
   add_frequency_requirements(context, required, list);
   add_isolation_requirements(context, required, list);

@@ -26,11 +26,15 @@ void add_curve_requirements(const CaseContext& context, const project::Analyses&
 void set_amplitudes(const CaseContext& context, const project::Analyses& analyses, std::size_t first,
                     const std::vector<project::AmplitudeLimit>& limits, RequirementList& list);
 
-/// True if amplitudes are limited at the speeds of the machine.
+/// True if amplitudes, or levels in frequency bands, are limited at the speeds of the machine.
 [[nodiscard]] bool judges_operation(const project::Analyses& analyses);
 
 /// Adds the limits of [operation] at each of its speeds: amplitudes of all orders together.
 void add_operation_requirements(const CaseContext& context, const project::Analyses& analyses, RequirementList& list);
+
+/// Adds the limit lines over the frequency bands of [operation] at each of its speeds: root mean squares of the orders.
+void add_operating_line_requirements(const CaseContext& context, const project::Analyses& analyses,
+                                     RequirementList& list);
 
 /// Adds what concerns free vibration, with values and margins: natural frequencies, damping ratios, decoupling.
 void add_frequency_requirements(const CaseContext& context, const project::Requirements& required,

@@ -19,7 +19,7 @@ enum class RequirementKind {
   amplitude,
   no_peak,
   limit_line,
-  band_line,  ///< a limit line over frequency bands of random vibration
+  band_line,  ///< a limit line over frequency bands, of random vibration or of the orders at a speed
   operation,  ///< an amplitude at a speed of the machine, or over a range of them
   avoided_frequencies,
   separation,

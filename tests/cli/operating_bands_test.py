@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Levels in octaves and third octaves at the speeds of a machine: the tones in each band against the closed forms of one
+mass on a spring, and limit lines over them."""
+import json
+import math
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+TRIVET = os.environ["TRIVET"]
+MASS, STIFFNESS, DASHPOT = 40.0, 36000.0, 120.0  # 4.77 Hz, damping ratio 0.05
+UNBALANCE = 0.02  # m e [kg m]
+MACHINE = f"""trivet = 1
+[bodies.m]
+mass = {MASS}
+free = ["z"]
+[elements.s]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, {STIFFNESS}]
+damping = {{translation = [0, 0, {DASHPOT}]}}
+"""
+ROTOR = f"""[excitations.rotor]
+type = "unbalance"
+on = "m"
+at = [0, 0, 0]
+axis = "x"
+mass_eccentricity = {UNBALANCE}
+"""
+ORDERS = """[excitations.shaft]
+type = "orders"
+on = "m"
+at = [0, 0, 0]
+table = [{order = 2, force = [0, 0, 50]}, {order = 3, force_per_speed2 = [0, 0, 0.05]}]
+"""
+
+
+def rms(force, hertz):
+    """Velocity of the mass under a harmonic force, root mean square."""
+    omega = 2 * math.pi * hertz
+    return omega * force / abs(complex(STIFFNESS - MASS * omega**2, DASHPOT * omega)) / math.sqrt(2)
+
+
+def orders_at(hertz):
+    """Frequencies and velocities of the orders 2 and 3 at a shaft speed."""
+    return {2 * hertz: rms(50, 2 * hertz), 3 * hertz: rms(0.05 * (2 * math.pi * hertz) ** 2, 3 * hertz)}
+
+
+def edges(midband, width):
+    """Edges [Hz] of the band with this exact midband frequency."""
+    half = 10 ** (0.05 if width == "third-octave" else 0.15)
+    return midband / half, midband * half
+
+
+class OperatingBands(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.file = pathlib.Path(folder.name) / "machine.toml"
+
+    def trivet(self, text, *arguments, code=0):
+        self.file.write_text(text)
+        run = subprocess.run([TRIVET, arguments[0], self.file, *arguments[1:]], capture_output=True, text=True)
+        self.assertEqual(run.returncode, code, run.stderr)
+        return run
+
+    def levels(self, text, *arguments, quantity="velocity", name="m.z"):
+        """Levels of a result by nominal midband frequency."""
+        rows = json.loads(self.trivet(text, "operation", "--json", *arguments).stdout)["bands"]
+        return {row["nominal_hz"]: row["rms"] for row in rows if (row["name"], row["quantity"]) == (name, quantity)}
+
+    def near(self, found, expected, share=1e-9):
+        self.assertLessEqual(abs(found - expected), share * abs(expected), (found, expected))
+
+    def test_each_tone_is_in_its_third_octave(self):
+        found = self.levels(MACHINE + ORDERS + '[operation]\nspeeds = ["300 rpm"]\nbands = "third-octave"\n')
+        second, third = orders_at(5).values()  # 10 Hz and 15 Hz
+        self.assertEqual(list(found), [10, 16])
+        self.near(found[10], second)
+        self.near(found[16], third)
+
+    def test_tones_in_one_octave_add_as_squares(self):
+        text = MACHINE + ORDERS + '[operation]\nspeeds = ["360 rpm"]\nbands = "octave"\n'
+        found = self.levels(text)  # 12 Hz and 18 Hz, both in 11.2 … 22.4 Hz
+        self.assertEqual(list(found), [16])
+        self.near(found[16], math.hypot(*orders_at(6).values()))
+        rows = json.loads(self.trivet(text, "operation", "--json").stdout)["values"]
+        (total,) = [row["rms"] for row in rows if row["name"] == "m.z" and row["quantity"] == "velocity"]
+        self.near(found[16], total)
+        force = self.levels(text, quantity="force", name="ground.force.z")
+        self.assertEqual(list(force), [16])
+
+    def test_a_tone_on_an_edge_is_in_the_upper_band(self):
+        edge = 60 * edges(10, "third-octave")[1]  # rpm
+        for rpm, band in ((edge, 12.5), (edge * (1 - 1e-6), 10), (edge * (1 + 1e-6), 12.5)):
+            found = self.levels(MACHINE + ROTOR, "--at", f"{rpm!r} rpm", "--bands", "third-octave")
+            self.assertEqual(list(found), [band], rpm)
+            self.near(found[band], rms(UNBALANCE * (rpm * math.pi / 30) ** 2, rpm / 60))
+
+    def test_the_largest_level_over_a_range_is_that_of_a_fine_scan(self):
+        for width in ("third-octave", "octave"):
+            found = self.levels(
+                MACHINE + ORDERS + f'[operation]\nspeeds = [["100 rpm", "170 rpm"]]\nbands = "{width}"\n'
+            )
+            step = 1 if width == "third-octave" else 3
+            bands = {10 ** (n / 10): 0.0 for n in range(0, 13, step)}
+            limits = [(midband, *edges(midband, width)) for midband in bands]
+            # beside a grid, the speeds just below and above each edge
+            speeds = [(100 + 70 * i / 40_000) / 60 for i in range(40_001)]
+            speeds += [
+                edge / k * (1 + by) for _, *pair in limits for edge in pair for k in (2, 3) for by in (-1e-9, 1e-9)
+            ]
+            for speed in speeds:
+                if not 100 / 60 <= speed <= 170 / 60:
+                    continue
+                tones = orders_at(speed)
+                for midband, low, high in limits:
+                    level = math.hypot(*(value for hertz, value in tones.items() if low <= hertz < high))
+                    bands[midband] = max(bands[midband], level)
+            expected = [level for level in bands.values() if level > 0]
+            self.assertEqual(len(found), len(expected), (found, bands))
+            for level, scanned in zip(found.values(), expected):
+                self.near(level, scanned, 1e-6)
+
+    def test_a_line_over_bands_bounds_the_orders_at_each_speed(self):
+        level = rms(UNBALANCE * (2 * math.pi * 10) ** 2, 10)
+        line = (
+            '[limit_lines.floor]\nof = "m.z"\nbands = "third-octave"\n'
+            f'rows = [["5 Hz", "{2 * level} m/s"], ["80 Hz", "{2 * level} m/s"]]\n'
+        )
+        operation = '[operation]\nspeeds = ["600 rpm", "60000 rpm", ["590 rpm", "600 rpm"]]\n'
+        text = MACHINE + ROTOR + line + operation + 'bands = "third-octave"\n'
+        found = json.loads(self.trivet(text, "verdict", "--json").stdout)
+        at, beyond, over = found["cases"][0]["requirements"]
+        self.assertEqual(at["requirement"], 'm.z within "floor" at 600 rpm')
+        self.assertEqual(at["kind"], "band_line")
+        self.near(at["margin"], 2)
+        self.near(at["value"], 0.5)
+        self.near(at["angular_frequency"], 2 * math.pi * 10)
+        self.assertEqual(beyond["detail"], "no order in 5 … 80 Hz")
+        self.assertEqual(beyond["value"], 0)
+        self.assertGreater(over["value"], 0.5)  # velocity falls with the speed beyond the resonance
+        self.assertTrue(found["met"])
+        rows = json.loads(self.trivet(text, "operation", "--json").stdout)["bands"]
+        (judged,) = [row for row in rows if row["line"] == "floor" and row["from"] == row["to"]]
+        self.near(judged["share"], 0.5)
+        self.near(judged["limit"], 2 * level)
+        lower = text.replace(f"{2 * level} m/s", f"{0.5 * level} m/s")
+        self.assertFalse(json.loads(self.trivet(lower, "verdict", "--json").stdout)["met"])
+        self.assertIn("VIOLATED", self.trivet(lower, "operation").stdout)
+        message = self.trivet(MACHINE + ROTOR + line + operation, "verdict", code=2).stderr
+        self.assertIn('bands = "third-octave" to [operation]', message)
+
+    def test_random_vibration_is_judged_besides(self):
+        noise = (
+            '[excitations.floor]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\nquantity = "velocity"\n'
+            'psd = {flat = 1e-12, band = ["1 Hz", "100 Hz"]}\n'
+        )
+        line = '[limit_lines.quiet]\nof = "m.z"\nline = "workshop"\n'
+        text = MACHINE + ROTOR + noise + line + '[operation]\nspeeds = ["600 rpm"]\nbands = "third-octave"\n'
+        requirements = json.loads(self.trivet(text, "verdict", "--json").stdout)["cases"][0]["requirements"]
+        self.assertEqual(
+            sorted(one["requirement"] for one in requirements), ['m.z within "quiet"', 'm.z within "quiet" at 600 rpm']
+        )
+        shares = {one["requirement"]: one["value"] for one in requirements}
+        self.near(shares['m.z within "quiet" at 600 rpm'], rms(UNBALANCE * (2 * math.pi * 10) ** 2, 10) / 800e-6)
+
+
+if __name__ == "__main__":
+    unittest.main()
