@@ -161,6 +161,18 @@ class BandsTest(unittest.TestCase):
         self.assertIn("judged in 50 … 63 Hz of 1 … 80 Hz", found.stdout)
         self.assertIn('suspicion "measured range"', found.stdout + found.stderr)
 
+    def test_a_band_that_the_excitation_fills_in_part_says_how_much_of_it(self):
+        """Constant density up to 60 % of the band of 50 Hz, and in the upper half of that of 25 Hz."""
+        edges = {hertz: (10 ** (n / 10 - 0.05), 10 ** (n / 10 + 0.05)) for hertz, n in ((25, 14), (50, 17))}
+        low = sum(edges[25]) / 2
+        high = edges[50][0] + 0.6 * (edges[50][1] - edges[50][0])
+        text = ONE_MASS + GROUND.replace("{psd}", f'{{flat = 1e-12, band = ["{low!r} Hz", "{high!r} Hz"]}}')
+        text += '[limit_lines.a]\nof = "mass.z"\nline = "VC-E"\n[requirements]\nlimit_lines = ["a"]\n'
+        ((judged,),) = [
+            case["requirements"] for case in json.loads(run("verdict", "--json", text=text).stdout)["cases"]
+        ]
+        self.assertIn("excitation covers 50 % of the 25 Hz band, 60 % of the 50 Hz band", judged["detail"])
+
     def test_a_measured_history_has_the_level_of_its_tones_in_their_bands(self):
         """3 mm/s at 10 Hz and 1 mm/s at 25 Hz, peak values, for 64 s."""
         pi = math.pi

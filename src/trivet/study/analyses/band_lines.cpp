@@ -28,6 +28,23 @@ assembly::Band range_of(const response::RandomLoading& loading) {
   return range;
 }
 
+/// Share of the band in which at least one spectrum has a density.
+double covered_share(const response::RandomLoading& loading, const FrequencyBand& band) {
+  std::vector<assembly::Band> parts;
+  for (const response::RandomInput& input : loading.inputs)
+    for (const excitation::SpectrumPiece& piece : input.spectrum.pieces) {
+      const assembly::Band part{std::max(piece.from, band.from()), std::min(piece.to, band.to())};
+      if (part.to > part.from) parts.push_back(part);
+    }
+  std::ranges::sort(parts, {}, &assembly::Band::from);
+  double covered = 0, to = band.from();
+  for (const assembly::Band& part : parts) {
+    covered += std::max(0.0, part.to - std::max(part.from, to));
+    to = std::max(to, part.to);
+  }
+  return covered / (band.to() - band.from());
+}
+
 std::vector<FrequencyBand> judged_bands(const project::LimitLineRequest& request, const assembly::Band& range) {
   constexpr double edge = 0.5;  // an octave begins at 0.7 of its midband frequency
   const auto& points = request.line.angular_frequency;
@@ -56,6 +73,21 @@ double read_at(const FrequencyBand& band, const assembly::LimitLine& line) {
 bool covers(const assembly::LimitLine& line, const FrequencyBand& band) {
   const double at = read_at(band, line);
   return at >= line.angular_frequency.front() && at <= line.angular_frequency.back();
+}
+
+std::string partly_excited(const CaseContext& c, const project::LimitLineRequest& request,
+                           const std::vector<FrequencyBand>& bands) {
+  constexpr double rounding = 1e-6;
+  constexpr double percent = 100;
+  const response::RandomLoading loading = response::random_loading(c.system, c.assembled, request.excitations);
+  std::string words;
+  for (const FrequencyBand& band : bands) {
+    const double share = covered_share(loading, band);
+    if (share >= 1 - rounding || share <= rounding) continue;
+    words += words.empty() ? "excitation covers " : ", ";
+    words += fmt::format("{:.2g} % of the {:.4g} Hz band", percent * share, band.nominal_hz());
+  }
+  return words;
 }
 
 LimitLineResult band_line_result(const CaseContext& c, const project::LimitLineRequest& request) {

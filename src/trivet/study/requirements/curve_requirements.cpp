@@ -13,6 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/response/machinery/run_up.h"
+#include "trivet/study/analyses/band_lines.h"
 #include "trivet/study/requirements/nearest_to_line.h"
 #include "trivet/study/requirements/requirement_list.h"
 
@@ -183,6 +184,8 @@ class CurveRequirements {
       result.quantity = quantity_of(line.line);
       result.excitations = line.excitations;
       result.detail = judged_part(line, found);
+      if (const std::string partly = partly_excited(c_, line, found.bands); !partly.empty())
+        result.detail += (result.detail.empty() ? "" : "; ") + partly;
       result.on_line = on_line(line.line, found.comparison.least_margin_at);
     });
   }
