@@ -140,6 +140,20 @@ class Display(InTemporaryFolder):
             [r["margin"] for r in result_of("verdict", self.si)["cases"][0]["requirements"]],
         )
 
+    def test_bands_of_requirements_are_in_its_frequency(self):
+        required = """[requirements]
+limits = {"ground.force.z" = {limit = "60 N", band = ["10 Hz", "20 Hz"]}}
+natural_frequencies = {avoid = [["30 Hz", "35 Hz"]]}
+isolation = {force = "push", at = ["40 Hz", "50 Hz"], least = "20 %"}
+"""
+        machine = MACHINE.split("[requirements]")[0] + required
+        shown = trivet("verdict", self.file(machine + DISPLAY, "bands.toml")).stdout
+        for words in ("in 600 … 1200 rpm", "no natural frequency in 1800 … 2100 rpm", "at 2400 rpm", "at 3000 rpm"):
+            self.assertIn(words, shown)
+        plain = trivet("verdict", self.file(machine, "hertz.toml")).stdout
+        for words in ("in 10 … 20 Hz", "no natural frequency in 30 … 35 Hz", "≥ 20 % at 40 Hz"):
+            self.assertIn(words, plain)
+
     def test_json_and_csv_stay_in_si(self):
         for analysis in ("modes", "response", "peaks", "static", "random", "transient", "verdict"):
             for form in ("--json", "--csv"):

@@ -13,6 +13,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/response/machinery/transmissibility.h"
 #include "trivet/study/explain/explanation.h"
+#include "trivet/study/requirements/band_words.h"
 
 namespace trivet::results {
 namespace {
@@ -40,6 +41,18 @@ std::string level_on_line(const RequirementResult& r, const project::DisplayUnit
   return fmt::format("{} of {} ({})", value_text(*r.value * r.on_line->limit, unit), limit, share);
 }
 
+/// Words of the requirement with its band in the unit of [display].
+std::string with_shown_band(const std::string& words, const RequirementResult& r,
+                            const project::DisplayUnits& display) {
+  const std::string in_hertz = study::hertz_words(r.band);
+  const std::size_t at = words.rfind(in_hertz);
+  if (display.frequency.empty() || at == std::string::npos || at == 0 || words[at - 1] != ' ') return words;
+  const auto number = [&](double omega) { return fmt::format("{:.5g}", shown_frequency(display, omega)); };
+  const std::string shown = number(r.band.from) +
+      (r.band.from < r.band.to ? " … " + number(r.band.to) : std::string()) + " " + frequency_unit(display);
+  return words.substr(0, at) + shown + words.substr(at + in_hertz.size());
+}
+
 }  // namespace
 
 Kind kind_of_numbers(const RequirementResult& r) {
@@ -57,12 +70,14 @@ DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayU
 }
 
 std::string bound_words(const RequirementResult& r, const project::DisplayUnits& display) {
-  if (!r.has_bound_in_units()) return r.words.bound + r.words.scope;
-  return "≤ " + value_text(r.allowed, requirement_unit(r, display)) + r.words.scope;
+  const std::string scope = with_shown_band(r.words.scope, r, display);
+  if (!r.has_bound_in_units()) return r.words.bound + scope;
+  return "≤ " + value_text(r.allowed, requirement_unit(r, display)) + scope;
 }
 
 std::string requirement_words(const RequirementResult& r, const project::DisplayUnits& display) {
-  return r.words.judged + (r.words.bound.empty() ? "" : " " + bound_words(r, display));
+  const std::string judged = with_shown_band(r.words.judged, r, display);
+  return judged + (r.words.bound.empty() ? with_shown_band(r.words.scope, r, display) : " " + bound_words(r, display));
 }
 
 std::string judged_value(const RequirementResult& r, const project::DisplayUnits& display) {

@@ -14,6 +14,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/response/machinery/run_up.h"
 #include "trivet/study/analyses/band_lines.h"
+#include "trivet/study/requirements/band_words.h"
 #include "trivet/study/requirements/nearest_to_line.h"
 #include "trivet/study/requirements/requirement_list.h"
 
@@ -213,9 +214,7 @@ class CurveRequirements {
   /// " in 20 … 26 Hz under run"
   static std::string scope_words(const project::AmplitudeLimit& limit) {
     std::string words;
-    if (limit.band)
-      words += fmt::format(" in {:.5g} … {:.5g} Hz", limit.band->from / foundation::two_pi,
-                           limit.band->to / foundation::two_pi);
+    if (limit.band) words += " in " + hertz_words(*limit.band);
     if (limit.excitations) words += " under " + foundation::comma_separated(*limit.excitations);
     return words;
   }

@@ -8,13 +8,13 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/suspension.h"
+#include "trivet/study/requirements/band_words.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {
 namespace {
 
 using foundation::infinity;
-using foundation::two_pi;
 
 class FrequencyRequirements {
  public:
@@ -25,10 +25,9 @@ class FrequencyRequirements {
     for (const modal::Mode& mode : c_.modes.list)
       if (mode.angular_frequency.value_or(0) > 0) oscillating.push_back(&mode);
     for (const assembly::Band& window : required.avoided) {
-      RequirementResult& result =
-          list_.add(RequirementKind::avoided_frequencies, "",
-                    fmt::format("no natural frequency in {:.6g} … {:.6g} Hz", window.from / two_pi, window.to / two_pi),
-                    "rad/s", window.to);
+      RequirementResult& result = list_.add(RequirementKind::avoided_frequencies, "",
+                                            "no natural frequency in " + hertz_words(window), "rad/s", window.to);
+      result.band = window;
       result.margin = result.value.emplace(infinity);
       for (const modal::Mode* mode : oscillating) {
         const double omega = *mode->angular_frequency, margin = margin_outside(window, omega);

@@ -12,16 +12,12 @@
 #include "trivet/project/analyses/isolation_reader.h"
 #include "trivet/response/machinery/transmissibility.h"
 #include "trivet/response/steady/frequency_response.h"
+#include "trivet/study/requirements/band_words.h"
 #include "trivet/study/requirements/margin.h"
 #include "trivet/study/requirements/requirement_list.h"
 
 namespace trivet::study {
 namespace {
-
-std::string isolated_band_words(const assembly::Band& band) {
-  const double from = band.from / foundation::two_pi, to = band.to / foundation::two_pi;
-  return band.from == band.to ? fmt::format("at {:.5g} Hz", from) : fmt::format("at {:.5g} … {:.5g} Hz", from, to);
-}
 
 std::string least_isolation_words(const project::Isolation& wanted) {
   constexpr double percent = 100;
@@ -106,9 +102,9 @@ void add_isolation_requirements(const CaseContext& c, const project::Requirement
     for (const IsolationRow& row : isolation_rows(c, wanted))
       for (const assembly::Band& band : row.at) {
         const std::size_t place = list.size();
-        RequirementResult& result = list.add(
-            RequirementKind::isolation, row.subject,
-            {row.words, least_isolation_words(wanted), " " + isolated_band_words(band)}, "1", wanted.transmitted);
+        RequirementResult& result =
+            list.add(RequirementKind::isolation, row.subject,
+                     {row.words, least_isolation_words(wanted), " at " + hertz_words(band)}, "1", wanted.transmitted);
         result.band = band;
         result.transmitted = row.transmitted;
         list.attempt(place, [&] { judge_transmitted(c, list[place]); });
