@@ -102,17 +102,17 @@ void Connection::work(const AcceptedRequest& request) {
   enter(State::working, no_deadline);
   watch_client();
   const bool keeps_alive = parser_->get().keep_alive();
-  site_.respond(request, std::move(parser_->get().body()), has_left_,
-                [self = shared_from_this(), keeps_alive](Answer answer) {
-                  net::post(self->socket_.get_executor(), [self, keeps_alive, answer = std::move(answer)]() mutable {
-                    if (self->state_ != State::working) return;
-                    Error ignored;
-                    self->socket_.cancel(ignored);  // ends watch_client
-                    if (answer.status >= 400)
-                      self->site_.log.add(answer.status, self->about_, "answered with an error");
-                    self->send(std::move(answer), keeps_alive);
-                  });
-                });
+  site_.respond(
+      request, std::move(parser_->get().body()), has_left_, [self = shared_from_this(), keeps_alive](Answer answer) {
+        net::post(self->socket_.get_executor(), [self, keeps_alive, answer = std::move(answer)]() mutable {
+          if (self->state_ != State::working) return;
+          Error ignored;
+          self->socket_.cancel(ignored);                     // ends watch_client
+          if (answer.status >= 400 && answer.status != 409)  // 409 is everyday: a newer question, a changed file
+            self->site_.log.add(answer.status, self->about_, answer.body);
+          self->send(std::move(answer), keeps_alive);
+        });
+      });
 }
 
 /// A client that closes its connection needs no answer, and its computation ends.
@@ -172,6 +172,7 @@ void Connection::drain(std::size_t drained) {
 }
 
 void Connection::on_deadline() {
+  if (state_ == State::working) return;  // it passed just before the request was complete
   if (state_ == State::reading && parser_->got_some()) {
     const Refusal refusal{408, "the request is not complete after 5 s"};
     site_.log.add(refusal.status, about_, refusal.reason);

@@ -32,8 +32,8 @@ void Listener::begin(Site& site) { accept(site); }
 void Listener::accept(Site& site) {
   acceptor_.async_accept([this, &site](const boost::system::error_code& error, tcp::socket socket) {
     if (!error) {
-      add(std::move(socket), site);
-      return accept(site);
+      accept(site);  // first, so that a failure of this one connection does not end the loop
+      return add(std::move(socket), site);
     }
     pause_.expires_after(std::chrono::milliseconds(50));  // no descriptors left, for instance
     pause_.async_wait([this, &site](const boost::system::error_code&) { accept(site); });
