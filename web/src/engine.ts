@@ -57,6 +57,8 @@ export class EngineError extends Error {}
 
 /// The engine behind `trivet serve`.
 export class ServerEngine implements Engine {
+  private readonly client = crypto.randomUUID();  // a newer question ends an older one of the same tab only
+
   constructor(private readonly token: string) {}
 
   project = () => this.get<Project>('/project');
@@ -77,7 +79,7 @@ export class ServerEngine implements Engine {
   private get = async <T>(path: string): Promise<T> => content<T>(await this.request(path));
   private post = async <T>(path: string, data: unknown): Promise<T> => content<T>(await this.request(path, data));
   private async request(path: string, data?: unknown): Promise<Response> {
-    const headers: Record<string, string> = {'X-Trivet-Token': this.token};
+    const headers: Record<string, string> = {'X-Trivet-Token': this.token, 'X-Trivet-Client': this.client};
     if (data !== undefined) headers['Content-Type'] = 'application/json';
     try {
       return await fetch(path, data === undefined ? {headers} : {method: 'POST', headers, body: JSON.stringify(data)});

@@ -77,7 +77,7 @@ export class State {
 
   wasSaved(text: string) {
     this.design = this.saved = {text, settings: new Map()};
-    this.opened = '\0';  // the server may still have the file as it was opened
+    this.opened = text;  // of which questions without a text are from now on
     this.changed(false);
   }
   chooseCase(name: string) {

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`trivet serve` and a browser with it. TRIVET names the program; Chromium draws in software."""
+import os
+import pathlib
+import shutil
+import subprocess
+
+import pytest
+from playwright.sync_api import sync_playwright
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+TRIVET = os.environ.get('TRIVET', str(ROOT / 'build/release/apps/cli/trivet'))
+CHROMIUM = shutil.which('chromium') or '/usr/bin/chromium'
+
+
+@pytest.fixture(scope='session')
+def browser():
+    with sync_playwright() as playwright:
+        arguments = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox']
+        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
+        yield opened
+        opened.close()
+
+
+class Served:
+    """A copy of an example that `trivet serve` opened, and pages on it."""
+
+    def __init__(self, browser, folder, example):
+        self.browser, self.pages = browser, []
+        self.messages, self.requests = [], []  # of the consoles; addresses asked for
+        words = [TRIVET, 'serve']
+        if example:
+            source = ROOT / 'examples' / example
+            shutil.copytree(source.parent, folder, dirs_exist_ok=True)
+            self.file = folder / source.name
+            words.append(str(self.file))
+        self.process = subprocess.Popen([*words, '--no-browser'], stdout=subprocess.PIPE, text=True)
+        self.address = self.process.stdout.readline().strip()
+        assert self.address.startswith('http://127.0.0.1:'), self.address
+
+    def page(self, size=(1280, 800), theme='light', still=True):
+        """A page that shows the machine; with `still` nothing moves by itself."""
+        context = self.browser.new_context(
+            viewport={'width': size[0], 'height': size[1]},
+            color_scheme=theme,
+            reduced_motion='reduce' if still else 'no-preference',
+        )
+        page = context.new_page()
+        page.on('console', lambda message: self.messages.append(message.text))
+        page.on('pageerror', lambda error: self.messages.append(str(error)))
+        page.on('request', lambda request: self.requests.append(request.url))
+        page.goto(self.address)
+        self.pages.append(context)
+        return page
+
+    def close(self):
+        for context in self.pages:
+            context.close()
+        self.process.terminate()
+        self.process.wait(timeout=10)
+        self.process.stdout.close()
+
+
+@pytest.fixture
+def serve(browser, tmp_path):
+    """serve('genset/genset.toml'): that example, served; its page may write nothing to the console."""
+    all_served = []
+
+    def start(example=''):
+        all_served.append(Served(browser, tmp_path / str(len(all_served)), example))
+        return all_served[-1]
+
+    yield start
+    for served in all_served:
+        served.close()
+    for served in all_served:
+        assert served.messages == []
+        assert all(address.startswith((served.address.split('#')[0], 'blob:', 'data:')) for address in served.requests)
+
+
+def settled(page):
+    """Waits until every result on the page is that of the present state."""
+    page.wait_for_function("() => document.querySelector('curve-chart .u-over') && !document.querySelector('.old')")
