@@ -49,7 +49,7 @@ export class CurveChart extends Part {
         <div class="amplitude"></div><div class="phase"></div>
         ${curves ? nothing : html`<p class="missing">${asker.failure('curves') || 'Curves are drawn when the file has no errors and an excitation.'}</p>`}
       </div>
-      <div class="readings" aria-hidden="true">${this.legend(curves)}</div>
+      <div class="readings" role="group" aria-label="Curves">${this.legend(curves)}</div>
       <p class="hidden" role="status" aria-live="polite">${this.spoken}</p>
       ${this.asTable && this.picture ? this.table(this.picture) : nothing}`;
   }
@@ -130,12 +130,16 @@ export class CurveChart extends Part {
   private key(event: KeyboardEvent) {
     const {display} = this.app, x = this.picture?.x, factor = FREQUENCY_UNITS[display.frequencyUnit];
     if (!x?.length || event.ctrlKey || event.metaKey || event.altKey) return;
-    const last = x.length - 1, at = this.indexAtCursor() ?? 0, peaks = [...new Set(this.picture!.curves.flatMap(c => c.peaks.map(p => p.x)))].sort((a, b) => a - b);
-    const step = event.shiftKey ? 20 : 1, here = x[at]!;
+    const at = this.indexAtCursor() ?? 0, peaks = [...new Set(this.picture!.curves.flatMap(c => c.peaks.map(p => p.x)))].sort((a, b) => a - b);
+    const part = event.shiftKey ? 0.05 : 0.004, here = this.picture!.cursor ?? x[0]!, [from, to] = [x[0]!, x.at(-1)!];
+    const step = (sign: number) => {
+      const next = display.logarithmicFrequency ? here * (to / from) ** (sign * part) : here + sign * part * (to - from);
+      return Math.min(Math.max(next, from), to);
+    };
     const next: Record<string, number | undefined> = {
-      ArrowRight: x[Math.min(at + step, last)], ArrowLeft: x[Math.max(at - step, 0)], Home: x[0], End: x[last],
+      ArrowRight: step(1), ArrowLeft: step(-1), Home: from, End: to,
       PageDown: peaks.find(p => p > here * (1 + 1e-9)), PageUp: peaks.findLast(p => p < here * (1 - 1e-9))};
-    if (event.key === 'Enter') this.swing(here / factor);
+    if (event.key === 'Enter') this.swing(x[at]! / factor);
     else if (event.key in next) {
       const to = next[event.key];
       if (to !== undefined) display.set({cursor: to / factor});

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""axe finds no violation in any tab, light or dark."""
+import pytest
+
+from conftest import ROOT, settled
+
+AXE = ROOT / 'web/node_modules/axe-core/axe.min.js'  # installed by scripts/web
+
+
+def violations(page):
+    page.evaluate(AXE.read_text())
+    found = page.evaluate("async () => (await axe.run(document, {resultTypes: ['violations']})).violations")
+    return [f"{v['id']}: {node['html'][:160]} {node['failureSummary'][:300]}" for v in found for node in v['nodes']]
+
+
+@pytest.mark.parametrize('theme', ['light', 'dark'])
+def test_no_violation(serve, theme):
+    page = serve('compressor/requirements.toml').page(theme=theme)
+    settled(page)
+    page.get_by_role('checkbox', name='table').check()
+    for tab in ('Modes', 'Requirements', 'Mounts', 'Peaks'):
+        page.get_by_role('tab', name=tab).click()
+        assert violations(page) == []
+    for tab in ('Model', 'Text', 'Sliders'):
+        page.get_by_role('tab', name=tab, exact=True).click()
+        page.wait_for_timeout(300)
+        assert violations(page) == []
+
+
+def test_no_violation_without_a_file(serve):
+    page = serve().page()
+    page.locator('.examples button').first.wait_for()
+    assert violations(page) == []
