@@ -7,8 +7,15 @@ from PIL import Image, ImageChops
 
 from conftest import settled
 
-EXAMPLES = ['paper/corrected.toml', 'genset/genset.toml', 'bogie/loaded_frame.toml', 'isolator/hardening.toml', 'powertrain/decoupled.toml',
-            'rubber_mounts/compressor.toml', 'frame/frame.toml']
+EXAMPLES = [
+    'paper/corrected.toml',
+    'genset/genset.toml',
+    'bogie/loaded_frame.toml',
+    'isolator/hardening.toml',
+    'powertrain/decoupled.toml',
+    'rubber_mounts/compressor.toml',
+    'frame/frame.toml',
+]
 
 
 def picture(locator):
@@ -39,7 +46,9 @@ def test_machine_and_curves_are_drawn_in_both_themes(serve, size, theme):
     assert colours(picture(page.locator('.amplitude'))) > 20
     back = picture(page.locator('header')).getpixel((2, 2))
     assert (sum(back) < 200) == (theme == 'dark')
-    overflow = page.evaluate('() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]')
+    overflow = page.evaluate(
+        '() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]'
+    )
     assert overflow == [0, 0]
 
 
@@ -100,4 +109,9 @@ def test_the_saved_picture_is_what_is_seen(serve, tmp_path):
     download.value.save_as(tmp_path / 'machine.png')
     saved = Image.open(tmp_path / 'machine.png')
     assert colours(saved.convert('RGB')) > 200
-    assert saved.width / saved.height == pytest.approx(page.evaluate("() => { const c = document.querySelector('canvas.machine'); return c.clientWidth / c.clientHeight; }"), rel=0.01)
+    assert saved.width / saved.height == pytest.approx(
+        page.evaluate(
+            "() => { const c = document.querySelector('canvas.machine'); return c.clientWidth / c.clientHeight; }"
+        ),
+        rel=0.01,
+    )

@@ -16,7 +16,9 @@ NAME_OF_FOCUS = """() => {
 
 def command(name, file, *words):
     """What the command line prints of the same file."""
-    output = subprocess.run([TRIVET, name, str(file), '--json', *words], capture_output=True, text=True, check=True).stdout
+    output = subprocess.run(
+        [TRIVET, name, str(file), '--json', *words], capture_output=True, text=True, check=True
+    ).stdout
     return json.loads(output)
 
 
@@ -188,7 +190,9 @@ def test_every_step_without_a_mouse(serve):
     page.wait_for_function("() => /Hz: genset/.test(document.querySelector('curve-chart [role=status]').textContent)")
     first = said.inner_text()
     page.keyboard.press('ArrowRight')
-    page.wait_for_function('before => document.querySelector("curve-chart [role=status]").textContent !== before', arg=first)
+    page.wait_for_function(
+        'before => document.querySelector("curve-chart [role=status]").textContent !== before', arg=first
+    )
     page.keyboard.press('Enter')
     page.locator('.caption').get_by_text(re.compile('Operating shape')).wait_for()
     assert shown_frequencies(page) != before

@@ -38,6 +38,7 @@ export class TextView extends Part {
         clearTimeout(this.timer);
         this.timer = window.setTimeout(() => state.edit(this.editor!.state.doc.toString()), PAUSE);
       })]})});
+    this.editor.scrollDOM.tabIndex = 0;  // long lines are scrolled by keys, too
     void this.fold();
     this.updated();
   }
