@@ -48,6 +48,8 @@ ELSEWHERE = {
     "pip install .": ("it compiles for minutes", ".ci/run", "scripts/python"),
     'pip install ".[plots,tables,units]"': ("it compiles for minutes", ".ci/run", "scripts/python"),
     "pip install FILE.whl": ("it installs into the system", ".ci/run", "scripts/release"),
+    "scripts/web": ("it installs packages and needs Node", "scripts/page", "scripts/web --check"),
+    "scripts/web --check": ("it installs packages and needs Node", "scripts/page", "scripts/web --check"),
     "scripts/test": ("it installs packages, builds and runs this test", ".ci/run", "scripts/test"),
     ".ci/run": ("it runs this test", ".ci/run", "scripts/test"),
     ".ci/run long": ("it takes hours", ".ci/run", "long_stages; exit"),
