@@ -300,7 +300,7 @@ mount_load = "catalogue"
         self.assertEqual([c["verdict"]["met"] for c in cases], [True, False, False])
         self.assertEqual([c["verdict"]["decides"] for c in cases], [True, True, False])
         self.assertIn("carries 0 … 872 N", (target / "report.html").read_text())
-        self.assertIn("3 need not hold", (target / "report.html").read_text())
+        self.assertIn("3 violated, not binding", (target / "report.html").read_text())
         self.assertIn("1 of 16 VIOLATED", (target / "report.html").read_text())
 
 

@@ -108,10 +108,10 @@ TEST(JudgementBox, IsNotRedByCasesInWhichTheDesignNeedNotHold) {
                          "[requirements]\ndamping_ratio = 0.3\nhold_in = [\"\"]\n"
                          "[cases.soft]\nelements.spring.scale = 0.25\n");
   EXPECT_THAT(box.html, StartsWith("<div class=\"calm\""));
-  EXPECT_THAT(box.html, HasSubstr("Violated in cases in which the design need not hold:"));
+  EXPECT_THAT(box.html, HasSubstr("Violated in cases in which the requirements are not binding:"));
   EXPECT_THAT(box.html, HasSubstr("Case soft violates"));
   // The row of the requirement is that of the case that decides, and names the other one.
-  EXPECT_THAT(box.table, AllOf(HasSubstr("also violated, need not hold"), HasSubstr(">met<"), HasSubstr(">soft<")));
+  EXPECT_THAT(box.table, AllOf(HasSubstr("also violated, not binding"), HasSubstr(">met<"), HasSubstr(">soft<")));
 }
 
 TEST(JudgementBox, DoesNotJudgeAFileWithoutRequirements) {

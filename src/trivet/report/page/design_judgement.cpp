@@ -69,7 +69,7 @@ std::string judgement_box(const std::vector<ShownCase>& cases, bool linked) {
                            listed_judgements(list, Outcome::not_judged, cases, linked));
   std::string beside;
   if (no_need > 0)
-    beside = paragraph("Violated in cases in which the design need not hold:") +
+    beside = paragraph("Violated in cases in which the requirements are not binding:") +
         listed_judgements(list, Outcome::violated_no_need, cases, linked);
   if (violated + missing == 0 && met > 0) {
     const Judgement* least = least_of(list);

@@ -209,7 +209,7 @@ Cell requirements_cell(const study::CaseVerdict& judged) {
       std::ranges::count_if(judged.results, [](const study::RequirementResult& r) { return r.value && !r.met(); });
   if (violated == 0 && judged.not_judged() > 0)
     return missing_verdict_cell(fmt::format("{} not judged", judged.not_judged()));
-  if (violated > 0 && !judged.decides) return {fmt::format("{} need not hold", violated)};
+  if (violated > 0 && !judged.decides) return {fmt::format("{} violated, not binding", violated)};
   return verdict_cell(violated == 0, "met", fmt::format("{} of {} VIOLATED", violated, judged.results.size()));
 }
 

@@ -18,7 +18,7 @@ struct Judgement {
     met,
     violated,
     not_judged,        ///< it could not be computed
-    violated_no_need,  ///< violated in a case in which the design need not hold
+    violated_no_need,  ///< violated in a case in which the requirements are not binding
   };
   Outcome outcome = Outcome::met;
   const char* kind = "requirement";  ///< of which there are several

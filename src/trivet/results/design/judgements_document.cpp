@@ -59,11 +59,11 @@ const char* outcome_words(const Judgement& one) {
     case Outcome::not_judged:
       return "NOT JUDGED";
     case Outcome::violated_no_need:
-      return "need not hold";
+      return "not binding";
     case Outcome::met:
       break;
   }
-  return one.decides ? "met" : "met, need not hold";
+  return one.decides ? "met" : "met, not binding";
 }
 
 }  // namespace
@@ -134,7 +134,7 @@ Document judgements_document(const std::vector<Judgement>& list, const std::vect
       row("verdict", Kind::words, "verdict", [](const WorstCase& one) { return outcome_words(*one.worst); }));
   if (also)
     table.columns.push_back(
-        row("also", Kind::words, "also violated, need not hold", [](const WorstCase& one) { return one.also; }));
+        row("also", Kind::words, "also violated, not binding", [](const WorstCase& one) { return one.also; }));
   document.add(std::move(table));
   document.add(
       Sentence{.parts = {"Margin: limit over value, or value over limit where more is better; 1 on the limit."},

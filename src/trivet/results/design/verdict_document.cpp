@@ -114,7 +114,7 @@ Sentence verdict_sentence(const CaseVerdict& judged) {
   if (const auto& band = judged.common_band)
     text += fmt::format("; limits over {:.4g} … {:.4g} {}", shown_frequency(judged.display, band->from),
                         shown_frequency(judged.display, band->to), frequency_unit(judged.display));
-  return {.parts = {text + (judged.decides ? "" : "; the design need not hold in this case")}};
+  return {.parts = {text + (judged.decides ? "" : "; the requirements are not binding in this case")}};
 }
 
 }  // namespace
