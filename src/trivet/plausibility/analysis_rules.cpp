@@ -47,8 +47,6 @@ std::vector<double> natural_frequencies(const model::System& system) {
   return result;
 }
 
-double hertz(double omega) { return omega / (2 * std::numbers::pi); }
-
 bool holds_any(const Window& window, const std::vector<double>& natural, double factor) {
   return std::ranges::any_of(
       natural, [&](double w) { return factor * w * margin >= window.from && factor * w <= window.to * margin; });

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "trivet/plausibility/rules.h"
 
@@ -12,8 +11,6 @@ namespace {
 
 /// Ends that differ by round-off are the same.
 constexpr double same_end = 1e-9;
-
-double per_second(double omega) { return omega / (2 * std::numbers::pi); }
 
 }  // namespace
 
@@ -29,9 +26,9 @@ void judge_service_speeds(const std::vector<Rotor>& rotors, const std::vector<Li
       continue;
     const LimitedRange& first = ranges.front();
     found.push_back({"service speed", first.subject,
-                     fmt::format("{:.5g} … {:.5g} Hz", per_second(first.from), per_second(first.to)),
+                     fmt::format("{:.5g} … {:.5g} Hz", hertz(first.from), hertz(first.to)),
                      fmt::format("no amplitude is limited at the service speed of \"{}\", {:.5g} rpm = {:.5g} Hz",
-                                 rotor.excitation, 60 * per_second(speed), per_second(speed)),
+                                 rotor.excitation, 60 * hertz(speed), hertz(speed)),
                      "let the band contain it, or check the units of both"});
   }
 }
@@ -45,10 +42,10 @@ void judge_measured_ranges(const model::System& system, const std::vector<BandLi
       if (from <= line.from * (1 + same_end) && to >= line.to * (1 - same_end)) continue;
       found.push_back(
           {"measured range", line.subject,
-           fmt::format("it runs from {:.4g} to {:.4g} Hz", per_second(line.from), per_second(line.to)),
+           fmt::format("it runs from {:.4g} to {:.4g} Hz", hertz(line.from), hertz(line.to)),
            fmt::format("excitation \"{}\" is known from {:.4g} to {:.4g} Hz only: elsewhere the line is met "
                        "because nothing excites",
-                       excitation.name, per_second(from), per_second(to)),
+                       excitation.name, hertz(from), hertz(to)),
            "add the missing bands of the excitation, or give the line by `rows` where it was measured"});
       break;
     }

@@ -63,8 +63,8 @@ GroundPoints read_impedance(TableReader& reader) {
       reader.error(j < 3 ? "translation" : "rotation", fmt::format("{:.6g} for {}", k(j), model::coordinate_names[j]),
                    "the stiffness of a compliant direction is > 0", "name the compliant directions: free = [\"z\"]");
   if (turns && !ground.directions.empty() && std::ranges::none_of(ground.directions, [](int j) { return j > 2; }))
-    warn_of_idle_key(reader, "rotation", "rotation of a ground point that does not rotate", "`free` names no rotation",
-                     "add rx, ry or rz to `free`, or remove it");
+    warn_at_key(reader, "rotation", "rotation of a ground point that does not rotate", "`free` names no rotation",
+                "add rx, ry or rz to `free`, or remove it");
   const double mass = reader.number("mass", Quantity::mass).value_or(0);
   const Eigen::Vector3d inertia = reader.vector("inertia", Quantity::inertia).value_or(Eigen::Vector3d::Zero());
   if (mass < 0) reader.error("mass", fmt::format("{:.6g} kg", mass), "it is ≥ 0", "remove the sign");

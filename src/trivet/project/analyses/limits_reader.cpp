@@ -264,8 +264,7 @@ void read_limit_lines(TableReader& root, const ResultNames& names, const SymbolT
     }
     static constexpr std::array<const char*, 3> units = {"m", "m/s", "m/s²"}, turning = {"rad", "rad/s", "rad/s²"};
     if (reader.has("quantity") && names.is_force(request.of))
-      warn_of_idle_key(reader, "quantity", "\"" + quantity + "\" of a force", "it applies to motions only",
-                       "remove it");
+      warn_at_key(reader, "quantity", "\"" + quantity + "\" of a force", "it applies to motions only", "remove it");
     const bool force = *measured == Quantity::force || *measured == Quantity::moment;
     const bool turns = request.of.size() > 3 && request.of[request.of.size() - 2] == 'r';
     request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")

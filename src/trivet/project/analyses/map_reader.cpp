@@ -21,13 +21,13 @@ namespace {
 /// Keys that select what no rule of this map uses.
 void warn_of_idle_keys(TableReader& reader, bool has_limits, bool needs_peaks) {
   if (!has_limits && reader.has("band"))
-    warn_of_idle_key(reader, "band", "a band without limits",
-                     "the band applies to limits of amplitudes; resonance peaks count at all frequencies",
-                     "add limits, or remove it");
+    warn_at_key(reader, "band", "a band without limits",
+                "the band applies to limits of amplitudes; resonance peaks count at all frequencies",
+                "add limits, or remove it");
   for (const char* key : {"min_prominence", "peak_tolerance"})
     if (!needs_peaks && reader.has(key))
-      warn_of_idle_key(reader, key, std::string(key) + " without no_peak", "it selects the peaks that count",
-                       "add no_peak, or remove it");
+      warn_at_key(reader, key, std::string(key) + " without no_peak", "it selects the peaks that count",
+                  "add no_peak, or remove it");
 }
 
 /// Reads `cases`.

@@ -40,15 +40,15 @@ RandomAnalysis read_random(TableReader& reader, const ResultNames& names, const 
   request.bands = read_bands(reader, "bands");
   const std::vector<std::string>& of = request.selection.of;
   if (word && std::ranges::all_of(of, [&](const std::string& name) { return names.is_force(name); }))
-    warn_of_idle_key(reader, "weighting", "\"" + *word + "\" of forces alone",
-                     "it applies to motions only, and no motion is requested", "remove it, or request motions");
+    warn_at_key(reader, "weighting", "\"" + *word + "\" of forces alone",
+                "it applies to motions only, and no motion is requested", "remove it, or request motions");
   return request;
 }
 
 }  // namespace
 
-const AnalysisReader random_analysis =
-    read_into<&Analyses::random, read_random>({.drive = Drive::random, .keys = R"json({"description": "root mean squares under the random excitations",
+const AnalysisReader random_analysis = read_into<&Analyses::random, read_random>(
+    {.drive = Drive::random, .keys = R"json({"description": "root mean squares under the random excitations",
   "properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},

@@ -216,8 +216,8 @@ void read_results(TableReader& reader, const ResultNames& result_names, ChannelS
                                                  : assembly::MotionQuantity::displacement;
   if (quantity && reader.has("of") &&
       std::ranges::all_of(selection.of, [&](const std::string& name) { return result_names.is_force(name); }))
-    warn_of_idle_key(reader, "quantity", "\"" + *quantity + "\" of forces alone",
-                     "it applies to motions only, and no motion is requested", "remove it, or request motions");
+    warn_at_key(reader, "quantity", "\"" + *quantity + "\" of forces alone",
+                "it applies to motions only, and no motion is requested", "remove it, or request motions");
 }
 
 void read_selection(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,

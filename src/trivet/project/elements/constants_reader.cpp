@@ -22,9 +22,9 @@ void read_matrix(TableReader& reader, Placement& ends, model::Element& element) 
 double read_center(TableReader& reader, Placement& ends) {
   const double center = reader.number("center", Quantity::pure).value_or(0.5);
   if (reader.has("center") && ends.known && ends.span.arm.isZero(0))
-    warn_of_idle_key(reader, "center", "center of an element without length",
-                     "it is a fraction of the distance from end N to end K, and this distance is 0",
-                     "give from_at, or remove it");
+    warn_at_key(reader, "center", "center of an element without length",
+                "it is a fraction of the distance from end N to end K, and this distance is 0",
+                "give from_at, or remove it");
   if (!(center >= 0 && center <= 1))
     reader.error("center", fmt::format("{:.6g}", center), "the elastic centre is between the ends: 0 (N) … 1 (K)",
                  "give a fraction of the length");

@@ -118,8 +118,8 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
   if (type == "time") {
     const auto action = read_directed(reader, description, symbols);
     if (action && action->amplitude.isZero(0))
-      warn_of_idle_key(reader, key_of_factors(reader), zero_factors, rule_of_factors,
-                       remedy_of_factors);  // a case may set it to 0
+      warn_at_key(reader, key_of_factors(reader), zero_factors, rule_of_factors,
+                  remedy_of_factors);  // a case may set it to 0
     if (auto signal = read_history(reader, "history", action.value_or(model::Action{})))
       add(action, model::History{std::move(*signal)});
   }
@@ -132,9 +132,9 @@ void read_excitations(TableReader& root, model::Description& description, Symbol
   description.gravity = root.vector("gravity", Quantity::acceleration);
   description.second_order = root.boolean("second_order").value_or(true);
   if (!description.second_order && !description.gravity && !root.has("cases"))
-    warn_of_idle_key(root, "second_order", "second_order = false without gravity",
-                     "it leaves out what the forces at rest under gravity add to the stiffness",
-                     "give gravity, or remove it");
+    warn_at_key(root, "second_order", "second_order = false without gravity",
+                "it leaves out what the forces at rest under gravity add to the stiffness",
+                "give gravity, or remove it");
   const Node* table = root.table("excitations");
   if (!table) return;
   for (std::size_t i = 0; i < table->keys.size(); ++i) {

@@ -45,11 +45,10 @@ std::optional<double> even_step(TableReader& history, const Eigen::MatrixXd& row
 
 void warn_of_few_segments(TableReader& psd, const excitation::MeasuredSpectrum& found) {
   if (found.line_error > large_line_error)
-    warn_of_idle_key(
-        psd, "resolution",
-        fmt::format("{} segments of {:.6g} s fit into the record", found.segments, 1 / found.resolution_hz),
-        fmt::format("a line of the density is known to ± {:.0f} % only", 100 * found.line_error),
-        "measure longer, or take a coarser resolution");
+    warn_at_key(psd, "resolution",
+                fmt::format("{} segments of {:.6g} s fit into the record", found.segments, 1 / found.resolution_hz),
+                fmt::format("a line of the density is known to ± {:.0f} % only", 100 * found.line_error),
+                "measure longer, or take a coarser resolution");
 }
 
 std::optional<excitation::Spectrum> density_of_record(TableReader& psd, TableReader& history,

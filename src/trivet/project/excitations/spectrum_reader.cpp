@@ -69,7 +69,7 @@ std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Act
 
 void warn_of_idle_unit(TableReader& psd) {
   if (psd.has("unit"))
-    warn_of_idle_key(psd, "unit", "beside a value with a unit of its own", "the unit of the value holds", "remove it");
+    warn_at_key(psd, "unit", "beside a value with a unit of its own", "the unit of the value holds", "remove it");
 }
 
 std::optional<excitation::Spectrum> read_flat(TableReader& psd, const ColumnQuantity& unit) {

@@ -80,8 +80,8 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
   const bool own_units =
       std::ranges::any_of(value->items, [](const Node& row) { return row.items[1].kind == Node::Kind::text; });
   if (reader.errors() == before && own_units && reader.has("unit"))
-    warn_of_idle_key(reader, "unit", "beside rows with units of their own", "the units of the rows hold",
-                     "remove it, or the units of the rows");
+    warn_at_key(reader, "unit", "beside rows with units of their own", "the units of the rows hold",
+                "remove it, or the units of the rows");
   return reader.errors() == before ? std::optional(pairs) : std::nullopt;
 }
 
@@ -127,8 +127,8 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
   reader.add_of_file("file", wrong_units);
   if (wrong_units.has_errors()) return std::nullopt;
   if (reader.has("unit") && with_units.contains(y_name))
-    warn_of_idle_key(reader, "unit", "of a column that has its unit in the heading", "the unit in the heading holds",
-                     "remove one of them");
+    warn_at_key(reader, "unit", "of a column that has its unit in the heading", "the unit in the heading holds",
+                "remove one of them");
   const auto values = columns(*csv, {x_name, y_name});
   if (!values) {
     foundation::Problems missing = values.error();
@@ -143,9 +143,9 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
     std::string others;
     for (const std::string& column : csv->columns)
       if (column != x_name && column != y_name) others += (others.empty() ? "" : ", ") + foundation::quoted(column);
-    warn_of_idle_key(
-        reader, "file", "column" + std::string(csv->columns.size() > 3 ? "s " : " ") + others + " not used",
-        "one column is read in addition to " + x_name, "name it: " + y + " = \"" + y_name + "\", or remove the others");
+    warn_at_key(reader, "file", "column" + std::string(csv->columns.size() > 3 ? "s " : " ") + others + " not used",
+                "one column is read in addition to " + x_name,
+                "name it: " + y + " = \"" + y_name + "\", or remove the others");
   }
   foundation::Problems holes;
   constexpr std::size_t most = 20;

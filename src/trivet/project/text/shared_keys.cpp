@@ -60,8 +60,8 @@ std::optional<Quantity> quantity_at(const Node& document, const std::vector<std:
   return plain ? std::optional(plain->quantity) : std::nullopt;
 }
 
-void warn_of_idle_key(TableReader& reader, const std::string& key, std::string finding, std::string rule,
-                      std::string remedy) {
+void warn_at_key(TableReader& reader, const std::string& key, std::string finding, std::string rule,
+                 std::string remedy) {
   const Node* node = reader.node(key);
   foundation::Problem& problem = reader.problems().warning(reader.path().empty() ? key : reader.path() + "." + key,
                                                            std::move(finding), std::move(rule), std::move(remedy));

@@ -24,9 +24,9 @@ struct DefaultNumber {
 /// Quantity of the number at a path of a document whose model has been read; none if there is no such number.
 [[nodiscard]] std::optional<Quantity> quantity_at(const Node& document, const std::vector<std::string>& keys);
 
-/// Warns of a key that has no effect because of the other keys of its table.
-void warn_of_idle_key(TableReader& reader, const std::string& key, std::string finding, std::string rule,
-                      std::string remedy);
+/// Warns at the line of a key: that it has no effect beside the others of its table, or of what its value leaves out.
+void warn_at_key(TableReader& reader, const std::string& key, std::string finding, std::string rule,
+                 std::string remedy);
 
 /// "12.50 EUR" or "EUR 12.50": a number ≥ 0 and one word for the currency; none if the text is neither.
 [[nodiscard]] std::optional<model::Price> price_from(const std::string& text);
