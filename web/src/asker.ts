@@ -42,6 +42,11 @@ export class Asker {
     if (!kept || kept.generation !== this.state.generation || kept.outcome.ok) return '';
     return kept.outcome.failure || kept.outcome.problems.map(p => p.message).join('\n');
   }
+  /// Why there is no result.
+  missing(command: string): string {
+    if (this.problems.some(p => p.severity === 'error')) return 'The file has errors; see the messages above.';
+    return this.failure(command) || 'Computing …';
+  }
   /// Is the result not yet that of the state on the page?
   isOld = (command: string) => this.results.get(command)?.revision !== this.state.revision;
   /// A wish changed: ask again.

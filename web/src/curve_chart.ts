@@ -5,14 +5,15 @@ import {Plot, type Picture} from './chart/plot.ts';
 import {strokeOf} from './chart/strokes.ts';
 import {Part} from './part.ts';
 import {FREQUENCY_UNITS, number, type FrequencyUnit} from './quantities.ts';
-import type {Curves} from './results.ts';
+import type {Curves, Steady} from './results.ts';
 
 /// Amplitude and phase of the characteristics. A click, or Enter at the cursor, makes the machine swing at that frequency.
 export class CurveChart extends Part {
-  static override properties = {...Part.properties, asTable: {state: true}, choice: {state: true}, spoken: {state: true}};
+  static override properties = {...Part.properties, asTable: {state: true}, choice: {state: true}, kept: {state: true}, spoken: {state: true}};
   declare asTable: boolean;
   declare choice: Choice;
   declare spoken: string;
+  declare kept: Curves | null;
   private amplitude: Plot | null = null;
   private phase: Plot | null = null;
   private picture: Picture | null = null;
@@ -23,13 +24,14 @@ export class CurveChart extends Part {
     super();
     this.asTable = false;
     this.spoken = '';
+    this.kept = null;
     this.choice = {model: 0, unit: '', hidden: new Set()};
   }
   override render() {
     const {display, asker} = this.app, curves = asker.result<Curves>('curves'), units = curves ? unitsOf(curves) : [];
     const unit = units.includes(this.choice.unit) ? this.choice.unit : units[0] ?? '';
     if (unit !== this.choice.unit) this.choice = {...this.choice, unit};
-    const check = (label: string, on: boolean, set: (on: boolean) => void) => html`<label><input type="checkbox" .checked=${on}
+    const check = (label: string, on: boolean, set: (on: boolean) => void) => html`<label title=${HINTS[label] ?? ''}><input type="checkbox" .checked=${on}
       @change=${(e: Event) => set((e.target as HTMLInputElement).checked)}> ${label}</label>`;
     return html`
       <div class="bar">
@@ -37,17 +39,18 @@ export class CurveChart extends Part {
         ${units.length > 1 ? html`<select aria-label="Quantity" @change=${(e: Event) => { this.choice = {...this.choice, unit: (e.target as HTMLSelectElement).value}; }}>
           ${units.map(u => html`<option value=${u} ?selected=${u === unit}>${QUANTITIES[u] ?? u}</option>`)}</select>` : nothing}
         ${curves && curves.models.length > 1 ? html`<select aria-label="Excitation" @change=${(e: Event) => { this.choice = {...this.choice, model: Number((e.target as HTMLSelectElement).value)}; }}>
-          ${curves.models.map((m, i) => html`<option value=${i} ?selected=${i === this.choice.model}>${m.excitation || 'all excitations'}</option>`)}</select>` : nothing}
+          ${curves.models.map((m, i) => html`<option value=${i} ?selected=${i === this.choice.model}>${m.excitations?.join(', ') || 'all excitations'}</option>`)}</select>` : nothing}
         <select aria-label="Unit of frequency" @change=${(e: Event) => display.set({frequencyUnit: (e.target as HTMLSelectElement).value as FrequencyUnit})}>
           ${Object.keys(FREQUENCY_UNITS).map(u => html`<option ?selected=${u === display.frequencyUnit}>${u}</option>`)}</select>
         ${check('log f', display.logarithmicFrequency, logarithmicFrequency => display.set({logarithmicFrequency}))}
         ${check('log', display.logarithmicAmplitude, logarithmicAmplitude => display.set({logarithmicAmplitude}))}
         ${check('dB', display.decibel, decibel => display.set({decibel}))}
+        ${check('keep', this.kept !== null, on => { this.kept = on ? curves : null; })}
         ${check('table', this.asTable, on => { this.asTable = on; })}
       </div>
       <div class="plots" tabindex="0" role="application" aria-label="Characteristics. Left and right arrow move the cursor, page up and page down go from peak to peak, Enter makes the machine swing at the cursor." @keydown=${this.key}>
         <div class="amplitude"></div><div class="phase"></div>
-        ${curves ? nothing : html`<p class="missing">${asker.failure('curves') || 'Curves are drawn when the file has no errors and an excitation.'}</p>`}
+        ${curves ? nothing : html`<p class="missing">${asker.missing('curves')}</p>`}
       </div>
       <div class="readings" role="group" aria-label="Curves">${this.legend(curves)}</div>
       <p class="hidden" role="status" aria-live="polite">${this.spoken}</p>
@@ -69,10 +72,10 @@ export class CurveChart extends Part {
   override updated() {
     const {asker, display} = this.app, curves = asker.result<Curves>('curves');
     if (!curves || !this.amplitude) return;
-    const seen = [curves, this.choice, display.theme, display.frequencyUnit, display.logarithmicFrequency, display.decibel, display.logarithmicAmplitude];
+    const steady = asker.result<Steady>('steady'), seen = [curves, steady, this.kept, this.choice, display.theme, display.frequencyUnit, display.logarithmicFrequency, display.decibel, display.logarithmicAmplitude];
     if (seen.some((value, i) => value !== this.drawn[i])) {
       this.drawn = seen;
-      this.picture = pictureOf(curves, this.choice, display);
+      this.picture = pictureOf(curves, this.choice, display, steady, this.kept);
       this.amplitude.show(this.picture);
       this.phase!.show(this.picture);
       this.requestUpdate();
@@ -94,14 +97,15 @@ export class CurveChart extends Part {
   /// Names of the curves with their values at the cursor; a click hides one.
   private legend(curves: Curves | null) {
     if (!curves || !this.picture) return nothing;
-    const {display} = this.app, all = curves.results.filter(r => r.unit === this.choice.unit), at = this.indexAtCursor();
+    const steady = this.picture.overlays.some(o => o.kind === 'stable');
+    const {display} = this.app, all = curves.results.filter(r => r.unit === this.choice.unit && !curves.vanishing?.includes(r.name)), at = this.indexAtCursor();
     return html`${at === null ? nothing : html`<span class="cursor">${number(this.picture.x[at], 4)} ${display.frequencyUnit}</span>`}${all.map((r, i) => {
       const curve = this.picture!.curves.find(c => c.name === r.name), {colour} = strokeOf(i, display.theme);
       const value = at !== null && curve ? number(curve.amplitude[at], 3) : '';
       return html`<button class="curve" aria-pressed=${curve !== undefined} @click=${() => this.toggle(r.name)}>
         <svg viewBox="0 0 18 6" aria-hidden="true"><line x1="0" y1="3" x2="18" y2="3" stroke=${colour} stroke-width="3" stroke-dasharray=${strokeOf(i, display.theme).dash.join(' ')}></line></svg>
         ${r.name}${value ? html` <b>${value}</b>` : nothing}</button>`;
-    })}`;
+    })}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak; dashed: unstable; arrow: jump</span>` : nothing}`;
   }
   private toggle(name: string) {
     const hidden = new Set(this.choice.hidden);
@@ -159,6 +163,8 @@ export class CurveChart extends Part {
       <tbody>${rows.map(i => html`<tr><th scope="row">${number(x[i], 4)}</th>${curves.map(c => html`<td>${number(c.amplitude[i], 3)}</td>`)}</tr>`)}</tbody></table></div>`;
   }
 }
+const HINTS: Record<string, string> = {'log f': 'logarithmic frequency', log: 'logarithmic amplitude', dB: 'decibels of the SI unit',
+                                       keep: 'keep these curves, dashed, to compare with changed ones', table: 'the values as a table'};
 const QUANTITIES: Record<string, string> = {m: 'displacement', rad: 'rotation', 'm/s': 'velocity', 'm/s^2': 'acceleration', 'm/s2': 'acceleration', N: 'force',
                                             'N m': 'moment'};
 customElements.define('curve-chart', CurveChart);

@@ -19,6 +19,8 @@ export function judgement(app: App): Judgement {
     const found = verdict.cases.find(c => c.case === state.case) ?? verdict.cases[0], all = found?.requirements ?? [];
     const violated = all.filter(r => r.judged && !r.met), old = asker.isOld('verdict');
     if (violated.length) return {state: 'violated', words: `${violated.length} of ${all.length} requirements violated`, old};
+    const elsewhere = verdict.cases.find(c => c.decides && !c.met);
+    if (elsewhere) return {state: 'violated', words: `met here, violated in ${elsewhere.case ? `case ${elsewhere.case}` : 'the base model'}`, old};
     const margin = found?.governing == null ? null : all[found.governing]?.margin;
     return {state: 'met', words: `all ${all.length} requirements met${margin == null ? '' : `, least margin ${number(margin, 3)}`}`, old};
   }

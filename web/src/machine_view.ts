@@ -35,7 +35,7 @@ export class MachineView extends Part {
         <canvas class="machine" @pointerdown=${this.pressed} @pointerup=${this.released} @pointermove=${this.moved}></canvas>
         <div class="caption" aria-hidden="true">${label}${asker.isOld('modes') ? html` <span class="old">…</span>` : nothing}</div>
         <div class="hover" aria-hidden="true">${this.hovered || state.selection?.name || ''}</div>
-        ${asker.result<Scene>('scene') ? nothing : html`<p class="missing">${asker.failure('scene') || 'The machine is drawn when the file has no errors.'}</p>`}
+        ${asker.result<Scene>('scene') ? nothing : html`<p class="missing">${asker.missing('scene')}</p>`}
       </div>
       <div class="bar">
         <button class="play" aria-pressed=${display.playing} title="Play or stop (space)" @click=${() => display.set({playing: !display.playing})}>
@@ -58,7 +58,7 @@ export class MachineView extends Part {
   }
   override firstUpdated() {
     const canvas = this.querySelector('canvas')!;
-    this.stage = new Stage(canvas, () => this.frame());
+    this.stage = new Stage(canvas, (this.app.display.theme === 'dark' ? DARK : LIGHT).background, () => this.frame());
     this.watcher = new ResizeObserver(() => this.stage!.resize(canvas.clientWidth, canvas.clientHeight));
     this.watcher.observe(canvas.parentElement!);
     this.stage.resize(canvas.clientWidth, canvas.clientHeight);

@@ -13,7 +13,7 @@ import {wishes} from './wishes.ts';
 async function start() {
   const engine = new ServerEngine(tokenOfTab()), project = await engine.project();
   const state = new State(), display = new Display();
-  const wanted = (): Wish[] => (state.design.text ? wishes(display, hasRequirements(app)) : []);
+  const wanted = (): Wish[] => (state.design.text ? wishes(display, {hasRequirements: hasRequirements(app), hasSteady: app.index.byPath.has('analyses\0steady')}) : []);
   const asker = new Asker(engine, state, wanted), app: App = new App(engine, project, state, display, asker);
   const shell = new PageShell();
   shell.app = app;

@@ -35,7 +35,7 @@ export class ResultTables extends Part {
         return html`<tr aria-selected=${chosen} class=${chosen ? 'chosen' : ''} @click=${() => display.set({shown: {kind: 'mode', number: m.number}})}>
           <th scope="row"><button class="link" aria-label="Show mode ${m.number}">${m.number}</button></th><td>${frequency(m.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
           <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : roots ? '–' : html`<span class="old">…</span>`}</td><td class="words cut" title=${m.name}>${m.name}</td>
-          ${one ? m.kinetic_energy_share.map(share => html`<td class="share">${share >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m.kinetic_energy_share)}</td>`}</tr>`;
+          ${one ? m.kinetic_energy_share.map(share => html`<td class="share">${Math.abs(share) >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m.kinetic_energy_share)}</td>`}</tr>`;
       })}</tbody></table>${one ? html`<p class="hint">x … θz: share of the kinetic energy in %.</p>` : nothing}`;
   }
   private requirements() {
@@ -74,8 +74,7 @@ export class ResultTables extends Part {
     return unit === '1' ? number(value, 3) : withUnit(value, unit, 3);
   }
   private missing(command: string) {
-    const why = this.app.asker.failure(command);
-    return html`<p class="hint">${why || html`<span class="old">…</span>`}</p>`;
+    return html`<p class="hint">${this.app.asker.missing(command)}</p>`;
   }
 }
 /// "frame 81 %, axle 12 %": shares of the bodies.

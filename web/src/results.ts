@@ -98,6 +98,7 @@ export interface Mode {
   shape: number[];
   kinetic_energy_share: number[];
   strain_energy_share: number[];
+  screws?: {direction: Vector; point: Vector; pitch: number; rotation: number}[];  // of each body
   name: string;
 }
 export interface Modes {
@@ -129,7 +130,7 @@ export interface Piece {
   values: readonly (readonly number[])[];  // of each delay and result
 }
 export interface CurveModel {
-  excitation?: string;
+  excitations?: readonly string[];
   pieces: readonly Piece[];
   delays: readonly number[];
   undefined_at: readonly number[];
@@ -142,13 +143,38 @@ export interface Peak {
 }
 export interface Curves {
   band: readonly [number, number];
-  results: {name: string; unit: string; kind?: string}[];
+  results: {name: string; unit: string; kind?: string; extrema?: readonly (readonly [number, number])[]}[];
+  vanishing?: string[];  // results that are round-off
   models: CurveModel[];
   peaks: Peak[];
   natural: number[];
   limits: {result: string; limit: number}[];
+  lines?: LimitLine[];
+}
+/// A limit over frequency; `rms`: of rms values, not amplitudes.
+export interface LimitLine {
+  name: string;
+  result: string;
+  unit: string;
+  rms: boolean;
+  angular_frequency: number[];
+  limit: number[];
 }
 
+interface SteadyPoint {
+  angular_frequency: number;
+  stable: boolean;
+  results: {largest: number; smallest: number}[];
+}
+interface Branch {
+  points: SteadyPoint[];
+  folds: {point: SteadyPoint; lands: SteadyPoint | null}[];
+}
+export interface Steady extends Branch {
+  over: string;
+  results: {name: string; unit: string}[];
+  further?: Branch[];
+}
 export interface Requirement {
   kind: string;
   subject: string;

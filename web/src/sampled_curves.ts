@@ -20,6 +20,7 @@ export function drawnFrequencies(curves: Curves, count: number, logarithmic: boo
     all.push(logarithmic ? start * (to / start) ** part : from + (to - from) * part);
   }
   for (const p of curves.peaks) all.push(p.angular_frequency);
+  for (const r of curves.results) for (const [w] of r.extrema ?? []) all.push(w);
   const centres = [...curves.natural, ...curves.peaks.map(p => p.angular_frequency)];
   for (const w of new Set(centres)) for (const d of FLANKS) all.push(w * (1 - d), w * (1 + d));
   return [...new Set(all)].filter(w => w >= from && w <= to).sort((a, b) => a - b);
@@ -30,8 +31,8 @@ export function sampledCurves(curves: Curves, model: number, omega: number[]): S
   const count = curves.results.length, chosen = curves.models[model];
   const amplitude: (number | null)[][] = curves.results.map(() => []), phase: (number | null)[][] = curves.results.map(() => []);
   if (!chosen) return {omega: [], amplitude, phase};
-  const exact = curves.results.map(r => new Map(
-    curves.peaks.filter(p => p.result === r.name).map(p => [p.angular_frequency, p.amplitude])));
+  const exact = curves.results.map(r => new Map<number, number | null>([
+    ...r.extrema ?? [], ...curves.peaks.filter(p => p.result === r.name).map(p => [p.angular_frequency, p.amplitude] as const)]));
   for (const w of omega) {
     const values = modelAt(chosen, w, count);
     for (let c = 0; c < count; c++) {

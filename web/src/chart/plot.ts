@@ -2,6 +2,7 @@
 import uPlot from 'uplot';
 import type {Display} from '../display.ts';
 import {number, type Scale} from '../quantities.ts';
+import type {Overlay} from './overlays.ts';
 import {partsAbove} from './parts_above.ts';
 import {chartColours, strokeOf} from './strokes.ts';
 
@@ -20,6 +21,7 @@ export interface Picture {
   natural: number[];
   scale: Scale;
   cursor: number | null;
+  overlays: Overlay[];
 }
 
 /// Amplitudes below this share of the largest are not drawn on a logarithmic axis: they are zeros and round-off.
@@ -84,8 +86,9 @@ export class Plot {
     };
   }
   private range(low: number | null, high: number | null, logarithmic: boolean): [number, number] {
-    const limits = this.picture!.curves.flatMap(c => (c.limit === null ? [] : [c.limit]));
-    const top = Math.max(high ?? 1, ...limits), bottom = Math.min(low ?? 0, ...limits);
+    const {curves, overlays} = this.picture!, heights = overlays.flatMap(o => o.points.map(p => p[1])).filter(v => v !== null);
+    const others = [...curves.map(c => c.limit).filter(v => v !== null), ...heights];
+    const top = others.reduce((a, b) => Math.max(a, b), high ?? 1), bottom = others.reduce((a, b) => Math.min(a, b), low ?? 0);
     if (logarithmic) return [Math.max(bottom, LOWEST * top) / 1.3, top * 2];
     return this.display.decibel ? [Math.max(bottom, top - 120) - 3, top + 6] : [0, top * 1.12 || 1];
   }
@@ -107,6 +110,7 @@ export class Plot {
     ctx.clip();
     for (const value of picture.natural) vertical(value, colours.mode, 1, [1, 3]);
     if (this.what === 'amplitude') {
+      for (const overlay of picture.overlays) this.overlay(ctx, overlay, (points: Overlay['points']) => points.map(([a, b]) => [x(a), b === null ? null : y(b)] as const));
       for (const curve of picture.curves) if (curve.limit !== null) {
         stroke(ctx, colours.limit, 1.4 * ratio, [8 * ratio, 4 * ratio],
                [[bbox.left, y(curve.limit)], [bbox.left + bbox.width, y(curve.limit)]]);
@@ -117,6 +121,14 @@ export class Plot {
     }
     if (picture.cursor !== null) vertical(picture.cursor, colours.text, 1, []);
     ctx.restore();
+  }
+  private overlay(pen: CanvasRenderingContext2D, {stroke: index, kind, points}: Overlay, placed: (points: Overlay['points']) => readonly (readonly [number, number | null])[]) {
+    const ratio = devicePixelRatio, {colour} = strokeOf(index, this.display.theme), at = placed(points);
+    const known = at.filter((p): p is readonly [number, number] => p[1] !== null);
+    pen.globalAlpha = kind === 'kept' ? 0.55 : 1;
+    stroke(pen, colour, (kind === 'stable' ? 2.6 : 1.3) * ratio, {kept: [4, 3], limit: [8, 4], stable: [], unstable: [3, 3], jump: [1, 4]}[kind].map(d => d * ratio), known);
+    if (kind === 'jump' && known.length === 2) arrowHead(pen, colour, known[0]!, known[1]!, 7 * ratio);
+    pen.globalAlpha = 1;
   }
   /// Values at the highest peaks, as many as have room.
   private labels(plot: uPlot, colour: string) {
@@ -147,6 +159,14 @@ export class Plot {
 }
 
 type Box = [number, number, number, number];
+function arrowHead(pen: CanvasRenderingContext2D, colour: string, [x0, y0]: readonly [number, number], [x1, y1]: readonly [number, number], size: number) {
+  const angle = Math.atan2(y1 - y0, x1 - x0);
+  pen.fillStyle = colour;
+  pen.beginPath();
+  pen.moveTo(x1, y1);
+  for (const side of [-0.4, 0.4]) pen.lineTo(x1 - size * Math.cos(angle + side), y1 - size * Math.sin(angle + side));
+  pen.fill();
+}
 const isDecade = (value: number) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
 
 function stroke(pen: CanvasRenderingContext2D, colour: string, width: number, dash: number[], points: readonly (readonly [number, number])[]) {

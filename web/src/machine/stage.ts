@@ -22,9 +22,10 @@ export class Stage {
   private readonly cornerCamera = new OrthographicCamera(-1.6, 1.6, 1.6, -1.6, 0.1, 10);
   private wanted = false;
 
-  constructor(canvas: HTMLCanvasElement, private readonly beforeFrame: () => void) {
+  constructor(canvas: HTMLCanvasElement, background: number, private readonly beforeFrame: () => void) {
     this.renderer = new WebGLRenderer({canvas, antialias: true});
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setClearColor(background);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener('change', () => this.draw());

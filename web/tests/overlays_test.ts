@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+import {partsByStability, steadyOverlays} from '../src/chart/overlays.ts';
+
+const point = (angular_frequency: number, largest: number, stable = true) => ({angular_frequency, stable, results: [{largest, smallest: -largest}]});
+
+test('parts of a branch meet where its stability changes', () => {
+  const parts = partsByStability([point(1, 1), point(2, 2), point(1.5, 3, false), point(1.6, 4)], p => p.angular_frequency);
+  assert.deepEqual(parts, [{stable: true, points: [1, 2]}, {stable: false, points: [2, 1.5]}, {stable: true, points: [1.5, 1.6]}]);
+});
+test('steady motions have half their peak-to-peak value, and folds jump to where they land', () => {
+  const steady = {over: 'frequency', results: [{name: 'm.z', unit: 'm'}, {name: 'm.x', unit: 'm'}], points: [point(1, 2), point(3, 4)].map(p => ({...p, results: [p.results[0]!, p.results[0]!]})),
+                  folds: [{point: {...point(3, 4), results: [{largest: 5, smallest: 1}, {largest: 0, smallest: 0}]}, lands: {...point(3, 9), results: [{largest: 9, smallest: -9}, {largest: 0, smallest: 0}]}}]};
+  const overlays = steadyOverlays(steady, ['m.z'], 2, v => 10 * v);
+  assert.deepEqual(overlays.map(o => [o.kind, o.points]), [['stable', [[2, 20], [6, 40]]], ['jump', [[6, 20], [6, 90]]]]);
+  assert.deepEqual(steadyOverlays({...steady, over: 'load'}, ['m.z'], 1, v => v), []);
+});
