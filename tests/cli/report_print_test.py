@@ -58,7 +58,7 @@ class Report(html.parser.HTMLParser):
             self.script = attributes.get("id")
         if tag == "div":  # what the input file has is printed there; long tables have no grey rows
             classes = attributes.get("class", "").split()
-            self.elsewhere |= "in-file" in classes
+            self.elsewhere |= "data-in-file" in attributes
             self.tall = "tall" in classes
         if tag == "table":
             self.tables.append([])

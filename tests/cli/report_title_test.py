@@ -54,6 +54,10 @@ class Title(Folder):
         self.assertEqual(done.returncode, 2)
         self.assertIn("cases.soft.report: cannot be changed", done.stderr)
 
+    def test_the_date_is_as_written(self):
+        text = MACHINE.replace("LIMIT", "1 m") + TITLES + 'date = "29 November 2026"\n'
+        self.assertEqual(parts(self.run_of(text)[1])["Date"], "29 November 2026")
+
     def test_unknown_keys_and_forms_are_errors(self):
         done, _ = self.run_of(MACHINE.replace("LIMIT", "1 m") + '[report]\ncustomer = "x"\nform = "brief"\n')
         self.assertEqual(done.returncode, 2)
@@ -128,6 +132,38 @@ class OperatingSpeeds(Folder):
         self.assertIn("Base model. At 980 rpm: ", page)
         self.assertIn("fast. At 1450 rpm: ", page)
         self.assertIn("<h2>At the operating speed, base model</h2>", page)
+
+
+class Inputs(Folder):
+    def page_of(self, text, *options):
+        project, out = self.folder / "fan.toml", self.folder / "out"
+        project.write_text(text)
+        command = [TRIVET, "run", str(project), "-o", str(out), *options]
+        subprocess.run(command, check=True, capture_output=True, timeout=300)
+        return SCRIPTS.sub("", (out / "report.html").read_text())
+
+    def test_only_tables_with_the_numbers_of_the_file_are_marked_as_its_repetition(self):
+        text = (SOURCE / "examples/fan/fan.toml").read_text()
+        self.assertEqual(self.page_of(text).count("<div data-in-file>"), 2)  # elements and foundations
+        self.assertEqual(
+            self.page_of(text, "--set", "bodies.fan.points.bearing=[0,0,1]").count("<div data-in-file>"), 0
+        )
+        page = self.page_of(text + '\n[cases.soft]\nelements."front left".scale = 0.5\n')
+        self.assertEqual(page.count("<div data-in-file>"), 2)  # of the base model alone
+
+    def test_laws_and_what_they_assume_are_listed_once(self):
+        page = self.page_of((SOURCE / "examples/fan/fan.toml").read_text())
+        table = page[page.index("Laws of the elements and what they assume") : page.index("<h3>Excitations</h3>")]
+        self.assertEqual(table.count("<tr"), 3)  # headings, bushing, loss factor
+        self.assertIn("six springs along and about its axes", table)
+        self.assertIn("K(1 + iη), the same at every frequency", table)
+
+    def test_weight_and_damping_with_a_flexible_foundation(self):
+        page = self.page_of((SOURCE / "examples/fan/fan.toml").read_text())
+        self.assertIn(
+            "not that of flexible foundations. It acts in static results, and its forces at rest change", page
+        )
+        self.assertIn("Damping of the system: only that of the elements and of the flexible foundations.", page)
 
 
 class Mounts(Folder):

@@ -14,6 +14,7 @@ ReportSettings read_report(TableReader& root) {
   settings.machine = text("machine");
   settings.revision = text("revision");
   settings.author = text("author");
+  settings.date = text("date");
   if (reader.choice("form", {"full", "short"}) == "short") settings.form = ReportForm::brief;
   reader.finish();
   return settings;

@@ -14,6 +14,7 @@ enum class ReportForm { full, brief };
 /// The title block and the form of a report; a text that the file does not give is empty.
 struct ReportSettings {
   std::string project, client, machine, revision, author;
+  std::string date;  ///< as written; empty: the day of the run
   ReportForm form = ReportForm::full;
 };
 

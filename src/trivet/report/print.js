@@ -201,7 +201,7 @@ function nameRepeatedParts() {
     let heading = title;
     for (const part of same === null ? parts : []) {
       if (part.matches('h3')) heading = part;
-      if (!part.matches('.scroll, .in-file, details, figure')) continue;
+      if (!part.matches('.scroll, [data-in-file], details, figure')) continue;
       const before = earlier(part, heading.textContent, index), about = part.querySelector('summary') ?? heading;
       if (before === null) continue;
       if (about.matches('h3')) hide(about);
@@ -210,14 +210,10 @@ function nameRepeatedParts() {
   }
 }
 
-/// Tables whose names are all in the input file in the appendix are not printed twice.
+/// Tables of what the input file in the appendix states are not printed twice.
 function leaveOutWhatTheInputFileHas() {
-  const text = document.querySelector('.input-text')?.textContent ?? '';
-  for (const part of document.querySelectorAll('.in-file')) {
-    const names = [...part.querySelectorAll('tbody tr')].map(row => row.cells[0].textContent);
-    if (!names.every(name => text.includes(name))) continue;
+  for (const part of document.querySelectorAll('[data-in-file]'))
     replaceOnPaper(part, html('p', {class: 'hint'}, 'As in the input file, in the appendix.'));
-  }
 }
 
 /// On paper, long tables have only the rows that are not grey; the page and the files have all.

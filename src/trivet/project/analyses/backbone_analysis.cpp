@@ -47,8 +47,9 @@ void check_backbone(const Analyses&, const model::System& system, foundation::Pr
 
 }  // namespace
 
-const AnalysisReader backbone_analysis =
-    read_into<&Analyses::backbone, read_backbone>({.check = check_backbone, .keys = R"json({"description": "nonlinear modes: frequency and shape of free motions over their amplitude",
+const AnalysisReader backbone_analysis = read_into<&Analyses::backbone, read_backbone>(
+    {.check = check_backbone,
+     .keys = R"json({"description": "nonlinear modes: frequency and shape of free motions over their amplitude",
   "properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},

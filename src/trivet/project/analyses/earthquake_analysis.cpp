@@ -58,8 +58,8 @@ EarthquakeAnalysis read_earthquake(TableReader& reader, const ResultNames& names
 
 }  // namespace
 
-const AnalysisReader earthquake_analysis =
-    read_into<&Analyses::earthquake, read_earthquake>({.keys = R"json({"description": "largest responses to an earthquake, from its response spectrum",
+const AnalysisReader earthquake_analysis = read_into<&Analyses::earthquake, read_earthquake>(
+    {.keys = R"json({"description": "largest responses to an earthquake, from its response spectrum",
   "properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},

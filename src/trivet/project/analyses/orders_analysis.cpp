@@ -21,7 +21,9 @@ OrdersAnalysis read_orders_analysis(TableReader& reader, const ResultNames& name
 }  // namespace
 
 const AnalysisReader orders_analysis = read_into<&Analyses::orders, read_orders_analysis>(
-    {.drive = Drive::orders, .searches_peaks = true, .keys = R"json({"description": "response to the orders of a shaft over its speed",
+    {.drive = Drive::orders,
+     .searches_peaks = true,
+     .keys = R"json({"description": "response to the orders of a shaft over its speed",
   "properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},

@@ -18,7 +18,9 @@ PowerAnalysis read_power(TableReader& reader, const ResultNames&, const SymbolTa
 }  // namespace
 
 const AnalysisReader power_analysis = read_into<&Analyses::power, read_power>(
-    {.drive = Drive::harmonic, .searches_peaks = true, .keys = R"json({"description": "power that the excitations feed and the dampers dissipate, over frequency",
+    {.drive = Drive::harmonic,
+     .searches_peaks = true,
+     .keys = R"json({"description": "power that the excitations feed and the dampers dissipate, over frequency",
   "properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "band": {"$ref": "#/$defs/band"},

@@ -28,8 +28,9 @@ ShapesAnalysis read_shapes(TableReader& reader, const ResultNames&, const Symbol
 
 }  // namespace
 
-const AnalysisReader shapes_analysis =
-    read_into<&Analyses::shapes, read_shapes>({.drive = Drive::harmonic, .keys = R"json({"description": "motion of all bodies at single frequencies, as pictures and for other programs",
+const AnalysisReader shapes_analysis = read_into<&Analyses::shapes, read_shapes>(
+    {.drive = Drive::harmonic,
+     .keys = R"json({"description": "motion of all bodies at single frequencies, as pictures and for other programs",
   "properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "at": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1,

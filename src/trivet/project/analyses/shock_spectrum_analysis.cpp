@@ -25,8 +25,9 @@ ShockSpectrumAnalysis read_shock_spectrum(TableReader& reader, const ResultNames
 
 }  // namespace
 
-const AnalysisReader shock_spectrum_analysis =
-    read_into<&Analyses::shock_spectrum, read_shock_spectrum>({.drive = Drive::time, .keys = R"json({"description": "shock response spectrum of the time histories of the excitations",
+const AnalysisReader shock_spectrum_analysis = read_into<&Analyses::shock_spectrum, read_shock_spectrum>(
+    {.drive = Drive::time,
+     .keys = R"json({"description": "shock response spectrum of the time histories of the excitations",
   "properties": {
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "damping": {"$ref": "#/$defs/number", "description": "damping ratio (default: 0.05)"},

@@ -91,7 +91,9 @@ void check_steady(const Analyses&, const model::System& system, foundation::Prob
 }  // namespace
 
 const AnalysisReader steady_analysis = read_into<&Analyses::steady, read_steady>(
-    {.drive = Drive::harmonic_or_orders, .check = check_steady, .keys = R"json({"description": "all periodic motions of a nonlinear machine under harmonic excitations or orders",
+    {.drive = Drive::harmonic_or_orders,
+     .check = check_steady,
+     .keys = R"json({"description": "all periodic motions of a nonlinear machine under harmonic excitations or orders",
   "properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},

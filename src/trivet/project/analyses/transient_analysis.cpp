@@ -71,11 +71,11 @@ bool starts_from_initial_values(const Node& table) {
 
 }  // namespace
 
-const AnalysisReader transient_analysis =
-    read_into<&Analyses::transient, read_transient>({.drive = Drive::time,
-                                                     .of_large_systems = true,
-                                                     .moves_by_itself = starts_from_initial_values,
-                                                     .keys = R"json({"description": "motion over time after pulses, histories and an initial state",
+const AnalysisReader transient_analysis = read_into<&Analyses::transient, read_transient>(
+    {.drive = Drive::time,
+     .of_large_systems = true,
+     .moves_by_itself = starts_from_initial_values,
+     .keys = R"json({"description": "motion over time after pulses, histories and an initial state",
   "properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},

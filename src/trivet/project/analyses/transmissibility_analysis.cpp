@@ -69,7 +69,11 @@ double curves_of_transmissibility(const Analyses& request) {
 }  // namespace
 
 const AnalysisReader transmissibility_analysis = read_into<&Analyses::transmissibility, read_transmissibility>(
-    {.searches_peaks = true, .curves = curves_of_transmissibility, .check = check_force, .keys = R"json({"description": "force on the ground over a harmonic force, or motion of places over that of the ground",
+    {.searches_peaks = true,
+     .curves = curves_of_transmissibility,
+     .check = check_force,
+     .keys =
+         R"json({"description": "force on the ground over a harmonic force, or motion of places over that of the ground",
   "properties": {
    "force": {"type": "string", "description": "a harmonic force excitation"},
    "base": {"$ref": "#/$defs/direction", "description": "of a motion of the ground, ground frame; instead of force"},

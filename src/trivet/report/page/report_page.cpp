@@ -124,11 +124,19 @@ std::string own_drawing(const ShownCase& shown, const std::string& of_base) {
                      drawing + "</div></figure>\n");
 }
 
-std::string below_comparison(const ShownCase& shown, const std::string& drawing_of_base) {
+/// The text of the input file, if it states a case as it is: without settings and changes.
+std::string text_of(const project::Project& project, const ShownCase& shown) {
+  const bool is_changed = !project.settings.empty() || !shown.results.changes.empty();
+  return project.parsed && !is_changed ? project.parsed->text : "";
+}
+
+std::string below_comparison(const project::Project& project, const ShownCase& shown,
+                             const std::string& drawing_of_base) {
   const project::Case& variant = shown.variant;
   return own_drawing(shown, drawing_of_base) +
       section("static", "Static results", results::result_html("static", variant, shown.results)) +
-      section("inputs", "Inputs", input_tables(variant)) + section("checks", "Checks", checks_table(shown));
+      section("inputs", "Inputs", input_tables(variant, text_of(project, shown))) +
+      section("checks", "Checks", checks_table(shown));
 }
 
 }  // namespace
@@ -157,7 +165,7 @@ std::string report_page(const project::Project& project, const std::vector<study
   replace(page, "{{units}}", units_note(display));
   const std::string drawing_of_base = machine_drawing(project.base());
   replace(page, "{{tables}}",
-          case_blocks(cases, [&](const ShownCase& c) { return below_comparison(c, drawing_of_base); }));
+          case_blocks(cases, [&](const ShownCase& c) { return below_comparison(project, c, drawing_of_base); }));
   replace(page, "{{analyses}}", case_blocks(cases, below_pictures));
   replace(page, "{{heads}}", case_blocks(cases, [&](const ShownCase& c) { return above_pictures(c, cases.size()); }));
   replace(page, "{{cases}}", case_options(cases));

@@ -53,7 +53,7 @@ std::string title_block(const project::Project& project) {
   add("Machine", settings.machine);
   add("Revision", settings.revision);
   add("Author", settings.author);
-  add("Date", date());
+  add("Date", settings.date.empty() ? date() : settings.date);
   add("Program", fmt::format("trivet {}", foundation::version()));
   add("Input", file_name(project));
   add("SHA-256", project.sha256, " class=\"hash\"");

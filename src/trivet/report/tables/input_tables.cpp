@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <variant>
 
 #include "trivet/documents/html_table.h"
 #include "trivet/documents/text_table.h"
@@ -14,6 +15,7 @@
 #include "trivet/report/drawing/in_documents.h"
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/report/tables/folded_parts.h"
+#include "trivet/results/model/law_assumptions.h"
 #include "trivet/results/model/model_words.h"
 
 namespace trivet::report {
@@ -120,8 +122,13 @@ std::string nodes_table(const std::vector<model::Body>& bodies) {
                                    rows);
 }
 
-/// What the input file also has: paper leaves it out if the file is in the appendix.
-std::string as_in_file(const std::string& table) { return "<div class=\"in-file\">" + table + "</div>\n"; }
+/// A table of what the input file states too: paper leaves it out, because the file is in the appendix.
+std::string marked_if_in_file(const std::string& table, const std::vector<std::string>& names,
+                              const std::string& file_text) {
+  const bool is_in_file = !file_text.empty() &&
+      std::ranges::all_of(names, [&](const std::string& name) { return file_text.find(name) != std::string::npos; });
+  return is_in_file ? "<div data-in-file>" + table + "</div>\n" : table;
+}
 
 std::string facts_table(const std::vector<model::Fact>& facts) {
   std::vector<std::vector<Cell>> rows;
@@ -129,17 +136,19 @@ std::string facts_table(const std::vector<model::Fact>& facts) {
   return html_table({{"what"}, {"value"}}, rows);
 }
 
-std::string elements_tables(const model::Description& d) {
+std::string elements_tables(const model::Description& d, const std::string& file_text) {
   const auto owner = [&](const model::End& end) -> std::string {
     return end.body      ? d.bodies[*end.body].name
         : end.foundation ? d.foundations[end.foundation->foundation].name
                          : "ground";
   };
   std::vector<std::vector<Cell>> rows;
+  std::vector<std::string> names;
   FoldedParts facts("How it was determined: "), laws("Laws of "), stiffness("Stiffness 12×12 of "),
       viscous("Viscous damping 12×12 of ");
   for (const model::Element& e : d.elements) {
     const spatial::Pose n = model::end_in_ground(d.bodies, e.n), k = model::end_in_ground(d.bodies, e.k);
+    names.push_back(e.name);
     rows.push_back({{e.name},
                     {e.type},
                     {owner(e.n)},
@@ -159,16 +168,16 @@ std::string elements_tables(const model::Description& d) {
                   hint("[N s/m], [N s/rad], [N m s/m], [N m s/rad], in the same axes.") +
                       matrix_table(end_labels(), elements::viscous_damping(e.law)));
   }
-  return as_in_file(html_table({{"element"},
-                                {"type"},
-                                {"end N on"},
-                                {"N in ground [m]"},
-                                {"end K on"},
-                                {"K in ground [m]"},
-                                right("scale"),
-                                {"damping"}},
-                               rows)) +
-      facts.html() + laws.html() + stiffness.html() + viscous.html();
+  const std::string table = html_table({{"element"},
+                                        {"type"},
+                                        {"end N on"},
+                                        {"N in ground [m]"},
+                                        {"end K on"},
+                                        {"K in ground [m]"},
+                                        right("scale"),
+                                        {"damping"}},
+                                       rows);
+  return marked_if_in_file(table, names, file_text) + facts.html() + laws.html() + stiffness.html() + viscous.html();
 }
 
 /// "Fz 18 N, Mx 2 N m": the components that are not zero.
@@ -220,9 +229,11 @@ std::string excitations_table(const model::Description& d) {
           courses.html();
 }
 
-std::string foundations_table(const std::vector<model::Foundation>& foundations) {
+std::string foundations_table(const std::vector<model::Foundation>& foundations, const std::string& file_text) {
   std::vector<std::vector<Cell>> rows;
-  for (const model::Foundation& f : foundations)
+  std::vector<std::string> names;
+  for (const model::Foundation& f : foundations) {
+    names.push_back(f.name);
     for (Eigen::Index i = 0; i < f.mass.rows(); ++i) {
       const bool of_element = f.stiffness(i, i) == 0;  // an impedance or a mobility is in the table of elements
       rows.push_back({{f.name},
@@ -231,12 +242,31 @@ std::string foundations_table(const std::vector<model::Foundation>& foundations)
                       of_element ? right("see elements") : right(number_text(f.stiffness(i, i))),
                       of_element ? right("see elements") : right(number_text(f.damping(i, i)))});
     }
-  return as_in_file(html_table({{"foundation"},
-                                right("coordinate"),
-                                right("mass [kg, kg m²]"),
-                                right("stiffness [N/m, N m/rad]"),
-                                right("damping [N s/m, N m s/rad]")},
-                               rows));
+  }
+  const std::string table = html_table({{"foundation"},
+                                        right("coordinate"),
+                                        right("mass [kg, kg m²]"),
+                                        right("stiffness [N/m, N m/rad]"),
+                                        right("damping [N s/m, N m s/rad]")},
+                                       rows);
+  return marked_if_in_file(table, names, file_text);
+}
+
+std::string gravity_words(const model::Description& d) {
+  if (!d.gravity) return "No gravity.";
+  return "Gravity " + vector_words(*d.gravity) +
+      " m/s², ground axes: the weight of the bodies and of elements with mass" +
+      (d.foundations.empty() ? "" : ", not that of flexible foundations") + ". It acts in static results" +
+      (d.second_order ? ", and its forces at rest change the stiffness." : " alone (second_order = false).");
+}
+
+std::string damping_of_all_words(const model::Description& d) {
+  const bool none = std::holds_alternative<std::monostate>(d.damping);
+  return "Damping of the system: " + results::damping_words(d.damping) +
+      (d.foundations.empty() ? ""
+           : none            ? " and of the flexible foundations"
+                             : ", besides that of the elements and the flexible foundations") +
+      ".";
 }
 
 std::string part(const std::string& title, const std::string& html) {
@@ -245,20 +275,19 @@ std::string part(const std::string& title, const std::string& html) {
 
 }  // namespace
 
-std::string input_tables(const project::Case& variant) {
+std::string input_tables(const project::Case& variant, const std::string& file_text) {
   const model::Description& d = variant.system.description();
   const std::string nodes = nodes_table(d.bodies);
+  const std::string assumptions = as_html(results::assumptions_document(variant), variant.display);
   return part("Bodies", d.bodies.empty() ? "" : bodies_tables(d.bodies)) + (nodes.empty() ? "" : part("Nodes", nodes)) +
-      part("Elements", d.elements.empty() ? "" : elements_tables(d)) + part("Excitations", excitations_table(d)) +
-      (d.foundations.empty() ? "" : part("Flexible foundations", foundations_table(d.foundations))) +
+      part("Elements", d.elements.empty() ? "" : elements_tables(d, file_text)) +
+      (assumptions.empty() ? "" : part("Laws of the elements and what they assume", assumptions)) +
+      part("Excitations", excitations_table(d)) +
+      (d.foundations.empty() ? "" : part("Flexible foundations", foundations_table(d.foundations, file_text))) +
       (d.relative_motions.empty() && d.sections.empty() && d.clearances.empty()
            ? ""
            : part("Relative motions, sections and clearances", observations_table(d))) +
-      paragraph(d.gravity ? "Gravity " + vector_words(*d.gravity) +
-                        " m/s², ground axes; it affects static results, and the geometric stiffness if elements are "
-                        "preloaded."
-                          : "No gravity.") +
-      paragraph("Damping of the system: " + results::damping_words(d.damping) + ".");
+      paragraph(gravity_words(d)) + paragraph(damping_of_all_words(d));
 }
 
 namespace {

@@ -142,8 +142,8 @@ std::string wrong_text(const project::Project& project, const std::vector<Judgem
   std::ranges::copy_if(list, std::back_inserter(judged), [](const auto& one) { return !is_result(one); });
   std::string text = outcome_text("VIOLATED: ", judged, Outcome::violated, cases) + causes_text(cases) +
       outcome_text("NOT JUDGED: ", judged, Outcome::not_judged, cases) + missing_text(project, list, cases);
-  const std::string elsewhere =
-      outcome_text("Violated in cases in which the requirements are not binding:", judged, Outcome::violated_no_need, cases);
+  const std::string elsewhere = outcome_text("Violated in cases in which the requirements are not binding:", judged,
+                                             Outcome::violated_no_need, cases);
   const std::size_t wrong = number_with(judged, Outcome::violated) + number_with(judged, Outcome::not_judged);
   if (wrong > 0 || number_with(judged, Outcome::met) == 0) return text + elsewhere;
   text += "MET: " + shares_words(judged, Outcome::met) + "\n";
