@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Charts of curves, drawn by uPlot: ranges, ticks, marks, pointer, keys and legends.
 
-/// State chosen by the user. `zoom` is null or [from, to] in rad/s; `hidden` contains the names of hidden curves.
-const view = {case: 0, ylog: false, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set()};
+/// State chosen by the user. `ylog` is null while each chart chooses its amplitude axis. `zoom` is null or [from, to] in rad/s; `hidden` contains the names of hidden curves.
+const view = {case: 0, ylog: null, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set()};
 let charts = [];        // of the selected case
 let comparison = null;  // the chart of all cases
 const axisFactor = () => (view.hz ? 1 / TURN : frequency?.factor ?? 1);  // from rad/s to the unit of the frequency axes
@@ -48,9 +48,17 @@ function ceilingOf(chart) {
 }
 
 /// Is the amplitude axis logarithmic?
-const isLogarithmic = chart => view.ylog || chart.spiky;
+const isLogarithmic = chart => view.ylog ?? chart.spiky;
 const shownCurves = chart => chart.curves.filter(c => !view.hidden.has(c.key));
 const limitsOf = chart => chart.limits ?? shownCurves(chart).flatMap(c => c.limits.map(l => ({...l, label: c.label})));
+
+/// Would a linear axis show only a spike? Then the axis is logarithmic, on the screen and on paper.
+function isSpiky(chart) {
+  if (chart.phase) return false;
+  const spiky = 10, lines = shownCurves(chart).map(curve => inRange(curve, ...frequencyRange(chart)));
+  const highest = line => largestOf(line.map(p => p[1])), common = largestOf(lines.map(commonTop));
+  return common > 0 && largestOf(lines.map(highest)) > spiky * common;
+}
 
 /// Range of the amplitude axis: all shown curves and peaks, and limits near them.
 function amplitudeRange(chart) {
@@ -235,6 +243,8 @@ function isNear({holder}) {
 /// charts have a fixed width.
 function draw(chart) {
   if (!chart.stale || !(chart.width || isNear(chart))) return;
+  const spiky = isSpiky(chart);
+  if (spiky !== chart.spiky) [chart.spiky, chart.stale] = [spiky, 'all'];
   if (chart.stale === 'range') {
     const [min, max] = frequencyRange(chart).map(w => w * axisFactor());
     chart.plot.setScale('x', {min, max});

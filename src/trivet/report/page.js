@@ -76,6 +76,9 @@ function buildCase() {
 /// @param what  'all', or 'range' if only the zoom changed
 function refresh(what = 'all') {
   for (const key of SWITCHES) byId(key).checked = view[key];
+  const spiky = allCharts().filter(chart => !chart.phase).map(isSpiky);
+  byId('ylog').checked = view.ylog ?? spiky.includes(true);
+  byId('ylog').indeterminate = view.ylog === null && spiky.includes(true) && spiky.includes(false);
   byId('case').value = view.case;
   const range = allCharts().length ? frequencyRange(allCharts()[0]) : [0, 0];
   [byId('from').value, byId('to').value] = range.map(w => Number((w * axisFactor()).toPrecision(5)));
@@ -119,6 +122,7 @@ function soon(name, action) {
 /// The view in the address, as in #case=1&ylog&xlog&hz&zoom=2,40&compare=pump.z&hide=pump.x
 function writeAddress() {
   const parts = SWITCHES.filter(key => view[key]);
+  if (view.ylog === false) parts.push('ylog=0');
   if (view.case) parts.unshift(`case=${view.case}`);
   if (view.zoom) parts.push(`zoom=${view.zoom.map(w => Number(w.toPrecision(6))).join(',')}`);
   if (view.compare && view.compare !== comparedNames()[0]) parts.push(`compare=${encodeURIComponent(view.compare)}`);
@@ -137,6 +141,7 @@ function readAddress() {
   const index = Number(given.get('case') ?? 0), zoom = (given.get('zoom') ?? '').split(',').map(Number);
   view.case = cases[index] ? index : 0;
   for (const key of SWITCHES) view[key] = given.has(key);
+  view.ylog = given.has('ylog') ? given.get('ylog') !== '0' : null;
   view.zoom = zoom.length === 2 && zoom[0] >= 0 && zoom[1] > zoom[0] ? zoom : null;
   view.compare = decoded(given.get('compare') ?? '');
   view.hidden = new Set((given.get('hide') ?? '').split(',').filter(Boolean).map(decoded));

@@ -37,13 +37,6 @@ function viewWords() {
 }
 const drawnWords = 'Circles: resonance peaks. Grey ticks on the upper edge: undamped natural frequencies.';
 
-/// Would a linear axis show only a spike? On the screen a switch chooses the axis.
-function isSpiky(chart) {
-  const spiky = 10, lines = shownCurves(chart).map(curve => inRange(curve, ...frequencyRange(chart)));
-  const highest = line => largestOf(line.map(p => p[1])), common = largestOf(lines.map(commonTop));
-  return common > 0 && largestOf(lines.map(highest)) > spiky * common;
-}
-
 /// Heading, charts, results and tables of a case.
 function paperCase(index) {
   const {nodes, charts: made} = chartsOfCase(index, PAPER_CHART);
@@ -246,7 +239,6 @@ function layOutPages() {
   leaveOutMinorRows();
   leaveOutWhatTheInputFileHas();
   for (const chart of paperCharts) {
-    chart.spiky = !chart.phase && isSpiky(chart);
     draw(chart);
     if (!chart.phase) chart.caption.textContent = amplitudeWords(chart, chart.plot);
   }
