@@ -288,6 +288,16 @@ class Rules(Served):
                 self.assertIn(part, policy)
             self.assertFalse([name for name in fields if name.startswith("access-control") or name == "set-cookie"])
 
+    def test_files_of_the_page_are_those_of_the_bundle(self):
+        server = self.serve(PAPER)
+        types = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".txt": "text/plain"}
+        bundle = sorted((SOURCE / "web/dist").iterdir())
+        self.assertIn("index.html", [file.name for file in bundle])
+        for file in bundle:
+            status, fields, content = server.send("GET", "/" + file.name, X_Trivet_Token=None)
+            self.assertEqual((status, content), (200, file.read_bytes()), file.name)
+            self.assertEqual(fields["content-type"], types[file.suffix] + "; charset=utf-8")
+
     def test_files_of_the_page_need_no_token_and_data_do(self):
         server = self.serve(PAPER)
         status, fields, page = server.send("GET", "/", X_Trivet_Token=None)

@@ -6,6 +6,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/http/read.hpp>
+#include <cerrno>
 #include <limits>
 #include <utility>
 
@@ -102,17 +103,23 @@ void Connection::work(const AcceptedRequest& request) {
   enter(State::working, no_deadline);
   watch_client();
   const bool keeps_alive = parser_->get().keep_alive();
-  site_.respond(
-      request, std::move(parser_->get().body()), has_left_, [self = shared_from_this(), keeps_alive](Answer answer) {
-        net::post(self->socket_.get_executor(), [self, keeps_alive, answer = std::move(answer)]() mutable {
-          if (self->state_ != State::working) return;
-          Error ignored;
-          self->socket_.cancel(ignored);                     // ends watch_client
-          if (answer.status >= 400 && answer.status != 409)  // 409 is everyday: a newer question, a changed file
-            self->site_.log.add(answer.status, self->about_, answer.body);
-          self->send(std::move(answer), keeps_alive);
-        });
-      });
+  // The reply leaves nothing of the connection on its thread, so that the loop's thread destroys it.
+  Reply reply = [self = shared_from_this(), keeps_alive](Answer answer) mutable {
+    const auto loop = self->socket_.get_executor();
+    net::post(loop, [self = std::move(self), keeps_alive, answer = std::move(answer)]() mutable {
+      self->on_answer(std::move(answer), keeps_alive);
+    });
+  };
+  site_.respond(request, std::move(parser_->get().body()), has_left_, std::move(reply));
+}
+
+void Connection::on_answer(Answer answer, bool keeps_alive) {
+  if (state_ != State::working) return;
+  Error ignored;
+  socket_.cancel(ignored);                           // ends watch_client
+  if (answer.status >= 400 && answer.status != 409)  // 409 is everyday: a newer question, a changed file
+    site_.log.add(answer.status, about_, answer.body);
+  send(std::move(answer), keeps_alive);
 }
 
 /// A client that closes its connection needs no answer, and its computation ends.
@@ -120,7 +127,8 @@ void Connection::watch_client() {
   socket_.async_wait(net::ip::tcp::socket::wait_read, [self = shared_from_this()](const Error& error) {
     char byte = 0;
     if (error || self->state_ != State::working) return;
-    if (recv(self->socket_.native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT) <= 0) self->close();
+    const ssize_t count = recv(self->socket_.native_handle(), &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+    if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) self->close();
   });
 }
 

@@ -61,6 +61,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void judge();
   void read_body(const AcceptedRequest& request);
   void work(const AcceptedRequest& request);
+  void on_answer(Answer answer, bool keeps_alive);
   void watch_client();
   void refuse(const Refusal& refusal);
   void send(Answer answer, bool keeps_alive);
