@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`trivet serve` without a file teaches by three examples."""
+import re
+
 from conftest import settled
 
 
@@ -18,3 +20,16 @@ def test_three_examples_can_be_opened_and_saved_as_a_download(serve, tmp_path):
         page.get_by_role('button', name='Save').click()
     download.value.save_as(tmp_path / 'machine.toml')
     assert 'trivet = 1' in (tmp_path / 'machine.toml').read_text()
+
+
+def test_the_form_makes_a_machine_that_is_judged(serve):
+    page = serve().page()
+    page.get_by_label('Mass [kg]').fill('abc')
+    page.get_by_role('button', name='Make it').click()
+    page.get_by_text('Mass: a number above 0 is expected.').wait_for()
+    page.get_by_label('Mass [kg]').fill('650')
+    page.get_by_label('Name').fill('Fan "north"')
+    page.get_by_role('button', name='Make it').click()
+    settled(page)
+    assert page.locator('header .title').inner_text() == 'Fan "north"'
+    page.locator('.pill').get_by_text(re.compile('requirements (met|violated)')).wait_for()

@@ -1,19 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import {html} from 'lit';
+import {html, nothing} from 'lit';
 import type {Example} from './engine.ts';
+import {newMachine, QUESTIONS, wrongNumber, type Numbers, type Question} from './new_machine.ts';
 import {Part} from './part.ts';
 
-/// What is there without a file: three machines to play with, and how to begin.
+/// What is there without a file: three machines to play with, a form for a new one, and how to begin.
 export class EmptyState extends Part {
-  static override properties = {...Part.properties, examples: {attribute: false}, open: {attribute: false}};
+  static override properties = {...Part.properties, examples: {attribute: false}, open: {attribute: false}, wrong: {state: true}};
   declare examples: readonly Example[];
   declare open: (example: Example) => void;
+  declare wrong: string;
 
+  constructor() {
+    super();
+    this.wrong = '';
+  }
   override render() {
     return html`<h2>Begin with a machine</h2>
       <p>Open one, drag a slider, and see how it moves. Nothing is written to your disk until you save it.</p>
       <ul class="examples">${this.examples.map(example => html`<li><button @click=${() => this.open(example)}><b>${example.title}</b><span>${example.name}</span></button></li>`)}</ul>
+      <h2>Or describe yours</h2>
+      <form @submit=${this.create}>
+        <label>Name<input name="title" value="New machine"></label>
+        ${(Object.entries(QUESTIONS) as [Question, (typeof QUESTIONS)[Question]][]).map(([name, q]) => html`<label>${q.label}${q.unit ? ` [${q.unit}]` : ''}<input name=${name} inputmode="decimal" value=${q.value}></label>`)}
+        <button class="unsaved">Make it</button>
+        ${this.wrong ? html`<p role="alert" class="wrong">${this.wrong}</p>` : nothing}
+      </form>
       <p>With your own file: <code>trivet serve machine.toml</code>. A commented file to start from: <code>trivet new machine.toml</code>.</p>`;
+  }
+  private create(event: SubmitEvent) {
+    event.preventDefault();
+    const data = new FormData(event.target as HTMLFormElement);
+    const numbers = Object.fromEntries(Object.keys(QUESTIONS).map(name => [name, Number(String(data.get(name)).replace(',', '.'))])) as Numbers;
+    this.wrong = wrongNumber(numbers);
+    if (!this.wrong) this.open({name: 'machine.toml', title: '', text: newMachine(String(data.get('title')), numbers)});
   }
 }
 customElements.define('empty-state', EmptyState);

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+import {newMachine, QUESTIONS, wrongNumber, type Numbers} from '../src/new_machine.ts';
+import {indexOf} from '../src/numbers_of_text.ts';
+
+const numbers = Object.fromEntries(Object.entries(QUESTIONS).map(([name, q]) => [name, q.value])) as Numbers;
+
+test('the density of the box gives the mass of the form', () => {
+  const entry = [...indexOf(newMachine('A "fan"', numbers)).byPath.values()].find(e => e.path.at(-1) === 'density')!;
+  assert.ok(Math.abs(Number(entry.raw) * 1.2 * 0.6 * 0.5 - 400) < 0.01);
+});
+test('mounts stand in pairs, symmetric about the middle', () => {
+  const {numbers: found} = indexOf(newMachine('', {...numbers, pairs: 3}));
+  const x = ['1 left', '2 left', '3 left', '3 right'].map(name => found.get(`elements."${name}".at.x`)!.raw);
+  assert.deepEqual(x, ['"480 mm"', '"0 mm"', '"-480 mm"', '"-480 mm"']);
+  assert.equal(found.get('elements."2 right".at.y')!.raw, '"-240 mm"');
+});
+test('a wrong number is named', () => {
+  assert.equal(wrongNumber(numbers), '');
+  assert.match(wrongNumber({...numbers, mass: NaN}), /^Mass/);
+  assert.match(wrongNumber({...numbers, pairs: 1.5}), /^Pairs/);
+});
