@@ -15,7 +15,7 @@ export class Display {
   shown: Shown = {kind: 'mode', number: 1};
   damped = false;
   playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
-  share = 0.06;  // largest drawn displacement over the size of the machine
+  share = 0.04;  // largest drawn displacement over the size of the machine
   speed = 0.5;  // drawn periods a second
   phase = 0;  // [rad]
   traces = false;

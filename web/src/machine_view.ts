@@ -27,7 +27,7 @@ export class MachineView extends Part {
   override render() {
     const {display, asker, state} = this.app, modes = asker.result<Modes>('modes');
     const chosen = display.shown.kind === 'mode' ? `${display.shown.number}` : display.shown.kind;
-    const label = this.motion ? `${this.motion.label}, ${frequency(this.motion.angular_frequency, display.frequencyUnit)}` : 'at rest';
+    const label = this.motion ? `${this.motion.label}, ${frequency(this.motion.angular_frequency, display.frequencyUnit)}${this.motion.words ? `: ${this.motion.words}` : ''}` : 'at rest';
     const views: View[] = ['oblique', 'front', 'side', 'top'];
     return html`
       <div class="stage" tabindex="0" role="application" aria-label="Machine in 3D: ${label}. Arrow keys turn it, plus and minus zoom, space plays or stops, n and p show the next and the previous mode, s selects the next part."

@@ -8,6 +8,7 @@ export type RigidMotion = readonly Complex[];
 /// A motion of the machine at one frequency. Bodies and ends of elements that are not named are at rest.
 export interface Motion {
   label: string;
+  words: string;
   angular_frequency: number;
   bodies: ReadonlyMap<string, RigidMotion>;
   ends: ReadonlyMap<string, RigidMotion>;  // "front left.foot": end of an element on a moving foundation
@@ -42,14 +43,14 @@ function ofBodies(bodies: readonly SceneBody[], shape: readonly Complex[]) {
 export function ofMode(modes: Modes, index: number, bodies: readonly SceneBody[]): Motion | null {
   const mode = modes.modes[index];
   if (!mode) return null;
-  return {label: `Mode ${mode.number}: ${mode.name}`, angular_frequency: mode.angular_frequency, ends: new Map(),
+  return {label: `Mode ${mode.number}`, words: mode.name, angular_frequency: mode.angular_frequency, ends: new Map(),
           bodies: ofBodies(bodies, mode.shape.map(v => [v, 0]))};
 }
 /// The damped motion of the root nearest to a mode, without its decay: places move with different phases.
 export function ofRoot(roots: Roots, mode: number, bodies: readonly SceneBody[]): Motion | null {
   const root = roots.roots.find(r => r.nearest_mode === mode && r.eigenvalue[1] > 0);
   if (!root) return null;
-  return {label: `Damped mode ${mode}`, angular_frequency: root.eigenvalue[1], ends: new Map(),
+  return {label: `Damped mode ${mode}`, words: '', angular_frequency: root.eigenvalue[1], ends: new Map(),
           bodies: ofBodies(bodies, root.shape)};
 }
 /// The forced motion at a frequency.
@@ -62,7 +63,7 @@ export function ofShape(shapes: Shapes, bodies: readonly SceneBody[]): Motion | 
     if (body) moving.set(name, inProjectFrame(motion, body.axes));
     else ends.set(name, motion);
   }
-  return {label: 'Operating shape', angular_frequency: shape.angular_frequency, bodies: moving, ends};
+  return {label: 'Operating shape', words: '', angular_frequency: shape.angular_frequency, bodies: moving, ends};
 }
 
 /// Largest displacement of the corners of all bodies over a period [m]: the scale of a drawing.

@@ -34,7 +34,7 @@ export class ResultTables extends Part {
         const chosen = display.shown.kind === 'mode' && display.shown.number === m.number, root = roots?.roots.find(r => r.nearest_mode === m.number && r.eigenvalue[1] > 0);
         return html`<tr aria-selected=${chosen} class=${chosen ? 'chosen' : ''} @click=${() => display.set({shown: {kind: 'mode', number: m.number}})}>
           <th scope="row"><button class="link" aria-label="Show mode ${m.number}">${m.number}</button></th><td>${frequency(m.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
-          <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : roots ? '–' : html`<span class="old">…</span>`}</td><td class="words cut" title=${m.name}>${m.name}</td>
+          <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : roots ? '–' : html`<span class="old">…</span>`}</td><td class="words cut" title=${m.name}>${brief(m.name)}</td>
           ${one ? m.kinetic_energy_share.map(share => html`<td class="share">${Math.abs(share) >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m.kinetic_energy_share)}</td>`}</tr>`;
       })}</tbody></table>${one ? html`<p class="hint">x … θz: share of the kinetic energy in %.</p>` : nothing}`;
   }
@@ -77,6 +77,8 @@ export class ResultTables extends Part {
     return html`<p class="hint">${this.app.asker.missing(command)}</p>`;
   }
 }
+/// "mostly rotation about y through (…) m" in a narrow column: "≈ about y".
+const brief = (name: string) => name.replace('mostly ', '≈ ').replace('translation ', '').replace('rotation ', '').replace(/ through .*/, '');
 /// "frame 81 %, axle 12 %": shares of the bodies.
 function largestShares(modes: Modes, shares: number[]): string {
   const ofBodies = modes.bodies.map((name, i) => ({name, share: shares.slice(6 * i, 6 * i + 6).reduce((a, b) => a + b, 0)}));

@@ -20,7 +20,7 @@ export class ShownMotion {
     else if (shown.kind === 'rest' || !modes) this.motion = null;
     else {
       const index = modes.modes.findIndex(m => m.number === shown.number), decaying = roots && ofRoot(roots, shown.number, bodies);
-      this.motion = decaying ? {...decaying, label: `Damped mode ${shown.number}: ${modes.modes[index]?.name ?? ''}`} : ofMode(modes, index, bodies);
+      this.motion = decaying ? {...decaying, words: modes.modes[index]?.name ?? ''} : ofMode(modes, index, bodies);
     }
     return this.motion;
   }

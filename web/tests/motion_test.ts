@@ -27,7 +27,7 @@ test('coordinates along the axes of a turned body become those of the project', 
   close(inProjectFrame(real(1, 0, 0, 0, 2, 0), turned).map(v => v[0]), [0, 1, 0, -2, 0, 0]);
 });
 test('the largest displacement of a translation is its size, of a rotation that of the farthest corner', () => {
-  const of = (motion: RigidMotion): Motion => ({label: '', angular_frequency: 1, ends: new Map(), bodies: new Map([['body', motion]])});
+  const of = (motion: RigidMotion): Motion => ({label: '', words: '', angular_frequency: 1, ends: new Map(), bodies: new Map([['body', motion]])});
   assert.ok(Math.abs(largestDisplacement(of(real(0, 3, 0, 0, 0, 0)), [box([1, 1, 1])]) - 3) < 1e-12);
   assert.ok(Math.abs(largestDisplacement(of(real(0, 0, 0, 1, 0, 0)), [box([0, 0, 0])]) - Math.hypot(2, 3)) < 1e-12);
 });

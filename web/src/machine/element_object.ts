@@ -22,7 +22,7 @@ export class ElementObject {
     const from = new Vector3(...element.from.at), to = new Vector3(...element.to.at), bush = element.rubber?.length;
     if (bush) spread(from, to, e3, bush / 2, bush / 2);
     else if (from.distanceTo(to) < 0.01 * size) {
-      const length = Math.min(Math.max(element.size[0], 0.05 * size), 0.12 * size), side = e3.clone().multiplyScalar(outwards(element, bodies, e3));
+      const length = Math.min(Math.max(element.size[0], 0.07 * size), 0.12 * size), side = e3.clone().multiplyScalar(outwards(element, bodies, e3));
       if (element.from.body && element.to.body) spread(from, to, e3, length / 2, length / 2);
       else if (element.from.body) to.addScaledVector(side, length);
       else from.addScaledVector(side, length);
