@@ -61,6 +61,7 @@ WITHOUT = {
     "man": "no numbers of a machine",
     "new": "no numbers of a machine",
     "schema": "no numbers of a machine",
+    "scene": "its text is a list of places, its JSON has surfaces besides (scene_test.py)",
     "serve": "its results are the JSON of the other commands, to the byte (serve_test.py)",
 }
 # Lines and parts of the text that the JSON of the command does not have, each with its reason.

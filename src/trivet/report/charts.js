@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Charts of curves, drawn by uPlot: ranges, ticks, marks, pointer, keys and legends.
 
-/// State chosen by the user. `ylog` is null while each chart chooses its amplitude axis. `zoom` is null or [from, to] in rad/s; `hidden` contains the names of hidden curves.
+/// State chosen by the user. `ylog` is null while each chart chooses its amplitude axis. `zoom` is null or [from, to]
+/// in rad/s; `hidden` contains the names of hidden curves.
 const view = {case: 0, ylog: null, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set()};
 let charts = [];        // of the selected case
 let comparison = null;  // the chart of all cases

@@ -66,7 +66,7 @@ TEST(DesignEvaluation, MeetsALimitThatEveryDesignReachesExactly) {
     EXPECT_EQ(map.feasible_designs, map.outcomes.size());
     for (const design::DesignOutcome& outcome : map.outcomes) EXPECT_EQ(outcome.margin, 1);
     EXPECT_THAT(results::verdict_words(map, map.marks.at(1)),
-                testing::ElementsAre("least margin 1: machine.z ≤ 1 m/s²"));
+                testing::ElementsAre("least margin 1: machine.z ≤ 1 m/s² 0-p"));
   }
 }
 

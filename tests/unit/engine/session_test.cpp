@@ -112,8 +112,8 @@ TEST(Session, RejectsUnknownCommandsCasesAndElements) {
         Request{.command = "response", .keys = {{"at", "2 Hz"}, {"band", "1 Hz,5 Hz"}}},
         Request{.command = "suspension", .keys = {{"torque", "0,0,0"}}}, Request{.command = "element"}})
     EXPECT_TRUE(session.ask(request).errors.has_errors()) << request.command;
-  const engine::Result whole = opened("genset/load_cases.toml").ask({.command = "verdict", .case_name = "2 g"});
-  EXPECT_THAT(subjects(whole.errors), testing::ElementsAre("case \"2 g\""));  // it is about all cases
+  const engine::Result whole = opened("genset/load_cases.toml").ask({.command = "optimize", .case_name = "2 g"});
+  EXPECT_THAT(subjects(whole.errors), testing::ElementsAre("case \"2 g\""));  // a search is about all cases
 }
 
 TEST(Session, TakesNumbersInPlaceOfTexts) {
