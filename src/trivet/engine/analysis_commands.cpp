@@ -14,9 +14,11 @@
 #include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/text/admissible_range.h"
+#include "trivet/results/analyses/curves_document.h"
 #include "trivet/results/format/written_results.h"
 #include "trivet/study/analyses/analysis_commands.h"
 #include "trivet/study/analyses/case_results.h"
+#include "trivet/study/analyses/curve_results.h"
 
 namespace trivet::engine {
 namespace {
@@ -113,6 +115,60 @@ Result run_analysis(const Task& task) {
   return result;
 }
 
+Result curves(const Task& task) {
+  const project::Case& variant = task.variant;
+  project::Analyses request = study::curve_request(variant);
+  if (task.keys.has("band")) set_band(task, request);
+  if (task.keys.has("of")) {
+    request.response->selection.of = task.keys.names("of");
+    request.peaks->selection = request.response->selection;
+  }
+  if (task.keys.flag("draft")) {
+    request.peaks.reset();
+    request.limits.clear();
+    request.limit_lines.clear();
+  }
+  study::CaseResults found = study::curve_results(variant, request, task.progress, task.solved.of(variant));
+  if (task.keys.has("band")) found.warnings.add(judging::doubts_about_band(variant, *request.response->band));
+  found.warnings = without_unused(*task.project, found.warnings);
+  if (!found.response) throw foundation::NotComputable(found.failures.front());
+  const auto held = hold(task, std::move(found));
+  Result result;
+  add_notices(held->found, result);
+  const auto document = [held](const project::Case& shown) { return results::curves_document(shown, held->found); };
+  set_forms(in_units(document, variant), held, variant.display, {}, result);
+  return result;
+}
+
+/// @param excludes  a key that must not be given with it
+Key band_key(const char* excludes = "") {
+  return {.name = "band",
+          .kind = KeyKind::text,
+          .about = "FROM,TO with units: \"2 Hz,40 Hz\"",
+          .excludes = excludes,
+          .value = "FROM,TO"};
+}
+
+Command curve_command() {
+  return {
+      .name = "curves",
+      .about = "characteristics of all coordinates, points and forces as rational functions, for programs that draw",
+      .group = Group::harmonic,
+      .of_one_case = true,
+      .looks_at = {"response", "peaks", "limits", "limit_lines"},
+      .keys = {band_key(),
+               {.name = "of",
+                .kind = KeyKind::text,
+                .about = "only this result (repeatable): \"machine.z\", \"ground\"",
+                .repeatable = true,
+                .value = "RESULT"},
+               {.name = "draft",
+                .kind = KeyKind::flag,
+                .about = "the models alone, sooner: without exact peaks, extrema, limits and limit lines"}},
+      .examples = {"trivet curves machine.toml", "trivet curves machine.toml --of machine.z --json"},
+      .run = curves};
+}
+
 Group group_of(const std::string& name) {
   static const std::map<std::string, Group> others = {
       {"random", Group::time},        {"transient", Group::time}, {"shock_spectrum", Group::time},
@@ -131,11 +187,7 @@ std::vector<Key> keys_of(const std::string& name) {
              .kind = KeyKind::text,
              .about = "single frequencies with units: \"12.5 Hz,25 Hz\"",
              .value = "FREQUENCY,…"},
-            {.name = "band",
-             .kind = KeyKind::text,
-             .about = "FROM,TO with units: \"2 Hz,40 Hz\"",
-             .excludes = "at",
-             .value = "FROM,TO"}};
+            band_key("at")};
   if (name == "operation")
     return {{.name = "at",
              .kind = KeyKind::text,
@@ -216,6 +268,7 @@ std::vector<Command> analysis_commands() {
                     .strict = true,
                     .examples = examples_of(analysis.name),
                     .run = run_analysis});
+  rows.push_back(curve_command());
   return rows;
 }
 

@@ -32,20 +32,6 @@ std::vector<CurveGroup> curve_groups(const std::vector<CurveName>& curves) {
   return result;
 }
 
-std::string quantity_name(const std::string& unit) {
-  static constexpr std::array<std::pair<const char*, const char*>, 8> names = {{{"m", "displacement"},
-                                                                                {"m/s", "velocity"},
-                                                                                {"m/s²", "acceleration"},
-                                                                                {"rad", "rotation"},
-                                                                                {"rad/s", "angular velocity"},
-                                                                                {"rad/s²", "angular acceleration"},
-                                                                                {"N", "force"},
-                                                                                {"N m", "moment"}}};
-  for (const auto& [of, name] : names)
-    if (unit == of) return name;
-  return unit;
-}
-
 std::string file_part(std::string name) {
   const auto unsafe = [](char c) {
     return static_cast<unsigned char>(c) < 0x80 && !std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-';

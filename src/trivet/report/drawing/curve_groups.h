@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "trivet/results/format/quantity_name.h"
+
 namespace trivet::report {
 
 /// A curve of a group: its label "x", "θx", "Fx", "Mx", and its index.
@@ -34,8 +36,7 @@ template <typename Curves>
   return names;
 }
 
-/// "displacement" for m, "moment" for N m …
-[[nodiscard]] std::string quantity_name(const std::string& unit);
+using results::quantity_name;
 
 /// Largest number of bytes of a name in a file name; file systems allow 255 in total.
 inline constexpr std::size_t longest_file_part = 100;

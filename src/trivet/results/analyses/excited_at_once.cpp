@@ -19,14 +19,18 @@ std::vector<std::string> selected(const project::Analyses& request, const std::s
 
 }  // namespace
 
-Sentence excited_part(const project::Case& variant, const std::string& analysis) {
+std::vector<std::string> excited_names(const project::Case& variant, const std::string& analysis) {
   const std::vector<std::string> chosen = selected(variant.analyses, analysis);
   std::vector<std::string> names;
   for (const model::Excitation& excitation : variant.system.description().excitations) {
     if (model::is_selected(excitation, chosen) && project::drives(excitation, project::drive_of(analysis)))
       names.push_back(excitation.name);
   }
-  return excited_part(names);
+  return names;
+}
+
+Sentence excited_part(const project::Case& variant, const std::string& analysis) {
+  return excited_part(excited_names(variant, analysis));
 }
 
 Sentence excited_part(const std::vector<std::string>& names) {

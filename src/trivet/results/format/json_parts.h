@@ -16,6 +16,10 @@ namespace trivet::results::json {
 /// Position of an end of an element: "on", "at", "in_ground", "axes_in_ground".
 [[nodiscard]] Json end(const project::Case& variant, const model::End& end);
 [[nodiscard]] Json response(const study::CaseResults& results);
+/// A model of curves as rational functions: docs/json.md, "curves". @param found  with a model
+[[nodiscard]] Json curve_model(const study::ResponseResult& found);
+/// Name, unit, exact extrema and first phase of one of its curves.
+[[nodiscard]] Json drawn_curve(const study::ResponseResult& found, std::size_t curve);
 /// The response for drawing in a page: the curve model if there is one, instead of a long table.
 [[nodiscard]] Json drawn_response(const study::CaseResults& results);
 [[nodiscard]] Json design_map(const study::DesignMap& map);

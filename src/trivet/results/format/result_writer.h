@@ -52,6 +52,8 @@ struct ResultWriter {
 
 /// "warnings" in JSON.
 [[nodiscard]] Single warnings_part(const study::CaseResults& results);
+/// Names of the excitations that act together in an analysis.
+[[nodiscard]] std::vector<std::string> excited_names(const project::Case& variant, const std::string& analysis);
 /// The excitations that act together, if there are several; not in summaries.
 [[nodiscard]] Sentence excited_part(const project::Case& variant, const std::string& analysis);
 [[nodiscard]] Sentence excited_part(const std::vector<std::string>& names);

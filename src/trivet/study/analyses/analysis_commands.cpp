@@ -7,6 +7,7 @@
 #include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/study/analyses/analysis_run.h"
+#include "trivet/study/analyses/curve_results.h"
 
 namespace trivet::study {
 namespace {
@@ -100,7 +101,34 @@ Analyses measurements_of(const Case& variant) {
   return request;
 }
 
+/// All coordinates and points, and the forces on the ground if an element ends there.
+std::vector<std::string> all_motions(const model::Description& d) {
+  std::vector<std::string> all = {"coordinates"};
+  for (const model::Body& body : d.bodies)
+    for (const model::Point& point : body.points) all.push_back(body.name + "." + point.name);
+  const auto on_ground = [](const model::Element& element) { return !element.n.body && !element.is_foundation; };
+  if (std::ranges::any_of(d.elements, on_ground)) all.emplace_back("ground");
+  return all;
+}
+
 }  // namespace
+
+Analyses curve_request(const Case& variant) {
+  Analyses request = response_of(variant);
+  project::ResponseRequest& response = *request.response;
+  response.at.clear();
+  response.spacing = project::Spacing::automatic;
+  std::vector<std::string>& of = response.selection.of;
+  std::vector<std::string> more = all_motions(variant.system.description());
+  for (const project::Limit& limit : request.limits) more.push_back(limit.name);
+  for (std::string& word : more)
+    if (std::ranges::find(of, word) == of.end()) of.push_back(std::move(word));
+  request.peaks = project::PeaksRequest{response.selection};
+  request.lowest_modes = 0;
+  request.limit_lines = variant.analyses.limit_lines;
+  std::erase_if(request.limit_lines, [](const project::LimitLineRequest& line) { return line.bands.has_value(); });
+  return request;
+}
 
 const std::vector<AnalysisCommand>& analysis_commands() {
   static const std::vector<AnalysisCommand> list = [] {

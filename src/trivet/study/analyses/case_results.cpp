@@ -24,6 +24,7 @@
 #include "trivet/response/steady/resonant_mode.h"
 #include "trivet/study/analyses/analysis_run.h"
 #include "trivet/study/analyses/case_context.h"
+#include "trivet/study/analyses/curve_results.h"
 
 namespace trivet::study {
 namespace {
@@ -93,8 +94,12 @@ std::vector<double> subsample(const std::vector<double>& all, int most) {
 
 class CaseStudy {
  public:
-  CaseStudy(std::shared_ptr<const SolvedCase> solved, const foundation::Progress& progress)
-      : c_(std::move(solved), progress) {}
+  /// Of a response everything, or its model alone, which is enough to draw it.
+  enum class Extent { whole, model };
+
+  CaseStudy(std::shared_ptr<const SolvedCase> solved, const foundation::Progress& progress,
+            Extent extent = Extent::whole)
+      : c_(std::move(solved), progress), extent_(extent) {}
 
   CaseResults notices(const project::Case& variant, const project::Analyses& analyses) {
     for (const project::Analyses* requested : {&variant.analyses, &analyses})
@@ -146,6 +151,7 @@ class CaseStudy {
         refuse(reason);
       }
     };
+    with_extrema_ = extent_ == Extent::whole || analyses.peaks;
     if (analyses.peaks) attempt([&] { result.peaks = peaks_result(*analyses.peaks); });
     if (analyses.response) attempt([&] { result.response = response_of(*analyses.response); });
     if (result.response) attempt([&] { result.limits = limits_of(analyses, *result.response); });
@@ -208,8 +214,9 @@ class CaseStudy {
     const DrivenChannels driven = driven_channels(c_.system, c_.assembled, request.selection);
     ResponseResult result;
     result.quantity = request.selection.quantity;
-    const bool needs_peaks =
-        request.continuous_phase || (request.at.empty() && request.spacing == project::Spacing::automatic);
+    result.continuous_phase = request.continuous_phase;
+    const bool needs_peaks = with_extrema_ &&
+        (request.continuous_phase || (request.at.empty() && request.spacing == project::Spacing::automatic));
     const response::Peaks peaks = needs_peaks ? peaks_of(request.selection) : response::Peaks{};
     std::vector<double> grid = request.at;
     if (grid.empty()) {
@@ -222,6 +229,8 @@ class CaseStudy {
         result.model = response::curve_model(c_.assembled, driven.channels, driven.load, c_.roots().poles, peaks,
                                              result.band, {}, c_.progress);
         result.extrema = response::extrema(peaks, result.band);
+        result.extrema.resize(driven.channels.size());  // without peaks there are none
+        if (extent_ == Extent::model) return drawn_alone(driven, peaks, std::move(result));
         grid = response::drawing_grid(*result.model, peaks);
       } else {
         if (!(result.band.from > 0))
@@ -237,7 +246,6 @@ class CaseStudy {
     result.curves = result.model && c_.assembled.frequency_dependent()
         ? response::interpolated(*result.model, driven.channels, peaks, grid)
         : response::frequency_response(c_.assembled, driven.channels, driven.load, grid);
-    result.continuous_phase = request.continuous_phase;
     result.phase = phases(c_, driven, result.curves, peaks, request.continuous_phase);
     foundation::report_progress(c_.progress, "check by a second solver", 0.8);
     const int checked = project::deep_check_frequencies(c_.assembled.matrices.A.rows());
@@ -245,6 +253,13 @@ class CaseStudy {
         ? response::check_frequencies(c_.resonances(), result.band.from, result.band.to, checked)
         : subsample(grid, checked);
     result.deep = response::deep_check(c_.system, c_.assembled, driven.load, samples, request.selection.excitations);
+    return result;
+  }
+
+  /// Completes a response that is its model alone.
+  ResponseResult drawn_alone(const DrivenChannels& driven, const response::Peaks& peaks, ResponseResult result) const {
+    result.curves = response::interpolated(*result.model, driven.channels, peaks, {result.band.from});
+    result.phase = phases(c_, driven, result.curves, peaks, result.continuous_phase);
     return result;
   }
 
@@ -300,29 +315,41 @@ class CaseStudy {
   }
 
   CaseContext c_;
+  Extent extent_;
 
   struct Searched {
     project::ChannelSelection selection;
     double min_prominence;
     response::Peaks peaks;
   };
+  bool with_extrema_ = true;
   const ResponseResult* response_ = nullptr;  // while limits are judged
   double search_to_ = 0;  // peaks of frequency-dependent systems are searched at least over the band of the response
   std::deque<Searched> searched_;  // references to its elements stay valid
 };
 
-}  // namespace
-
-CaseResults case_results(const project::Case& variant, const project::Analyses& analyses,
-                         const foundation::Progress& progress, const std::shared_ptr<const SolvedCase>& solved) {
-  // The analyses of a file were checked against these sizes when it was read; those of a command line are checked here.
+/// The analyses of a file were checked against these sizes when it was read; those of a command line are checked here.
+void require_admissible_size(const project::Case& variant, const project::Analyses& analyses) {
   const foundation::Problems sizes = project::too_large(variant.system.description(), analyses);
   if (sizes.has_errors())
     throw foundation::NotComputable(sizes.list().front().subject + ": " + sizes.list().front().finding + "; " +
                                     sizes.list().front().rule + "; " + sizes.list().front().remedy);
+}
+
+}  // namespace
+
+CaseResults case_results(const project::Case& variant, const project::Analyses& analyses,
+                         const foundation::Progress& progress, const std::shared_ptr<const SolvedCase>& solved) {
+  require_admissible_size(variant, analyses);
   const int lowest = project::lowest_modes_suffice(analyses) ? analyses.lowest_modes : 0;
   return CaseStudy(solved ? solved : std::make_shared<const SolvedCase>(variant.system, lowest), progress)
       .compute(variant, analyses);
+}
+
+CaseResults curve_results(const project::Case& variant, const project::Analyses& request,
+                          const foundation::Progress& progress, const std::shared_ptr<const SolvedCase>& solved) {
+  require_admissible_size(variant, request);
+  return CaseStudy(solved, progress, CaseStudy::Extent::model).compute(variant, request);
 }
 
 CaseResults notices(const project::Case& variant, const project::Analyses& analyses,
