@@ -59,9 +59,7 @@ export function ofShape(shapes: Shapes, bodies: readonly SceneBody[]): Motion | 
   if (!shape) return null;
   const moving = new Map<string, RigidMotion>(), ends = new Map<string, RigidMotion>();
   for (const {name, motion} of shape.places) {
-    const body = bodies.find(b => b.name === name);
-    if (body) moving.set(name, inProjectFrame(motion, body.axes));
-    else ends.set(name, motion);
+    (bodies.some(b => b.name === name) ? moving : ends).set(name, motion);  // along the axes of the project
   }
   return {label: 'Operating shape', words: '', angular_frequency: shape.angular_frequency, bodies: moving, ends};
 }
