@@ -10,7 +10,8 @@ export interface SampledCurves {
 }
 
 /// Distances from a peak, relative to its frequency, at which its flanks are drawn.
-const FLANKS = Array.from({length: 14}, (_, k) => 10 ** (-4.5 + 0.25 * k));
+const FLANKS = Array.from({length: 9}, (_, k) => 10 ** (-4 + 0.375 * k));
+const SAME_PEAK = 1e-3;  // peaks of several results at nearly one frequency share their flanks
 
 /// Frequencies of a drawing: evenly spaced on the axis, with all peaks and the flanks of peaks and modes.
 export function drawnFrequencies(curves: Curves, count: number, logarithmic: boolean): number[] {
@@ -22,21 +23,26 @@ export function drawnFrequencies(curves: Curves, count: number, logarithmic: boo
   for (const p of curves.peaks) all.push(p.angular_frequency);
   for (const r of curves.results) for (const [w] of r.extrema ?? []) all.push(w);
   const centres = [...curves.natural, ...curves.peaks.map(p => p.angular_frequency)];
-  for (const w of new Set(centres)) for (const d of FLANKS) all.push(w * (1 - d), w * (1 + d));
+  let last = 0;
+  for (const w of centres.sort((a, b) => a - b)) {
+    if (w - last < SAME_PEAK * w) continue;
+    last = w;
+    for (const d of FLANKS) all.push(w * (1 - d), w * (1 + d));
+  }
   return [...new Set(all)].filter(w => w >= from && w <= to).sort((a, b) => a - b);
 }
 
-/// Curves of one excitation. Peaks have the exact amplitude that the program found.
-export function sampledCurves(curves: Curves, model: number, omega: number[]): SampledCurves {
+/// Curves of one excitation; those that are not `wanted` are empty. Peaks have the exact amplitude that the program found.
+export function sampledCurves(curves: Curves, model: number, omega: number[], wanted = curves.results.map((_, i) => i)): SampledCurves {
   const count = curves.results.length, chosen = curves.models[model];
   const amplitude: (number | null)[][] = curves.results.map(() => []), phase: (number | null)[][] = curves.results.map(() => []);
   if (!chosen) return {omega: [], amplitude, phase};
   const exact = curves.results.map(r => new Map<number, number | null>([
     ...r.extrema ?? [], ...curves.peaks.filter(p => p.result === r.name).map(p => [p.angular_frequency, p.amplitude] as const)]));
   for (const w of omega) {
-    const values = modelAt(chosen, w, count);
-    for (let c = 0; c < count; c++) {
-      const re = values[2 * c]!, im = values[2 * c + 1]!, size = Math.hypot(re, im);
+    const values = modelAt(chosen, w, count, wanted);
+    for (let k = 0; k < wanted.length; k++) {
+      const c = wanted[k]!, re = values[2 * k]!, im = values[2 * k + 1]!, size = Math.hypot(re, im);
       const defined = Number.isFinite(size), isReal = Math.abs(im) <= 1e-9 * Math.abs(re);
       amplitude[c]!.push(defined ? exact[c]!.get(w) ?? size : null);
       const angle = isReal ? (re < 0 ? Math.PI : 0) : Math.atan2(im, re);  // the sign of round-off changes at random
