@@ -30,13 +30,13 @@ export class CurveChart extends Part {
   override render() {
     const {display, asker} = this.app, curves = asker.result<Curves>('curves'), units = curves ? unitsOf(curves) : [];
     const unit = units.includes(this.choice.unit) ? this.choice.unit : units[0] ?? '';
-    if (unit !== this.choice.unit) this.choice = {...this.choice, unit};
+    if (curves && unit !== this.choice.unit) this.chooseUnit(curves, unit);
     const check = (label: string, on: boolean, set: (on: boolean) => void) => html`<label title=${HINTS[label] ?? ''}><input type="checkbox" .checked=${on}
       @change=${(e: Event) => set((e.target as HTMLInputElement).checked)}> ${label}</label>`;
     return html`
       <div class="bar">
         <h2 class="hidden">Characteristics</h2>${asker.isOld('curves') ? html`<span class="old">…</span>` : nothing}
-        ${units.length > 1 ? html`<select aria-label="Quantity" @change=${(e: Event) => { this.choice = {...this.choice, unit: (e.target as HTMLSelectElement).value}; }}>
+        ${units.length > 1 ? html`<select aria-label="Quantity" @change=${(e: Event) => this.chooseUnit(curves!, (e.target as HTMLSelectElement).value)}>
           ${units.map(u => html`<option value=${u} ?selected=${u === unit}>${QUANTITIES[u] ?? u}</option>`)}</select>` : nothing}
         ${curves && curves.models.length > 1 ? html`<select aria-label="Excitation" @change=${(e: Event) => { this.choice = {...this.choice, model: Number((e.target as HTMLSelectElement).value)}; }}>
           ${curves.models.map((m, i) => html`<option value=${i} ?selected=${i === this.choice.model}>${m.excitations?.join(', ') || 'all excitations'}</option>`)}</select>` : nothing}
@@ -107,6 +107,11 @@ export class CurveChart extends Part {
         ${r.name}${value ? html` <b>${value}</b>` : nothing}</button>`;
     })}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak; dashed: unstable; arrow: jump</span>` : nothing}`;
   }
+  /// Shows the first curves of a unit; more would cover each other until one chooses.
+  private chooseUnit(curves: Curves, unit: string) {
+    const names = curves.results.filter(r => r.unit === unit && !curves.vanishing?.includes(r.name)).map(r => r.name);
+    this.choice = {...this.choice, unit, hidden: new Set(names.slice(MOST_AT_FIRST))};
+  }
   private toggle(name: string) {
     const hidden = new Set(this.choice.hidden);
     if (!hidden.delete(name)) hidden.add(name);
@@ -163,6 +168,7 @@ export class CurveChart extends Part {
       <tbody>${rows.map(i => html`<tr><th scope="row">${number(x[i], 4)}</th>${curves.map(c => html`<td>${number(c.amplitude[i], 3)}</td>`)}</tr>`)}</tbody></table></div>`;
   }
 }
+const MOST_AT_FIRST = 6;
 const HINTS: Record<string, string> = {'log f': 'logarithmic frequency', log: 'logarithmic amplitude', dB: 'decibels of the SI unit',
                                        keep: 'keep these curves, dashed, to compare with changed ones', table: 'the values as a table'};
 const QUANTITIES: Record<string, string> = {m: 'displacement', rad: 'rotation', 'm/s': 'velocity', 'm/s^2': 'acceleration', 'm/s2': 'acceleration', N: 'force',
