@@ -210,6 +210,16 @@ class Operation(unittest.TestCase):
         far = self.trivet(MACHINE + ROTOR + '[operation]\nspeeds = ["980 rpm"]\n', "operation").stderr
         self.assertNotIn("resonance", far)
 
+    def test_an_undamped_resonance_in_a_range_is_that_of_its_order(self):
+        undamped = "".join(line for line in MACHINE.splitlines(True) if not line.startswith("damping"))
+        orders = '[{order = 0.5, force = [0, 0, 1]}, {order = 1, force = [0, 0, 50]}, {order = 2, force = [0, 0, 0.1]}]'
+        shaft = f'[excitations.shaft]\ntype = "orders"\non = "m"\nat = [0, 0, 0]\ntable = {orders}\n'
+        limits = '[operation]\nspeeds = [["250 rpm", "350 rpm"]]\nlimits."m.z" = "1 mm"\n'
+        found = json.loads(self.trivet(undamped + shaft + limits, "verdict", "--json").stdout)
+        (row,) = found["cases"][0]["requirements"]
+        self.assertAlmostEqual(row["angular_frequency"], NATURAL, delta=1e-9 * NATURAL)
+        self.assertTrue(row["unbounded"])
+
     def test_limits_are_judged_in_every_case(self):
         amplitude = of_rotor(980 * RPM)
         text = (

@@ -271,6 +271,8 @@ natural_frequencies = {avoid = [["12 Hz", "12.5 Hz"]]}
         case = MACHINE + '[requirements]\nmount_load = "catalogue"\nhold_in = ["", "other"]\n'
         case += '[cases.other]\nelements.front.type = "catalogue:hard"\n'
         self.assertIn('the case "other" sets the mount of "front"', self.refused(case))
+        elsewhere = MACHINE + '[cases.other.requirements]\nmount_load = "catalogue"\nhold_in = [""]\n'
+        self.assertIn("no case in which the requirements hold has any", self.refused(elsewhere))
 
     def test_mounts_without_a_price_are_named(self):
         self.file(CATALOGUE.replace('price = "30.0 EUR"\n', "").replace('"41.0 EUR"', '"41 USD"'), "maker.toml")

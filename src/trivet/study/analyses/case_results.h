@@ -128,7 +128,7 @@ struct CaseResults {
 [[nodiscard]] response::DeepCheck deep_check(const project::Case& variant);
 
 /// Limits and limit lines that no requirement of the case judges, over the band of the response. A requirement may have
-/// another band; it then decides alone, also where the design need not hold.
+/// another band; it then decides alone, also where requirements are not binding.
 [[nodiscard]] std::vector<const LimitResult*> limits_alone(const CaseResults& results);
 [[nodiscard]] std::vector<const LimitLineResult*> limit_lines_alone(const CaseResults& results);
 

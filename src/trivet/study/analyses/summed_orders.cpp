@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -131,7 +132,7 @@ std::vector<OperatingValue> SummedOrders::at_speed(double speed, const Counted& 
 }
 
 std::vector<double> SummedOrders::turning_speeds(std::size_t channel, const assembly::Band& speed,
-                                                 const Counted& orders, std::vector<double>& unbounded) const {
+                                                 const Counted& orders, std::vector<Resonance>& unbounded) const {
   const double from = begin(speed, orders);
   std::vector<double> speeds = {speed.to};
   if (from > 0) speeds.push_back(from);
@@ -139,7 +140,8 @@ std::vector<double> SummedOrders::turning_speeds(std::size_t channel, const asse
     const auto add = [&](double omega, double amplitude) {
       const double at = omega / loads_[k].order;
       if (!(at >= from && at <= speed.to)) return;
-      (std::isfinite(amplitude) ? speeds : unbounded).push_back(at);
+      if (std::isfinite(amplitude)) speeds.push_back(at);
+      else unbounded.push_back({at, k});
     };
     for (const response::Extremum& turning : peaks_[k].turnings[channel])
       add(turning.angular_frequency, turning.amplitude);
@@ -156,12 +158,11 @@ OperatingValue SummedOrders::largest_of(std::size_t channel, const assembly::Ban
   constexpr double proven = 1e-4;  // of the square
   constexpr std::size_t most_places = 20'000;
   const std::vector<assembly::Channel> alone = {channels_[channel]};
-  std::vector<double> unbounded;
+  std::vector<Resonance> unbounded;
   const std::vector<double> turning = turning_speeds(channel, speed, orders, unbounded);
   if (!unbounded.empty()) {
-    Place at = places(alone, 0, {unbounded.front()}, orders).front();
-    at.squares.array() += foundation::infinity;
-    at.reason = undamped;
+    Place at = places(alone, 0, {unbounded.front().speed}, orders).front();
+    at.set(to_index(unbounded.front().order), std::numeric_limits<double>::quiet_NaN());
     return value_at(channel, at, orders);
   }
   const auto lower = [](const Place& a, const Place& b) { return a.sum() < b.sum(); };

@@ -46,6 +46,11 @@ class SummedOrders {
     [[nodiscard]] double sum() const { return squares.sum(); }
   };
   using Counted = std::vector<std::size_t>;  ///< places in the list of loads
+  /// A speed at which an order meets an undamped resonance.
+  struct Resonance {
+    double speed = 0;
+    std::size_t order = 0;  ///< its place in the list of loads
+  };
 
   [[nodiscard]] Counted all() const;
   [[nodiscard]] Counted in_band(const excitation::FrequencyBand& band, double speed) const;
@@ -63,7 +68,7 @@ class SummedOrders {
   [[nodiscard]] OperatingValue largest_of(std::size_t channel, const assembly::Band& speed,
                                           const Counted& orders) const;
   [[nodiscard]] std::vector<double> turning_speeds(std::size_t channel, const assembly::Band& speed,
-                                                   const Counted& orders, std::vector<double>& unbounded) const;
+                                                   const Counted& orders, std::vector<Resonance>& unbounded) const;
   [[nodiscard]] OperatingValue value_at(std::size_t channel, const Place& place, const Counted& orders) const;
 
   const CaseContext& c_;

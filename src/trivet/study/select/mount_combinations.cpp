@@ -159,6 +159,10 @@ std::vector<const project::Case*> deciding_cases(const project::Project& project
   for (const project::Case& variant : project.cases)
     if (std::ranges::find(hold_in, variant.name) != hold_in.end() && has_something_to_judge(variant))
       cases.push_back(&variant);
+  if (cases.empty())
+    throw foundation::InvalidInput(
+        "requirements.hold_in: no case in which the requirements hold has any; name one that has requirements or "
+        "limits");
   return cases;
 }
 

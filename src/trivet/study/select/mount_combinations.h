@@ -136,7 +136,7 @@ class MountCombinations {
   std::string without_bounds_;
 };
 
-/// Cases in which a design has to hold.
+/// Cases in which a design has to hold. @throws foundation::InvalidInput if none of them has anything to judge
 [[nodiscard]] std::vector<const project::Case*> deciding_cases(const project::Project& project);
 
 }  // namespace trivet::study
