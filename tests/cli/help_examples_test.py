@@ -13,6 +13,7 @@ from trivet_test import SOURCE, TRIVET, InTemporaryFolder, trivet
 
 # Examples with the analyses of a command; all others run on the first.
 MACHINES = {
+    "curves": "three_coil_springs/machine.toml",
     "run": "genset/genset.toml",
     "steady": "isolator/hardening.toml",
     "backbone": "isolator/hardening.toml",

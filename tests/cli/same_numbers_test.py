@@ -60,6 +60,7 @@ WITHOUT = {
     "help": "no numbers of a machine",
     "man": "no numbers of a machine",
     "new": "no numbers of a machine",
+    "curves": "its text is a list of curves, its JSON has their functions (curves_test.py)",
     "schema": "no numbers of a machine",
     "scene": "its text is a list of places, its JSON has surfaces besides (scene_test.py)",
     "serve": "its results are the JSON of the other commands, to the byte (serve_test.py)",
