@@ -142,6 +142,15 @@ double largest_of(const std::vector<MountKind>& kinds, std::initializer_list<Spr
   return largest;
 }
 
+/// The deflections that the loads cause, also where a preload takes them up: the scale of round-off.
+double largest_way(const std::vector<MountKind>& kinds) {
+  double largest = largest_of(kinds, {&MountKind::deflection});
+  for (const MountKind& kind : kinds)
+    for (const double stiffness : kind.stiffness)
+      if (stiffness > 0) largest = std::max(largest, largest_of({kind}, {&MountKind::load}) / stiffness);
+  return largest;
+}
+
 }  // namespace
 
 Document mounts_document(const project::Case& variant) {
@@ -157,7 +166,7 @@ Document mounts_document(const project::Case& variant) {
   const bool has_load = any([](const MountKind& k) { return k.load.least.has_value(); });
   const bool has_utilisation = any([](const MountKind& k) { return k.utilisation.least.has_value(); });
   const double force = largest_of(kinds, {&MountKind::load, &MountKind::across});
-  const double way = largest_of(kinds, {&MountKind::deflection});
+  const double way = largest_way(kinds);
   const DisplayUnit newton = display_unit(variant.display, "N"), metre = display_unit(variant.display, "m");
   const Rows row(std::move(kinds));
   Table table{.rows = row.size(), .one_prefix = true, .forms = for_people};
