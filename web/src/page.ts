@@ -3,7 +3,7 @@
 import {Asker, type Wish} from './asker.ts';
 import {Display} from './display.ts';
 import {ServerEngine, tokenOfTab} from './engine.ts';
-import {hasRequirements} from './judgement.ts';
+import {hasSomethingToJudge} from './judgement.ts';
 import {PageShell} from './page_shell.ts';
 import {App} from './part.ts';
 import {Schema} from './schema.ts';
@@ -13,7 +13,7 @@ import {wishes} from './wishes.ts';
 async function start() {
   const engine = new ServerEngine(tokenOfTab()), project = await engine.project();
   const state = new State(), display = new Display();
-  const wanted = (): Wish[] => (state.design.text ? wishes(display, {hasRequirements: hasRequirements(app), hasSteady: app.index.byPath.has('analyses\0steady')}) : []);
+  const wanted = (): Wish[] => (state.design.text ? wishes(display, {hasSomethingToJudge: hasSomethingToJudge(app), hasSteady: app.index.byPath.has('analyses\0steady')}) : []);
   const asker = new Asker(engine, state, wanted), app: App = new App(engine, project, state, display, asker);
   const shell = new PageShell();
   shell.app = app;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
-import {hasRequirements} from './judgement.ts';
+import {hasSomethingToJudge} from './judgement.ts';
 import {Part} from './part.ts';
 import {frequency, number, withUnit} from './quantities.ts';
 import type {Check, Curves, Modes, Roots, Verdict} from './results.ts';
@@ -19,7 +19,7 @@ export class ResultTables extends Part {
     this.tab = null;
   }
   override render() {
-    const tab = this.tab ?? (hasRequirements(this.app) ? 'requirements' : 'modes');
+    const tab = this.tab ?? (hasSomethingToJudge(this.app) ? 'requirements' : 'modes');
     const bodies: Record<Tab, () => unknown> = {modes: () => this.modes(), requirements: () => this.requirements(), mounts: () => this.mounts(), peaks: () => this.peaks()};
     return html`<div class="tabs" role="tablist" aria-label="Tables">${(Object.keys(TABS) as Tab[]).map(t => html`<button role="tab" id="tab-${t}" aria-controls="table-panel" aria-selected=${t === tab} @click=${() => { this.tab = t; }}>${TABS[t]}</button>`)}</div>
       <div class="scroll table" role="tabpanel" id="table-panel" aria-labelledby="tab-${tab}" tabindex="0">${bodies[tab]()}</div>`;
@@ -40,7 +40,7 @@ export class ResultTables extends Part {
   }
   private requirements() {
     const {asker, state} = this.app, verdict = asker.result<Verdict>('verdict');
-    if (!hasRequirements(this.app)) return html`<p class="hint">The file has no [requirements]. With them every design is judged here, with its margins.</p>`;
+    if (!hasSomethingToJudge(this.app)) return html`<p class="hint">The file has no [requirements], [limits] or limit lines. With them every design is judged here, with its margins.</p>`;
     if (!verdict) return this.missing('verdict');
     const found = verdict.cases.find(c => c.case === state.case) ?? verdict.cases[0];
     const sorted = [...found?.requirements ?? []].sort((a, b) => (a.margin ?? Infinity) - (b.margin ?? Infinity));
