@@ -159,6 +159,28 @@ class MapRequirements(InTemporaryFolder):
         self.assertAlmostEqual(heavy["margin"] / margin(1e5, 400, 80), 1, delta=STORED)
         self.assertEqual([r["value"] for r in heavy["rules"][3:]], [None] * 3)
 
+    def test_a_case_that_sets_a_number_of_the_map_is_refused(self):
+        # Every design would replace the stiffness of the case: its own change would be lost.
+        text = MODEL + ONE + REQUIRED + 'hold_in = ["", "stiff"]\n[cases.stiff]\nelements.s.'
+        lost = self.file(text + "translation.z = 1.4e5\n")
+        words = 'case "stiff" sets elements.s.translation.z, which the parameter "stiffness" moves'
+        refused = trivet("map", lost)
+        self.assertEqual(refused.returncode, 2, refused.stdout)
+        self.assertIn(f"map: {words}; change another number in the case, such as stiffness_factor", refused.stderr)
+        self.assertIn(f"warning: map: {words}", trivet("check", lost).stderr)
+        ran = trivet("run", lost, "-o", self.folder / "out")
+        self.assertEqual(ran.returncode, 1)
+        self.assertIn(words, ran.stdout + ran.stderr)
+        # As a factor it holds beside the axis, and each design is judged 1.4 times as stiff.
+        found = result_of("map", self.file(text + "stiffness_factor.z = 1.4\n"))
+        places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
+        for (k, c), stored in zip(places, found["grid"]["margin"]):
+            self.assertAlmostEqual(stored / min(margin(k, c, M), margin(1.4 * k, c, M)), 1, delta=STORED)
+        # A case that only clearances judge is left out with a warning, and is a point on the map.
+        done = trivet("map", self.file(MODEL + FLOOR + ONE + "[cases.stiff]\nelements.s.translation.z = 1.4e5\n"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"{words}; every design would undo the case", done.stderr)
+
     def test_clearance_is_always_a_rule(self):
         # The mass sinks by m g / k and moves by F / (2 ζ √(1 − ζ²) k) at its peak.
         def closed(k, c):
@@ -212,7 +234,7 @@ class MapRequirements(InTemporaryFolder):
 
     def test_each_line_of_a_mark_names_another_case(self):
         limits = 'limits = {"m.z" = "0.1 mm"}\nno_peak = "m"\n'
-        cases = '[cases.soft]\nelements.s.translation.z = 6e4\nbodies.m.mass = 80\n'
+        cases = '[cases.soft]\nelements.s.stiffness_factor.z = 0.6\nbodies.m.mass = 80\n'
         required = '[requirements]\nhold_in = ["", "soft"]\n'
         found = result_of(
             "map", self.file(MODEL + FLOOR.replace("6 mm", "1 mm") + PUSH + ONE + limits + required + cases)

@@ -21,7 +21,7 @@
 #include "trivet/study/explain/element_summary.h"
 #include "trivet/study/optimize/design_front.h"
 #include "trivet/study/optimize/optimization.h"
-#include "trivet/study/optimize/optimum_warnings.h"
+#include "trivet/study/requirements/overruled_cases.h"
 #include "trivet/study/requirements/requirement_values.h"
 
 namespace trivet::study {
@@ -123,7 +123,7 @@ std::vector<CaseResults> run(const project::Project& project, const foundation::
     if (project.cases.size() > 1) all.back().load_case = load_case_of(variant, all.back());
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());
     if (i == 0) add_optimum(project, step, all.back());
-    if (i == 0 && !project.base().analyses.optimize) all.back().warnings.add(overruled_cases(project));
+    if (i == 0 && !project.base().analyses.optimize) all.back().warnings.add(overruled_by_search(project));
     if (done) done(i, all.back());
   }
   return all;
@@ -180,7 +180,10 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
         ? modal::lowest_modes(variant.system, assembled, variant.analyses.lowest_modes)
         : modal::modes(variant.system, assembled);
     found.warnings = variant.warnings;
-    if (cases.empty()) found.warnings.add(overruled_cases(project));
+    if (cases.empty()) {
+      found.warnings.add(overruled_by_search(project));
+      found.warnings.add(overruled_by_map(project));
+    }
     found.warnings.add(modes.warnings);
     if (!modal::cannot_grow(assembled, modes))
       found.warnings.add(is_too_large_for_roots(assembled) ? warning_of_unknown_roots()

@@ -15,6 +15,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/judging/changed_case.h"
 #include "trivet/project/analyses/map_requirements.h"
+#include "trivet/study/requirements/overruled_cases.h"
 
 namespace trivet::study {
 namespace {
@@ -51,10 +52,10 @@ project::MapRequest request_in(const project::Case& variant, const project::MapR
   return request;
 }
 
-/// Does a further case take both numbers of the map? If not, its designs cannot be judged: a warning, or an error if
-/// the file requests it.
-bool takes_numbers(const project::Case& variant, const project::MapRequest& request, bool as_requested,
-                   foundation::Problems& warnings) {
+/// Does a further case take both numbers of the map, and set neither itself? If not, its designs cannot be judged: a
+/// warning, or an error if the file requests it.
+bool takes_numbers(const project::Case& variant, const project::Case& base, const project::MapRequest& request,
+                   bool as_requested, foundation::Problems& warnings) {
   constexpr double inside = 0.47;  // of the axis
   for (const project::DesignAxis* axis : {&request.x, &request.y}) {
     const project::ModelNumber number(*axis);
@@ -70,7 +71,12 @@ bool takes_numbers(const project::Case& variant, const project::MapRequest& requ
                      "judge this case separately by verdict, or list the cases in requirements.hold_in");
     return false;
   }
-  return true;
+  const std::vector<OverruledCase> lost = overruled_in(variant, base, {request.x, request.y});
+  if (lost.empty()) return true;
+  if (as_requested) throw foundation::InvalidInput(lost.front().refusal("map"));
+  warnings.warning("map", lost.front().finding, "every design would undo the case, so none is judged in it",
+                   "change another number in the case, such as stiffness_factor, or judge it separately by verdict");
+  return false;
 }
 
 std::string words_of(const std::vector<design::MapRule>& rules, std::size_t first, std::size_t last) {
@@ -98,7 +104,8 @@ MapJudge::MapJudge(const project::Project& project, const project::Case& variant
     for (const project::Case& further : project.cases) {
       const bool holds = !further.name.empty() && std::ranges::find(hold_in, further.name) != hold_in.end();
       const bool as_requested = further.analyses.requirements.has_value();
-      if (holds && takes_numbers(further, request, as_requested, warnings_)) add_further(further, request, options);
+      if (holds && takes_numbers(further, variant, request, as_requested, warnings_))
+        add_further(further, request, options);
     }
   if (rules_.size() > DesignOutcome::most_rules)
     throw foundation::NotComputable(fmt::format("map: {} rules in all cases of hold_in; a map has at most {}",

@@ -15,7 +15,7 @@
 #include "trivet/study/family/frequency_slopes.h"
 #include "trivet/study/family/packed_slopes.h"
 #include "trivet/study/family/requirement_slopes.h"
-#include "trivet/study/optimize/optimum_warnings.h"
+#include "trivet/study/requirements/overruled_cases.h"
 #include "trivet/study/requirements/requirement_values.h"
 
 namespace trivet::study {
@@ -154,9 +154,9 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
   const std::vector<std::string> hold_in = cases_to_hold(project);
   for (const project::Case& variant : project.cases)
     if (std::ranges::find(hold_in, variant.name) != hold_in.end()) cases_.push_back(&variant);
-  if (const foundation::Problems overruled = overruled_cases(project, request.parameters); !overruled.list().empty())
-    throw foundation::InvalidInput("optimize: " + overruled.list().front().finding + "; " +
-                                   overruled.list().front().remedy);
+  for (const project::Case* variant : cases_)
+    if (const auto lost = overruled_in(*variant, project.base(), space_.axes()); !lost.empty())
+      throw foundation::InvalidInput(lost.front().refusal("optimize"));
   for (const project::Case* variant : cases_) {
     requests_.push_back(variant->analyses);
     minimized_.add_to(requests_.back());

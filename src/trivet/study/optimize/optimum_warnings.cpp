@@ -6,8 +6,6 @@
 #include <algorithm>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/plain_text.h"
-#include "trivet/project/model_number.h"
 #include "trivet/study/requirements/verdict.h"
 
 namespace trivet::study {
@@ -90,33 +88,6 @@ foundation::Problems optimum_warnings(const project::Project& project, const Opt
   warnings.add(zero_results(found));
   warnings.add(better_given_design(found));
   return warnings;
-}
-
-foundation::Problems overruled_cases(const project::Project& project, const std::vector<std::string>& parameters) {
-  foundation::Problems problems;
-  const std::vector<std::string> hold_in = cases_to_hold(project);
-  for (const project::Case& variant : project.cases) {
-    if (std::ranges::find(hold_in, variant.name) == hold_in.end()) continue;
-    for (const project::DesignAxis& axis : project.base().analyses.parameters) {
-      if (!parameters.empty() && std::ranges::find(parameters, axis.name) == parameters.end()) continue;
-      for (const project::ParameterPlace& place : axis.places) {
-        const project::ModelNumber number(place.path, axis.unit);
-        if (number.read(variant) == number.read(project.base())) continue;
-        problems.warning("optimize",
-                         "case " + foundation::quoted(variant.name) + " sets " + place.path + ", which the parameter " +
-                             foundation::quoted(axis.name) + " moves",
-                         "the parameter would undo the case, so optimize stops",
-                         "change another number in the case, such as stiffness_factor, or leave the case out of "
-                         "hold_in");
-      }
-    }
-  }
-  return problems;
-}
-
-foundation::Problems overruled_cases(const project::Project& project) {
-  const auto& request = project.base().analyses.optimize;
-  return overruled_cases(project, request ? request->parameters : std::vector<std::string>());
 }
 
 }  // namespace trivet::study
