@@ -35,6 +35,15 @@ class OrderOfChanges(InTemporaryFolder):
     def lowest(self, *arguments):
         return result_of("modes", self.file(MACHINE + CASES), *arguments)["modes"][0]["angular_frequency"]
 
+    def test_a_setting_that_replaces_the_change_of_a_case_says_so_once(self):
+        words = '--set elements.mount.scale=0.9: also replaces that of case "stiff"'
+        text = MACHINE + CASES + '[requirements]\nhold_in = ["", "stiff"]\nlimits = {"machine.z" = "1 m"}\n'
+        for command in ("verdict", "check"):
+            said = trivet(command, self.file(text), "--set", "elements.mount.scale=0.9").stderr
+            self.assertEqual(said.count(words), 1, said)
+            beside = trivet(command, self.file(text), "--set", "elements.mount.stiffness_factor.z=0.9").stderr
+            self.assertNotIn("also replaces", beside)
+
     def test_the_command_line_wins_over_the_case(self):
         base = self.lowest()
         self.assertAlmostEqual(self.lowest("--case", "stiff"), 2 * base, places=9)

@@ -102,6 +102,8 @@ foundation::Expected<Project> judged(project::WrittenProject written, const Anal
     add_of_case(of_case, of_base, name, problems);
     if (variant && !project.cases.empty()) project.cases.push_back(std::move(*variant));
   }
+  if (!project.cases.empty() && project::is_requested("requirements", filter, ""))
+    project.cases.front().warnings.add(written.over_cases);
   if (!filter.requested && !problems.has_errors()) {
     problems.add(reader.unused_acceptances(!project.settings.empty()));
     project.unused_parts = project::unused_parts(project.cases);

@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/settings.h"
 #include "trivet/project/text/changes.h"
@@ -82,6 +83,37 @@ std::vector<WrittenCase> written_cases(const Node& document, const Node& written
   return result;
 }
 
+/// Does a case change the number that a setting sets? @param setting  nested tables of one key down to the number
+bool changes_same_number(const Node& change, const Node& setting) {
+  const Node *in_case = &change, *in_setting = &setting;
+  while (in_setting->kind == Node::Kind::table && in_setting->keys.size() == 1) {
+    in_case = in_case->kind == Node::Kind::table ? in_case->find(in_setting->keys.front()) : nullptr;
+    if (!in_case) return false;
+    in_setting = &in_setting->items.front();
+  }
+  return true;
+}
+
+/// Warnings of settings that replace a change of a case, one for each.
+foundation::Problems settings_over_cases(const Node& document, const std::vector<std::string>& given,
+                                         const Settings& settings) {
+  foundation::Problems warnings;
+  const Node* cases = document.find("cases");
+  if (!cases || cases->kind != Node::Kind::table || given.size() != settings.changes.size()) return warnings;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    std::vector<std::string> names;
+    for (std::size_t c = 0; c < cases->keys.size(); ++c)
+      if (changes_same_number(cases->items[c], settings.changes[i]))
+        names.push_back(foundation::quoted(cases->keys[c]));
+    if (!names.empty())
+      warnings.warning("--set " + given[i],
+                       fmt::format("also replaces that of case {}", foundation::comma_separated(names)),
+                       "a setting is applied to the base model and again to every case",
+                       "to keep the change of the case write it in another number, such as stiffness_factor");
+  }
+  return warnings;
+}
+
 WrittenProject with_settings(Project project, const std::vector<std::string>& given) {
   WrittenProject result;
   std::string hashed = project.parsed->text;
@@ -96,6 +128,7 @@ WrittenProject with_settings(Project project, const std::vector<std::string>& gi
   result.problems.add(result.of_settings);
   result.base.changes = change_lines(nullptr, settings, result.base.document);
   result.cases = written_cases(result.base.document, written, settings);
+  result.over_cases = settings_over_cases(written, given, settings);
   result.project = std::move(project);
   return result;
 }

@@ -26,6 +26,7 @@ struct WrittenProject {
   std::vector<WrittenCase> cases;    ///< the others
   foundation::Problems problems;     ///< of text and settings
   foundation::Problems of_settings;  ///< those of them that each case has, too
+  foundation::Problems over_cases;   ///< warnings of settings that replace a change of a case
 };
 
 /// @param folder  to which names of files are relative; empty: that of `source`
