@@ -44,6 +44,21 @@ class Isolation(InTemporaryFolder):
         found = result_of("verdict", self.file(text + "[requirements]\n" + requirements + "\n"))
         return found["cases"][0]["requirements"], found["cases"][0]["warnings"]
 
+    def test_orders_are_not_counted_and_that_is_said(self):
+        shaft = '[excitations.shaft]\ntype = "orders"\non = "m"\nat = [0, 0, 0]\n'
+        shaft += "table = [{order = 2, force = [0, 0, 50]}]\n"
+        wanted = 'isolation = {at = "1480 rpm", least = "80 %"'
+        words = 'requirements.isolation: engine orders ("shaft") not counted'
+        _, warnings = self.rows(OSCILLATOR + shaft, wanted + "}")
+        self.assertEqual(sum(words in warning for warning in warnings), 1, warnings)
+        self.assertIn('add a limit on "ground.force.z" to [operation.limits]', str(warnings))
+        self.assertIn('write force = ["f"]', str(warnings))
+        _, named = self.rows(OSCILLATOR + shaft, wanted + ', force = ["f"]}')
+        self.assertNotIn("not counted", str(named))
+        text = OSCILLATOR + shaft + "[requirements]\n" + wanted + ', force = ["shaft"]}\n'
+        said = trivet("verdict", self.file(text)).stderr
+        self.assertIn('requirements.isolation.force: "shaft"; this excitation is of type "orders"', said)
+
     def test_transmissibility_at_speeds_over_a_band_and_of_a_moving_ground(self):
         rows, warnings = self.rows(
             OSCILLATOR,

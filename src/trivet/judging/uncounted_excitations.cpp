@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/model/operating_excitation.h"
 #include "trivet/project/analyses/analysis_types.h"
 
 namespace trivet::judging {
@@ -70,6 +71,26 @@ void warn_of_course(const model::System& system, const project::Analyses& reques
                    "limits on amplitudes count harmonic excitations only", remedy);
 }
 
+/// An isolation that names no force counts the harmonic ones only.
+void warn_of_isolation(const model::System& system, const project::Analyses& request, foundation::Problems& problems) {
+  if (!request.requirements) return;
+  const auto of_all_forces = [](const project::Isolation& one) { return !one.is_of_base() && one.forces.empty(); };
+  if (std::ranges::none_of(request.requirements->isolation, of_all_forces)) return;
+  Names orders, counted;
+  for (const model::Excitation& one : system.description().excitations) {
+    if (std::holds_alternative<model::Orders>(one.course)) orders.add(foundation::quoted(one.name));
+    else if (model::runs_with_machine(one)) counted.add(foundation::quoted(one.name));
+  }
+  if (orders.list().empty() || counted.list().empty()) return;  // without counted forces it is an error
+  problems.warning(
+      "requirements.isolation",
+      fmt::format("engine orders ({}) not counted", foundation::comma_separated(orders.list())),
+      "isolation is required of harmonic forces only; the command operation lists that of each order",
+      fmt::format("to judge the orders add a limit on \"ground.force.z\" to [operation.limits]; to require "
+                  "isolation of harmonic forces alone write force = [{}]",
+                  foundation::comma_separated(counted.list())));
+}
+
 }  // namespace
 
 void warn_of_uncounted_excitations(const model::System& system, const project::Analyses& request,
@@ -78,6 +99,7 @@ void warn_of_uncounted_excitations(const model::System& system, const project::A
                                 "to judge the orders add a limit with speed for the same result", problems);
   warn_of_course<model::Random>(system, request, "random motion",
                                 "to judge it add the rms of the same result to [requirements]", problems);
+  warn_of_isolation(system, request, problems);
 }
 
 }  // namespace trivet::judging

@@ -8,7 +8,7 @@ namespace trivet::judging {
 
 /// Warns of engine orders and random motion that limits on amplitudes do not count: they are those of harmonic motion.
 /// None where the orders have a limit with `speed`, or the random motion a requirement on the rms, of the same result;
-/// nor for a limit that names its excitations.
+/// nor for a limit that names its excitations. The same of engine orders and an isolation that names no force.
 void warn_of_uncounted_excitations(const model::System& system, const project::Analyses& request,
                                    foundation::Problems& problems);
 

@@ -113,7 +113,12 @@ void read_forces(TableReader& reader, const SymbolTable& symbols, Isolation& res
       reader.error("force", "an empty list", "at least one force is isolated",
                    "name a harmonic excitation, or remove it");
     for (const std::string& name : *forces)
-      check_place(reader, "force", name, symbols.harmonic_excitations, "no harmonic excitation has this name");
+      if (std::ranges::find(symbols.order_excitations, name) != symbols.order_excitations.end() &&
+          std::ranges::find(symbols.harmonic_excitations, name) == symbols.harmonic_excitations.end())
+        reader.error("force", foundation::quoted(name), "this excitation is of type \"orders\", not one harmonic force",
+                     "name an unbalance or a harmonic force; to judge the orders add a limit on \"ground.force.z\" to "
+                     "[operation.limits]");
+      else check_place(reader, "force", name, symbols.harmonic_excitations, "no harmonic excitation has this name");
     result.forces = *forces;
   } else if (!reader.has("force") && symbols.harmonic_excitations.empty()) {
     reader.error(
