@@ -332,6 +332,16 @@ class Operation(unittest.TestCase):
         said = " ".join(self.trivet(text, "operation").stdout.split())
         self.assertIn(f"nearest to resonance: mode {nearest['mode']} (", said)
 
+    def test_a_motion_of_the_ground_that_nothing_uses_is_named(self):
+        floor = '[excitations.floor]\ntype = "base"\ntranslation = [0, 0, "1 mm"]\n'
+        text = MACHINE + ROTOR + floor + '[operation]\nspeeds = ["980 rpm"]\n'
+        words = "excitations.floor: no analysis of this file uses it"
+        self.assertIn(words, self.trivet(text, "check").stderr)
+        selected = self.trivet(text + 'excitations = ["rotor", "floor"]\n', "check").stderr
+        self.assertNotIn(words, selected)
+        alone = self.trivet(MACHINE + floor + '[operation]\nspeeds = ["980 rpm"]\n', "operation", code=2).stderr
+        self.assertIn('write excitations = ["floor"]', alone)
+
     def test_a_speed_without_unit_is_asked_for_in_rpm(self):
         said = self.trivet(MACHINE + ROTOR, "operation", "--at", "980", code=2).stderr
         self.assertIn('--at "980": a speed has a unit; write --at "980 rpm" or --at "980 rad/s"', said)

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "trivet/model/operating_excitation.h"
 #include "trivet/project/analyses/analysis_reader.h"
 #include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/analyses/isolation_reader.h"
@@ -68,7 +69,9 @@ class UsedExcitationCollector {
     add_request(a.peaks, harmonic);
     for (const auto& measurement : a.measurements)
       if (!measurement->excitation.empty()) used_.names.insert(measurement->excitation);
-    for (const auto& [name, analysis] : independent_analyses(a)) add_analysis(analysis, drive_of(name));
+    for (const auto& [name, analysis] : independent_analyses(a))
+      if (name != "operation") add_analysis(analysis, drive_of(name));
+    if (a.operation) add_excitations_of_operation(a.operation->selection.excitations);
     if (a.requirements) add_requirements(*a.requirements);
     if (!variant_.system.description().clearances.empty()) add_excitations_of_clearances();
     if (a.static_of) add_constant_forces();
@@ -77,6 +80,15 @@ class UsedExcitationCollector {
   }
 
  private:
+  /// Without a selection those that run with the machine; no motion of the ground does.
+  void add_excitations_of_operation(const std::vector<std::string>& selected) {
+    used_.any_analysis = true;
+    used_.names.insert(selected.begin(), selected.end());
+    if (!selected.empty()) return;
+    for (const model::Excitation& excitation : variant_.system.description().excitations)
+      if (model::runs_with_machine(excitation)) used_.names.insert(excitation.name);
+  }
+
   void add_requirements(const Requirements& required) {
     bool common = !required.no_peak.empty();
     for (const AmplitudeLimit& limit : required.limits) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/model/operating_excitation.h"
 #include "trivet/project/analyses/analysis_reader.h"
 #include "trivet/project/analyses/analysis_types.h"
@@ -88,10 +89,18 @@ OperationAnalysis read_operation(TableReader& reader, const ResultNames& names, 
 void check_operation(const Analyses& request, const model::System& system, foundation::Problems& problems) {
   if (!request.operation->selection.excitations.empty()) return;
   if (std::ranges::any_of(system.description().excitations, model::runs_with_machine)) return;
-  problems.error("operation", "no excitation runs at a speed",
-                 "the harmonic excitations of the model move the ground, which does not follow the machine",
-                 "add [excitations.NAME] with type = \"unbalance\", \"orders\" or \"harmonic\" on a body, or name the "
-                 "motion of the ground in operation.excitations");
+  std::vector<std::string> of_ground;
+  for (const model::Excitation& one : system.description().excitations)
+    if (std::holds_alternative<model::Harmonic>(one.course)) of_ground.push_back(foundation::quoted(one.name));
+  const std::string names = foundation::comma_separated(of_ground);
+  problems.error(
+      "operation", "no excitation runs at a speed",
+      fmt::format("the harmonic excitations of the model ({}) move the ground, which does not follow the "
+                  "machine and counts only if operation.excitations names it",
+                  names),
+      fmt::format("write excitations = [{}], or add [excitations.NAME] with type = \"unbalance\", \"orders\" "
+                  "or \"harmonic\" on a body",
+                  names));
 }
 
 }  // namespace
