@@ -342,6 +342,11 @@ class Operation(unittest.TestCase):
         alone = self.trivet(MACHINE + floor + '[operation]\nspeeds = ["980 rpm"]\n', "operation", code=2).stderr
         self.assertIn('write excitations = ["floor"]', alone)
 
+    def test_a_speed_named_twice_is_refused(self):
+        text = MACHINE + ROTOR + '[operation]\nspeeds = ["980 rpm", ["600 rpm", "900 rpm"], "980 1/min"]\n'
+        said = self.trivet(text, "operation", code=2).stderr
+        self.assertIn('operation.speeds: "980 1/min"; this speed is named twice', said)
+
     def test_a_speed_without_unit_is_asked_for_in_rpm(self):
         said = self.trivet(MACHINE + ROTOR, "operation", "--at", "980", code=2).stderr
         self.assertIn('--at "980": a speed has a unit; write --at "980 rpm" or --at "980 rad/s"', said)

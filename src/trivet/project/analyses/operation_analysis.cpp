@@ -45,6 +45,22 @@ void read_range_of_speeds(TableReader& reader, const Node& pair, std::vector<ass
   else speeds.push_back({*from, *to});
 }
 
+/// @param items  as written  @param speeds  that were read from them, all if none is wrong
+void report_repeated_speeds(TableReader& reader, const std::vector<Node>& items,
+                            const std::vector<assembly::Band>& speeds) {
+  if (items.size() != speeds.size()) return;
+  for (std::size_t i = 1; i < speeds.size(); ++i) {
+    const auto end = speeds.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(speeds.begin(), end, speeds[i]) == end) continue;
+    const Node& item = items[i];
+    const std::string words = item.kind == Node::Kind::array
+        ? fmt::format("{} … {}", value_text(item.items[0]), value_text(item.items[1]))
+        : value_text(item);
+    reader.error("speeds", words, "this speed is named twice, and each would be counted and judged twice",
+                 "remove one of them");
+  }
+}
+
 std::vector<assembly::Band> read_speeds(TableReader& reader) {
   std::vector<assembly::Band> speeds;
   const Node* list = reader.node("speeds");
@@ -67,6 +83,7 @@ std::vector<assembly::Band> read_speeds(TableReader& reader) {
     if (speed && !(*speed > 0)) reader.error("speeds", value_text(item), "a speed is > 0", speeds_example);
     else if (speed) speeds.push_back({*speed, *speed});
   }
+  report_repeated_speeds(reader, items, speeds);
   return speeds;
 }
 
