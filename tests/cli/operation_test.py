@@ -332,6 +332,16 @@ class Operation(unittest.TestCase):
         said = " ".join(self.trivet(text, "operation").stdout.split())
         self.assertIn(f"nearest to resonance: mode {nearest['mode']} (", said)
 
+    def test_every_mode_and_order_is_in_the_whole_table(self):
+        # One mode and two orders far from it, on the screen and with --full as in JSON.
+        text = MACHINE + '[bodies.n]\nmass = 1\nfree = ["z"]\n[elements.t]\ntype = "three_springs"\non = "n"\n'
+        text += "at = [1, 0, 0]\ntranslation = [0, 0, 49]\n" + ORDERS + '[operation]\nspeeds = ["980 rpm"]\n'
+        self.assertEqual(len(self.operation(text)["modes"]), 4)
+        for arguments in ((), ("--full",)):
+            said = self.trivet(text, "operation", *arguments).stdout
+            rows = said.split("Distance from resonance")[1].splitlines()[2:6]
+            self.assertEqual([row.split()[:1] + row.split()[2:3] for row in rows], [[m, k] for k in "23" for m in "12"])
+
     def test_a_motion_of_the_ground_that_nothing_uses_is_named(self):
         floor = '[excitations.floor]\ntype = "base"\ntranslation = [0, 0, "1 mm"]\n'
         text = MACHINE + ROTOR + floor + '[operation]\nspeeds = ["980 rpm"]\n'

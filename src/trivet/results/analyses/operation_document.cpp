@@ -267,19 +267,7 @@ Table shown_forces(const OperatingSpeed& at) {
       .forms = for_people};
 }
 
-/// Rows that people want: of one order all modes, of several those near and the nearest of each order.
-std::vector<std::size_t> wanted_modes(const OperatingSpeed& at, bool several_orders) {
-  std::vector<std::size_t> rows;
-  const auto& modes = at.modes;
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    const bool nearest = std::ranges::none_of(
-        modes, [&](const OperatingMode& other) { return other.order == modes[i].order && is_nearer(other, modes[i]); });
-    if (!several_orders || nearest || modes[i].is_near()) rows.push_back(i);
-  }
-  return rows;
-}
-
-Table shown_modes(const OperatingSpeed& at, bool several_orders) {
+Table shown_modes(const OperatingSpeed& at) {
   std::vector<AtSpeed<OperatingMode>> list;
   for (const OperatingMode& one : at.modes) list.push_back({&at, &one});
   const Rows row(std::move(list));
@@ -289,7 +277,6 @@ Table shown_modes(const OperatingSpeed& at, bool several_orders) {
       .rows = row.size(),
       .columns = mode_columns(row),
       .people = {"mode", "angular_frequency", "order", "excitation_frequency", "ratio", "distance", "remark"},
-      .people_rows = wanted_modes(at, several_orders),
       .most_rows = 40,
       .height = [&at](std::size_t i) { return -std::abs(at.modes[i].distance()); },
       .mark = [&at](std::size_t i) { return at.modes[i].is_near() && at.modes[i].excited ? Mark::bad : Mark::plain; },
@@ -386,7 +373,7 @@ Group shown_speed(const OperatingSpeed& at, bool several_orders) {
   group.parts.push_back({shown_motions(at, several_orders)});
   group.parts.push_back({shown_forces(at)});
   group.parts.push_back({Sentence{.parts = {unbounded_words(at)}, .place = Sentence::Place::note, .forms = details}});
-  group.parts.push_back({shown_modes(at, several_orders)});
+  group.parts.push_back({shown_modes(at)});
   for (Part& part : group.parts)
     if (auto* table = std::get_if<Table>(&part.content)) table->forms = details;
   return group;
