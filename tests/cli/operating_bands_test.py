@@ -63,7 +63,10 @@ class OperatingBands(unittest.TestCase):
 
     def trivet(self, text, *arguments, code=0):
         self.file.write_text(text)
-        run = subprocess.run([TRIVET, arguments[0], self.file, *arguments[1:]], capture_output=True, text=True)
+        words = [TRIVET, arguments[0], self.file, *arguments[1:]]
+        if arguments[0] == "run":
+            words += ["-o", self.file.parent / "results"]
+        run = subprocess.run(words, capture_output=True, text=True)
         self.assertEqual(run.returncode, code, run.stderr)
         return run
 
@@ -167,6 +170,16 @@ class OperatingBands(unittest.TestCase):
         )
         shares = {one["requirement"]: one["value"] for one in requirements}
         self.near(shares['m.z within "quiet" at 600 rpm'], rms(UNBALANCE * (2 * math.pi * 10) ** 2, 10) / 800e-6)
+
+    def test_a_range_that_ends_on_an_edge_reaches_the_upper_band(self):
+        edge = 60 * edges(10, "third-octave")[1]  # rpm
+        text = MACHINE + ROTOR + f'[operation]\nspeeds = [["540 rpm", "{edge!r} rpm"]]\nbands = "third-octave"\n'
+        found = self.levels(text)
+        self.assertEqual(list(found), [10, 12.5])
+        self.near(found[12.5], rms(UNBALANCE * (edge * math.pi / 30) ** 2, edge / 60))
+        both = self.levels(text.replace(ROTOR, ORDERS).replace("540", "300").replace(repr(edge), repr(edge / 2)))
+        self.assertEqual(list(both), [10, 12.5, 16])
+        self.near(both[12.5], rms(50, edge / 60))
 
 
 if __name__ == "__main__":

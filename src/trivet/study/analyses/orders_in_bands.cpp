@@ -39,9 +39,10 @@ SummedOrders::Counted SummedOrders::in_band(const FrequencyBand& band, double sp
 std::vector<FrequencyBand> SummedOrders::reached(excitation::BandWidth width, const assembly::Band& speed) const {
   std::vector<FrequencyBand> bands;
   for (const response::OrderLoading& load : loads_) {
-    const std::vector<FrequencyBand> of_order = speed.from < speed.to
-        ? excitation::bands_between(width, load.order * speed.from, load.order * speed.to)
-        : std::vector{excitation::band_of_tone(width, load.order * speed.from)};
+    std::vector<FrequencyBand> of_order =
+        excitation::bands_between(width, load.order * speed.from, load.order * speed.to);
+    of_order.push_back(
+        excitation::band_of_tone(width, load.order * speed.to));  // of a range: one that begins at its end
     for (const FrequencyBand& band : of_order)
       if (std::ranges::find(bands, band) == bands.end()) bands.push_back(band);
   }
@@ -63,6 +64,11 @@ std::vector<OperatingValue> SummedOrders::largest_in(const FrequencyBand& band, 
       if (found.rms > result[c].rms || result[c].order == 0) result[c] = found;
     }
   }
+  const Counted at_end = in_band(band, speed.to);
+  if (at_end.empty() || at_end == in_band(band, 0.5 * (ends[ends.size() - 2] + ends.back()))) return result;
+  const std::vector<OperatingValue> last = at_speed(speed.to, at_end);  // an order on an edge enters there
+  for (std::size_t c = 0; c < channels_.size(); ++c)
+    if (last[c].rms > result[c].rms || result[c].order == 0) result[c] = last[c];
   return result;
 }
 
