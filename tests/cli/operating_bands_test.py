@@ -157,19 +157,45 @@ class OperatingBands(unittest.TestCase):
         message = self.trivet(MACHINE + ROTOR + line + operation, "verdict", code=2).stderr
         self.assertIn('bands = "third-octave" to [operation]', message)
 
-    def test_random_vibration_is_judged_besides(self):
+    def test_the_sum_of_tones_and_random_vibration_is_judged(self):
+        density = 2e-3  # of the velocity of the ground [(m/s)²/Hz]
         noise = (
             '[excitations.floor]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\nquantity = "velocity"\n'
-            'psd = {flat = 1e-12, band = ["1 Hz", "100 Hz"]}\n'
+            f'psd = {{flat = {density}, band = ["1 Hz", "100 Hz"]}}\n'
         )
-        line = '[limit_lines.quiet]\nof = "m.z"\nline = "workshop"\n'
-        text = MACHINE + ROTOR + noise + line + '[operation]\nspeeds = ["600 rpm"]\nbands = "third-octave"\n'
+
+        def moved(hertz):
+            """Velocity of the mass over that of the ground, squared."""
+            omega = 2 * math.pi * hertz
+            passed = complex(STIFFNESS, DASHPOT * omega)
+            return abs(passed / (passed - MASS * omega**2)) ** 2
+
+        low, high = edges(10, "third-octave")
+        count = 4000  # Simpson's rule
+        step = (high - low) / count
+        weights = [1 if i in (0, count) else 4 if i % 2 else 2 for i in range(count + 1)]
+        shaken = math.sqrt(density * step / 3 * sum(w * moved(low + i * step) for i, w in enumerate(weights)))
+        tone = rms(UNBALANCE * (2 * math.pi * 10) ** 2, 10)
+        text = MACHINE + ROTOR + noise + '[operation]\nspeeds = ["600 rpm"]\nbands = "third-octave"\n'
+        text += '[limit_lines.quiet]\nof = "m.z"\nline = "workshop"\n'
         requirements = json.loads(self.trivet(text, "verdict", "--json").stdout)["cases"][0]["requirements"]
         self.assertEqual(
             sorted(one["requirement"] for one in requirements), ['m.z within "quiet"', 'm.z within "quiet" at 600 rpm']
         )
-        shares = {one["requirement"]: one["value"] for one in requirements}
-        self.near(shares['m.z within "quiet" at 600 rpm'], rms(UNBALANCE * (2 * math.pi * 10) ** 2, 10) / 800e-6)
+        (judged,) = [one for one in requirements if one["requirement"].endswith("at 600 rpm")]
+        self.near(judged["value"], math.hypot(tone, shaken) / 800e-6, 1e-8)
+        self.assertEqual(judged["detail"], "with the random vibration")
+        rows = json.loads(self.trivet(text, "operation", "--json").stdout)["bands"]
+        (row,) = [row for row in rows if row["line"]]
+        self.near(row["rms"], tone)
+        self.near(row["random"], shaken, 1e-8)
+        self.near(row["share"], judged["value"])
+        # each part alone is below a limit that the sum is above
+        limit = math.hypot(tone, shaken) / 1.01
+        self.assertLess(max(tone, shaken), limit)
+        own = f'[limit_lines.quiet]\nof = "m.z"\nbands = "third-octave"\nrows = [["10 Hz", "{limit} m/s"], ["11 Hz", "{limit} m/s"]]\n'
+        text = text[: text.index("[limit_lines")] + own
+        self.assertIn("1 requirement violated", self.trivet(text, "run", "--strict", code=3).stderr)
 
     def test_a_range_that_ends_on_an_edge_reaches_the_upper_band(self):
         edge = 60 * edges(10, "third-octave")[1]  # rpm

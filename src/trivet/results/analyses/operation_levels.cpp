@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <utility>
 
 #include "trivet/results/format/result_writer.h"
@@ -12,11 +13,11 @@ namespace {
 
 using study::OperatingLevel;
 
-bool is_violated(const OperatingLevel& level) { return !level.line.empty() && level.share() > 1; }
+bool is_violated(const OperatingLevel& level) { return !level.met(); }
 
 std::vector<Column> level_columns(const Rows<OperatingLevel>& row) {
   const auto of_line = [](auto number) {
-    return [number](const OperatingLevel& l) { return l.line.empty() ? Json() : Json(number(l)); };
+    return [number](const OperatingLevel& l) { return l.line.empty() ? Json() : Json(std::invoke(number, l)); };
   };
   return {
       row("from", Kind::speed, "", [](const OperatingLevel& l) { return l.speed.from; }),
@@ -28,11 +29,12 @@ std::vector<Column> level_columns(const Rows<OperatingLevel>& row) {
           [](const OperatingLevel& l) { return fmt::format("{:.4g} Hz", l.band.nominal_hz()); }),
       row("nominal_hz", Kind::number, "", [](const OperatingLevel& l) { return l.band.nominal_hz(); }, {.unit = "Hz"}),
       row("rms", Kind::quantity, "rms", [](const OperatingLevel& l) { return l.value.rms; }, {.digits = 4}),
+      row("random", Kind::quantity, "random", of_line(&OperatingLevel::random), {.digits = 4}),
       row("at", Kind::speed, "at", [](const OperatingLevel& l) { return l.value.at; }),
       row("order", Kind::number, "most in order", [](const OperatingLevel& l) { return l.value.order; }),
       row("line", Kind::words, "limit line", &OperatingLevel::line),
-      row("limit", Kind::quantity, "", of_line([](const OperatingLevel& l) { return l.limit; })),
-      row("share", Kind::share, "of the line", of_line([](const OperatingLevel& l) { return l.share(); })),
+      row("limit", Kind::quantity, "", of_line(&OperatingLevel::limit)),
+      row("share", Kind::share, "of the line", of_line(&OperatingLevel::share)),
       row("remark", Kind::words, "remark",
           [](const OperatingLevel& l) -> std::string {
             return l.line.empty() ? "" : is_violated(l) ? "VIOLATED" : "met";
@@ -50,20 +52,22 @@ Table operating_levels(const study::OperationResult& found) {
           .rows = row.size(),
           .columns = level_columns(row),
           .csv = {"from [rpm]", "to [rpm]", "name", "quantity", "unit", "nominal_hz", "rms", "at [rpm]", "order",
-                  "line", "limit", "share"},
+                  "line", "limit", "share", "random"},
           .forms = for_programs};
 }
 
 Table shown_levels(const study::OperationResult& found, const assembly::Band& speed) {
   std::vector<OperatingLevel> list;
-  bool has_lines = false;
+  bool has_lines = false, has_random = false;
   for (const OperatingLevel& level : found.levels) {
     if (level.speed.from != speed.from || level.speed.to != speed.to) continue;
     if (level.quantity != "velocity" && level.line.empty()) continue;
     has_lines = has_lines || !level.line.empty();
+    has_random = has_random || level.random > 0;
     list.push_back(level);
   }
   std::vector<Use> columns = {"name", "band", "rms", "order"};
+  if (has_random) columns.insert(columns.begin() + 3, "random");
   if (speed.from < speed.to) columns.insert(columns.begin() + 3, "at");
   if (has_lines) columns.insert(columns.end(), {"line", "share", "remark"});
   const std::string width = list.empty() ? "" : name(list.front().band.width);

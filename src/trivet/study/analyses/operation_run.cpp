@@ -196,6 +196,7 @@ OperationResult operation_result(const CaseContext& c, const project::OperationA
   if (request.bands) {
     const auto velocities = channels.list.begin() + static_cast<std::ptrdiff_t>(channels.motions);
     result.levels = operating_levels(c, request, loads, {velocities, channels.list.end()});
+    result.lines = operating_lines(request, result.levels);
   }
   return result;
 }

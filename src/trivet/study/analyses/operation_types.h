@@ -9,6 +9,7 @@
 
 #include "trivet/assembly/band.h"
 #include "trivet/assembly/channels.h"
+#include "trivet/assembly/limit_line.h"
 #include "trivet/excitation/frequency_bands.h"
 
 /// What happens at the speeds at which a machine runs. All excitations run with it: its orders, and at order 1
@@ -103,8 +104,24 @@ struct OperatingLevel {
   OperatingValue value;   ///< under the orders whose frequencies are in the band; of these `rms` is the level
   std::string line = {};  ///< of several limit lines that judge this band, the lowest there; empty: none
   double limit = 0;       ///< of the line, root mean square [unit]
+  double random = 0;      ///< rms of the random vibration in a band with a line, which acts besides [unit]
 
-  [[nodiscard]] double share() const { return value.rms / limit; }  ///< of the line
+  /// Tones and random vibration are not correlated.
+  [[nodiscard]] double with_random() const { return std::hypot(value.rms, random); }
+  [[nodiscard]] double share() const { return with_random() / limit; }  ///< of the line
+  [[nodiscard]] bool met() const;
+};
+
+/// A limit line over bands at a speed, or over a range of speeds.
+struct OperatingLine {
+  assembly::Band speed;  ///< Ω [rad/s]; from = to: one speed
+  std::string of;
+  assembly::LimitLine line;
+  std::optional<OperatingLevel> nearest;  ///< with the largest share of this line; none: no order in its bands
+
+  [[nodiscard]] double share() const { return nearest ? nearest->share() : 0; }
+  [[nodiscard]] double margin() const;  ///< infinite if the level is 0
+  [[nodiscard]] bool met() const { return !nearest || nearest->met(); }
 };
 
 struct OperationResult {
@@ -112,6 +129,7 @@ struct OperationResult {
   std::vector<double> orders;            ///< ascending
   std::vector<OperatingSpeed> speeds;    ///< as in the file
   std::vector<OperatingLevel> levels;    ///< by speed, result and band, if bands are requested
+  std::vector<OperatingLine> lines;      ///< over these bands: by speed, then as in the file
 };
 
 /// "980 rpm", "600 … 900 rpm"

@@ -13,24 +13,22 @@
 namespace trivet::study {
 namespace {
 
-/// The levels of one line alone at one speed; the share of the line is largest where the margin is least.
-void set_share_of_line(const std::vector<OperatingLevel>& levels, const project::LimitLineRequest& line,
-                       RequirementResult& result) {
-  const OperatingLevel* governing = nullptr;
-  for (const OperatingLevel& level : levels)
-    if (!level.line.empty() && (!governing || level.share() > governing->share())) governing = &level;
-  result.value = governing ? governing->share() : 0;
-  result.margin = *result.value > 0 ? 1 / *result.value : foundation::infinity;
-  if (!governing) {
-    const auto& points = line.line.angular_frequency;
+void set_share_of_line(const OperatingLine& judged, RequirementResult& result) {
+  result.value = judged.share();
+  result.margin = judged.margin();
+  if (!judged.nearest) {
+    const auto& points = judged.line.angular_frequency;
     result.detail = fmt::format("no order in {:.4g} … {:.4g} Hz", points.front() / foundation::two_pi,
                                 points.back() / foundation::two_pi);
     return;
   }
-  result.angular_frequency = read_at(governing->band, line.line);
-  result.on_line = {governing->limit, line.line.unit, true};
-  if (governing->speed.from < governing->speed.to)
-    result.detail = fmt::format("{:.5g} rpm", governing->value.at * foundation::rpm_per_rad_s);
+  const OperatingLevel& nearest = *judged.nearest;
+  result.angular_frequency = read_at(nearest.band, judged.line);
+  result.on_line = {nearest.limit, judged.line.unit, true};
+  if (judged.speed.from < judged.speed.to)
+    result.detail = fmt::format("{:.5g} rpm", nearest.value.at * foundation::rpm_per_rad_s);
+  if (nearest.random > 0)
+    result.detail += (result.detail.empty() ? "" : ", ") + std::string("with the random vibration");
 }
 
 }  // namespace
@@ -45,10 +43,9 @@ void add_operating_line_requirements(const CaseContext& c, const project::Analys
       continue;
     const std::size_t first = list.size();
     for (const assembly::Band& speed : request.speeds) {
-      RequirementResult& result = list.add(RequirementKind::band_line, line.of,
-                                           fmt::format("{} within \"{}\" {} {}", line.of, line.line.name,
-                                                       speed.from < speed.to ? "over" : "at", speed_words(speed)),
-                                           "1", 1);
+      const std::string scope = (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
+      RequirementResult& result =
+          list.add(RequirementKind::band_line, line.of, {line.of, "within \"" + line.line.name + "\"", scope}, "1", 1);
       result.line = line.line.name;
       result.quantity = quantity_of(line.line);
       result.excitations = request.selection.excitations;
@@ -58,10 +55,8 @@ void add_operating_line_requirements(const CaseContext& c, const project::Analys
       if (loads.empty()) throw without_excitation("operation");
       project::OperationAnalysis alone = request;
       alone.lines = {line};
-      for (std::size_t s = 0; s < request.speeds.size(); ++s) {
-        alone.speeds = {request.speeds[s]};
-        set_share_of_line(operating_levels(c, alone, loads, {}), line, list[first + s]);
-      }
+      const std::vector<OperatingLine> judged = operating_lines(alone, operating_levels(c, alone, loads, {}));
+      for (std::size_t s = 0; s < judged.size(); ++s) set_share_of_line(judged[s], list[first + s]);
     });
   }
 }
