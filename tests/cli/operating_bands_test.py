@@ -196,6 +196,25 @@ class OperatingBands(unittest.TestCase):
         own = f'[limit_lines.quiet]\nof = "m.z"\nbands = "third-octave"\nrows = [["10 Hz", "{limit} m/s"], ["11 Hz", "{limit} m/s"]]\n'
         text = text[: text.index("[limit_lines")] + own
         self.assertIn("1 requirement violated", self.trivet(text, "run", "--strict", code=3).stderr)
+        self.assertIn("1 limit exceeded", self.trivet(text, "operation", "--strict", code=3).stderr)
+
+    def test_lines_that_no_requirement_judges_count(self):
+        level = rms(UNBALANCE * (2 * math.pi * 10) ** 2, 10)
+        text = MACHINE + ROTOR + '[operation]\nspeeds = ["600 rpm", ["590 rpm", "595 rpm"]]\nbands = "third-octave"\n'
+        text += '[requirements]\nlimit_lines = ["high"]\n'
+        for name, share in (("high", 2), ("low", 0.5)):
+            bound = f"{share * level} m/s"
+            text += f'[limit_lines.{name}]\nof = "m.z"\nbands = "third-octave"\n'
+            text += f'rows = [["5 Hz", "{bound}"], ["80 Hz", "{bound}"]]\n'
+        done = self.trivet(text, "run", "--strict", code=3)
+        self.assertTrue(done.stdout.startswith("VIOLATED: 2 of 2 limit lines"), done.stdout)
+        self.assertIn("2 limits exceeded", done.stderr)
+        page = (self.file.parent / "results" / "report.html").read_text()
+        self.assertIn("VIOLATED: 2 of 2 limit lines", page)
+        named = text.replace('["high"]', '["high", "low"]')
+        self.assertIn("2 requirements violated", self.trivet(named, "run", "--strict", code=3).stderr)
+        self.assertIn("VIOLATED", self.trivet(text, "operation", "--strict", code=3).stdout)
+        self.trivet(text.replace(f"{0.5 * level} m/s", f"{3 * level} m/s"), "operation", "--strict", code=4)
 
     def test_a_range_that_ends_on_an_edge_reaches_the_upper_band(self):
         edge = 60 * edges(10, "third-octave")[1]  # rpm

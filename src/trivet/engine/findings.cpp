@@ -32,6 +32,7 @@ void Findings::add(const study::CaseResults& results) {
   add(results.warnings);
   for (const study::LimitResult* limit : limits_alone(results)) exceeded_ += !limit->met;
   for (const study::LimitLineResult* line : limit_lines_alone(results)) exceeded_ += !line->comparison.met();
+  for (const study::OperatingLine* line : operating_lines_alone(results)) exceeded_ += !line->met();
   if (results.operation && !results.verdict)  // a verdict judges these limits too
     for (const study::OperatingSpeed& at : results.operation->speeds)
       for (const study::OperatingLimit& limit : at.limits) exceeded_ += !limit.met();

@@ -21,13 +21,17 @@ std::vector<foundation::Problem> ShownCase::warnings() const {
   return list;
 }
 
-std::size_t ShownCase::limits() const { return limits_alone(results).size() + limit_lines_alone(results).size(); }
+std::size_t ShownCase::limits() const {
+  return limits_alone(results).size() + limit_lines_alone(results).size() + operating_lines_alone(results).size();
+}
 
 std::size_t ShownCase::exceeded_limits() const {
   const auto limits = limits_alone(results);
   const auto lines = limit_lines_alone(results);
+  const auto at_speeds = operating_lines_alone(results);
   return static_cast<std::size_t>(std::ranges::count_if(limits, [](const auto* l) { return !l->met; }) +
-                                  std::ranges::count_if(lines, [](const auto* l) { return !l->comparison.met(); }));
+                                  std::ranges::count_if(lines, [](const auto* l) { return !l->comparison.met(); }) +
+                                  std::ranges::count_if(at_speeds, [](const auto* l) { return !l->met(); }));
 }
 
 bool ShownCase::grows() const {

@@ -312,7 +312,7 @@ std::vector<Column> limit_columns(const Rows<LimitRow>& row) {
       row("at", Kind::speed, "at", of_value(&OperatingValue::at)),
       row("met", Kind::yes_no, "", [](const LimitRow& one) { return one.what->met(); }, {.forms = for_programs}),
       row("reason", Kind::words, "", of_value(&OperatingValue::reason), {.forms = for_programs}),
-      row("verdict", Kind::words, "verdict", [](const LimitRow& one) { return one.what->met() ? "met" : "EXCEEDED"; },
+      row("verdict", Kind::words, "verdict", [](const LimitRow& one) { return one.what->met() ? "met" : "VIOLATED"; },
           {.forms = for_people})};
 }
 

@@ -104,6 +104,31 @@ void add_limits(const study::CaseResults& case_results, std::size_t which, std::
   }
 }
 
+/// Lines over bands at the speeds of the machine.
+void add_operating_lines(const study::CaseResults& case_results, std::size_t which, std::vector<Judgement>& list) {
+  for (const study::OperatingLine* line : operating_lines_alone(case_results)) {
+    Judgement one{line->met() ? Outcome::met : Outcome::violated, "limit line"};
+    one.subject = line->of;
+    one.bound = fmt::format("within “{}” {} {}", line->line.name, line->speed.from < line->speed.to ? "over" : "at",
+                            study::speed_words(line->speed));
+    one.words = one.subject + " " + one.bound;
+    one.margin = line->margin();
+    one.shown_case = which;
+    one.value = "no order in its bands";
+    if (line->nearest) {
+      const DisplayUnit unit = root_mean_square_unit(case_results.display, line->line.unit);
+      one.value = fmt::format("{} of {}", value_text(line->nearest->with_random(), unit),
+                              value_text(line->nearest->limit, unit));
+      one.place = fmt::format("{:.4g} Hz", line->nearest->band.nominal_hz());
+      if (line->nearest->random > 0) one.place += ", with the random vibration";
+      one.is_at = true;
+    }
+    one.finding = without_empty(
+        {without_empty({one.value, one.is_at ? "at " + one.place : ""}, " "), finite_margin_words(one.margin)}, ", ");
+    list.push_back(std::move(one));
+  }
+}
+
 /// @param cases  in which the marks of the map are found by their names
 void add_map(const study::DesignMap& map, std::size_t which, const std::vector<const study::CaseResults*>& cases,
              std::vector<Judgement>& list) {
@@ -184,6 +209,7 @@ std::vector<Judgement> judgements(const std::vector<const study::CaseResults*>& 
     const study::CaseResults& case_results = *cases[i];
     if (case_results.verdict) add_requirements(*case_results.verdict, i, list);
     add_limits(case_results, i, list);
+    add_operating_lines(case_results, i, list);
     if (case_results.map) add_map(*case_results.map, i, cases, list);
     for (const study::DesignMap& map : case_results.map_pairs) add_map(map, i, cases, list);
     if (case_results.optimization)

@@ -131,6 +131,8 @@ struct CaseResults {
 /// another band; it then decides alone, also where requirements are not binding.
 [[nodiscard]] std::vector<const LimitResult*> limits_alone(const CaseResults& results);
 [[nodiscard]] std::vector<const LimitLineResult*> limit_lines_alone(const CaseResults& results);
+/// The same of lines over bands at the speeds of the machine.
+[[nodiscard]] std::vector<const OperatingLine*> operating_lines_alone(const CaseResults& results);
 
 /// Does a connected curve of motions, or a nonlinear mode, end before the end that was requested? Its warning states
 /// where and why.

@@ -32,4 +32,12 @@ std::vector<const LimitLineResult*> limit_lines_alone(const CaseResults& results
   });
 }
 
+std::vector<const OperatingLine*> operating_lines_alone(const CaseResults& results) {
+  if (!results.operation) return {};
+  return alone(results.operation->lines, results, [](const RequirementResult& requirement, const OperatingLine& line) {
+    return requirement.kind == RequirementKind::band_line && requirement.subject == line.of &&
+        requirement.line == line.line.name;
+  });
+}
+
 }  // namespace trivet::study
