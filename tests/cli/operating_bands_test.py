@@ -226,6 +226,19 @@ class OperatingBands(unittest.TestCase):
         self.assertEqual(list(both), [10, 12.5, 16])
         self.near(both[12.5], rms(50, edge / 60))
 
+    def test_lines_over_other_bands_are_told(self):
+        noise = (
+            '[excitations.floor]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\nquantity = "velocity"\n'
+            'psd = {flat = 1e-16, band = ["1 Hz", "100 Hz"]}\n'
+        )
+        text = MACHINE + ROTOR + noise + '[limit_lines.quiet]\nof = "m.z"\nline = "VC-C"\n'
+        for bands in ("", 'bands = "octave"\n'):
+            said = self.trivet(text + '[operation]\nspeeds = ["600 rpm"]\n' + bands, "run", "--strict", code=4).stdout
+            self.assertIn("limit_lines.quiet.line: not judged at the operating speeds", said)
+            self.assertIn('bands = "third-octave" to [operation]', said)
+        right = self.trivet(text + '[operation]\nspeeds = ["600 rpm"]\nbands = "third-octave"\n', "run").stdout
+        self.assertNotIn("not judged at the operating speeds", right)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -163,6 +163,15 @@ std::optional<assembly::MotionQuantity> read_quantity(TableReader& reader) {
 
 namespace {
 
+/// The tones at the speeds of the machine are judged in bands of the same width alone.
+void warn_of_other_bands(TableReader& reader, bool named, const LimitLineRequest& request) {
+  const std::string width = excitation::name(*request.bands);
+  warn_at_key(reader, named ? "line" : "bands", "not judged at the operating speeds",
+              "the line bounds the root mean square in " + width +
+                  " bands, and [operation] has no such bands: only the random vibration is compared with it",
+              "add bands = \"" + width + "\" to [operation]");
+}
+
 /// `bands` of a limit line, and the random excitations that it judges; a named line is in third octaves.
 /// @returns false if it has an error
 bool read_bands_of_line(TableReader& reader, const SymbolTable& symbols, const Analyses& analyses, bool named,
@@ -181,6 +190,7 @@ bool read_bands_of_line(TableReader& reader, const SymbolTable& symbols, const A
                              "remove bands to compare the response",
                              excitation::name(*request.bands)));
   else if (request.bands) {
+    if (analyses.operation && analyses.operation->bands != request.bands) warn_of_other_bands(reader, named, request);
     if (analyses.random) request.excitations = analyses.random->selection.excitations;
     return true;
   }
