@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Levels in octaves and third octaves at the speeds of a machine: the tones in each band against the closed forms of one
 mass on a spring, and limit lines over them."""
+import csv
 import json
 import math
 import os
@@ -238,6 +239,19 @@ class OperatingBands(unittest.TestCase):
             self.assertIn('bands = "third-octave" to [operation]', said)
         right = self.trivet(text + '[operation]\nspeeds = ["600 rpm"]\nbands = "third-octave"\n', "run").stdout
         self.assertNotIn("not judged at the operating speeds", right)
+
+    def test_tables_state_line_margin_and_level(self):
+        text = MACHINE + ROTOR + '[operation]\nspeeds = ["600 rpm", "60000 rpm"]\nbands = "third-octave"\n'
+        text += 'limits."m.z" = "1 m 0-p"\n[limit_lines.quiet]\nof = "m.z"\nbands = "third-octave"\n'
+        text += 'rows = [["5 Hz", "1 m/s"], ["80 Hz", "1 m/s"]]\n'
+        table = list(csv.DictReader(self.trivet(text, "verdict", "--csv").stdout.splitlines()))
+        self.assertEqual(list(table[0])[-1], "level")
+        self.assertEqual({row["kind"]: row["level"] for row in table}, {"operation": "0-p", "band_line": ""})
+        self.trivet(text, "run")
+        page = (self.file.parent / "results" / "report.html").read_text()
+        cells = r"<td[^>]*>{}</td>\s*"
+        of_speed = [r"m\.z", r"within &quot;quiet&quot; at 60000 rpm", "[^<]*", "[^<]*", "∞"]
+        self.assertRegex(page, "".join(cells.format(one) for one in of_speed))
 
 
 if __name__ == "__main__":

@@ -114,7 +114,8 @@ Document judgements_document(const std::vector<Judgement>& list, const std::vect
                   row("margin", Kind::number, "margin",
                       [](const WorstCase& one) -> std::optional<double> {
                         if (one.worst->outcome == Outcome::not_judged || !(one.worst->margin > 0)) return {};
-                        return std::isfinite(one.worst->margin) ? std::optional(one.worst->margin) : std::nullopt;
+                        const bool has_value = std::isfinite(one.worst->margin) || !one.worst->value.empty();
+                        return has_value ? std::optional(one.worst->margin) : std::nullopt;
                       },
                       {.digits = 3})},
       .mark =

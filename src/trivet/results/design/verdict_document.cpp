@@ -63,7 +63,7 @@ Table requirement_table(const std::vector<const CaseVerdict*>& cases) {
                       row("unit", Kind::words, "", of(&RequirementResult::unit)),
                       row("level", Kind::words, "",
                           of([](const RequirementResult& r) { return *r.level() ? Json(r.level()) : Json(); }),
-                          {.forms = in_json}),
+                          {.forms = in_json | in_csv}),
                       numbers(row("allowed", Kind::quantity, "", of(&RequirementResult::allowed))),
                       numbers(row("value", Kind::quantity, "",
                                   of([](const RequirementResult& r) { return or_infinite(r.value); }),
@@ -89,7 +89,7 @@ Table requirement_table(const std::vector<const CaseVerdict*>& cases) {
                       row("detail", Kind::words, "", of(&RequirementResult::detail), {.forms = in_json}),
                       row("reason", Kind::words, "", of(&RequirementResult::reason))},
           .csv = {"case", "kind", "subject", "requirement", "unit", "allowed", "value", "angular_frequency [rad/s]",
-                  "time [s]", "margin", "met", "reason"},
+                  "time [s]", "margin", "met", "reason", "level"},
           .forms = in_json | on_screen | on_page};
 }
 
