@@ -283,7 +283,7 @@ Table shown_modes(const OperatingSpeed& at) {
       .forms = for_people};
 }
 
-const char* quantity_name(assembly::MotionQuantity quantity) {
+const char* motion_name(assembly::MotionQuantity quantity) {
   switch (quantity) {
     case assembly::MotionQuantity::velocity:
       return "velocity";
@@ -303,7 +303,7 @@ std::vector<Column> limit_columns(const Rows<LimitRow>& row) {
   const auto of_value = [](auto member) { return [member](const LimitRow& one) { return one.what->value.*member; }; };
   return {
       row("name", Kind::words, "result", of_value(&OperatingValue::name)),
-      row("quantity", Kind::words, "", [](const LimitRow& one) { return quantity_name(one.what->quantity); }),
+      row("quantity", Kind::words, "", [](const LimitRow& one) { return motion_name(one.what->quantity); }),
       row("unit", Kind::words, "", of_value(&OperatingValue::unit)),
       row("value", Kind::amplitude, "value", [](const LimitRow& one) { return one.what->value.amplitude(); },
           {.digits = 4}),
