@@ -117,7 +117,8 @@ void add_operating_lines(const study::CaseResults& case_results, std::size_t whi
     one.value = "no order in its bands";
     if (line->nearest) {
       const DisplayUnit unit = root_mean_square_unit(case_results.display, line->line.unit);
-      one.value = fmt::format("{} of {}", value_text(line->nearest->with_random(), unit),
+      const double level = line->nearest->with_random();
+      one.value = fmt::format("{} of {}", std::isfinite(level) ? value_text(level, unit) : "∞",
                               value_text(line->nearest->limit, unit));
       one.place = fmt::format("{:.4g} Hz", line->nearest->band.nominal_hz());
       if (line->nearest->random > 0) one.place += ", with the random vibration";
