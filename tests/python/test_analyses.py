@@ -75,7 +75,7 @@ def test_signatures_and_help_have_the_keys_of_the_schema():
 
 def test_other_commands_have_the_options_of_their_method():
     own = {
-        "map": {"points", "case"}, "select": {"most", "by"}, "verdict": set(), "check": {"deep"},
+        "map": {"points", "case"}, "select": {"most", "by"}, "verdict": {"case"}, "check": {"deep", "case"},
         "explain": {"of", "most", "case"}, "suspension": {"torques", "excitations", "case"},
         "element": {"name", "all", "case"}, "run": {"folder"},
     }  # fmt: skip
