@@ -146,7 +146,7 @@ def test_a_wrong_text_has_its_message_at_the_line_and_keeps_the_page(serve):
     page.get_by_text(re.compile('error.* in the file')).wait_for()
     assert page.locator('problem-list li').count() >= 1
     page.get_by_role('button', name='Undo').click()
-    page.get_by_text('no requirements').wait_for()
+    page.get_by_text('1 of 1 requirements violated').wait_for()
 
 
 def test_text_shows_what_a_slider_changed(serve):
