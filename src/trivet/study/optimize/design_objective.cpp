@@ -385,7 +385,7 @@ std::vector<DesignObjective::Absence> DesignObjective::set_absences(std::size_t 
   std::vector<Absence> absences;
   Eigen::Index width = 0;
   for (const std::size_t one : width_[c]) width += to_index(one);
-  if (minimized_.any() || values.segment(first, width).minCoeff() < most) return absences;
+  if (width == 0 || minimized_.any() || values.segment(first, width).minCoeff() < most) return absences;
   Eigen::Index place = first;
   for (std::size_t r = 0; r < found.size(); ++r) {
     const bool is_ignored = ignored && ignored->result_case == c && ignored->result == r;
