@@ -10,33 +10,9 @@ import subprocess
 import tempfile
 import unittest
 
+from operation_test import DASHPOT, MACHINE, MASS, ORDERS, ROTOR, STIFFNESS, UNBALANCE
+
 TRIVET = os.environ["TRIVET"]
-MASS, STIFFNESS, DASHPOT = 40.0, 36000.0, 120.0  # 4.77 Hz, damping ratio 0.05
-UNBALANCE = 0.02  # m e [kg m]
-MACHINE = f"""trivet = 1
-[bodies.m]
-mass = {MASS}
-free = ["z"]
-[elements.s]
-type = "three_springs"
-on = "m"
-at = [0, 0, 0]
-translation = [0, 0, {STIFFNESS}]
-damping = {{translation = [0, 0, {DASHPOT}]}}
-"""
-ROTOR = f"""[excitations.rotor]
-type = "unbalance"
-on = "m"
-at = [0, 0, 0]
-axis = "x"
-mass_eccentricity = {UNBALANCE}
-"""
-ORDERS = """[excitations.shaft]
-type = "orders"
-on = "m"
-at = [0, 0, 0]
-table = [{order = 2, force = [0, 0, 50]}, {order = 3, force_per_speed2 = [0, 0, 0.05]}]
-"""
 
 
 def rms(force, hertz):

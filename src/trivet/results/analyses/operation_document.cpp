@@ -11,6 +11,7 @@
 #include "trivet/results/analyses/operation_words.h"
 #include "trivet/results/format/result_writer.h"
 #include "trivet/study/analyses/analysis_results.h"
+#include "trivet/study/analyses/operating_limits.h"
 
 /// What happens at the speeds at which a machine runs.
 namespace trivet::results {
@@ -283,17 +284,6 @@ Table shown_modes(const OperatingSpeed& at) {
       .forms = for_people};
 }
 
-const char* motion_name(assembly::MotionQuantity quantity) {
-  switch (quantity) {
-    case assembly::MotionQuantity::velocity:
-      return "velocity";
-    case assembly::MotionQuantity::acceleration:
-      return "acceleration";
-    default:
-      return "displacement";
-  }
-}
-
 struct LimitRow {
   const OperatingSpeed* in;
   const OperatingLimit* what;
@@ -303,7 +293,7 @@ std::vector<Column> limit_columns(const Rows<LimitRow>& row) {
   const auto of_value = [](auto member) { return [member](const LimitRow& one) { return one.what->value.*member; }; };
   return {
       row("name", Kind::words, "result", of_value(&OperatingValue::name)),
-      row("quantity", Kind::words, "", [](const LimitRow& one) { return motion_name(one.what->quantity); }),
+      row("quantity", Kind::words, "", [](const LimitRow& one) { return study::motion_name(one.what->quantity); }),
       row("unit", Kind::words, "", of_value(&OperatingValue::unit)),
       row("value", Kind::amplitude, "value", [](const LimitRow& one) { return one.what->value.amplitude(); },
           {.digits = 4}),

@@ -14,6 +14,7 @@
 #include "trivet/response/machinery/limit_line.h"
 #include "trivet/response/random/random_bands.h"
 #include "trivet/study/analyses/band_lines.h"
+#include "trivet/study/analyses/operating_limits.h"
 #include "trivet/study/analyses/summed_orders.h"
 
 namespace trivet::study {
@@ -28,10 +29,7 @@ struct LevelledResult {
 
 std::string quantity_word(const assembly::LimitLine& line) {
   if (line.unit.starts_with("N")) return "force";
-  const assembly::MotionQuantity quantity = quantity_of(line);
-  return quantity == assembly::MotionQuantity::displacement ? "displacement"
-      : quantity == assembly::MotionQuantity::velocity      ? "velocity"
-                                                            : "acceleration";
+  return motion_name(quantity_of(line));
 }
 
 std::vector<LevelledResult> levelled_results(const CaseContext& c, const project::OperationAnalysis& request,
@@ -100,12 +98,9 @@ std::vector<OperatingLevel> operating_levels(const CaseContext& c, const project
                                              const std::vector<response::OrderLoading>& loads,
                                              std::vector<assembly::Channel> channels) {
   const std::vector<LevelledResult> results = levelled_results(c, request, std::move(channels));
-  double fastest = 0;
-  for (const assembly::Band& speed : request.speeds)
-    if (speed.from < speed.to) fastest = std::max(fastest, speed.to);
   std::vector<assembly::Channel> all;
   for (const LevelledResult& one : results) all.push_back(one.channel);
-  const SummedOrders summed(c, std::move(all), loads, fastest);
+  const SummedOrders summed(c, std::move(all), loads, fastest_range(request.speeds));
   std::vector<excitation::FrequencyBand> reached;
   for (const assembly::Band& speed : request.speeds)
     for (const excitation::FrequencyBand& band : summed.reached(*request.bands, speed))

@@ -10,6 +10,17 @@ namespace trivet::study {
 
 bool OperatingLimit::met() const { return design::meets_limit(value.amplitude(), allowed); }
 
+const char* motion_name(assembly::MotionQuantity quantity) {
+  switch (quantity) {
+    case assembly::MotionQuantity::velocity:
+      return "velocity";
+    case assembly::MotionQuantity::acceleration:
+      return "acceleration";
+    default:
+      return "displacement";
+  }
+}
+
 double fastest_range(const std::vector<assembly::Band>& speeds) {
   double fastest = 0;
   for (const assembly::Band& speed : speeds)
