@@ -18,6 +18,10 @@ def run(*command):
 
 
 run("cmake", "--install", build, "--prefix", str(work / "installed"))
+licences = {file.name: file.read_text() for file in (work / "installed/share/trivet/licences").iterdir()}
+for package in ("three", "lit", "uplot", "@codemirror/view"):  # of the page that the program contains
+    assert re.search(rf"^{re.escape(package)} \d", licences["page"], re.MULTILINE), package
+assert "Leon Sorokin" in licences["uplot"]
 
 
 def built(source, name):
