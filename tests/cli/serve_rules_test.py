@@ -57,6 +57,7 @@ class Rules(Served):
             for method, path in (
                 ("GET", "/project"),
                 ("GET", "/schema"),
+                ("GET", "/version"),
                 ("POST", "/ask"),
                 ("POST", "/save"),
                 ("POST", "/text"),

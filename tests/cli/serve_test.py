@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The server of the page, spoken to through raw sockets: its answers, files, starts and ends."""
+import hashlib
 import json
 import os
 import pathlib
@@ -13,6 +14,18 @@ import unittest
 
 from serving import GENSET, Served, answer, slower
 from trivet_test import PAPER, SOURCE, TRIVET, trivet
+
+
+def opened_token(found, key, port, nonce):
+    """The token in an answer of /resume, as a page reads it; None without a proof."""
+
+    def keyed(words):
+        inner = hashlib.sha256((key + words).encode()).hexdigest()
+        return hashlib.sha256((key + inner).encode()).hexdigest()
+
+    words = f"{port} {nonce} {found['nonce']}"
+    token = f"{int(found['sealed'], 16) ^ int(keyed('token ' + words), 16):064x}"
+    return token if keyed(f"proof {words} {token}") == found["proof"] else None
 
 
 class Answers(Served):
@@ -62,6 +75,27 @@ class Answers(Served):
         unknown = server.data("POST", "/ask", {"case": "no such", "wants": wants})["results"][0]
         self.assertFalse(unknown["ok"])
         self.assertIn("no such case", json.dumps(unknown["problems"]))
+
+    def test_a_version_stands_for_its_text(self):
+        file = self.file(GENSET.read_text())
+        server = self.serve(file)
+        opened = server.data("GET", "/project")["version"]
+        question = {"version": opened, "wants": [{"command": "modes"}]}
+        before = server.data("POST", "/ask", question)["results"][0]["json"]
+        self.assertEqual(server.data("GET", "/version")["version"], opened)
+        file.write_text(file.read_text().replace('mass = "4200 kg"', 'mass = "4900 kg"', 1))
+        changed = server.data("GET", "/version")["version"]
+        self.assertNotEqual(changed, opened)
+        self.assertEqual(server.data("POST", "/ask", question)["results"][0]["json"], before)  # not opened yet
+        self.assertEqual(server.data("GET", "/project")["version"], changed)
+        for path in ("/ask", "/text"):  # of which a text would be the wrong one
+            self.assertIn("send the text", server.data("POST", path, question, status=412)["error"])
+        after = server.data("POST", "/ask", question | {"version": changed})["results"][0]["json"]
+        self.assertNotEqual(after["modes"], before["modes"])
+        text = server.data("POST", "/ask", question | {"text": GENSET.read_text()})["results"][0]["json"]
+        self.assertEqual(text["modes"], before["modes"])
+        file.unlink()
+        self.assertEqual(server.data("GET", "/version")["version"], "")
 
     def test_a_wrong_text_is_content(self):
         server = self.serve(GENSET)
@@ -289,6 +323,50 @@ class Starts(Served):
         self.assertFalse(pathlib.Path(first[4:]).exists())
         process.stdout.close()
         process.stderr.close()
+
+    def test_a_page_goes_on_with_the_next_start(self):
+        login = self.folder / "login"
+        login.mkdir(mode=0o700)
+        environment = os.environ | {"XDG_RUNTIME_DIR": str(login)}
+        first = self.serve(PAPER, env=environment)
+        key = first.data("GET", "/project")["resume_key"]
+        self.assertRegex(key, r"^[0-9a-f]{64}$")
+        other = self.serve(PAPER, env=environment)  # at the same time: another port, the same key
+        self.assertNotEqual(other.port, first.port)
+        self.assertNotEqual(self.serve(GENSET, env=environment).data("GET", "/project")["resume_key"], key)
+        other.end(signal.SIGKILL)
+        second = self.serve(PAPER, env=environment)
+        self.assertEqual(second.port, other.port)
+        self.assertNotEqual(second.token, other.token)
+        nonce = "0123456789abcdef" * 4
+        found = second.data("GET", "/resume", X_Trivet_Token=None, X_Trivet_Nonce=nonce)
+        self.assertEqual(opened_token(found, key, second.port, nonce), second.token)
+        self.assertIsNone(opened_token(found, key, first.port, nonce))  # the answer of another port, passed on
+        self.assertIsNone(opened_token(found, key[::-1], second.port, nonce))
+        again = second.data("GET", "/resume", X_Trivet_Token=None, X_Trivet_Nonce=nonce)
+        self.assertNotEqual(again["sealed"], found["sealed"])
+        self.assertEqual(second.send("GET", "/resume", X_Trivet_Token=None)[0], 400)
+        self.assertEqual(second.send("GET", "/resume", X_Trivet_Nonce=nonce, Sec_Fetch_Site="same-site")[0], 403)
+
+    def test_without_a_private_folder_no_page_goes_on(self):
+        login = self.folder / "login"
+        login.mkdir()
+        for folder, mode in ((str(login), 0o750), ("", 0o700), ("login", 0o700), (str(self.folder / "no"), 0o700)):
+            login.chmod(mode)
+            server = self.serve(PAPER, env=os.environ | {"XDG_RUNTIME_DIR": folder}, cwd=self.folder)
+            self.assertEqual(server.data("GET", "/project")["resume_key"], "", folder)
+            self.assertEqual(server.send("GET", "/resume", X_Trivet_Nonce="0" * 64)[0], 404)
+            self.assertEqual(list(login.iterdir()), [])
+        login.chmod(0o700)
+        (login / "trivet").mkdir()
+        environment = os.environ | {"XDG_RUNTIME_DIR": str(login)}
+        self.serve(PAPER, env=environment).end()
+        kept = next((login / "trivet").iterdir())
+        for wrong in ("", "x", "70000 " + "0" * 64, "1 " + "0" * 63, "0" * 300):
+            kept.write_text(wrong)
+            key = self.serve(PAPER, env=environment).data("GET", "/project")["resume_key"]
+            self.assertRegex(key, r"^[0-9a-f]{64}$")
+            self.assertNotEqual(key, "0" * 64)
 
     def test_signals_end_it_within_a_second(self):
         for number in (signal.SIGINT, signal.SIGTERM):

@@ -117,7 +117,8 @@ void Connection::on_answer(Answer answer, bool keeps_alive) {
   if (state_ != State::working) return;
   Error ignored;
   socket_.cancel(ignored);                           // ends watch_client
-  if (answer.status >= 400 && answer.status != 409)  // 409 is everyday: a newer question, a changed file
+  const bool is_everyday = answer.status == 409 || answer.status == 412;  // a newer question, a changed file
+  if (answer.status >= 400 && !is_everyday)
     site_.log.add(answer.status, about_, answer.body);
   send(std::move(answer), keeps_alive);
 }

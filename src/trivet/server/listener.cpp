@@ -13,16 +13,24 @@ namespace trivet::server {
 
 using boost::asio::ip::tcp;
 
-Listener::Listener(boost::asio::io_context& loop, std::uint16_t port) : acceptor_(loop), pause_(loop) {
+Listener::Listener(boost::asio::io_context& loop, std::uint16_t port, std::uint16_t preferred)
+    : acceptor_(loop), pause_(loop) {
+  boost::system::error_code error = open(port != 0 ? port : preferred);
+  if (error && port == 0 && preferred != 0) error = open(0);
+  if (error)
+    throw foundation::InvalidInput(
+        fmt::format("port {}: {}; choose another with --port, or leave it out for a free one", port, error.message()));
+}
+
+boost::system::error_code Listener::open(std::uint16_t port) {
   const tcp::endpoint place(boost::asio::ip::address_v4::loopback(), port);
-  boost::system::error_code error;
+  boost::system::error_code error, ignored;
+  acceptor_.close(ignored);
   acceptor_.open(place.protocol(), error);
   if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);  // of an earlier server that has ended
   if (!error) acceptor_.bind(place, error);
   if (!error) acceptor_.listen(tcp::acceptor::max_listen_connections, error);
-  if (error)
-    throw foundation::InvalidInput(
-        fmt::format("port {}: {}; choose another with --port, or leave it out for a free one", port, error.message()));
+  return error;
 }
 
 std::uint16_t Listener::port() const { return acceptor_.local_endpoint().port(); }

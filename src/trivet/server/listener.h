@@ -19,14 +19,16 @@ class Listener {
  public:
   static constexpr std::size_t most_connections = 64;
 
-  /// @param port  0: any free one  @throws foundation::InvalidInput if it cannot be used
-  Listener(boost::asio::io_context& loop, std::uint16_t port);
+  /// @param port       0: `preferred` if it is free (0: none is preferred), otherwise any free one
+  /// @throws foundation::InvalidInput if the port cannot be used
+  Listener(boost::asio::io_context& loop, std::uint16_t port, std::uint16_t preferred);
 
   [[nodiscard]] std::uint16_t port() const;
   /// @param site  must outlive the loop
   void begin(Site& site);
 
  private:
+  [[nodiscard]] boost::system::error_code open(std::uint16_t port);
   void accept(Site& site);
   void add(boost::asio::ip::tcp::socket socket, Site& site);
   /// @returns false if all connections are at work

@@ -16,7 +16,7 @@ struct PageQuestion {
   std::vector<std::string> settings = {};  ///< "elements.mount.scale = 1.5"
   std::string case_name = {};
   std::vector<engine::Request> wants = {};  ///< without their case
-  std::string version = {};                 ///< of the file with which the edits began
+  std::string version = {};                 ///< of the file with which the edits began; empty: any
 };
 
 /// @throws foundation::InvalidInput with a sentence if the body is not the JSON of a question

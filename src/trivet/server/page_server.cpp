@@ -13,10 +13,12 @@
 #include <thread>
 #include <utility>
 
+#include "trivet/documents/json_text.h"
 #include "trivet/engine/program.h"
 #include "trivet/server/listener.h"
 #include "trivet/server/page_files.h"
 #include "trivet/server/project_service.h"
+#include "trivet/server/resumption.h"
 #include "trivet/server/session_start.h"
 #include "trivet/server/worker.h"
 
@@ -29,16 +31,31 @@ Answer page_file_answer(const std::string& path) {
   return {.file = file->content, .type = media_type(name)};
 }
 
+constexpr std::size_t nonce_length = 64;  // hexadecimal
+
+Answer resume_answer(const std::string& token, const Resumption& resumption, const std::string& page_nonce) {
+  if (resumption.key.empty()) return error_answer(404, "pages of an earlier start cannot go on with this one");
+  if (page_nonce.size() != nonce_length) return error_answer(400, "X-Trivet-Nonce must have 64 characters");
+  const SealedToken sealed = sealed_token(token, resumption, page_nonce, new_token());
+  return {.body = documents::json::text(
+              {{"nonce", sealed.nonce}, {"sealed", sealed.sealed}, {"proof", sealed.proof}})};
+}
+
 /// Who computes what: files of the page at once, results on one thread, reading and saving on another.
 class Responder {
  public:
-  Responder(const std::string& file, bool read_only) : service_(file, read_only) {}
+  Responder(const ServeOptions& options, std::string token, Resumption resumption)
+      : token_(std::move(token)),
+        resumption_(std::move(resumption)),
+        service_(options.file, options.read_only, resumption_.key) {}
 
   void respond(const AcceptedRequest& request, std::string body, HasLeft has_left, Reply reply) {
     WorkerTask task{.reply = std::move(reply), .has_left = std::move(has_left)};
     switch (request.route) {
       case Route::page_file:
         return task.reply(page_file_answer(request.path));
+      case Route::resume:
+        return task.reply(resume_answer(token_, resumption_, request.nonce));
       case Route::schema:
         return task.reply(schema_answer());
       case Route::ask:
@@ -47,6 +64,9 @@ class Responder {
         return results_.put(std::move(task));
       case Route::project:
         task.compute = [this](const auto&) { return service_.project(); };
+        break;
+      case Route::version:
+        task.compute = [this](const auto&) { return service_.version(); };
         break;
       case Route::text:
         task.compute = [this, body = std::move(body)](const auto&) { return service_.text(body); };
@@ -60,6 +80,8 @@ class Responder {
   }
 
  private:
+  const std::string token_;
+  const Resumption resumption_;
   ProjectService service_;
   Worker results_, files_;
 };
@@ -77,10 +99,14 @@ void show_in_browser(const ServeOptions& options, const std::string& address, co
 
 void serve(const ServeOptions& options) {
   boost::asio::io_context loop(1);
-  Listener listener(loop, options.port);
-  Responder responder(options.file, options.read_only);
+  Resumption resumption = last_resumption(options.file);
+  Listener listener(loop, options.port, resumption.port);
+  resumption.port = listener.port();
+  if (!keep(resumption, options.file)) resumption.key.clear();
+  const std::string token = new_token();
+  Responder responder(options, token, resumption);
   Site site{{.port = listener.port(),
-             .token = new_token(),
+             .token = token,
              .read_only = options.read_only,
              .is_page_file = [](std::string_view path) { return find_page_file(path) != nullptr; }},
             [&](const AcceptedRequest& request, std::string body, HasLeft has_left, Reply reply) {

@@ -88,6 +88,10 @@ Answer unprocessable(const std::string& sentence, const Problems& problems) {
   return {.status = 422, .body = documents::json::text({{"error", sentence}, {"problems", problems_json(problems)}})};
 }
 
+Answer another_version() {
+  return error_answer(412, "the program has opened another version of the file meanwhile; send the text");
+}
+
 }  // namespace
 
 Answer schema_answer() {
@@ -95,8 +99,11 @@ Answer schema_answer() {
   return {.file = schema};
 }
 
-ProjectService::ProjectService(std::string file, bool read_only)
-    : file_(std::move(file)), read_only_(read_only), sessions_(file_.empty() ? unsaved_name : file_) {
+ProjectService::ProjectService(std::string file, bool read_only, std::string resume_key)
+    : file_(std::move(file)),
+      read_only_(read_only),
+      resume_key_(std::move(resume_key)),
+      sessions_(file_.empty() ? unsaved_name : file_) {
   if (!file_.empty()) open(read_state(file_));
 }
 
@@ -112,12 +119,22 @@ void ProjectService::open(const FileState& state) {
   opened_ = state;
 }
 
-std::string ProjectService::text_of(const PageQuestion& question) const {
-  return question.text ? *question.text : opened().text;
+std::optional<std::string> ProjectService::text_of(const PageQuestion& question) const {
+  if (question.text) return question.text;
+  FileState state = opened();
+  if (!question.version.empty() && question.version != state.version) return std::nullopt;
+  return std::move(state.text);
+}
+
+Answer ProjectService::version() const {
+  return {.body = documents::json::text({{"version", file_.empty() ? "" : read_state(file_).version}})};
 }
 
 Answer ProjectService::project() {
-  Json answer{{"name", nullptr}, {"program", engine::version()}, {"commands", commands_json()}};
+  Json answer{{"name", nullptr},
+              {"program", engine::version()},
+              {"commands", commands_json()},
+              {"resume_key", resume_key_}};
   if (file_.empty()) {
     answer["examples"] = examples_json();
     return {.body = documents::json::text(answer)};
@@ -143,9 +160,10 @@ Answer ProjectService::project() {
 
 Answer ProjectService::ask(const std::string& body, const foundation::Progress& progress) {
   PageQuestion question = read_question(body);
-  const std::string text = text_of(question);
-  const auto session = sessions_.of(text, question.settings);
-  const Problems refused = session ? Problems() : sessions_.refused_files(text, question.settings);
+  const auto text = text_of(question);
+  if (!text) return another_version();
+  const auto session = sessions_.of(*text, question.settings);
+  const Problems refused = session ? Problems() : sessions_.refused_files(*text, question.settings);
   std::string results;
   for (engine::Request& want : question.wants) {
     const engine::Command* command = engine::find_command(want.command);
@@ -155,7 +173,7 @@ Answer ProjectService::ask(const std::string& body, const foundation::Progress& 
     } else if (session) {
       results += (results.empty() ? "" : ",") + result_text((*session)->ask(want, progress));
     } else if (!refused.has_errors()) {  // a wrong table that this command does not look at is no reason against it
-      const auto own = sessions_.only_for(want, text, question.settings);
+      const auto own = sessions_.only_for(want, *text, question.settings);
       results += (results.empty() ? "" : ",") +
           result_text(own ? own->ask(want, progress) : refused_result(want, own.error()));
     }
@@ -169,18 +187,21 @@ Answer ProjectService::ask(const std::string& body, const foundation::Progress& 
   return {.body = head + "\"results\":[" + results + "]}"};
 }
 
-foundation::Expected<std::string> ProjectService::new_text(const PageQuestion& question) {
-  const std::string text = text_of(question);
-  if (Problems refused = sessions_.refused_files(text, question.settings); refused.has_errors())
+foundation::Expected<std::string> ProjectService::new_text(const std::string& text,
+                                                           const std::vector<std::string>& settings) {
+  if (Problems refused = sessions_.refused_files(text, settings); refused.has_errors())
     return tl::make_unexpected(std::move(refused));
-  if (question.settings.empty()) return text;  // a wrong text may be saved, as in an editor
-  const auto session = sessions_.of(text, question.settings);
+  if (settings.empty()) return text;  // a wrong text may be saved, as in an editor
+  const auto session = sessions_.of(text, settings);
   if (!session) return tl::make_unexpected(session.error());
   return (*session)->text_with_settings();
 }
 
 Answer ProjectService::text(const std::string& body) {
-  const auto text = new_text(read_question(body));
+  const PageQuestion question = read_question(body);
+  const auto given = text_of(question);
+  if (!given) return another_version();
+  const auto text = new_text(*given, question.settings);
   if (!text) return unprocessable("the text with these settings is wrong", text.error());
   return {.body = documents::json::text({{"text", *text}})};
 }
@@ -190,16 +211,16 @@ Answer ProjectService::save(const std::string& body) {
   if (read_only_) return error_answer(403, "the server was started with --read-only; nothing is saved");
   if (file_.empty()) return error_answer(409, "the page was opened without a project file; start trivet serve FILE");
   const std::scoped_lock guard(saving_);
-  const auto text = new_text(question);
-  if (!text) return unprocessable("the text with these settings is wrong", text.error());
-  if (text->find_first_not_of(" \t\r\n") == std::string::npos || text->find('\0') != std::string::npos)
-    return error_answer(422, "a project file has text and no NUL bytes");
   const FileState on_disk = read_state(file_);
   if (on_disk.version != question.version)
     return {.status = 409,
             .body = documents::json::text({{"error", "the file was changed meanwhile; nothing is written"},
                                            {"version", on_disk.version},
                                            {"text", on_disk.text}})};
+  const auto text = new_text(question.text.value_or(on_disk.text), question.settings);
+  if (!text) return unprocessable("the text with these settings is wrong", text.error());
+  if (text->find_first_not_of(" \t\r\n") == std::string::npos || text->find('\0') != std::string::npos)
+    return error_answer(422, "a project file has text and no NUL bytes");
   replace_text(file_, *text);
   open({.text = *text, .version = version_of(*text)});
   return {.body = documents::json::text({{"version", version_of(*text)}})};

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <mutex>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/server/answer.h"
@@ -16,11 +18,14 @@ namespace trivet::server {
 /// engine. Thread-safe. A wrong body throws foundation::InvalidInput.
 class ProjectService {
  public:
-  /// @param file  the project; empty: a page that offers examples
-  ProjectService(std::string file, bool read_only);
+  /// @param file        the project; empty: a page that offers examples
+  /// @param resume_key  for pages, of their Resumption
+  ProjectService(std::string file, bool read_only, std::string resume_key);
 
   /// GET /project: the file as it is on disk now, which questions without a text are about from now on.
   [[nodiscard]] Answer project();
+  /// GET /version: of the file as it is on disk now; it is not opened.
+  [[nodiscard]] Answer version() const;
   /// POST /ask: results of commands. Errors of the project are content, too.
   [[nodiscard]] Answer ask(const std::string& body, const foundation::Progress& progress);
   /// POST /text: the text with settings, nothing is written.
@@ -31,12 +36,16 @@ class ProjectService {
  private:
   [[nodiscard]] FileState opened() const;
   void open(const FileState& state);
-  [[nodiscard]] std::string text_of(const PageQuestion& question) const;
-  /// The text to write, or why there is none.
-  [[nodiscard]] foundation::Expected<std::string> new_text(const PageQuestion& question);
+  /// The text that a question is about. None: it names a version of the file that is not the opened one, because
+  /// another page has opened a newer one, or because the program was started again.
+  [[nodiscard]] std::optional<std::string> text_of(const PageQuestion& question) const;
+  /// The text with settings, or why there is none.
+  [[nodiscard]] foundation::Expected<std::string> new_text(const std::string& text,
+                                                           const std::vector<std::string>& settings);
 
   const std::string file_;
   const bool read_only_;
+  const std::string resume_key_;
   OpenedSessions sessions_;
   std::mutex saving_;
   mutable std::mutex lock_;

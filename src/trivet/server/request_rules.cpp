@@ -18,7 +18,9 @@ struct DataPath {
   const char* method;
   Route route;
 };
-constexpr std::array<DataPath, 5> data_paths = {{{"/project", "GET", Route::project},
+constexpr std::array<DataPath, 7> data_paths = {{{"/resume", "GET", Route::resume},
+                                                 {"/project", "GET", Route::project},
+                                                 {"/version", "GET", Route::version},
                                                  {"/schema", "GET", Route::schema},
                                                  {"/ask", "POST", Route::ask},
                                                  {"/text", "POST", Route::text},
@@ -127,7 +129,8 @@ tl::expected<AcceptedRequest, Refusal> judged(const RequestHead& head, const Req
   if (is_data) {
     accepted.route = data->route;
     const auto token = single(head, "x-trivet-token");
-    if (!token || !is_equal_token(*token, rules.token))
+    const bool needs_token = data->route != Route::resume;  // whose answer only a page with the key can read
+    if (needs_token && (!token || !is_equal_token(*token, rules.token)))
       return refuse(
           {401, "X-Trivet-Token is missing or that of another start; open the address that `trivet serve` prints"});
   }
@@ -137,6 +140,7 @@ tl::expected<AcceptedRequest, Refusal> judged(const RequestHead& head, const Req
   if (method == "POST" && !is_json(head)) return refuse({415, "the body of POST is application/json"});
   if (accepted.route == Route::save && rules.read_only)
     return refuse({403, "the server was started with --read-only; nothing is saved"});
+  accepted.nonce = single(head, "x-trivet-nonce").value_or("");
   accepted.client = single(head, "x-trivet-client").value_or("").substr(0, 64);
   return accepted;
 }

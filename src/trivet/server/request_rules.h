@@ -30,12 +30,13 @@ struct Refusal {
   std::string allow = {};  ///< of status 405: methods that the path has
 };
 
-enum class Route { page_file, project, schema, ask, text, save };
+enum class Route { page_file, resume, project, version, schema, ask, text, save };
 
 struct AcceptedRequest {
   Route route = Route::page_file;
   std::string path;    ///< without a query
   std::string client;  ///< X-Trivet-Client: which page asks; empty if it does not say
+  std::string nonce;   ///< X-Trivet-Nonce, of a page that wants to go on with this start of the program
   std::uint64_t content_length = 0;
 };
 
