@@ -28,15 +28,25 @@ class Served:
     def __init__(self, browser, folder, example):
         self.browser, self.pages = browser, []
         self.messages, self.requests = [], []  # of the consoles; addresses asked for
-        words = [TRIVET, 'serve']
+        self.words = [TRIVET, 'serve', '--no-browser']
         if example:
             source = ROOT / 'examples' / example
             shutil.copytree(source.parent, folder, dirs_exist_ok=True)
             self.file = folder / source.name
-            words.append(str(self.file))
-        self.process = subprocess.Popen([*words, '--no-browser'], stdout=subprocess.PIPE, text=True)
+            self.words.append(str(self.file))
+        self.login = folder.with_name(folder.name + ' login')  # a private folder, as a login of the system has one
+        self.login.mkdir(mode=0o700)
+        self.start()
+
+    def start(self, *words, login=True):
+        environment = os.environ | {'XDG_RUNTIME_DIR': str(self.login) if login else ''}
+        self.process = subprocess.Popen([*self.words, *words], stdout=subprocess.PIPE, text=True, env=environment)
         self.address = self.process.stdout.readline().strip()
         assert self.address.startswith('http://127.0.0.1:'), self.address
+
+    @property
+    def port(self):
+        return self.address.split(':')[2].split('/')[0]
 
     def page(self, size=(1280, 800), theme='light', still=True):
         """A page that shows the machine; with `still` nothing moves by itself."""
@@ -53,12 +63,18 @@ class Served:
         self.pages.append(context)
         return page
 
+    def kill(self):
+        self.process.kill()
+        self.process.wait(timeout=10)
+        self.process.stdout.close()
+
     def close(self):
         for context in self.pages:
             context.close()
-        self.process.terminate()
-        self.process.wait(timeout=10)
-        self.process.stdout.close()
+        if self.process.poll() is None:
+            self.process.terminate()
+            self.process.wait(timeout=10)
+            self.process.stdout.close()
 
 
 @pytest.fixture

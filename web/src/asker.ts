@@ -49,7 +49,7 @@ export class Asker {
   }
   /// Is the result not yet that of the state on the page?
   isOld = (command: string) => this.results.get(command)?.revision !== this.state.revision;
-  /// A wish changed: ask again.
+  /// A wish changed, or the program is there again: ask again.
   again() {
     this.asked = {quick: -1, slow: -1};
     this.next();

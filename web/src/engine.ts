@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The seam: what the page asks and who answers. Everything that the page shows is a result of a command of the program.
 import type {Problem} from './results.ts';
+import {keepResumeKey, keepToken, newNonce, openedToken, resumeKey, type SealedToken} from './token.ts';
 
 /// What is on the page: the text of the project file, the numbers that sliders changed, and the case.
 export interface Change {
-  text: string | null;  // null: the file as it was opened
+  text: string;
+  version: string | null;  // of the file on the disk that had this text; null: the text was edited
   settings: readonly string[];  // "PATH = VALUE", as with --set
   case: string;
 }
@@ -39,6 +41,7 @@ export interface Project {
   cases?: string[];
   program?: string;
   examples?: Example[];
+  resume_key?: string;
 }
 /// `conflict`: another hand changed the file meanwhile; `text` is what is on disk now.
 export type Saved = {conflict: false; version: string} | {conflict: true; version: string; text: string};
@@ -46,7 +49,10 @@ export type Saved = {conflict: false; version: string} | {conflict: true; versio
 export interface Engine {
   project(): Promise<Project>;
   schema(): Promise<unknown>;
-  ask(revision: number, change: Change, wants: readonly Want[]): Promise<Answer>;
+  /// Of the project file as it is on the disk now; empty: it cannot be read. Absent: there is no file that could change.
+  version?(): Promise<string>;
+  /// `signal`: the answer is no longer wanted.
+  ask(revision: number, change: Change, wants: readonly Want[], signal?: AbortSignal): Promise<Answer>;
   /// The text with the settings written into it; every other byte stays.
   text(change: Change): Promise<string>;
   save(version: string, change: Change): Promise<Saved>;
@@ -59,51 +65,91 @@ export class EngineError extends Error {}
 export class ServerEngine implements Engine {
   private readonly client = crypto.randomUUID();  // a newer question ends an older one of the same tab only
 
-  constructor(private readonly token: string) {}
+  private isLost = false;  // until the program answers again, and has proved that it is it
+  private isForeign = false;  // what answers is not it, or has a token that this tab cannot get
 
-  project = () => this.get<Project>('/project');
-  schema = () => this.get<unknown>('/schema');
-
-  ask(revision: number, change: Change, wants: readonly Want[]): Promise<Answer> {
-    return this.post<Answer>('/ask', {revision, ...body(change), wants});
+  constructor(private token: string) {}
+  /// Of another start of the program.
+  useToken(token: string) {
+    [this.token, this.isLost, this.isForeign] = [token, false, false];
   }
+  async project(): Promise<Project> {
+    const project = await this.get<Project>('/project');
+    if (project.resume_key) keepResumeKey(project.resume_key);
+    return project;
+  }
+  schema = () => this.get<unknown>('/schema');
+  async version(): Promise<string> {
+    if (this.isLost) await this.resume();
+    return (await this.get<{version: string}>('/version')).version;
+  }
+
+  /// An unedited text is not sent again, unless the program has opened another version of the file meanwhile.
+  async ask(revision: number, {text, version, settings, case: name}: Change, wants: readonly Want[], signal?: AbortSignal): Promise<Answer> {
+    const question = {revision, settings, case: name, wants};
+    if (version && version !== this.closed) {
+      const response = await this.request('/ask', {version, ...question}, signal);
+      if (response.status !== 412) return content<Answer>(response);
+      this.closed = version;
+    }
+    return this.post<Answer>('/ask', {text, ...question}, signal);
+  }
+  private closed = '';  // version that the program has no longer
   async text(change: Change): Promise<string> {
-    return (await this.post<{text: string}>('/text', body(change))).text;
+    return (await this.post<{text: string}>('/text', textOf(change))).text;
   }
   async save(version: string, change: Change): Promise<Saved> {
-    const response = await this.request('/save', {version, ...body(change)});
+    const response = await this.request('/save', {version, ...textOf(change)});
     if (response.status === 409) return {conflict: true, ...(await response.json())};
     return {conflict: false, ...(await content<{version: string}>(response))};
   }
 
   private get = async <T>(path: string): Promise<T> => content<T>(await this.request(path));
-  private post = async <T>(path: string, data: unknown): Promise<T> => content<T>(await this.request(path, data));
-  private async request(path: string, data?: unknown): Promise<Response> {
+  private post = async <T>(path: string, data: unknown, signal?: AbortSignal): Promise<T> => content<T>(await this.request(path, data, signal));
+  private async request(path: string, data?: unknown, signal?: AbortSignal): Promise<Response> {
+    if (this.isLost) throw new EngineError(SILENT);  // until `version` finds it again: nothing goes to a stranger
     const headers: Record<string, string> = {'X-Trivet-Token': this.token, 'X-Trivet-Client': this.client};
     if (data !== undefined) headers['Content-Type'] = 'application/json';
+    const response = await this.fetched(path, data === undefined ? {headers} : {method: 'POST', headers, body: JSON.stringify(data), ...(signal ? {signal} : {})});
+    if (response.status === 401) this.isLost = true;  // another start of the program, or another program
+    return response;
+  }
+  private async fetched(path: string, init: RequestInit): Promise<Response> {
     try {
-      return await fetch(path, data === undefined ? {headers} : {method: 'POST', headers, body: JSON.stringify(data)});
-    } catch {
-      throw new EngineError('The program does not answer. Start "trivet serve" again; your edits are still on this page.');
+      return await fetch(path, init);
+    } catch (reason) {
+      if (init.signal?.aborted) throw reason;
+      this.isLost = true;
+      throw new EngineError(SILENT);
     }
   }
+  /// Goes on with a program that was started again, at this address and with another token.
+  private async resume() {
+    if (this.isForeign) throw new EngineError(STRANGER);
+    const key = resumeKey(), nonce = newNonce();
+    if (key) {
+      const response = await this.fetched('/resume', {headers: {'X-Trivet-Nonce': nonce}});
+      const token = response.ok ? await openedToken(await response.json() as SealedToken, key, location.port, nonce) : null;
+      if (token === null) throw this.foreign();
+      keepToken(token);
+      this.token = token;
+    }
+    if ((await this.fetched('/version', {headers: {'X-Trivet-Token': this.token}})).status === 401) throw this.foreign();
+    this.isLost = false;
+  }
+  private foreign() {
+    this.isForeign = true;
+    return new EngineError(STRANGER);
+  }
 }
+const SILENT = 'The program does not answer.';
+const STRANGER = 'The program was started again with another token. Open the address that it prints in this tab.';
 
-const body = ({text, settings, case: name}: Change) => ({...(text === null ? {} : {text}), settings, case: name});
+const textOf = ({text, settings}: Change) => ({text, settings});
 
 async function content<T>(response: Response): Promise<T> {
   if (response.ok) return response.json() as Promise<T>;
   const {error, problems = []} = await response.json().catch(() => ({error: `The program answered ${response.status}.`})) as
       {error: string; problems?: Problem[]};
   throw new EngineError([error, ...problems.map(p => p.message)].join(': '));
-}
-
-/// The token of this tab: once in the fragment of the address, then only in the storage of the tab.
-export function tokenOfTab(): string {
-  const inAddress = new URLSearchParams(location.hash.slice(1)).get('token');
-  if (inAddress) {
-    sessionStorage.setItem('token', inAddress);
-    history.replaceState(null, '', location.pathname);
-  }
-  return sessionStorage.getItem('token') ?? '';
 }

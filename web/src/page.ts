@@ -2,22 +2,29 @@
 // Starts the page of `trivet serve`.
 import {Asker, type Wish} from './asker.ts';
 import {Display} from './display.ts';
-import {ServerEngine, tokenOfTab} from './engine.ts';
+import {ServerEngine} from './engine.ts';
 import {hasSomethingToJudge} from './judgement.ts';
 import {PageShell} from './page_shell.ts';
 import {App} from './part.ts';
+import {ProjectFile} from './project_file.ts';
 import {Schema} from './schema.ts';
 import {State} from './state.ts';
+import {tokenOfTab} from './token.ts';
 import {wishes} from './wishes.ts';
 
 async function start() {
   const engine = new ServerEngine(tokenOfTab()), project = await engine.project();
   const state = new State(), display = new Display();
   const wanted = (): Wish[] => (state.design.text ? wishes(display, {hasSomethingToJudge: hasSomethingToJudge(app), hasSteady: app.index.byPath.has('analyses\0steady')}) : []);
-  const asker = new Asker(engine, state, wanted), app: App = new App(engine, project, state, display, asker);
+  const asker = new Asker(engine, state, wanted), file = new ProjectFile(engine, project, state, asker, notice => display.set({notice}));
+  const app: App = new App(engine, project, state, display, asker, file);
   const shell = new PageShell();
   shell.app = app;
-  if (project.text !== undefined) state.open(project.text, true);
+  file.begin();
+  addEventListener('hashchange', () => {  // the address of another start of the program was opened in this tab
+    engine.useToken(tokenOfTab());
+    void file.look();
+  });
   document.body.replaceChildren(shell);
   app.schema = new Schema(await engine.schema() as ConstructorParameters<typeof Schema>[0]);
   shell.requestUpdate();
@@ -29,4 +36,5 @@ start().catch((error: unknown) => {
   said.setAttribute('role', 'alert');
   said.textContent = error instanceof Error ? error.message : String(error);
   document.body.replaceChildren(said);
+  addEventListener('hashchange', () => location.reload());
 });

@@ -2,6 +2,7 @@
 import {html, nothing} from 'lit';
 import './curve_chart.ts';
 import './empty_state.ts';
+import './file_notice.ts';
 import './machine_view.ts';
 import './model_tree.ts';
 import './problem_list.ts';
@@ -9,7 +10,8 @@ import './result_tables.ts';
 import './slider_panel.ts';
 import './text_view.ts';
 import type {Display} from './display.ts';
-import {EngineError, type Example} from './engine.ts';
+import {download} from './download.ts';
+import type {Example} from './engine.ts';
 import {judgement} from './judgement.ts';
 import {Part} from './part.ts';
 import type {Scene} from './results.ts';
@@ -18,20 +20,16 @@ const TABS = {sliders: 'Sliders', model: 'Model', text: 'Text'} as const;
 
 /// The whole page: verdict, picture and sliders first, text last.
 export class PageShell extends Part {
-  static override properties = {...Part.properties, conflict: {state: true}, opened: {state: true}};
-  declare conflict: {version: string; text: string} | null;
+  static override properties = {...Part.properties, opened: {state: true}};
   declare opened: boolean;
-  private version = '';
 
   constructor() {
     super();
-    [this.conflict, this.opened] = [null, false];
+    this.opened = false;
   }
   override connectedCallback() {
     super.connectedCallback();
-    const {project} = this.app;
-    this.opened = project.name !== null;
-    this.version = project.version ?? '';
+    this.opened = this.app.state.design.text !== '' || this.app.project.name !== null;
     addEventListener('keydown', event => this.key(event));
     addEventListener('beforeunload', event => { if (this.opened && !this.app.state.isSaved) event.preventDefault(); });
   }
@@ -54,7 +52,7 @@ export class PageShell extends Part {
       <main class="empty"><empty-state .app=${app} .examples=${project.examples ?? []} .open=${(e: Example) => this.openExample(e)}></empty-state></main>`;
     return html`<header>${this.brand()}${this.heading()}</header>
       <problem-list .app=${app}></problem-list>
-      ${this.conflict ? this.conflictBox(this.conflict) : nothing}
+      <file-notice .app=${app}></file-notice>
       <main class="tab-${display.leftTab}">
         <section class="left" aria-label="Model and parameters">
           <div class="tabs" role="tablist" aria-label="Model">${(Object.keys(TABS) as Display['leftTab'][]).map(t => html`<button role="tab" id="left-${t}" aria-controls="left-panel" aria-selected=${t === display.leftTab} @click=${() => display.set({leftTab: t})}>${TABS[t]}</button>`)}</div>
@@ -85,46 +83,26 @@ export class PageShell extends Part {
       <button title="Undo (Ctrl Z)" aria-label="Undo" ?disabled=${!state.canUndo} @click=${() => state.undo()}>↶</button>
       <button title="Redo (Ctrl Y)" aria-label="Redo" ?disabled=${!state.canRedo} @click=${() => state.redo()}>↷</button>
       <button title="Save (Ctrl S)" class=${state.isSaved ? '' : 'unsaved'} ?disabled=${state.isSaved || project.read_only === true} @click=${() => this.save()}>${project.read_only ? 'Read only' : 'Save'}</button>
+      ${project.name === null ? html`<button title="Back to the examples" @click=${() => this.leave()}>Examples</button>` : nothing}
       ${this.themeButton()}`;
+  }
+  private leave() {
+    this.opened = false;
+    this.app.state.open('', null);
+    this.app.file.forget();
   }
   private themeButton() {
     const {display} = this.app, other = display.theme === 'dark' ? 'light' : 'dark';
     return html`<button title="${other} colours" aria-label="Use ${other} colours" @click=${() => display.set({theme: other})}>${other === 'dark' ? '☾' : '☀'}</button>`;
   }
-  private conflictBox({version, text}: {version: string; text: string}) {
-    return html`<div class="problems error" role="alertdialog" aria-label="The file was changed"><p>Another program changed the file on the disk since you opened it. Nothing was written.</p>
-      <details><summary>Text on the disk</summary><pre tabindex="0">${text}</pre></details>
-      <button @click=${() => { this.version = version; this.conflict = null; this.app.state.open(text, true); }}>Open the text on the disk</button>
-      <button @click=${() => { this.version = version; this.conflict = null; void this.save(); }}>Overwrite it with mine</button>
-      <button @click=${() => { this.conflict = null; }}>Cancel</button></div>`;
-  }
   private openExample(example: Example) {
     this.opened = true;
-    this.app.state.open(example.text, false);
+    this.app.state.open(example.text, null);
   }
   /// Writes the file; a machine without a file becomes a download.
   private async save() {
-    const {state, engine, project} = this.app, {change} = state;
-    try {
-      const text = state.design.settings.size ? await engine.text(change) : state.design.text;
-      if (project.name === null) return this.download(text);
-      const saved = await engine.save(this.version, change);
-      if (saved.conflict) this.conflict = saved;
-      else {
-        this.version = saved.version;
-        state.wasSaved(text);
-        this.app.display.set({notice: `${project.name} is saved.`});
-      }
-    } catch (error) {
-      this.app.display.set({notice: error instanceof EngineError ? error.message : String(error)});
-    }
-  }
-  private download(text: string) {
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([text], {type: 'application/toml'}));
-    link.download = 'machine.toml';
-    link.click();
-    URL.revokeObjectURL(link.href);
+    const text = await this.app.file.save();
+    if (text !== null) download('machine.toml', text);
   }
   private key(event: KeyboardEvent) {
     if (!(event.ctrlKey || event.metaKey) || !this.opened) return;

@@ -4,6 +4,7 @@ import type {Asker} from './asker.ts';
 import type {Display} from './display.ts';
 import type {Engine, Project} from './engine.ts';
 import {indexOf, type TextIndex} from './numbers_of_text.ts';
+import type {ProjectFile} from './project_file.ts';
 import type {Schema} from './schema.ts';
 import type {State} from './state.ts';
 
@@ -12,7 +13,8 @@ export class App {
   schema: Schema | null = null;
   private indexed: {text: string; index: TextIndex} | null = null;
 
-  constructor(readonly engine: Engine, readonly project: Project, readonly state: State, readonly display: Display, readonly asker: Asker) {}
+  constructor(readonly engine: Engine, readonly project: Project, readonly state: State, readonly display: Display, readonly asker: Asker,
+              readonly file: ProjectFile) {}
 
   /// Names of the cases of the present text; "" is the base model.
   get cases(): string[] {
@@ -37,8 +39,8 @@ export class Part extends LitElement {
   override connectedCallback() {
     super.connectedCallback();
     const update = () => this.requestUpdate();
-    const {state, display, asker} = this.app;
-    this.unsubscribe = [state.subscribe(update), display.subscribe(update), asker.subscribe(update)];
+    const {state, display, asker, file} = this.app;
+    this.unsubscribe = [state, display, asker, file].map(part => part.subscribe(update));
   }
   override disconnectedCallback() {
     super.disconnectedCallback();

@@ -6,7 +6,8 @@ import type {TextView} from './text_view.ts';
 /// The program's messages on the file. A click goes to the line.
 export class ProblemList extends Part {
   override render() {
-    const {asker} = this.app, errors = asker.problems.filter(p => p.severity === 'error'), warnings = asker.problems.length - errors.length;
+    const {asker, file} = this.app, errors = asker.problems.filter(p => p.severity === 'error'), warnings = asker.problems.length - errors.length;
+    if (file.trouble?.kind === 'away') return nothing;
     if (asker.trouble) return html`<div class="problems error" role="alert"><p>${asker.trouble}</p><button @click=${() => asker.again()}>Try again</button></div>`;
     if (!asker.problems.length) return nothing;
     return html`<details class="problems ${errors.length ? 'error' : 'warning'}" ?open=${errors.length > 0}>

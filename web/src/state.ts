@@ -12,6 +12,9 @@ export interface Selection {
   name: string;
 }
 
+/// Of a text that is not on the disk: no text equals it.
+const NOWHERE: Design = {text: '\0', settings: new Map()};
+
 export class State {
   design: Design = {text: '', settings: new Map()};
   case = '';
@@ -23,22 +26,26 @@ export class State {
   private past: Design[] = [];
   private future: Design[] = [];
   private saved: Design = this.design;
-  private opened = '';
+  private opened: {text: string; version: string | null} = {text: '', version: null};  // of the file on the disk
   private dragged: Design | null = null;  // the design before the drag of a slider
   private readonly listeners = new Set<() => void>();
 
-  /// Opens a file; it has no history.
-  open(text: string, onDisk: boolean) {
+  /// Opens a file; it has no history. @param version  on the disk; null: it is not there
+  open(text: string, version: string | null) {
     this.design = {text, settings: new Map()};
-    this.opened = onDisk ? text : '\0';
-    this.saved = onDisk ? this.design : {text: '', settings: new Map()};
+    this.opened = {text, version};
+    this.saved = version === null ? NOWHERE : this.design;
     [this.past, this.future, this.selection, this.case] = [[], [], null, ''];
     this.changed(true);
   }
   get change(): Change {
     const {text, settings} = this.design;
-    return {text: text === this.opened ? null : text, settings: [...settings].map(([path, value]) => `${path} = ${value}`),
-            case: this.case};
+    return {text, version: text === this.opened.text ? this.opened.version : null,
+            settings: [...settings].map(([path, value]) => `${path} = ${value}`), case: this.case};
+  }
+  /// Differs the page from the text that was opened or saved last?
+  get hasEdits(): boolean {
+    return this.design.text !== this.opened.text || this.design.settings.size > 0;
   }
   get isSaved(): boolean {
     return this.design.text === this.saved.text && this.design.settings.size === 0;
@@ -75,10 +82,30 @@ export class State {
   undo() { this.travel(this.past, this.future); }
   redo() { this.travel(this.future, this.past); }
 
-  wasSaved(text: string) {
+  wasSaved(text: string, version: string) {
     this.design = this.saved = {text, settings: new Map()};
-    this.opened = text;  // of which questions without a text are from now on
+    this.opened = {text, version};
     this.changed(false);
+  }
+  /// Another program wrote the file: its text replaces that of the page. Undo brings the earlier one back.
+  replaced(text: string, version: string) {
+    this.remember(this.design);
+    this.design = this.saved = {text, settings: new Map()};
+    this.opened = {text, version};
+    this.changed(true);
+  }
+  /// The file is no longer on the disk: its text can be saved again.
+  wasDeleted() {
+    this.opened = {text: this.opened.text, version: null};
+    this.saved = NOWHERE;
+    this.changed(false);
+  }
+  /// Edits of an earlier visit of this tab, as one step of undo.
+  restored(design: Design, name: string) {
+    this.remember(this.design);
+    this.design = design;
+    this.case = name;
+    this.changed(true);
   }
   chooseCase(name: string) {
     this.case = name;

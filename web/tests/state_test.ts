@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {Asker} from '../src/asker.ts';
-import type {Answer, Change, Engine} from '../src/engine.ts';
+import {ServerEngine, type Answer, type Change, type Engine} from '../src/engine.ts';
 import {partsAbove} from '../src/chart/parts_above.ts';
 import {State} from '../src/state.ts';
 
@@ -10,7 +10,7 @@ Object.assign(globalThis, {window: globalThis});  // timers
 
 function opened(): State {
   const state = new State();
-  state.open('mass = 1', true);
+  state.open('mass = 1', 'v1');
   return state;
 }
 test('a drag is one step of undo', () => {
@@ -26,12 +26,12 @@ test('a drag is one step of undo', () => {
   state.redo();
   assert.equal(state.design.settings.get('mass'), '4');
 });
-test('an unchanged text is not sent again', () => {
+test('an unchanged text has the version of the file', () => {
   const state = opened();
   state.set({mass: '2'});
-  assert.deepEqual(state.change, {text: null, settings: ['mass = 2'], case: ''});
+  assert.deepEqual(state.change, {text: 'mass = 1', version: 'v1', settings: ['mass = 2'], case: ''});
   state.edit('mass = 3');
-  assert.equal(state.change.text, 'mass = 3');
+  assert.deepEqual([state.change.text, state.change.version], ['mass = 3', null]);
 });
 test('a new edit ends what redo could bring back', () => {
   const state = opened();
@@ -84,4 +84,35 @@ test('a result of another text or case is never drawn', async () => {
 test('the part of a curve above its limit begins and ends on it', () => {
   assert.deepEqual(partsAbove([0, 1, 2, 3], [0, 4, 0, null], 2), [[[0.5, 2], [1, 4], [1.5, 2]]]);
   assert.deepEqual(partsAbove([0, 1], [1, 1], 2), []);
+});
+test('another text on the disk is one step of undo, and then the page has edits', () => {
+  const state = opened();
+  state.replaced('mass = 2', 'v2');
+  assert.ok(state.isSaved && !state.hasEdits);
+  assert.equal(state.change.version, 'v2');
+  state.undo();
+  assert.ok(!state.isSaved && state.hasEdits);
+  assert.equal(state.design.text, 'mass = 1');
+});
+test('a deleted file can be saved without an edit', () => {
+  const state = opened();
+  state.wasDeleted();
+  assert.ok(!state.isSaved && !state.hasEdits);
+  assert.equal(state.change.version, null);
+  state.wasSaved('mass = 1', 'v1');
+  assert.ok(state.isSaved);
+});
+
+test('a version that the program has no longer is replaced by its text', async () => {
+  const bodies: Record<string, unknown>[] = [];
+  Object.assign(globalThis, {fetch: (_path: string, {body}: {body: string}) => {
+    const asked = JSON.parse(body) as Record<string, unknown>;
+    bodies.push(asked);
+    return Promise.resolve(new Response('{"results": []}', {status: asked['version'] ? 412 : 200}));
+  }});
+  const engine = new ServerEngine('token'), state = opened();
+  await engine.ask(1, state.change, []);
+  await engine.ask(2, state.change, []);
+  assert.deepEqual(bodies.map(b => [b['revision'], b['version'], b['text']]),
+                   [[1, 'v1', undefined], [1, undefined, 'mass = 1'], [2, undefined, 'mass = 1']]);
 });

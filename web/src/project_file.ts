@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The file on the disk and the edits of this page: saving, another hand that writes the file, a program that went away.
+import type {Asker} from './asker.ts';
+import {EngineError, type Engine, type Project} from './engine.ts';
+import type {Design, State} from './state.ts';
+
+/// Why the page and the file differ, and what the user decides about.
+export type Trouble =
+  | {kind: 'away'; reason: string}  // the program does not answer
+  | {kind: 'changed'; version: string; text: string}  // another program wrote the file, and the page has edits
+  | {kind: 'deleted'};
+
+/// Edits that are not on the disk, as the tab keeps them over a reload, a sleep and a new start of the program.
+interface KeptEdits {
+  project: string | null;
+  version: string | null;  // of the file with which they began
+  text: string;
+  settings: [string, string][];
+  case: string;
+}
+const KEPT = 'edits';
+const LOOK = 2000, LOOK_AGAIN = 1000;  // ms between looks at the file; while the program does not answer
+
+export class ProjectFile {
+  trouble: Trouble | null = null;
+  private version: string;  // on the disk, when the page last took or wrote it
+  private ignored = '';  // version on the disk that the user has decided not to take
+  private isSaving = false;
+  private keepsNothing = false;
+  private lookTimer = 0;
+  private keepTimer = 0;
+  private readonly listeners = new Set<() => void>();
+
+  constructor(private readonly engine: Engine, private readonly project: Project, private readonly state: State,
+              private readonly asker: Asker, private readonly say: (notice: string) => void) {
+    this.version = project.version ?? '';
+  }
+  /// Shows the file, with the edits that this tab has kept, and looks at it from time to time.
+  begin() {
+    const {project, state} = this, kept = this.kept();
+    if (project.text !== undefined) state.open(project.text, project.version || null);
+    if (kept) this.restore(kept);
+    state.subscribe(() => {
+      clearTimeout(this.keepTimer);
+      this.keepTimer = window.setTimeout(() => this.keep(), 200);
+    });
+    this.asker.subscribe(() => { if (this.asker.trouble && !this.trouble) void this.look(); });
+    addEventListener('pagehide', () => this.keep());
+    document.addEventListener('visibilitychange', () => (document.hidden ? this.keep() : void this.look()));
+    if (this.engine.version) this.lookLater();
+  }
+  subscribe(listener: () => void) {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  /// Writes the file. @returns the text to download if there is no file
+  async save(): Promise<string | null> {
+    const {state, engine, project} = this, {change} = state;
+    this.isSaving = true;
+    try {
+      const text = state.design.settings.size ? await engine.text(change) : state.design.text;
+      if (project.name === null) return text;
+      const saved = await engine.save(this.version, change);
+      if (saved.conflict) this.meet(saved.version, saved.text);
+      else {
+        [this.version, this.ignored] = [saved.version, ''];
+        state.wasSaved(text, saved.version);
+        this.set(null);
+        this.say(`${project.name} is saved.`);
+      }
+    } catch (error) {
+      this.say(error instanceof EngineError ? error.message : String(error));
+    } finally {
+      this.isSaving = false;
+    }
+    return null;
+  }
+  take({version, text}: {version: string; text: string}) {
+    this.version = version;
+    this.set(null);
+    this.state.replaced(text, version);
+  }
+  overwrite({version}: {version: string}) {
+    this.version = version;
+    this.set(null);
+    return this.save();
+  }
+  /// The edits stay, and the file stays as it is.
+  ignore({version}: {version: string}) {
+    this.ignored = version;
+    this.set(null);
+  }
+  /// The text of the page for a download while the program is away: only it can write settings into a text.
+  get textAway(): string {
+    const {text} = this.state.design, {settings} = this.state.change;
+    return settings.length ? `${text.trimEnd()}\n\n# Changed on the page and not yet written above, as options of trivet:\n${settings.map(s => `#   --set '${s}'\n`).join('')}` : text;
+  }
+
+  /// Is the file still what the page shows, and does the program answer?
+  async look() {
+    const {engine, version} = this;
+    if (!engine.version || this.isSaving) return;
+    try {
+      const onDisk = await engine.version();
+      if (this.trouble?.kind === 'away') {
+        this.set(null);
+        this.asker.again();
+      }
+      if (!this.isSaving && version === this.version) await this.compare(onDisk);
+    } catch (error) {
+      if (!(error instanceof EngineError)) throw error;
+      this.set({kind: 'away', reason: error.message});
+      this.keep();
+    }
+  }
+  private async compare(onDisk: string) {
+    const {state, engine, project} = this, known = this.trouble?.kind === 'changed' ? this.trouble.version : this.version;
+    if (project.name === null || onDisk === this.ignored || onDisk === known) return;
+    if (onDisk === '') {
+      this.version = '';
+      state.wasDeleted();
+      return this.set({kind: 'deleted'});
+    }
+    const {text = '', version = ''} = await engine.project();
+    if (text === state.design.text && !state.design.settings.size) {
+      this.version = version;
+      state.wasSaved(text, version);
+      this.set(null);
+    } else if (state.hasEdits) {
+      this.meet(version, text);
+    } else {
+      this.take({version, text});
+      this.say(`Another program changed ${project.name}; the page shows its new text. Undo brings the earlier one back.`);
+    }
+  }
+  /// Another version is on the disk.
+  private meet(version: string, text: string) {
+    this.set(version === '' ? {kind: 'deleted'} : {kind: 'changed', version, text});
+    if (version === '') this.version = '';
+  }
+  private set(trouble: Trouble | null) {
+    this.trouble = trouble;
+    for (const listener of this.listeners) listener();
+  }
+  private lookLater() {
+    clearTimeout(this.lookTimer);
+    this.lookTimer = window.setTimeout(async () => {
+      if (!document.hidden) await this.look();
+      this.lookLater();
+    }, this.trouble?.kind === 'away' ? LOOK_AGAIN : LOOK);
+  }
+
+  private kept(): KeptEdits | null {
+    const text = sessionStorage.getItem(KEPT), kept = text ? JSON.parse(text) as KeptEdits : null;
+    return kept && kept.project === this.project.name ? kept : null;
+  }
+  private restore(kept: KeptEdits) {
+    const {state, project} = this, design: Design = {text: kept.text, settings: new Map(kept.settings)};
+    if (project.name === null) {
+      state.open(kept.text, null);
+      return state.restored(design, kept.case);
+    }
+    state.restored(design, kept.case);
+    if (kept.version !== null && kept.version !== this.version) this.meet(this.version, project.text ?? '');
+    else this.say('Your edits are back; they are not saved yet.');
+  }
+  /// The machine without a file is closed.
+  forget() {
+    clearTimeout(this.keepTimer);
+    sessionStorage.removeItem(KEPT);
+  }
+  private keep() {
+    const {state, project} = this, {text, settings} = state.design;
+    clearTimeout(this.keepTimer);
+    try {
+      if (state.isSaved || !text) return sessionStorage.removeItem(KEPT);
+      const kept: KeptEdits = {project: project.name, version: this.version || null, text, settings: [...settings], case: state.case};
+      sessionStorage.setItem(KEPT, JSON.stringify(kept));
+    } catch {
+      if (!this.keepsNothing) this.say('The file is too large for the storage of this tab: save before you reload or close it.');
+      this.keepsNothing = true;
+    }
+  }
+}
