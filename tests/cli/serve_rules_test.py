@@ -58,6 +58,7 @@ class Rules(Served):
                 ("GET", "/project"),
                 ("GET", "/schema"),
                 ("GET", "/version"),
+                ("GET", "/progress"),
                 ("POST", "/ask"),
                 ("POST", "/save"),
                 ("POST", "/text"),

@@ -183,6 +183,57 @@ class Answers(Served):
         server.data("POST", "/ask", {"wants": [{"command": "modes"}]}, X_Trivet_Client="b")
         self.assertLess(time.monotonic() - began, 10 * slower)  # the map alone takes longer
 
+    def test_a_long_question_of_one_page_keeps_no_other_waiting(self):
+        server = self.serve(SOURCE / "examples/paper/map.toml")
+        self.assertIsNone(server.data("GET", "/progress", X_Trivet_Client="a")["task"])
+        body = json.dumps({"wants": [{"command": "map", "keys": {"points": "3000"}}]}).encode()
+        long = server.connect()
+        long.sendall(server.head("POST", "/ask", len(body), X_Trivet_Client="a") + body)
+        seen = set()
+        for client, command in (("b", "modes"), ("c", "roots"), ("b", "static"), ("", "modes")):
+            found = server.data("POST", "/ask", {"wants": [{"command": command}]}, X_Trivet_Client=client)
+            self.assertTrue(found["results"][0]["ok"])
+            doing = server.data("GET", "/progress", X_Trivet_Client="a")
+            seen.add(doing["task"])
+            self.assertTrue(0 <= doing["fraction"] <= 1, doing)
+            self.assertIsNone(server.data("GET", "/progress", X_Trivet_Client=client)["task"])
+            self.assertEqual(select.select([long], [], [], 0)[0], [])  # the map is still computed
+        self.assertFalse(None in seen, seen)
+        # The next question of the same page ends it, and waits for its end.
+        found = server.data("POST", "/ask", {"wants": [{"command": "modes"}]}, X_Trivet_Client="a")
+        self.assertTrue(found["results"][0]["ok"])
+        self.assertEqual(answer(long)[0], 409)
+
+    def test_more_long_questions_than_threads_wait_and_can_be_ended(self):
+        server = self.serve(SOURCE / "examples/paper/map.toml")
+        body = json.dumps({"wants": [{"command": "map", "keys": {"points": "3000"}}]}).encode()
+        pages = [server.connect() for _ in range(5)]
+        for i, page in enumerate(pages):
+            page.sendall(server.head("POST", "/ask", len(body), X_Trivet_Client=f"page {i}") + body)
+        time.sleep(0.5)
+        self.assertEqual(
+            server.data("GET", "/progress", X_Trivet_Client="page 4")["task"], "waiting for other pages"
+        )
+        pages[0].close()
+        for _ in range(100 * slower):
+            if server.data("GET", "/progress", X_Trivet_Client="page 4")["task"] != "waiting for other pages":
+                break
+            time.sleep(0.1)
+        else:
+            self.fail("the fifth page still waits")
+
+    def test_pages_with_different_texts_keep_their_sessions(self):
+        server = self.serve(GENSET)
+        texts = [GENSET.read_text().replace('mass = "4200 kg"', f'mass = "{mass} kg"', 1) for mass in (4300, 4400)]
+        expected = [
+            json.loads(trivet("modes", self.file(text), "--json").stdout)["modes"] for text in texts
+        ]
+        for _ in range(3):
+            for client, text in enumerate(texts):
+                question = {"text": text, "wants": [{"command": "modes"}]}
+                found = server.data("POST", "/ask", question, X_Trivet_Client=str(client))
+                self.assertEqual(found["results"][0]["json"]["modes"], expected[client])
+
     def test_one_connection_for_several_requests(self):
         server = self.serve(PAPER)
         connection = server.connect()

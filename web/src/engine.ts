@@ -43,6 +43,11 @@ export interface Project {
   examples?: Example[];
   resume_key?: string;
 }
+/// What the program computes now.
+export interface Doing {
+  task: string;
+  fraction: number;  // 0 … 1
+}
 /// `conflict`: another hand changed the file meanwhile; `text` is what is on disk now.
 export type Saved = {conflict: false; version: string} | {conflict: true; version: string; text: string};
 
@@ -53,6 +58,8 @@ export interface Engine {
   version?(): Promise<string>;
   /// `signal`: the answer is no longer wanted.
   ask(revision: number, change: Change, wants: readonly Want[], signal?: AbortSignal): Promise<Answer>;
+  /// Null: no question of this page takes longer than a moment.
+  doing?(): Promise<Doing | null>;
   /// The text with the settings written into it; every other byte stays.
   text(change: Change): Promise<string>;
   save(version: string, change: Change): Promise<Saved>;
@@ -86,14 +93,26 @@ export class ServerEngine implements Engine {
 
   /// An unedited text is not sent again, unless the program has opened another version of the file meanwhile.
   async ask(revision: number, {text, version, settings, case: name}: Change, wants: readonly Want[], signal?: AbortSignal): Promise<Answer> {
-    const question = {revision, settings, case: name, wants};
-    if (version && version !== this.closed) {
-      const response = await this.request('/ask', {version, ...question}, signal);
-      if (response.status !== 412) return content<Answer>(response);
-      this.closed = version;
+    const question = {revision, settings, case: name, wants}, began = {at: performance.now()};
+    this.underWay.add(began);
+    try {
+      if (version && version !== this.closed) {
+        const response = await this.request('/ask', {version, ...question}, signal);
+        if (response.status !== 412) return await content<Answer>(response);
+        this.closed = version;
+      }
+      return await this.post<Answer>('/ask', {text, ...question}, signal);
+    } finally {
+      this.underWay.delete(began);
     }
-    return this.post<Answer>('/ask', {text, ...question}, signal);
   }
+  async doing(): Promise<Doing | null> {
+    const now = performance.now();
+    if (![...this.underWay].some(({at}) => now - at > MOMENT)) return null;
+    const {task, fraction = 0} = await this.get<{task: string | null; fraction?: number}>('/progress');
+    return task === null ? null : {task, fraction};
+  }
+  private readonly underWay = new Set<{at: number}>();
   private closed = '';  // version that the program has no longer
   async text(change: Change): Promise<string> {
     return (await this.post<{text: string}>('/text', textOf(change))).text;
@@ -142,6 +161,7 @@ export class ServerEngine implements Engine {
     return new EngineError(STRANGER);
   }
 }
+const MOMENT = 500;  // ms
 const SILENT = 'The program does not answer.';
 const STRANGER = 'The program was started again with another token. Open the address that it prints in this tab.';
 

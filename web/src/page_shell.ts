@@ -6,6 +6,7 @@ import './file_notice.ts';
 import './machine_view.ts';
 import './model_tree.ts';
 import './problem_list.ts';
+import './progress_line.ts';
 import './result_tables.ts';
 import './slider_panel.ts';
 import './text_view.ts';
@@ -79,6 +80,7 @@ export class PageShell extends Part {
       ${cases.length > 1 ? html`<select aria-label="Case" @change=${(e: Event) => state.chooseCase((e.target as HTMLSelectElement).value)}>
         ${cases.map(c => html`<option value=${c} ?selected=${c === state.case}>${c || 'base model'}</option>`)}</select>` : nothing}
       <span class="pill ${said.state}" role="status">${SIGNS[said.state]} ${said.words}${said.old ? ' …' : ''}</span>
+      <progress-line .app=${this.app}></progress-line>
       <span class="space"></span>
       <button title="Undo (Ctrl Z)" aria-label="Undo" ?disabled=${!state.canUndo} @click=${() => state.undo()}>↶</button>
       <button title="Redo (Ctrl Y)" aria-label="Redo" ?disabled=${!state.canRedo} @click=${() => state.redo()}>↷</button>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/server/opened_sessions.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace trivet::server {
@@ -8,28 +9,53 @@ namespace trivet::server {
 void OpenedSessions::permit(PermittedFiles files) {
   const std::scoped_lock guard(lock_);
   files_ = std::move(files);
-  of_text_.reset();
-  of_settings_.reset();
+  ++permission_;
+  kept_.clear();
 }
 
-OpenedSessions::Shared OpenedSessions::kept(const std::string& text, const std::vector<std::string>& settings) const {
+PermittedFiles OpenedSessions::files(std::size_t* permission) const {
   const std::scoped_lock guard(lock_);
-  if (!of_text_ || text != text_) return nullptr;
-  if (settings.empty()) return of_text_;
-  return of_settings_ && of_settings_->settings() == settings ? of_settings_ : nullptr;
+  if (permission) *permission = permission_;
+  return files_;
+}
+
+OpenedSessions::Shared OpenedSessions::kept(const std::string& text, const std::vector<std::string>& settings) {
+  const std::scoped_lock guard(lock_);
+  const auto found = std::ranges::find_if(
+      kept_, [&](const Shared& one) { return one->settings() == settings && one->text() == text; });
+  if (found == kept_.end()) return nullptr;
+  std::rotate(kept_.begin(), found, found + 1);
+  return kept_.front();
+}
+
+OpenedSessions::Shared OpenedSessions::keep(engine::Session session, std::size_t permission) {
+  auto shared = std::make_shared<const engine::Session>(std::move(session));
+  std::deque<Shared> ended;  // destroyed without the lock
+  const std::scoped_lock guard(lock_);
+  if (permission != permission_) return shared;
+  // Of a text only the last settings are kept: a slider does not take the place of the sessions of another page.
+  const auto other = [&](const Shared& one) {
+    return one->settings().empty() || shared->settings().empty() || one->text() != shared->text();
+  };
+  const auto same = std::stable_partition(kept_.begin(), kept_.end(), other);
+  ended.assign(same, kept_.end());
+  kept_.erase(same, kept_.end());
+  kept_.push_front(shared);
+  if (kept_.size() > most_kept) {
+    ended.push_back(std::move(kept_.back()));
+    kept_.pop_back();
+  }
+  return shared;
 }
 
 foundation::Expected<OpenedSessions::Shared> OpenedSessions::opened(const std::string& text) {
   if (Shared found = kept(text, {})) return found;
-  if (auto refused = refused_files(text, {}); refused.has_errors()) return tl::make_unexpected(std::move(refused));
+  std::size_t permission = 0;
+  if (auto refused = files(&permission).refused_in_text(text, source_); refused.has_errors())
+    return tl::make_unexpected(std::move(refused));
   auto session = engine::Session::open({.name = source_, .text = text});
   if (!session) return tl::make_unexpected(std::move(session.error()));
-  auto shared = std::make_shared<const engine::Session>(std::move(*session));
-  const std::scoped_lock guard(lock_);
-  text_ = text;
-  of_text_ = shared;
-  of_settings_.reset();
-  return shared;
+  return keep(std::move(*session), permission);
 }
 
 foundation::Expected<OpenedSessions::Shared> OpenedSessions::of(const std::string& text,
@@ -37,19 +63,12 @@ foundation::Expected<OpenedSessions::Shared> OpenedSessions::of(const std::strin
   if (Shared found = kept(text, settings)) return found;
   const auto base = opened(text);
   if (!base || settings.empty()) return base;
-  PermittedFiles files;
-  {
-    const std::scoped_lock guard(lock_);
-    files = files_;
-  }
-  if (auto refused = files.refused_in_settings(settings); refused.has_errors())
+  std::size_t permission = 0;
+  if (auto refused = files(&permission).refused_in_settings(settings); refused.has_errors())
     return tl::make_unexpected(std::move(refused));
   auto session = (*base)->changed(settings);
   if (!session) return tl::make_unexpected(std::move(session.error()));
-  auto shared = std::make_shared<const engine::Session>(std::move(*session));
-  const std::scoped_lock guard(lock_);
-  if (of_text_ == *base) of_settings_ = shared;
-  return shared;
+  return keep(std::move(*session), permission);
 }
 
 foundation::Expected<engine::Session> OpenedSessions::only_for(const engine::Request& request, const std::string& text,
@@ -59,13 +78,9 @@ foundation::Expected<engine::Session> OpenedSessions::only_for(const engine::Req
 
 foundation::Problems OpenedSessions::refused_files(const std::string& text,
                                                    const std::vector<std::string>& settings) const {
-  PermittedFiles files;
-  {
-    const std::scoped_lock guard(lock_);
-    files = files_;
-  }
-  foundation::Problems refused = files.refused_in_text(text, source_);
-  refused.add(files.refused_in_settings(settings));
+  const PermittedFiles permitted = files();
+  foundation::Problems refused = permitted.refused_in_text(text, source_);
+  refused.add(permitted.refused_in_settings(settings));
   return refused;
 }
 

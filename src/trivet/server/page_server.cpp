@@ -41,7 +41,15 @@ Answer resume_answer(const std::string& token, const Resumption& resumption, con
               {{"nonce", sealed.nonce}, {"sealed", sealed.sealed}, {"proof", sealed.proof}})};
 }
 
-/// Who computes what: files of the page at once, results on one thread, reading and saving on another.
+/// Pages whose results are computed side by side; each computation may use all processors.
+constexpr std::size_t most_computing_pages = 4;
+
+Answer progress_answer(const std::optional<Doing>& doing) {
+  if (!doing) return {.body = documents::json::text({{"task", nullptr}})};
+  return {.body = documents::json::text({{"task", doing->task}, {"fraction", doing->fraction}})};
+}
+
+/// Who computes what: files of the page at once, results on a thread for each page, reading and saving on another one.
 class Responder {
  public:
   Responder(const ServeOptions& options, std::string token, Resumption resumption)
@@ -58,6 +66,8 @@ class Responder {
         return task.reply(resume_answer(token_, resumption_, request.nonce));
       case Route::schema:
         return task.reply(schema_answer());
+      case Route::progress:
+        return task.reply(progress_answer(results_.doing(request.client)));
       case Route::ask:
         task.client = request.client;
         task.compute = [this, body = std::move(body)](const auto& progress) { return service_.ask(body, progress); };
@@ -83,7 +93,7 @@ class Responder {
   const std::string token_;
   const Resumption resumption_;
   ProjectService service_;
-  Worker results_, files_;
+  Worker results_{most_computing_pages}, files_{1};
 };
 
 /// The browser may be this call until it is closed, so it has its own thread.

@@ -162,10 +162,12 @@ Answer ProjectService::ask(const std::string& body, const foundation::Progress& 
   PageQuestion question = read_question(body);
   const auto text = text_of(question);
   if (!text) return another_version();
+  foundation::report_progress(progress, "opening the project", 0);
   const auto session = sessions_.of(*text, question.settings);
   const Problems refused = session ? Problems() : sessions_.refused_files(*text, question.settings);
   std::string results;
   for (engine::Request& want : question.wants) {
+    foundation::report_progress(progress, want.command, 0);
     const engine::Command* command = engine::find_command(want.command);
     if (command && command->of_one_case) want.case_name = question.case_name;
     if (Problems problems = want_problems(want); problems.has_errors()) {

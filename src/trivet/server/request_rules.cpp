@@ -18,9 +18,10 @@ struct DataPath {
   const char* method;
   Route route;
 };
-constexpr std::array<DataPath, 7> data_paths = {{{"/resume", "GET", Route::resume},
+constexpr std::array<DataPath, 8> data_paths = {{{"/resume", "GET", Route::resume},
                                                  {"/project", "GET", Route::project},
                                                  {"/version", "GET", Route::version},
+                                                 {"/progress", "GET", Route::progress},
                                                  {"/schema", "GET", Route::schema},
                                                  {"/ask", "POST", Route::ask},
                                                  {"/text", "POST", Route::text},

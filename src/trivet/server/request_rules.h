@@ -30,7 +30,7 @@ struct Refusal {
   std::string allow = {};  ///< of status 405: methods that the path has
 };
 
-enum class Route { page_file, resume, project, version, schema, ask, text, save };
+enum class Route { page_file, resume, project, version, progress, schema, ask, text, save };
 
 struct AcceptedRequest {
   Route route = Route::page_file;

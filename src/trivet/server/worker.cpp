@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/server/worker.h"
 
+#include <algorithm>
 #include <exception>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "trivet/engine/program.h"
 
@@ -13,39 +13,28 @@ namespace {
 
 Answer replaced_answer() { return error_answer(409, "a newer question of this page replaced this one"); }
 
-Answer computed_answer(const WorkerTask& task, const std::atomic<bool>& is_replaced) {
-  try {
-    return task.compute([&](std::string_view, double) {
-      if (is_replaced || *task.has_left) throw foundation::Interrupted();
-    });
-  } catch (const foundation::Interrupted&) {
-    return replaced_answer();
-  } catch (const foundation::InvalidInput& wrong) {
-    return error_answer(400, wrong.what());
-  } catch (const std::exception& failure) {
-    return error_answer(500, engine::failure_words(failure));
-  }
-}
-
 }  // namespace
 
-Worker::Worker() : thread_([this] { run(); }) {}
+Worker::Worker(std::size_t threads) {
+  for (std::size_t i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
+}
 
 Worker::~Worker() {
   {
     const std::scoped_lock guard(lock_);
     ends_ = true;
-    is_replaced_ = true;
+    for (Running& one : running_) one.is_replaced = true;
   }
-  is_changed_.notify_one();
-  thread_.join();
+  is_changed_.notify_all();
+  for (std::thread& thread : threads_) thread.join();
 }
 
 void Worker::put(WorkerTask task) {
   std::vector<WorkerTask> replaced;
   {
     const std::scoped_lock guard(lock_);
-    if (task.client && running_client_ == task.client) is_replaced_ = true;
+    for (Running& one : running_)
+      if (task.client && one.client == task.client) one.is_replaced = true;
     for (auto one = waiting_.begin(); one != waiting_.end();) {
       if (!task.client || one->client != task.client) {
         ++one;
@@ -56,28 +45,65 @@ void Worker::put(WorkerTask task) {
     }
     waiting_.push_back(std::move(task));
   }
-  is_changed_.notify_one();
+  is_changed_.notify_all();
   for (const WorkerTask& one : replaced) one.reply(replaced_answer());
 }
 
+std::optional<Doing> Worker::doing(const std::string& client) {
+  const std::scoped_lock guard(lock_);
+  for (const Running& one : running_)
+    if (one.client == client) return one.doing;
+  const bool waits = std::ranges::any_of(waiting_, [&](const WorkerTask& one) { return one.client == client; });
+  return waits ? std::optional(Doing{"waiting for other pages"}) : std::nullopt;
+}
+
+bool Worker::begin_next(WorkerTask& task, std::list<Running>::iterator& running) {
+  const auto can_begin = [this](const WorkerTask& one) {
+    return !one.client || std::ranges::none_of(running_, [&](const Running& other) { return other.client == one.client; });
+  };
+  std::unique_lock guard(lock_);
+  auto next = waiting_.end();
+  is_changed_.wait(guard, [&] {
+    next = std::ranges::find_if(waiting_, can_begin);
+    return ends_ || next != waiting_.end();
+  });
+  if (ends_) return false;
+  task = std::move(*next);
+  waiting_.erase(next);
+  running = running_.emplace(running_.end());
+  running->client = task.client;
+  return true;
+}
+
+Answer Worker::computed_answer(const WorkerTask& task, Running& running) {
+  try {
+    return task.compute([&](std::string_view what, double fraction) {
+      if (running.is_replaced || *task.has_left) throw foundation::Interrupted();
+      const std::scoped_lock guard(lock_);
+      running.doing.task = what;
+      running.doing.fraction = fraction;
+    });
+  } catch (const foundation::Interrupted&) {
+    return replaced_answer();
+  } catch (const foundation::InvalidInput& wrong) {
+    return error_answer(400, wrong.what());
+  } catch (const std::exception& failure) {
+    return error_answer(500, engine::failure_words(failure));
+  }
+}
+
 void Worker::run() {
-  for (;;) {
-    WorkerTask task;
-    {
-      std::unique_lock guard(lock_);
-      is_changed_.wait(guard, [this] { return ends_ || !waiting_.empty(); });
-      if (ends_) return;
-      task = std::move(waiting_.front());
-      waiting_.pop_front();
-      running_client_ = task.client;
-      is_replaced_ = false;
-    }
-    Answer answer = *task.has_left ? replaced_answer() : computed_answer(task, is_replaced_);
+  WorkerTask task;
+  std::list<Running>::iterator running;
+  while (begin_next(task, running)) {
+    Answer answer = *task.has_left ? replaced_answer() : computed_answer(task, *running);
     {
       const std::scoped_lock guard(lock_);
-      running_client_.reset();
+      running_.erase(running);
     }
+    is_changed_.notify_all();  // another task of this client can begin
     task.reply(std::move(answer));
+    task = {};  // holds nothing of the connection while it waits
   }
 }
 

@@ -3,13 +3,16 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
 #include <deque>
 #include <functional>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/server/answer.h"
@@ -24,26 +27,43 @@ struct WorkerTask {
   std::shared_ptr<const std::atomic<bool>> has_left;  ///< true once nobody waits for the answer
 };
 
-/// One thread that does its tasks in their order.
+/// What a client's task does now.
+struct Doing {
+  std::string task;     ///< as the progress last called it; empty: it has not reported anything
+  double fraction = 0;  ///< 0 … 1
+};
+
+/// Threads that do tasks: those of one client one after the other, those of different clients side by side, so that a
+/// long task of one client keeps no other one waiting. One thread does all tasks in their order.
 class Worker {
  public:
-  Worker();
+  explicit Worker(std::size_t threads);
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
   void put(WorkerTask task);
+  /// None if no task of this client is under way.
+  [[nodiscard]] std::optional<Doing> doing(const std::string& client);
 
  private:
+  struct Running {
+    std::optional<std::string> client;
+    std::atomic<bool> is_replaced = false;
+    Doing doing = {};
+  };
+
   void run();
+  /// Waits for a task that can begin. @returns false at the end
+  [[nodiscard]] bool begin_next(WorkerTask& task, std::list<Running>::iterator& running);
+  [[nodiscard]] Answer computed_answer(const WorkerTask& task, Running& running);
 
   std::mutex lock_;
   std::condition_variable is_changed_;
   std::deque<WorkerTask> waiting_;
-  std::optional<std::string> running_client_;
-  std::atomic<bool> is_replaced_ = false;  ///< the running task
+  std::list<Running> running_;
   bool ends_ = false;
-  std::thread thread_;
+  std::vector<std::thread> threads_;
 };
 
 }  // namespace trivet::server
