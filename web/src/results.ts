@@ -150,6 +150,7 @@ export interface Curves {
   natural: number[];
   limits: {result: string; limit: number}[];
   lines?: LimitLine[];
+  draft?: boolean;  // the models alone, without exact peaks
 }
 /// A limit over frequency; `rms`: of rms values, not amplitudes.
 export interface LimitLine {

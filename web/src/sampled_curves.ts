@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import {modelAt} from './rational_model.ts';
+import {ModelValues} from './rational_model.ts';
 import type {Curves} from './results.ts';
 
 /// Amplitude in SI and phase in degrees, −180 to 180, of each result over ω [rad/s]; null where it is not defined.
@@ -12,39 +12,52 @@ export interface SampledCurves {
 /// Distances from a peak, relative to its frequency, at which its flanks are drawn.
 const FLANKS = Array.from({length: 9}, (_, k) => 10 ** (-4 + 0.375 * k));
 const SAME_PEAK = 1e-3;  // peaks of several results at nearly one frequency share their flanks
+const FINEST = 5;  // points of a draft to one of the evenly spaced: less than a pixel apart
 
-/// Frequencies of a drawing: evenly spaced on the axis, with all peaks and the flanks of peaks and modes.
-export function drawnFrequencies(curves: Curves, count: number, logarithmic: boolean): number[] {
+/// Frequencies of a drawing of the `wanted` results: evenly spaced on the axis, with their extrema, all natural frequencies, and the flanks
+/// of peaks and modes. Of a draft, which a moving slider replaces at once, none are closer than the pixels.
+export function drawnFrequencies(curves: Curves, count: number, logarithmic: boolean, wanted = curves.results.map((_, i) => i)): number[] {
   const [from, to] = curves.band, start = from > 0 ? from : to * 1e-3, all: number[] = [from, to];
   for (let i = 0; i <= count; i++) {
     const part = i / count;
     all.push(logarithmic ? start * (to / start) ** part : from + (to - from) * part);
   }
-  for (const p of curves.peaks) all.push(p.angular_frequency);
-  for (const r of curves.results) for (const [w] of r.extrema ?? []) all.push(w);
-  const centres = [...curves.natural, ...curves.peaks.map(p => p.angular_frequency)];
+  const names = new Set(wanted.map(i => curves.results[i]!.name)), peaks = curves.peaks.filter(p => names.has(p.result)).map(p => p.angular_frequency);
+  for (const i of wanted) for (const [w] of curves.results[i]!.extrema ?? []) all.push(w);
+  const centres = [...curves.natural, ...peaks];
+  all.push(...centres);
   let last = 0;
   for (const w of centres.sort((a, b) => a - b)) {
     if (w - last < SAME_PEAK * w) continue;
     last = w;
     for (const d of FLANKS) all.push(w * (1 - d), w * (1 + d));
   }
-  return [...new Set(all)].filter(w => w >= from && w <= to).sort((a, b) => a - b);
+  const sorted = [...new Set(all)].filter(w => w >= from && w <= to).sort((a, b) => a - b);
+  if (!curves.draft) return sorted;
+  const kept = new Set(centres), nearest = 1 / (FINEST * count);
+  const apart = (a: number, b: number) => (logarithmic ? Math.log(b / a) / Math.log(to / start) : (b - a) / (to - from)) > nearest;
+  let before = -Infinity;
+  return sorted.filter(w => {
+    const stays = kept.has(w) || w === to || before < start || apart(before, w);
+    if (stays) before = w;
+    return stays;
+  });
 }
 
 /// Curves of one excitation; those that are not `wanted` are empty. Peaks have the exact amplitude that the program found.
 export function sampledCurves(curves: Curves, model: number, omega: number[], wanted = curves.results.map((_, i) => i)): SampledCurves {
-  const count = curves.results.length, chosen = curves.models[model];
-  const amplitude: (number | null)[][] = curves.results.map(() => []), phase: (number | null)[][] = curves.results.map(() => []);
+  const {results} = curves, chosen = curves.models[model];
+  const amplitude: (number | null)[][] = results.map(() => []), phase: (number | null)[][] = results.map(() => []);
   if (!chosen) return {omega: [], amplitude, phase};
-  const exact = curves.results.map(r => new Map<number, number | null>([
-    ...r.extrema ?? [], ...curves.peaks.filter(p => p.result === r.name).map(p => [p.angular_frequency, p.amplitude] as const)]));
+  const exact = wanted.map(i => new Map<number, number | null>([
+    ...results[i]!.extrema ?? [], ...curves.peaks.filter(p => p.result === results[i]!.name).map(p => [p.angular_frequency, p.amplitude] as const)]));
+  const evaluated = new ModelValues(chosen, results.length, wanted);
   for (const w of omega) {
-    const values = modelAt(chosen, w, count, wanted);
+    const values = evaluated.at(w);
     for (let k = 0; k < wanted.length; k++) {
-      const c = wanted[k]!, re = values[2 * k]!, im = values[2 * k + 1]!, size = Math.hypot(re, im);
+      const c = wanted[k]!, re = values[2 * k]!, im = values[2 * k + 1]!, size = Math.sqrt(re * re + im * im);
       const defined = Number.isFinite(size), isReal = Math.abs(im) <= 1e-9 * Math.abs(re);
-      amplitude[c]!.push(defined ? exact[c]!.get(w) ?? size : null);
+      amplitude[c]!.push(defined ? exact[k]!.get(w) ?? size : null);
       const angle = isReal ? (re < 0 ? Math.PI : 0) : Math.atan2(im, re);  // the sign of round-off changes at random
       phase[c]!.push(defined && size > 0 ? angle * 180 / Math.PI : null);
     }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {modelAt} from '../src/rational_model.ts';
+import {ModelValues} from '../src/rational_model.ts';
 import {drawnFrequencies, sampledCurves} from '../src/sampled_curves.ts';
 import type {Curves, CurveModel} from '../src/results.ts';
 
 type Value = readonly [number, number];
 const ROUND_OFF = 1e-11;  // of interpolation with five nodes
+
+const modelAt = (of: CurveModel, omega: number, results: number) => new ModelValues(of, results).at(omega);
 
 /// Receptance of a mass on a spring with a damper, 1/(k − ω²m + iωc): a rational function of degree 2.
 function receptance(w: number, [m, c, k] = [2, 3, 800]): Value {
@@ -49,5 +51,23 @@ test('straight lines between the drawn frequencies follow a sharp peak', () => {
   for (let i = 1; i < omega.length; i++) {
     const middle = (omega[i]! + omega[i - 1]!) / 2, line = (sampled[i]! + sampled[i - 1]!) / 2, curve = Math.hypot(...receptance(middle));
     if (omega[i] !== 19.94 && omega[i - 1] !== 19.94) assert.ok(Math.abs(line - curve) < 0.01 * 0.0166, `${middle}: ${line} and ${curve}`);
+  }
+});
+test('only wanted results are evaluated, and one that a draft does not have is nowhere defined', () => {
+  const one = model([1, 12, 23, 34, 50]), {values} = one.pieces[0]!;
+  const three: CurveModel = {...one, pieces: [{...one.pieces[0]!, values: [[], values[0]!.map(v => 2 * v), values[0]!]}]};
+  for (const w of [12, 19]) {
+    const [a, b, c, d] = new ModelValues(three, 3, [2, 0]).at(w);
+    near([a!, b!], receptance(w), ROUND_OFF);
+    assert.ok(Number.isNaN(c) && Number.isNaN(d));
+  }
+});
+test('a draft has no points closer than a pixel, but all natural frequencies', () => {
+  for (const logarithmic of [false, true]) {
+    const draft = {...curves(), peaks: [], draft: true, natural: [20, 20.001]}, omega = drawnFrequencies(draft, 400, logarithmic);
+    assert.ok(omega.includes(20) && omega.includes(20.001));
+    const place = (w: number) => (logarithmic ? Math.log(w / 0.06) / Math.log(1000) : w / 60), close = omega.filter((w, i) => i > 1 && place(w) - place(omega[i - 1]!) < 1 / 2000);
+    assert.ok(close.every(w => Math.abs(w - 20) < 0.05 || w === 60), String(close));
+    assert.ok(omega.length < 450 && omega.at(-1) === 60 && omega[0] === 0);
   }
 });

@@ -19,11 +19,10 @@ export const unitsOf = ({results, vanishing = []}: Curves) =>
 
 /// Curves of one unit in the units of the page.
 export function pictureOf(curves: Curves, choice: Choice, display: Display, steady: Steady | null = null, kept: Curves | null = null): Picture {
-  const omega = drawnFrequencies(curves, POINTS, display.logarithmicFrequency);
   const frequency = FREQUENCY_UNITS[display.frequencyUnit];
   const indices = curves.results.map((_, i) => i).filter(i => curves.results[i]!.unit === choice.unit && !curves.vanishing?.includes(curves.results[i]!.name));
   const seen = indices.filter(i => !choice.hidden.has(curves.results[i]!.name));
-  const sampled = sampledCurves(curves, choice.model, omega, seen);
+  const omega = drawnFrequencies(curves, POINTS, display.logarithmicFrequency, seen), sampled = sampledCurves(curves, choice.model, omega, seen);
   const limitOf = (name: string) => curves.limits.find(l => l.result === name)?.limit ?? null;
   const largest = seen.reduce((top, i) => sampled.amplitude[i]!.reduce<number>((t, a) => Math.max(t, a ?? 0), top), 0);
   const scale = display.decibel ? {factor: 1, unit: choice.unit} : scaleOf(largest, choice.unit);
