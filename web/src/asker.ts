@@ -10,29 +10,39 @@ export interface Kept {
   generation: number;
   outcome: Outcome;
 }
-/// A command that the page wants. `slow`: asked when the state rests. `settings`: of the question, not of the design.
+/// A command that the page wants. `exact`: asked at a short rest of the state; `slow`: at a long one. `as`: the name under which its
+/// result is kept, by default the command. `settings`: of the question, not of the design.
 export interface Wish {
   want: Want;
+  exact?: boolean;
   slow?: boolean;
+  as?: string;
   settings?: readonly string[];
 }
 
-const REST = 200;  // ms without a change, after which slow results are asked for
+/// Results that follow every move of a slider, and those that wait for it to rest. In this order they are asked for.
+const PACES = ['quick', 'exact', 'slow'] as const;
+type Pace = typeof PACES[number];
+const REST: Record<Pace, number> = {quick: 0, exact: 40, slow: 200};  // ms without a change
+const nameOf = (w: Wish) => w.as ?? w.want.command;
+const paceOf = ({exact, slow}: Wish): Pace => (slow ? 'slow' : exact ? 'exact' : 'quick');
 
 export class Asker {
   problems: Problem[] = [];
   trouble = '';  // why the engine does not answer
   private readonly results = new Map<string, Kept>();
-  private underWay = false;
-  private asked = {quick: -1, slow: -1};
-  private restTimer = 0;
+  private underWay: {pace: Pace; revision: number; end: AbortController} | null = null;
+  private asked: Record<Pace, number> = {quick: -1, exact: -1, slow: -1};
+  private changedAt = 0;  // time of the last change of the state [ms]
+  private seen = -1;  // its revision
+  private restTimer: ReturnType<typeof setTimeout> | undefined;
   private readonly listeners = new Set<() => void>();
 
   constructor(private readonly engine: Engine, private readonly state: State, private readonly wishes: () => Wish[]) {
     state.subscribe(() => this.next());
   }
 
-  /// The newest result of a command, if it is of the machine on the page. It may be of an earlier position of a slider.
+  /// The newest result of a command, or of a wish with a name, if it is of the machine on the page. It may be of an earlier position of a slider.
   result<T>(command: string): T | null {
     const kept = this.results.get(command);
     return kept && kept.generation === this.state.generation && kept.outcome.ok ? kept.outcome.json as T : null;
@@ -48,10 +58,15 @@ export class Asker {
     return this.failure(command) || 'Computing …';
   }
   /// Is the result not yet that of the state on the page?
-  isOld = (command: string) => this.results.get(command)?.revision !== this.state.revision;
+  isOld = (name: string) => this.revisionOf(name) !== this.state.revision;
+  /// Of the state to which the result belongs; −1 if there is none of the machine on the page.
+  revisionOf(name: string): number {
+    const kept = this.results.get(name);
+    return kept && kept.generation === this.state.generation ? kept.revision : -1;
+  }
   /// A wish changed, or the program is there again: ask again.
   again() {
-    this.asked = {quick: -1, slow: -1};
+    this.asked = {quick: -1, exact: -1, slow: -1};
     this.next();
   }
   subscribe(listener: () => void) {
@@ -59,41 +74,47 @@ export class Asker {
     return () => this.listeners.delete(listener);
   }
 
+  /// Asks the first question that is due. A question of a state at rest gives way to a newer state.
   private next() {
-    if (this.underWay) return;
-    const {revision} = this.state;
-    if (this.asked.quick !== revision) return void this.send('quick', revision);
-    if (this.asked.slow === revision) return;
+    const {revision} = this.state, now = performance.now();
+    if (revision !== this.seen) [this.seen, this.changedAt] = [revision, now];
+    if (this.underWay) {
+      if (this.underWay.pace !== 'quick' && this.underWay.revision !== revision) this.underWay.end.abort();
+      return;
+    }
     clearTimeout(this.restTimer);
-    this.restTimer = window.setTimeout(() => {
-      if (!this.underWay && this.state.revision === revision) this.send('slow', revision);
-    }, REST);
+    const pace = PACES.find(p => this.asked[p] !== revision);
+    if (!pace) return;
+    const wait = this.changedAt + REST[pace] - now;
+    if (pace === 'quick' || wait <= 0) void this.send(pace, revision);
+    else this.restTimer = setTimeout(() => this.next(), wait);
   }
-  private async send(pace: 'quick' | 'slow', revision: number) {
-    const wished = this.wishes().filter(w => (pace === 'slow') === (w.slow ?? false)), wants = wished.map(w => w.want);
+  private async send(pace: Pace, revision: number) {
+    const isDue = (w: Wish) => paceOf(w) === pace && (pace !== 'exact' || this.isOld(nameOf(w))), wished = this.wishes().filter(isDue);
     const {generation, change} = this.state;
     this.asked[pace] = revision;
-    if (wants.length) {
-      this.underWay = true;
+    if (wished.length) {
+      const {end} = this.underWay = {pace, revision, end: new AbortController()};
       try {
-        this.take(await this.engine.ask(revision, {...change, settings: [...change.settings, ...wished.flatMap(w => w.settings ?? [])]}, wants), generation);
+        const settings = [...change.settings, ...wished.flatMap(w => w.settings ?? [])];
+        this.take(await this.engine.ask(revision, {...change, settings}, wished.map(w => w.want), end.signal), wished, generation);
         this.trouble = '';
       } catch (error) {
-        this.trouble = error instanceof EngineError ? error.message : String(error);
+        if (!end.signal.aborted) this.trouble = error instanceof EngineError ? error.message : String(error);
       }
-      this.underWay = false;
-      for (const listener of this.listeners) listener();
+      this.underWay = null;
+      if (!end.signal.aborted) for (const listener of this.listeners) listener();
     }
     if (!this.trouble) this.next();
   }
-  /// Draws an answer only if it is newer than what is drawn and of the same machine.
-  private take(answer: Answer, generation: number) {
+  /// Keeps results only if they are newer than those that are kept, and of the same machine.
+  private take(answer: Answer, wished: readonly Wish[], generation: number) {
     if (generation !== this.state.generation) return;
     this.problems = answer.problems;
     for (const outcome of answer.results) {
-      const drawn = this.results.get(outcome.command);
+      const wish = wished.find(w => w.want.command === outcome.command), name = wish ? nameOf(wish) : outcome.command, drawn = this.results.get(name);
       if (drawn && drawn.generation === generation && drawn.revision > answer.revision) continue;
-      this.results.set(outcome.command, {revision: answer.revision, generation, outcome});
+      this.results.set(name, {revision: answer.revision, generation, outcome});
     }
   }
 }

@@ -3,6 +3,7 @@ import {html, nothing} from 'lit';
 import {pictureOf, unitsOf, type Choice} from './chart/picture.ts';
 import {Plot, type Picture} from './chart/plot.ts';
 import {strokeOf} from './chart/strokes.ts';
+import {DrawnCurves} from './drawn_curves.ts';
 import {Part} from './part.ts';
 import {FREQUENCY_UNITS, number, type FrequencyUnit} from './quantities.ts';
 import type {Curves, Steady} from './results.ts';
@@ -17,6 +18,7 @@ export class CurveChart extends Part {
   private amplitude: Plot | null = null;
   private phase: Plot | null = null;
   private picture: Picture | null = null;
+  private readonly drawnCurves = new DrawnCurves();
   private drawn: unknown[] = [];
   private watcher: ResizeObserver | null = null;
 
@@ -28,7 +30,7 @@ export class CurveChart extends Part {
     this.choice = {model: 0, unit: '', hidden: new Set()};
   }
   override render() {
-    const {display, asker} = this.app, curves = asker.result<Curves>('curves'), units = curves ? unitsOf(curves) : [];
+    const {display, asker} = this.app, curves = this.drawnCurves.of(asker), units = curves ? unitsOf(curves) : [];
     const unit = units.includes(this.choice.unit) ? this.choice.unit : units[0] ?? '';
     if (curves && unit !== this.choice.unit) this.chooseUnit(curves, unit);
     const check = (label: string, on: boolean, set: (on: boolean) => void) => html`<label title=${HINTS[label] ?? ''}><input type="checkbox" .checked=${on}
@@ -70,12 +72,13 @@ export class CurveChart extends Part {
     this.updated();
   }
   override updated() {
-    const {asker, display} = this.app, curves = asker.result<Curves>('curves');
+    const {asker, display} = this.app, curves = this.drawnCurves.of(asker);
     if (!curves || !this.amplitude) return;
     const steady = asker.result<Steady>('steady'), seen = [curves, steady, this.kept, this.choice, display.theme, display.frequencyUnit, display.logarithmicFrequency, display.decibel, display.logarithmicAmplitude];
     if (seen.some((value, i) => value !== this.drawn[i])) {
       this.drawn = seen;
       this.picture = pictureOf(curves, this.choice, display, steady, this.kept);
+      display.drawn = this.picture.curves.map(c => c.name);
       this.amplitude.show(this.picture);
       this.phase!.show(this.picture);
       this.requestUpdate();

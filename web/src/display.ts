@@ -20,6 +20,7 @@ export class Display {
   phase = 0;  // [rad]
   traces = false;
   cursor: number | null = null;  // ω [rad/s] of the linked cursor
+  drawn: readonly string[] = [];  // names of the results that are drawn as curves; empty: not yet known
   pins: readonly string[] = [];  // numbers of the tree that are sliders, too
   leftTab: 'sliders' | 'model' | 'text' = 'sliders';
   notice = '';  // one sentence for a few seconds

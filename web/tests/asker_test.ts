@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+import {Asker, type Wish} from '../src/asker.ts';
+import {DrawnCurves} from '../src/drawn_curves.ts';
+import type {Answer, Change, Engine, Want} from '../src/engine.ts';
+import type {Curves} from '../src/results.ts';
+import {State} from '../src/state.ts';
+
+const WISHES: Wish[] = [{want: {command: 'curves', keys: {draft: true}}, as: 'draft'}, {want: {command: 'curves'}, exact: true},
+                        {want: {command: 'check'}, slow: true}];
+interface Question {
+  revision: number;
+  wants: readonly Want[];
+  signal: AbortSignal;
+  answer: () => void;
+}
+/// An engine that answers when the test wants; a question that is no longer wanted fails.
+class SlowEngine {
+  readonly asked: Question[] = [];
+  ask(revision: number, _: Change, wants: readonly Want[], signal: AbortSignal): Promise<Answer> {
+    return new Promise((resolve, reject) => {
+      signal.addEventListener('abort', () => reject(new Error('aborted')));
+      this.asked.push({revision, wants, signal, answer: () => resolve({revision, ok: true, problems: [], results: wants.map(want =>
+        ({command: want.command, ok: true, problems: [], json: curves(want.keys ? [] : [{result: 'z', limit: revision}])}))})});
+    });
+  }
+}
+const curves = (limits: Curves['limits']): Curves => ({band: [0, 1], results: [], models: [], peaks: [], natural: [], limits, vanishing: limits.length ? ['y'] : []});
+const after = (ms: number) => new Promise(done => setTimeout(done, ms));
+
+function played() {
+  const state = new State(), engine = new SlowEngine(), asker = new Asker(engine as unknown as Engine, state, () => WISHES);
+  state.open('mass = 1', '1');
+  return {state, engine, asker};
+}
+const wanted = (question?: Question) => question?.wants.map(w => w.command + (w.keys ? ' draft' : '')).join();
+
+test('curves come as a draft at once, and with exact peaks when the slider rests', async () => {
+  const start = performance.now(), {state, engine, asker} = played();
+  assert.equal(wanted(engine.asked[0]), 'curves draft');
+  engine.asked[0]!.answer();
+  await after(5);
+  if (performance.now() - start < 35) assert.equal(engine.asked.length, 1);  // it does not rest yet
+  assert.ok(!asker.isOld('draft') && asker.isOld('curves'));
+  await after(60);
+  assert.equal(wanted(engine.asked[1]), 'curves');
+  engine.asked[1]!.answer();
+  await after(5);
+  assert.ok(!asker.isOld('curves'));
+  assert.equal(engine.asked.length, 2);
+  await after(220);
+  assert.equal(wanted(engine.asked[2]), 'check');
+  assert.ok(engine.asked.every(q => q.revision === state.revision));
+});
+test('a question about a slider at rest gives way to one about the next move', async () => {
+  const {state, engine, asker} = played();
+  engine.asked[0]!.answer();
+  await after(60);
+  assert.equal(wanted(engine.asked[1]), 'curves');
+  state.set({mass: '2'}, true);
+  assert.ok(engine.asked[1]!.signal.aborted);
+  await after(5);
+  assert.equal(wanted(engine.asked[2]), 'curves draft');
+  assert.equal(engine.asked[2]!.revision, state.revision);
+  assert.equal(asker.trouble, '');
+});
+test('a draft is drawn with the limits of the finished curves, until these are finished, too', async () => {
+  const {state, engine, asker} = played(), drawn = new DrawnCurves();
+  engine.asked[0]!.answer();
+  await after(60);
+  assert.equal(drawn.of(asker), null);
+  engine.asked[1]!.answer();
+  await after(5);
+  const first = drawn.of(asker);
+  assert.deepEqual(first, asker.result('curves'));
+  state.set({mass: '2'}, true);
+  assert.equal(drawn.of(asker), first);
+  engine.asked.at(-1)!.answer();
+  await after(5);
+  const draft = drawn.of(asker);
+  assert.notEqual(draft, first);
+  assert.deepEqual([draft?.limits, draft?.vanishing], [first?.limits, ['y']]);
+  assert.equal(drawn.of(asker), draft);
+  await after(60);
+  engine.asked.at(-1)!.answer();
+  await after(5);
+  assert.deepEqual(drawn.of(asker)?.limits, [{result: 'z', limit: state.revision}]);
+});
