@@ -8,6 +8,7 @@ import {Part} from './part.ts';
 import {frequency} from './quantities.ts';
 import type {Modes, Scene} from './results.ts';
 import {ShownMotion} from './shown_motion.ts';
+import {canRecord, framesOf, periodVideo} from './video/period_video.ts';
 import {machineKeys} from './machine_keys.ts';
 
 /// The machine in 3D: one selects in it, and modes and operating shapes move.
@@ -23,17 +24,19 @@ export class MachineView extends Part {
   private last = 0;
   private watcher: ResizeObserver | null = null;
   private hovered = '';
+  private recording = false;  // of a video is under way
 
   override render() {
     const {display, asker, state} = this.app, modes = asker.result<Modes>('modes');
-    const chosen = display.shown.kind === 'mode' ? `${display.shown.number}` : display.shown.kind;
+    const {shown} = display, chosen = shown.kind === 'mode' ? `${shown.number}` : shown.kind;
     const label = this.motion ? `${this.motion.label}, ${frequency(this.motion.angular_frequency, display.frequencyUnit)}${this.motion.words ? `: ${this.motion.words}` : ''}` : 'at rest';
+    const command = shown.kind === 'frequency' ? 'shapes' : 'modes';
     const views: View[] = ['oblique', 'front', 'side', 'top'];
     return html`
       <div class="stage" tabindex="0" role="application" aria-label="Machine in 3D: ${label}. Arrow keys turn it, plus and minus zoom, space plays or stops, n and p show the next and the previous mode, s selects the next part."
            @keydown=${(event: KeyboardEvent) => machineKeys(event, this.app, this.stage)}>
         <canvas class="machine" @pointerdown=${this.pressed} @pointerup=${this.released} @pointermove=${this.moved}></canvas>
-        <div class="caption" aria-hidden="true">${label}${asker.isOld('modes') ? html` <span class="old">…</span>` : nothing}</div>
+        <div class="caption" aria-hidden="true">${label}${asker.isOld(command) ? html` <span class="old">…</span>` : nothing}</div>
         <div class="hover" aria-hidden="true">${this.hovered || state.selection?.name || ''}</div>
         ${asker.result<Scene>('scene') ? nothing : html`<p class="missing">${asker.missing('scene')}</p>`}
       </div>
@@ -42,11 +45,13 @@ export class MachineView extends Part {
           ${display.playing ? '❚❚' : '▶'}<span class="hidden">${display.playing ? 'Stop' : 'Play'}</span></button>
         <select aria-label="Motion" .value=${chosen} @change=${this.choose}>
           ${modes?.modes.map(m => html`<option value=${m.number} ?selected=${chosen === `${m.number}`}>${m.number} · ${frequency(m.angular_frequency, display.frequencyUnit)} · ${m.name}</option>`)}
-          ${display.shown.kind === 'frequency' ? html`<option value="frequency" selected>operating shape at ${frequency(display.shown.omega, display.frequencyUnit)}</option>` : nothing}
+          ${shown.kind === 'frequency' ? html`<option value="frequency" selected>operating shape at ${frequency(shown.omega, display.frequencyUnit)}</option>` : nothing}
           <option value="rest" ?selected=${chosen === 'rest'}>at rest</option>
         </select>
         <span class="views" role="group" aria-label="View">${views.map(v => html`<button @click=${() => this.stage?.look(v)}>${v}</button>`)}</span>
         <button title="Save the picture as PNG" @click=${this.savePicture}>PNG</button>
+        <button title=${canRecord() ? 'Save a video of exactly one period (WebM)' : 'This browser cannot encode videos (WebCodecs)'} ?disabled=${!canRecord() || !this.motion || this.recording}
+          @click=${this.saveVideo}>Video</button>
       </div>
       <div class="bar">
         ${this.slider('Size', 0.01, 0.2, 0.005, display.share, share => display.set({share}))}
@@ -78,13 +83,13 @@ export class MachineView extends Part {
       }
       this.drawn = {scene, key};
     }
-    const before = this.motion?.label;
+    const before = this.motion;
     this.motion = this.shownMotion.of(this.app);
     this.scale = this.motion ? this.machine!.scaleFor(this.motion, display.share) : 0;
     this.trace();
     this.machine!.highlight(state.selection);
     this.stage.draw();
-    if (before !== this.motion?.label) this.requestUpdate();
+    if (before !== this.motion) this.requestUpdate();
   }
   override disconnectedCallback() {
     super.disconnectedCallback();
@@ -137,13 +142,33 @@ export class MachineView extends Part {
   }
   private savePicture() {
     this.stage!.drawNow();
-    this.querySelector('canvas')!.toBlob(blob => {
-      const link = document.createElement('a');
-      link.href = URL.createObjectURL(blob!);
-      link.download = 'machine.png';
-      link.click();
-      URL.revokeObjectURL(link.href);
-    });
+    this.querySelector('canvas')!.toBlob(blob => download(blob!, 'machine.png'));
   }
+  /// Exactly one period, as fast as the machine moves on the page.
+  private async saveVideo() {
+    const {display} = this.app, {phase, playing} = display, seconds = 1 / display.speed, {motion} = this;
+    this.recording = true;
+    display.set({playing: false});
+    try {
+      const bytes = await periodVideo(this.querySelector('canvas')!, seconds, share => {
+        if (this.motion !== motion) throw new Error('the motion was changed meanwhile.');
+        display.phase = 2 * Math.PI * share;
+        this.stage!.drawNow();
+      });
+      download(new Blob([bytes as BlobPart], {type: 'video/webm'}), 'machine.webm');
+      display.set({notice: `machine.webm: one period in ${framesOf(seconds).count} frames.`});
+    } catch (error) {
+      display.set({notice: `No video: ${error instanceof Error ? error.message : String(error)}`});
+    }
+    this.recording = false;
+    display.set({phase, playing});
+  }
+}
+function download(blob: Blob, name: string) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  URL.revokeObjectURL(link.href);
 }
 customElements.define('machine-view', MachineView);
