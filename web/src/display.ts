@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the results are shown: nothing here changes a result.
+import type {Ghost} from './machine/ghosts.ts';
 import type {FrequencyUnit} from './quantities.ts';
 
 /// The motion that the machine makes on the page.
@@ -19,6 +20,7 @@ export class Display {
   speed = 0.5;  // drawn periods a second
   phase = 0;  // [rad]
   traces = false;
+  ghost: Ghost = 'edges';  // what the moving machine is compared with
   cursor: number | null = null;  // ω [rad/s] of the linked cursor
   drawn: readonly string[] = [];  // names of the results that are drawn as curves; empty: not yet known
   pins: readonly string[] = [];  // numbers of the tree that are sliders, too

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
 import {DARK, LIGHT} from './machine/colours.ts';
+import {GHOSTS, type Ghost} from './machine/ghosts.ts';
 import {MachineScene} from './machine/machine_scene.ts';
 import {Stage, type View} from './machine/stage.ts';
 import type {Motion} from './motion.ts';
@@ -57,8 +58,12 @@ export class MachineView extends Part {
         ${this.slider('Size', 0.01, 0.2, 0.005, display.share, share => display.set({share}))}
         ${this.slider('Speed', 0.1, 2, 0.1, display.speed, speed => display.set({speed}))}
         ${this.slider('Phase', 0, 360, 1, display.phase * 180 / Math.PI, degrees => display.set({phase: degrees * Math.PI / 180, playing: false}))}
+      </div>
+      <div class="bar">
         <label><input type="checkbox" .checked=${display.damped} @change=${(e: Event) => { display.set({damped: (e.target as HTMLInputElement).checked}); asker.again(); }}> damped</label>
         <label><input type="checkbox" .checked=${display.traces} @change=${(e: Event) => display.set({traces: (e.target as HTMLInputElement).checked})}> trace</label>
+        <label class="chosen">against <select aria-label="Compared with" @change=${(e: Event) => display.set({ghost: (e.target as HTMLSelectElement).value as Ghost})}>
+          ${Object.entries(GHOSTS).map(([key, words]) => html`<option value=${key} ?selected=${key === display.ghost}>${words}</option>`)}</select></label>
       </div>`;
   }
   override firstUpdated() {
@@ -107,12 +112,13 @@ export class MachineView extends Part {
     }
     this.machine?.move(this.motion, display.phase, this.scale);
   }
-  /// Traces of places over a period, made again only if they changed.
+  /// Traces of places and ghosts over a period, made again only if they changed.
   private trace() {
-    const {traces} = this.app.display, wanted = [traces, this.motion, this.scale];
+    const {traces, ghost} = this.app.display, wanted = [traces, ghost, this.motion, this.scale];
     if (wanted.every((value, i) => value === this.traced[i])) return;
     this.traced = wanted;
     this.machine!.showTraces(traces ? this.motion : null, this.scale);
+    this.machine!.showGhosts(ghost, this.motion, this.scale);
   }
   private slider(name: string, min: number, max: number, step: number, value: number, set: (value: number) => void) {
     return html`<label class="small">${name}<input type="range" min=${min} max=${max} step=${step} .value=${String(value)}

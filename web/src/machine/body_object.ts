@@ -10,6 +10,7 @@ import type {Colours} from './colours.ts';
 export class BodyObject {
   readonly object = new Group();
   readonly atRest = new Group();  // its edges, where it is at rest
+  readonly rest: Matrix4;
   private readonly materials: MeshStandardMaterial[] = [];
 
   constructor(readonly body: SceneBody, size: number, colours: Colours) {
@@ -17,8 +18,9 @@ export class BodyObject {
     if (body.solids.length) for (const solid of body.solids) this.add(meshOf(solid.vertices, solid.triangles, body.pole), colours, 0.75);
     else if (body.box) this.add(boxOf(body), colours, 0.55);
     else if (body.node) this.add(new SphereGeometry(0.006 * size, 12, 8), colours);
+    this.rest = rigidMatrix(body.pole, null, 0, 0);
+    this.atRest.matrix.copy(this.rest);
     this.move(null, 0, 0);
-    this.atRest.matrix.makeTranslation(...body.pole);
     this.object.traverse(part => (part.userData = {kind: 'body', name: body.name}));
   }
   move(motion: RigidMotion | null, phase: number, scale: number) {

@@ -12,7 +12,8 @@ type Bodies = ReadonlyMap<string, SceneBody>;
 /// ends coincide has no length in the model; it is drawn with one, away from its body.
 export class ElementObject {
   readonly object = new Group();
-  private readonly rest: {from: Vector3; to: Vector3};
+  readonly rest: Matrix4;
+  private readonly ends: {from: Vector3; to: Vector3};
   private readonly across: readonly [Vector3, Vector3];
   private readonly length: number;
 
@@ -27,7 +28,7 @@ export class ElementObject {
       else if (element.from.body) to.addScaledVector(side, length);
       else from.addScaledVector(side, length);
     }
-    this.rest = {from, to};
+    this.ends = {from, to};
     this.length = Math.max(from.distanceTo(to), 1e-9);
     const along = to.clone().sub(from).normalize(), straight = Math.abs(along.dot(e3)) > 0.99;
     const first = straight ? e1 : new Vector3().crossVectors(Math.abs(along.x) < 0.9 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0), along).normalize();
@@ -35,11 +36,12 @@ export class ElementObject {
     this.object.add(...elementShape(element, this.length, size, colours));
     this.object.traverse(part => (part.userData = {kind: 'element', name: element.name}));
     this.place(from, to);
+    this.rest = this.object.matrix.clone();
   }
   move(motion: Motion | null, bodies: Bodies, phase: number, scale: number) {
-    const {element: {from, to, name}, rest} = this;
-    this.place(moved(rest.from, from, motion, bodies, phase, scale, `${name}.foot`),
-               moved(rest.to, to, motion, bodies, phase, scale, `${name}.head`));
+    const {element: {from, to, name}, ends} = this;
+    this.place(moved(ends.from, from, motion, bodies, phase, scale, `${name}.foot`),
+               moved(ends.to, to, motion, bodies, phase, scale, `${name}.head`));
   }
   highlight(on: boolean, colours: Colours) {
     this.object.traverse(part => {

@@ -7,6 +7,7 @@ import {BodyObject, disposeAll} from './body_object.ts';
 import type {Colours} from './colours.ts';
 import {ElementObject} from './element_object.ts';
 import {forceMark} from './force_marks.ts';
+import {Ghosts, type Ghost} from './ghosts.ts';
 import {centreOfMassMark, clearanceMark, ground, pointMark, stopMark, trace} from './marks.ts';
 
 interface Follower {
@@ -26,18 +27,20 @@ export class MachineScene {
   private readonly followers: Follower[] = [];  // marks that move with their body
   private readonly rest = new Group();
   private readonly traces = new Group();
+  private readonly ghosts: Ghosts;
 
   constructor(readonly scene: Scene, private readonly colours: Colours) {
     const up = scene.gravity && Math.hypot(...scene.gravity) > 0 ? new Vector3(...scene.gravity).negate().normalize() : new Vector3(0, 0, 1);
     this.byName = new Map(scene.bodies.map(b => [b.name, b]));
     this.bodies = scene.bodies.map(b => new BodyObject(b, scene.size, colours));
     this.elements = scene.elements.map(e => new ElementObject(e, this.byName, scene.size, colours));
+    this.ghosts = new Ghosts(this.bodies, this.elements, colours);
     for (const {object, atRest} of this.bodies) {
       this.root.add(object);
       this.rest.add(atRest);
     }
     for (const {object} of this.elements) this.root.add(object);
-    this.root.add(this.rest, this.traces);
+    this.root.add(this.rest, this.traces, this.ghosts.root);
     for (const body of scene.bodies.filter(b => !b.node)) this.follow(centreOfMassMark(colours), body, body.centre_of_mass, {kind: 'body', name: body.name});
     for (const point of scene.points) {
       const body = this.byName.get(point.body);
@@ -86,11 +89,15 @@ export class MachineScene {
         this.traces.add(trace(at, body, motion, scale, this.colours));
     }
   }
+  showGhosts(ghost: Ghost, motion: Motion | null, scale: number) { this.ghosts.show(ghost, motion, scale); }
   highlight(selection: Selection | null) {
     for (const b of this.bodies) b.highlight(selection?.kind === 'body' && selection.name === b.body.name, this.colours);
     for (const e of this.elements) e.highlight(selection?.kind === 'element' && selection.name === e.element.name, this.colours);
   }
-  dispose() { disposeAll(this.root); }
+  dispose() {
+    disposeAll(this.root);
+    this.ghosts.dispose();
+  }
 
   private follow(object: Object3D, body: SceneBody, at: Vector, selection: Selection) {
     const rest = new Vector3(...at);
