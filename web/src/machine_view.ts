@@ -7,7 +7,8 @@ import {Stage, type View} from './machine/stage.ts';
 import type {Motion} from './motion.ts';
 import {Part} from './part.ts';
 import {frequency} from './quantities.ts';
-import type {Modes, Scene} from './results.ts';
+import type {Modes, Scene, SceneBody} from './results.ts';
+import {screwOf, screwWords, type PlacedScrew} from './screws.ts';
 import {ShownMotion} from './shown_motion.ts';
 import {canRecord, framesOf, periodVideo} from './video/period_video.ts';
 import {machineKeys} from './machine_keys.ts';
@@ -19,6 +20,7 @@ export class MachineView extends Part {
   private drawn: {scene: Scene | null; key: string} = {scene: null, key: ''};
   private readonly shownMotion = new ShownMotion();
   private traced: unknown[] = [];
+  private marked: unknown[] = [];
   private fitted = '';  // title of the machine that the camera was set for
   private motion: Motion | null = null;
   private scale = 0;
@@ -31,14 +33,14 @@ export class MachineView extends Part {
     const {display, asker, state} = this.app, modes = asker.result<Modes>('modes');
     const {shown} = display, chosen = shown.kind === 'mode' ? `${shown.number}` : shown.kind;
     const label = this.motion ? `${this.motion.label}, ${frequency(this.motion.angular_frequency, display.frequencyUnit)}${this.motion.words ? `: ${this.motion.words}` : ''}` : 'at rest';
-    const command = shown.kind === 'frequency' ? 'shapes' : 'modes';
+    const [screw, body] = this.screw(), command = shown.kind === 'frequency' ? 'shapes' : 'modes';
     const views: View[] = ['oblique', 'front', 'side', 'top'];
     return html`
       <div class="stage" tabindex="0" role="application" aria-label="Machine in 3D: ${label}. Arrow keys turn it, plus and minus zoom, space plays or stops, n and p show the next and the previous mode, s selects the next part."
            @keydown=${(event: KeyboardEvent) => machineKeys(event, this.app, this.stage)}>
         <canvas class="machine" @pointerdown=${this.pressed} @pointerup=${this.released} @pointermove=${this.moved}></canvas>
         <div class="caption" aria-hidden="true">${label}${asker.isOld(command) ? html` <span class="old">…</span>` : nothing}</div>
-        <div class="hover" aria-hidden="true">${this.hovered || state.selection?.name || ''}</div>
+        <div class="hover" aria-hidden="true">${this.hovered || state.selection?.name || ''}${screw && !this.hovered ? html` · ${screwWords(screw, body)}` : nothing}</div>
         ${asker.result<Scene>('scene') ? nothing : html`<p class="missing">${asker.missing('scene')}</p>`}
       </div>
       <div class="bar">
@@ -84,7 +86,7 @@ export class MachineView extends Part {
         this.machine = new MachineScene(scene, colours);
         this.stage.show(this.machine, colours, this.fitted !== scene.title);
         this.fitted = scene.title;
-        this.traced = [];
+        this.traced = this.marked = [];
       }
       this.drawn = {scene, key};
     }
@@ -93,6 +95,7 @@ export class MachineView extends Part {
     this.scale = this.motion ? this.machine!.scaleFor(this.motion, display.share) : 0;
     this.trace();
     this.machine!.highlight(state.selection);
+    this.markScrew();
     this.stage.draw();
     if (before !== this.motion) this.requestUpdate();
   }
@@ -102,6 +105,20 @@ export class MachineView extends Part {
     this.stage?.dispose();
   }
 
+  /// The axis of the selected body in the undamped mode that is shown.
+  private screw(): [PlacedScrew, SceneBody] | [null, null] {
+    const {asker, display: {shown, damped}, state: {selection}} = this.app, modes = asker.result<Modes>('modes');
+    const body = selection?.kind === 'body' ? this.machine?.scene.bodies.find(b => b.name === selection.name) : undefined;
+    const screw = modes && body && shown.kind === 'mode' && !damped ? screwOf(modes, shown.number, body) : null;
+    return screw && body ? [screw, body] : [null, null];
+  }
+  private markScrew() {
+    const {asker, display: {shown, damped}, state: {selection}} = this.app, wanted = [asker.result('modes'), shown, damped, selection];
+    if (wanted.every((value, i) => value === this.marked[i]) && this.marked.length) return;
+    this.marked = wanted;
+    const [screw, body] = this.screw();
+    this.machine!.showScrew(screw, body);
+  }
   /// Moves the machine to its present phase, and asks for the next frame while it plays.
   private frame() {
     const {display} = this.app, now = performance.now(), step = Math.min((now - this.last) / 1000, 0.1);

@@ -98,7 +98,7 @@ export interface Mode {
   shape: number[];
   kinetic_energy_share: number[];
   strain_energy_share: number[];
-  screws?: {direction: Vector; point: Vector; pitch: number; rotation: number}[];  // of each body
+  screws?: {direction: Vector; point: Vector | null; pitch: number | null; rotation: number}[];  // of each body, along its axes, from its pole
   name: string;
 }
 export interface Modes {

@@ -24,7 +24,7 @@ function straight(axis: Vector3, size: number, colour: number): Object3D {
   group.add(new ArrowHelper(axis, axis.clone().multiplyScalar(-length), length, colour, 0.04 * size, 0.022 * size));
   return group;
 }
-function around(axis: Vector3, radius: number, colour: number): Object3D {
+export function around(axis: Vector3, radius: number, colour: number): Object3D {
   const group = new Group(), last = 1.55 * Math.PI;
   const points = Array.from({length: 41}, (_, i) => new Vector3(radius * Math.cos(last * i / 40), radius * Math.sin(last * i / 40), 0));
   const tip = new Mesh(new ConeGeometry(0.2 * radius, 0.5 * radius, 14), new MeshBasicMaterial({color: colour}));

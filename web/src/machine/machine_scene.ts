@@ -2,6 +2,7 @@
 import {Box3, Group, Vector3, type Object3D} from 'three';
 import {corners, displacement, largestDisplacement, type Motion} from '../motion.ts';
 import type {Scene, SceneBody, Vector} from '../results.ts';
+import type {PlacedScrew} from '../screws.ts';
 import type {Selection} from '../state.ts';
 import {BodyObject, disposeAll} from './body_object.ts';
 import type {Colours} from './colours.ts';
@@ -9,6 +10,7 @@ import {ElementObject} from './element_object.ts';
 import {forceMark} from './force_marks.ts';
 import {Ghosts, type Ghost} from './ghosts.ts';
 import {centreOfMassMark, clearanceMark, ground, pointMark, stopMark, trace} from './marks.ts';
+import {replace, screwMark} from './screw_mark.ts';
 
 interface Follower {
   object: Object3D;
@@ -28,6 +30,7 @@ export class MachineScene {
   private readonly rest = new Group();
   private readonly traces = new Group();
   private readonly ghosts: Ghosts;
+  private readonly screw = new Group();
 
   constructor(readonly scene: Scene, private readonly colours: Colours) {
     const up = scene.gravity && Math.hypot(...scene.gravity) > 0 ? new Vector3(...scene.gravity).negate().normalize() : new Vector3(0, 0, 1);
@@ -40,7 +43,7 @@ export class MachineScene {
       this.rest.add(atRest);
     }
     for (const {object} of this.elements) this.root.add(object);
-    this.root.add(this.rest, this.traces, this.ghosts.root);
+    this.root.add(this.rest, this.traces, this.ghosts.root, this.screw);
     for (const body of scene.bodies.filter(b => !b.node)) this.follow(centreOfMassMark(colours), body, body.centre_of_mass, {kind: 'body', name: body.name});
     for (const point of scene.points) {
       const body = this.byName.get(point.body);
@@ -90,6 +93,10 @@ export class MachineScene {
     }
   }
   showGhosts(ghost: Ghost, motion: Motion | null, scale: number) { this.ghosts.show(ghost, motion, scale); }
+  /// The axis of a body that moves as a screw; null: none.
+  showScrew(screw: PlacedScrew | null, body: SceneBody | null) {
+    replace(this.screw, screw && body && screwMark(screw, new Vector3(...body.centre_of_mass), this.scene.size, this.colours));
+  }
   highlight(selection: Selection | null) {
     for (const b of this.bodies) b.highlight(selection?.kind === 'body' && selection.name === b.body.name, this.colours);
     for (const e of this.elements) e.highlight(selection?.kind === 'element' && selection.name === e.element.name, this.colours);
