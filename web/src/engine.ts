@@ -62,6 +62,8 @@ export interface Engine {
   doing?(): Promise<Doing | null>;
   /// The text with the settings written into it; every other byte stays.
   text(change: Change): Promise<string>;
+  /// The text with a further case: the changes of the case on the page, and the settings.
+  newCase(change: Change, name: string): Promise<string>;
   save(version: string, change: Change): Promise<Saved>;
 }
 
@@ -116,6 +118,9 @@ export class ServerEngine implements Engine {
   private closed = '';  // version that the program has no longer
   async text(change: Change): Promise<string> {
     return (await this.post<{text: string}>('/text', textOf(change))).text;
+  }
+  async newCase(change: Change, name: string): Promise<string> {
+    return (await this.post<{text: string}>('/text', {...textOf(change), case: change.case, new_case: name})).text;
   }
   async save(version: string, change: Change): Promise<Saved> {
     const response = await this.request('/save', {version, ...textOf(change)});

@@ -21,7 +21,7 @@ export class FileNotice extends Part {
   private away({reason}: {reason: string}) {
     const {file, project} = this.app;
     return html`<div class="problems error" role="alert"><p>${reason} Your edits are kept in this tab, and the page goes on by itself.</p>
-      <pre>trivet serve ${quoted(project.name ?? '')} --port ${location.port}</pre>
+      <pre>${['trivet serve', quoted(project.name ?? ''), '--port', location.port].filter(word => word).join(' ')}</pre>
       <button @click=${() => void file.look()}>Try again</button>
       <button @click=${() => download(project.name ?? 'machine.toml', file.textAway)}>Download the text</button></div>`;
   }

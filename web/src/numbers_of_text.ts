@@ -2,7 +2,7 @@
 // Numbers of the project file by the paths that `--set` accepts, with the values that sliders and the tree changed.
 import {quantity} from './quantities.ts';
 import type {Design} from './state.ts';
-import {allEntries, outline, pathText, type Entry} from './toml_outline.ts';
+import {allEntries, outline, pathParts, pathText, type Entry} from './toml_outline.ts';
 
 const COMPONENTS = ['x', 'y', 'z'];
 
@@ -10,7 +10,7 @@ const COMPONENTS = ['x', 'y', 'z'];
 /// the row. Null: it can be changed only in the text.
 export function settingPath(entry: Entry, parents: ReadonlyMap<string, Entry>): string | null {
   let path = [...entry.path];
-  if (path[0] === 'cases' || path[0] === 'parameters' || path[0] === 'trivet') return null;
+  if (path[0] === 'parameters' || path[0] === 'trivet') return null;
   if (path[0] === 'tables') {
     if (path[2] !== 'rows' || path[3] === undefined) return null;
     const row = parents.get(path.slice(0, 4).join('\0')), name = row?.children.find(e => e.path.at(-1) === 'name');
@@ -25,6 +25,12 @@ export function settingPath(entry: Entry, parents: ReadonlyMap<string, Entry>): 
     path[path.length - 1] = COMPONENTS[Number(path.at(-1))]!;
   }
   return pathText(path);
+}
+
+/// The number that is valid in a case: of the case, if that changes it, else of the base model.
+export function pathInCase(path: string, name: string, index: TextIndex): string {
+  const ofCase = name ? pathText(['cases', name, ...pathParts(path)]) : path;
+  return index.numbers.has(ofCase) ? ofCase : path;
 }
 
 export interface TextNumber {

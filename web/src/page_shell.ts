@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
+import './case_bar.ts';
 import './curve_chart.ts';
 import './empty_state.ts';
 import './file_notice.ts';
@@ -74,11 +75,10 @@ export class PageShell extends Part {
   }
   private brand() { return html`<h1>Trivet</h1>`; }
   private heading() {
-    const {state, asker, project} = this.app, said = judgement(this.app), {cases} = this.app;
+    const {state, asker, project} = this.app, said = judgement(this.app);
     const title = asker.result<Scene>('scene')?.title || project.title || '';
     return html`<span class="title" title=${title}>${title}</span>
-      ${cases.length > 1 ? html`<select aria-label="Case" @change=${(e: Event) => state.chooseCase((e.target as HTMLSelectElement).value)}>
-        ${cases.map(c => html`<option value=${c} ?selected=${c === state.case}>${c || 'base model'}</option>`)}</select>` : nothing}
+      <case-bar .app=${this.app}></case-bar>
       <span class="pill ${said.state}" role="status">${SIGNS[said.state]} ${said.words}${said.old ? ' …' : ''}</span>
       <progress-line .app=${this.app}></progress-line>
       <span class="space"></span>

@@ -26,6 +26,7 @@ export class ProjectFile {
   private version: string;  // on the disk, when the page last took or wrote it
   private ignored = '';  // version on the disk that the user has decided not to take
   private isSaving = false;
+  private isLooking = false;
   private keepsNothing = false;
   private lookTimer = 0;
   private keepTimer = 0;
@@ -100,7 +101,8 @@ export class ProjectFile {
   /// Is the file still what the page shows, and does the program answer?
   async look() {
     const {engine, version} = this;
-    if (!engine.version || this.isSaving) return;
+    if (!engine.version || this.isSaving || this.isLooking) return;
+    this.isLooking = true;
     try {
       const onDisk = await engine.version();
       if (this.trouble?.kind === 'away') {
@@ -112,16 +114,16 @@ export class ProjectFile {
       if (!(error instanceof EngineError)) throw error;
       this.set({kind: 'away', reason: error.message});
       this.keep();
+    } finally {
+      this.isLooking = false;
     }
   }
   private async compare(onDisk: string) {
-    const {state, engine, project} = this, known = this.trouble?.kind === 'changed' ? this.trouble.version : this.version;
-    if (project.name === null || onDisk === this.ignored || onDisk === known) return;
-    if (onDisk === '') {
-      this.version = '';
-      state.wasDeleted();
-      return this.set({kind: 'deleted'});
-    }
+    const {state, engine, project, trouble} = this;
+    if (project.name === null) return;
+    if (onDisk === '') return trouble?.kind === 'deleted' ? undefined : this.meet('', '');
+    if (onDisk === this.version) return trouble ? this.set(null) : undefined;  // the other hand took its change back
+    if (onDisk === this.ignored || trouble?.kind === 'changed' && onDisk === trouble.version) return;
     const {text = '', version = ''} = await engine.project();
     if (text === state.design.text && !state.design.settings.size) {
       this.version = version;
@@ -136,8 +138,10 @@ export class ProjectFile {
   }
   /// Another version is on the disk.
   private meet(version: string, text: string) {
-    this.set(version === '' ? {kind: 'deleted'} : {kind: 'changed', version, text});
-    if (version === '') this.version = '';
+    if (version !== '') return this.set({kind: 'changed', version, text});
+    this.version = '';
+    this.state.wasDeleted();
+    this.set({kind: 'deleted'});
   }
   private set(trouble: Trouble | null) {
     this.trouble = trouble;
@@ -159,10 +163,10 @@ export class ProjectFile {
     const {state, project} = this, design: Design = {text: kept.text, settings: new Map(kept.settings)};
     if (project.name === null) {
       state.open(kept.text, null);
-      return state.restored(design, kept.case);
+      return state.put(design, kept.case);
     }
-    state.restored(design, kept.case);
-    if (kept.version !== null && kept.version !== this.version) this.meet(this.version, project.text ?? '');
+    state.put(design, kept.case);
+    if (this.version === '' || kept.version !== this.version) this.meet(this.version, project.text ?? '');
     else this.say('Your edits are back; they are not saved yet.');
   }
   /// The machine without a file is closed.

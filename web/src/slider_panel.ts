@@ -9,7 +9,7 @@ const STEPS = 1000;
 /// Sliders of the parameters. Everything else on the page follows while one moves.
 export class SliderPanel extends Part {
   override render() {
-    const {state, display} = this.app, all = sliders(state.design, this.app.index, display.pins);
+    const {state, display} = this.app, all = sliders(state.design, this.app.index, display.pins, state.case);
     return html`<ul class="sliders">${all.map(s => this.row(s))}</ul>
       ${all.length ? nothing : html`<p class="hint">The file has no number that a slider could move. Add [parameters], or pin a number in the model.</p>`}
       <p class="hint">${display.pins.length ? nothing : 'More sliders: ⊕ beside a number of the model, or [parameters] in the file.'}</p>`;
@@ -18,7 +18,7 @@ export class SliderPanel extends Part {
     const position = positionOf(s, s.value), isSet = s.paths.some(p => this.app.state.design.settings.has(p.path));
     const pinned = this.app.display.pins.includes(s.name);
     return html`<li class=${isSet ? 'changed' : ''}>
-      <label title=${s.paths.map(p => p.path).join('\n')}><span>${s.name}</span>
+      <label title=${s.paths.map(p => p.path).join('\n')}><span>${s.name}${s.paths.some(p => p.path.startsWith('cases.')) && !s.name.startsWith('cases.') ? ` in case ${this.app.state.case}` : ''}</span>
         <input type="range" min="0" max=${STEPS} .value=${String(position)} aria-valuetext="${number(s.value)} ${s.unit}"
           @input=${(e: Event) => this.move(s, (e.target as HTMLInputElement).value, true)} @change=${() => this.app.state.dropped()}></label>
       <input class="number" aria-label="${s.name}, value" .value="${number(s.value, 5)}${s.unit ? ` ${s.unit}` : ''}"

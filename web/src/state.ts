@@ -100,8 +100,8 @@ export class State {
     this.saved = NOWHERE;
     this.changed(false);
   }
-  /// Edits of an earlier visit of this tab, as one step of undo.
-  restored(design: Design, name: string) {
+  /// Another text, with a case of it, as one step of undo.
+  put(design: Design, name: string) {
     this.remember(this.design);
     this.design = design;
     this.case = name;

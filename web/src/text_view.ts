@@ -22,6 +22,7 @@ export class TextView extends Part {
   private shown: Problem[] = [];
   private timer = 0;
   private refused: Design | null = null;  // its settings cannot be written into the text
+  private wasAway = false;  // the program that writes them
 
   /// A shadow root of its own: the editor puts its styles there as a constructed sheet, which the page's policy allows.
   override createRenderRoot(): ShadowRoot { return this.attachShadow({mode: 'open'}); }
@@ -43,8 +44,10 @@ export class TextView extends Part {
     this.updated();
   }
   override updated() {
-    const {editor} = this, {state, asker, display} = this.app;
+    const {editor} = this, {state, asker, display, file} = this.app, isAway = file.trouble?.kind === 'away';
     if (!editor) return;
+    if (this.wasAway && !isAway) this.refused = null;
+    this.wasAway = isAway;
     const isEdited = this.timer !== 0 && editor.hasFocus, text = editor.state.doc.toString();
     if (text !== state.design.text && !isEdited) {
       editor.dispatch({changes: {from: 0, to: text.length, insert: state.design.text}});

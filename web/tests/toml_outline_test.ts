@@ -72,3 +72,19 @@ test('completion knows the table, a dotted key and an inline table', () => {
   assert.deepEqual(names('# ma'), []);
   assert.equal(schema.description(['bodies', 'a', 'mass']), 'kg');
 });
+test('in a case a slider moves the number of the case, if the case changes it', () => {
+  const text = `[element_types.mount]
+scale = 1
+[bodies.b]
+mass = "4 t"
+[cases."in the cold"]
+element_types.mount.scale = 1.4
+[cases."in the cold".bodies.b]
+center_of_mass = [0, 0, "3 mm"]
+`;
+  const of = (name: string) => sliders({text, settings: new Map()}, indexOf(text), ['element_types.mount.scale', 'bodies.b.mass'], name).map(s => [s.paths[0]!.path, s.value]);
+  assert.deepEqual(of(''), [['element_types.mount.scale', 1], ['bodies.b.mass', 4]]);
+  assert.deepEqual(of('in the cold'), [['cases."in the cold".element_types.mount.scale', 1.4], ['bodies.b.mass', 4]]);
+  assert.deepEqual(of('in the heat'), of(''));
+  assert.equal(indexOf(text).numbers.get('cases."in the cold".bodies.b.center_of_mass.z')!.raw, '"3 mm"');
+});

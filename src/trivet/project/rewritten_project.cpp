@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/case_changes.h"
 #include "trivet/project/settings.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/project/text/part_tables.h"
@@ -77,7 +78,9 @@ foundation::Expected<Node> model_of(const std::string& text, const std::string& 
 
 Node changed(Node document, const std::vector<Node>& changes) {
   foundation::Problems reported_when_read;
-  for (const Node& change : changes) apply_changes(document, change, "", reported_when_read);
+  for (const Node& change : changes)
+    if (!is_of_case(change)) apply_changes(document, change, "", reported_when_read);
+  change_cases(document, changes, reported_when_read);
   return document;
 }
 

@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/analysis_sizes.h"
+#include "trivet/project/case_changes.h"
 #include "trivet/project/settings.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/project/text/part_tables.h"
@@ -114,21 +117,32 @@ foundation::Problems settings_over_cases(const Node& document, const std::vector
   return warnings;
 }
 
+/// Settings of the base model, which hold in every case.
+Settings of_all_cases(Settings settings) {
+  std::erase_if(settings.changes, is_of_case);
+  std::erase_if(settings.numbers, [](const ChangedNumber& number) { return number.path.starts_with("cases."); });
+  return settings;
+}
+
 WrittenProject with_settings(Project project, const std::vector<std::string>& given) {
   WrittenProject result;
   std::string hashed = project.parsed->text;
   for (const std::string& setting : given) hashed += "\n" + setting;
   project.sha256 = sha256(hashed);
   project.settings = given;
-  const Node& written = project.parsed->document;
-  const Settings settings = read_settings(given, folder_of_files(project), result.problems);
+  const Settings all = read_settings(given, folder_of_files(project), result.problems);
+  std::optional<Node> with_changed_cases;
+  if (std::ranges::any_of(all.changes, is_of_case))
+    change_cases(with_changed_cases.emplace(project.parsed->document), all.changes, result.of_settings);
+  const Node& written = with_changed_cases ? *with_changed_cases : project.parsed->document;
+  const Settings settings = of_all_cases(all);
   result.problems.add(project.parsed->problems);
   result.base.document = written;
   for (const Node& change : settings.changes) apply_changes(result.base.document, change, "", result.of_settings);
   result.problems.add(result.of_settings);
   result.base.changes = change_lines(nullptr, settings, result.base.document);
   result.cases = written_cases(result.base.document, written, settings);
-  result.over_cases = settings_over_cases(written, given, settings);
+  result.over_cases = settings_over_cases(written, given, all);
   result.project = std::move(project);
   return result;
 }

@@ -102,6 +102,8 @@ PageQuestion read_question(const std::string& body) {
       question.settings = texts_at(key, value);
     } else if (key == "case") {
       question.case_name = text_at(key, value);
+    } else if (key == "new_case") {
+      question.new_case = text_at(key, value);
     } else if (key == "version") {
       question.version = text_at(key, value);
     } else if (key == "wants" && value.is_array() && value.size() <= most_wants) {

@@ -15,6 +15,7 @@ struct PageQuestion {
   std::optional<std::string> text = {};    ///< of the edited file; otherwise the file as it was opened
   std::vector<std::string> settings = {};  ///< "elements.mount.scale = 1.5"
   std::string case_name = {};
+  std::optional<std::string> new_case = {};  ///< name of a case to add to the text, like `case_name`
   std::vector<engine::Request> wants = {};  ///< without their case
   std::string version = {};                 ///< of the file with which the edits began; empty: any
 };

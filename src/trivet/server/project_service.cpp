@@ -10,6 +10,7 @@
 
 #include "trivet/documents/json_text.h"
 #include "trivet/engine/program.h"
+#include "trivet/project/case_changes.h"
 #include "trivet/project/unopened_text.h"
 #include "trivet/server/page_files.h"
 
@@ -199,11 +200,19 @@ foundation::Expected<std::string> ProjectService::new_text(const std::string& te
   return (*session)->text_with_settings();
 }
 
+foundation::Expected<std::string> ProjectService::text_with_new_case(const std::string& text,
+                                                                      const PageQuestion& question) const {
+  if (Problems refused = sessions_.refused_files(text, question.settings); refused.has_errors())
+    return tl::make_unexpected(std::move(refused));
+  return project::text_with_case(text, file_.empty() ? unsaved_name : file_, *question.new_case, question.case_name,
+                                 question.settings);
+}
+
 Answer ProjectService::text(const std::string& body) {
   const PageQuestion question = read_question(body);
   const auto given = text_of(question);
   if (!given) return another_version();
-  const auto text = new_text(*given, question.settings);
+  const auto text = question.new_case ? text_with_new_case(*given, question) : new_text(*given, question.settings);
   if (!text) return unprocessable("the text with these settings is wrong", text.error());
   return {.body = documents::json::text({{"text", *text}})};
 }

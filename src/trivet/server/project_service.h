@@ -42,6 +42,9 @@ class ProjectService {
   /// The text with settings, or why there is none.
   [[nodiscard]] foundation::Expected<std::string> new_text(const std::string& text,
                                                            const std::vector<std::string>& settings);
+  /// The text with a further case, or why there is none.
+  [[nodiscard]] foundation::Expected<std::string> text_with_new_case(const std::string& text,
+                                                                     const PageQuestion& question) const;
 
   const std::string file_;
   const bool read_only_;
