@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`trivet serve` without a file teaches by three examples."""
+import json
 import re
+import subprocess
 
-from conftest import settled
+from conftest import TRIVET, settled
 
 
 def test_three_examples_can_be_opened_and_saved_as_a_download(serve, tmp_path):
@@ -33,3 +35,25 @@ def test_the_form_makes_a_machine_that_is_judged(serve):
     settled(page)
     assert page.locator('header .title').inner_text() == 'Fan "north"'
     page.locator('.pill').get_by_text(re.compile('requirements (met|violated)')).wait_for()
+
+
+def test_the_form_takes_mounts_of_the_catalogue(serve, tmp_path):
+    page = serve().page()
+    page.get_by_label('Mounts', exact=True).select_option('disc 30x15 40 ShA')
+    assert page.get_by_label(re.compile('Vertical stiffness')).count() == 0
+    page.get_by_role('button', name='Make it').click()
+    settled(page)
+    page.get_by_text(re.compile('requirements violated')).wait_for()  # 981 N on a mount for 179 N
+    page.get_by_role('button', name='Examples').click()
+    page.get_by_label('Mounts', exact=True).select_option('disc 75x25 40 ShA')
+    page.get_by_role('button', name='Make it').click()
+    settled(page)
+    with page.expect_download() as download:
+        page.get_by_role('button', name='Save').click()
+    file = tmp_path / 'machine.toml'
+    download.value.save_as(file)
+    assert sum(line.startswith('#') or '  # ' in line for line in file.read_text().splitlines()) >= 6
+    subprocess.run([TRIVET, 'check', file, '--strict'], check=True)
+    verdict = json.loads(subprocess.run([TRIVET, 'verdict', file, '--json'], stdout=subprocess.PIPE).stdout)
+    loads = [r for r in verdict['cases'][0]['requirements'] if 'load' in r['requirement']]
+    assert loads and all(r['met'] for r in loads)

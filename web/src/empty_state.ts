@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
-import type {Example} from './engine.ts';
-import {newMachine, QUESTIONS, wrongNumber, type Numbers, type Question} from './new_machine.ts';
+import type {CatalogueMount, Example} from './engine.ts';
+import {newMachine, OF_A_MOUNT, QUESTIONS, wrongNumber, type Numbers, type Question} from './new_machine.ts';
 import {Part} from './part.ts';
+import {number} from './quantities.ts';
 
 /// What is there without a file: three machines to play with, a form for a new one, and how to begin.
 export class EmptyState extends Part {
-  static override properties = {...Part.properties, examples: {attribute: false}, open: {attribute: false}, wrong: {state: true}};
+  static override properties = {...Part.properties, examples: {attribute: false}, open: {attribute: false}, wrong: {state: true}, mount: {state: true}};
   declare examples: readonly Example[];
   declare open: (example: Example) => void;
   declare wrong: string;
+  declare mount: string;  // of the generic catalogue; empty: by its stiffness
 
   constructor() {
     super();
-    this.wrong = '';
+    [this.wrong, this.mount] = ['', ''];
   }
   override render() {
     return html`<h2>Begin with a machine</h2>
@@ -22,7 +24,10 @@ export class EmptyState extends Part {
       <h2>Or describe yours</h2>
       <form @submit=${this.create}>
         <label>Name<input name="title" value="New machine"></label>
-        ${(Object.entries(QUESTIONS) as [Question, (typeof QUESTIONS)[Question]][]).map(([name, q]) => html`<label>${q.label}${q.unit ? ` [${q.unit}]` : ''}<input name=${name} inputmode="decimal" value=${q.value}></label>`)}
+        <label>Mounts<select name="mount" @change=${(e: Event) => { this.mount = (e.target as HTMLSelectElement).value; }}>
+          <option value="">by their stiffness</option>
+          ${(this.app.project.mounts ?? []).map(mount => html`<option value=${mount.name}>${described(mount)}</option>`)}</select></label>
+        ${(Object.entries(QUESTIONS) as [Question, (typeof QUESTIONS)[Question]][]).filter(([name]) => !this.mount || !OF_A_MOUNT.includes(name)).map(([name, q]) => html`<label>${q.label}${q.unit ? ` [${q.unit}]` : ''}<input name=${name} inputmode="decimal" value=${q.value}></label>`)}
         <button class="unsaved">Make it</button>
         ${this.wrong ? html`<p role="alert" class="wrong">${this.wrong}</p>` : nothing}
       </form>
@@ -31,9 +36,11 @@ export class EmptyState extends Part {
   private create(event: SubmitEvent) {
     event.preventDefault();
     const data = new FormData(event.target as HTMLFormElement);
-    const numbers = Object.fromEntries(Object.keys(QUESTIONS).map(name => [name, Number(String(data.get(name)).replace(',', '.'))])) as Numbers;
-    this.wrong = wrongNumber(numbers);
-    if (!this.wrong) this.open({name: 'machine.toml', title: '', text: newMachine(String(data.get('title')), numbers)});
+    const numbers = Object.fromEntries(Object.keys(QUESTIONS).map(name => [name, Number(String(data.get(name) ?? '').replace(',', '.'))])) as Numbers;
+    this.wrong = wrongNumber(numbers, this.mount);
+    if (!this.wrong) this.open({name: 'machine.toml', title: '', text: newMachine(String(data.get('title')), numbers, this.mount)});
   }
 }
+const described = ({name, stiffness, static_load: load}: CatalogueMount) =>
+  `${name}: ${number(stiffness[2] / 1e3)} N/mm${load ? `, up to ${number(load[1])} N` : ''}`;
 customElements.define('empty-state', EmptyState);

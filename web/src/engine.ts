@@ -32,6 +32,12 @@ export interface Example {
   title: string;
   text: string;
 }
+/// A mount of the catalogue that comes with the program.
+export interface CatalogueMount {
+  name: string;
+  stiffness: [number, number, number];  // [N/m]
+  static_load: [number, number] | null;  // along its axis [N]
+}
 export interface Project {
   name: string | null;
   title?: string;
@@ -41,6 +47,7 @@ export interface Project {
   cases?: string[];
   program?: string;
   examples?: Example[];
+  mounts?: CatalogueMount[];
   resume_key?: string;
 }
 /// What the program computes now.

@@ -14,15 +14,18 @@ export const QUESTIONS = {
 } as const;
 export type Question = keyof typeof QUESTIONS;
 export type Numbers = Record<Question, number>;
+/// Not asked if the mount is of a catalogue.
+export const OF_A_MOUNT: readonly Question[] = ['vertical', 'lateral'];
 
-/// What is wrong with the numbers; empty: nothing.
-export function wrongNumber(numbers: Numbers): string {
-  const wrong = (Object.keys(QUESTIONS) as Question[]).find(q => !(numbers[q] > 0 && Number.isFinite(numbers[q])));
+/// What is wrong with the numbers; empty: nothing. @param mount  of the generic catalogue; empty: by its stiffness
+export function wrongNumber(numbers: Numbers, mount = ''): string {
+  const asked = (Object.keys(QUESTIONS) as Question[]).filter(q => !mount || !OF_A_MOUNT.includes(q)), wrong = asked.find(q => !(numbers[q] > 0 && Number.isFinite(numbers[q])));
   if (wrong) return `${QUESTIONS[wrong].label}: a number above 0 is expected.`;
   return Number.isInteger(numbers.pairs) && numbers.pairs <= 8 ? '' : 'Pairs of mounts: 1 to 8.';
 }
 
-export function newMachine(title: string, n: Numbers): string {
+/// @param mount  of the generic catalogue; empty: by its stiffness
+export function newMachine(title: string, n: Numbers, mount = ''): string {
   const density = 1e9 * n.mass / (n.length * n.width * n.height), round = (value: number) => String(Number(value.toPrecision(5)));
   const rows = Array.from({length: n.pairs}, (_, i) => {
     const x = n.pairs === 1 ? 0 : 0.8 * n.length * (0.5 - i / (n.pairs - 1)), y = 0.4 * n.width;
@@ -38,12 +41,7 @@ gravity = [0, 0, -9.80665]
 # A homogeneous box. With measured data: mass, center_of_mass and inertia in place of solids.
 solids = [{box = ["${round(n.length)} mm", "${round(n.width)} mm", "${round(n.height)} mm"], density = ${round(density)}, at = [0, 0, "${round(n.centre)} mm"]}]
 
-[element_types.mount]            # properties of all mounts; a maker's mount: type = "catalogue:NAME"
-type = "bushing"
-translation = ["${round(n.lateral)} N/mm", "${round(n.lateral)} N/mm", "${round(n.vertical)} N/mm"]
-rotation = [0, 0, 0]
-damping = {loss_factor = 0.1}
-
+${mount ? ofCatalogue(mount) : byStiffness(round(n.lateral), round(n.vertical))}
 [tables.elements]
 rows = [
 ${rows.join('\n')}
@@ -66,5 +64,15 @@ of = ["machine", "ground"]
 band = ["${round(0.95 * n.speed / 60)} Hz", "${round(1.05 * n.speed / 60)} Hz"]
 limits = {"machine.z" = "4.5 mm/s rms"}
 natural_frequencies = {avoid = [["${round(0.8 * n.speed / 60)} Hz", "${round(1.2 * n.speed / 60)} Hz"]]}
-`;
+${mount ? `mount_load = "catalogue"         # static load of each mount within the range of the catalogue
+` : ''}`;
 }
+const byStiffness = (lateral: string, vertical: string) => `[element_types.mount]            # properties of all mounts; a mount of a catalogue: type = "catalogue:NAME"
+type = "bushing"
+translation = ["${lateral} N/mm", "${lateral} N/mm", "${vertical} N/mm"]
+rotation = [0, 0, 0]
+damping = {loss_factor = 0.1}
+`;
+const ofCatalogue = (mount: string) => `[element_types.mount]            # all mounts, of the generic catalogue: no maker's data. Your own: catalogue = "maker.toml"
+type = ${JSON.stringify(`catalogue:${mount}`)}
+`;

@@ -21,3 +21,10 @@ test('a wrong number is named', () => {
   assert.match(wrongNumber({...numbers, mass: NaN}), /^Mass/);
   assert.match(wrongNumber({...numbers, pairs: 1.5}), /^Pairs/);
 });
+test('a mount of the catalogue takes the place of a stiffness', () => {
+  const {byPath} = indexOf(newMachine('', {...numbers, vertical: NaN}, 'disc 75x25 40 ShA'));
+  assert.equal(byPath.get('element_types\0mount\0type')!.raw, '"catalogue:disc 75x25 40 ShA"');
+  assert.ok(!byPath.has('element_types\0mount\0translation') && byPath.has('requirements\0mount_load'));
+  assert.equal(wrongNumber({...numbers, vertical: NaN}, 'disc 75x25 40 ShA'), '');
+  assert.match(wrongNumber({...numbers, vertical: NaN}), /^Vertical/);
+});

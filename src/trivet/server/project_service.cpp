@@ -11,6 +11,7 @@
 #include "trivet/documents/json_text.h"
 #include "trivet/engine/program.h"
 #include "trivet/project/case_changes.h"
+#include "trivet/project/elements/catalogue.h"
 #include "trivet/project/unopened_text.h"
 #include "trivet/server/page_files.h"
 
@@ -41,6 +42,19 @@ Json examples_json() {
   for (const EmbeddedFile& file : example_files()) {
     const std::string name(file.name), text(file.content);
     list.push_back({{"name", name}, {"title", project::title_in_text(text, name)}, {"text", text}});
+  }
+  return list;
+}
+
+/// Of the generic catalogue, for the form of a new machine.
+Json mounts_json() {
+  Json list = Json::array();
+  for (const project::Mount& mount : project::generic_catalogue().mounts) {
+    const auto& along_axis = mount.rating.load[2];
+    const Eigen::Vector3d& k = mount.translation;
+    list.push_back({{"name", mount.name},
+                    {"stiffness", Json::array({k.x(), k.y(), k.z()})},
+                    {"static_load", along_axis ? Json::array({along_axis->x(), along_axis->y()}) : Json(nullptr)}});
   }
   return list;
 }
@@ -138,6 +152,7 @@ Answer ProjectService::project() {
               {"resume_key", resume_key_}};
   if (file_.empty()) {
     answer["examples"] = examples_json();
+    answer["mounts"] = mounts_json();
     return {.body = documents::json::text(answer)};
   }
   const FileState state = read_state(file_);
