@@ -38,7 +38,7 @@ export class Asker {
   private restTimer: ReturnType<typeof setTimeout> | undefined;
   private readonly listeners = new Set<() => void>();
 
-  constructor(private readonly engine: Engine, private readonly state: State, private readonly wishes: () => Wish[]) {
+  constructor(private readonly engine: Pick<Engine, 'ask'>, private readonly state: State, private readonly wishes: () => Wish[]) {
     state.subscribe(() => this.next());
   }
 

@@ -6,6 +6,7 @@ import type {FrequencyUnit} from './quantities.ts';
 /// The motion that the machine makes on the page.
 export type Shown = {kind: 'mode'; number: number} | {kind: 'frequency'; omega: number} | {kind: 'rest'};
 export type Theme = 'light' | 'dark';
+export type Table = 'modes' | 'requirements' | 'mounts' | 'peaks' | 'map';
 
 export class Display {
   theme: Theme = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
@@ -25,6 +26,7 @@ export class Display {
   drawn: readonly string[] = [];  // names of the results that are drawn as curves; empty: not yet known
   pins: readonly string[] = [];  // numbers of the tree that are sliders, too
   leftTab: 'sliders' | 'model' | 'text' = 'sliders';
+  table: Table | null = null;  // shown below the curves; null: the one that suits the file
   notice = '';  // one sentence for a few seconds
   private readonly listeners = new Set<() => void>();
 

@@ -101,16 +101,25 @@ export class ServerEngine implements Engine {
   }
 
   /// An unedited text is not sent again, unless the program has opened another version of the file meanwhile.
-  async ask(revision: number, {text, version, settings, case: name}: Change, wants: readonly Want[], signal?: AbortSignal): Promise<Answer> {
+  ask(...question: Parameters<Engine['ask']>): Promise<Answer> {
+    return this.askAs(this.client, ...question);
+  }
+  /// The same program for questions beside those of the page: neither ends the other.
+  beside(): Pick<Engine, 'ask'> {
+    const client = crypto.randomUUID();
+    return {ask: (...question) => this.askAs(client, ...question)};
+  }
+  private async askAs(client: string, revision: number, {text, version, settings, case: name}: Change, wants: readonly Want[],
+                      signal?: AbortSignal): Promise<Answer> {
     const question = {revision, settings, case: name, wants}, began = {at: performance.now()};
     this.underWay.add(began);
     try {
       if (version && version !== this.closed) {
-        const response = await this.request('/ask', {version, ...question}, signal);
+        const response = await this.request('/ask', {version, ...question}, signal, client);
         if (response.status !== 412) return await content<Answer>(response);
         this.closed = version;
       }
-      return await this.post<Answer>('/ask', {text, ...question}, signal);
+      return await content<Answer>(await this.request('/ask', {text, ...question}, signal, client));
     } finally {
       this.underWay.delete(began);
     }
@@ -136,10 +145,10 @@ export class ServerEngine implements Engine {
   }
 
   private get = async <T>(path: string): Promise<T> => content<T>(await this.request(path));
-  private post = async <T>(path: string, data: unknown, signal?: AbortSignal): Promise<T> => content<T>(await this.request(path, data, signal));
-  private async request(path: string, data?: unknown, signal?: AbortSignal): Promise<Response> {
+  private post = async <T>(path: string, data: unknown): Promise<T> => content<T>(await this.request(path, data));
+  private async request(path: string, data?: unknown, signal?: AbortSignal, client: string = this.client): Promise<Response> {
     if (this.isLost) throw new EngineError(SILENT);  // until `version` finds it again: nothing goes to a stranger
-    const headers: Record<string, string> = {'X-Trivet-Token': this.token, 'X-Trivet-Client': this.client};
+    const headers: Record<string, string> = {'X-Trivet-Token': this.token, 'X-Trivet-Client': client};
     if (data !== undefined) headers['Content-Type'] = 'application/json';
     const response = await this.fetched(path, data === undefined ? {headers} : {method: 'POST', headers, body: JSON.stringify(data), ...(signal ? {signal} : {})});
     if (response.status === 401) this.isLost = true;  // another start of the program, or another program

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Starts the page of `trivet serve`.
 import {Asker, type Wish} from './asker.ts';
+import {BesideResults} from './beside.ts';
 import {Display} from './display.ts';
-import {ServerEngine} from './engine.ts';
+import {ServerEngine, type Engine} from './engine.ts';
 import {hasSomethingToJudge} from './judgement.ts';
 import {PageShell} from './page_shell.ts';
 import {App} from './part.ts';
@@ -10,14 +11,21 @@ import {ProjectFile} from './project_file.ts';
 import {Schema} from './schema.ts';
 import {State} from './state.ts';
 import {tokenOfTab} from './token.ts';
-import {wishes} from './wishes.ts';
+import {questionsBeside, wishes} from './wishes.ts';
 
 async function start() {
-  const engine = new ServerEngine(tokenOfTab()), project = await engine.project();
+  const token = tokenOfTab(), engine = new ServerEngine(token), project = await engine.project();
   const state = new State(), display = new Display();
   const wanted = (): Wish[] => (state.design.text ? wishes(display, {hasSomethingToJudge: hasSomethingToJudge(app), hasSteady: app.index.byPath.has('analyses\0steady')}) : []);
-  const asker = new Asker(engine, state, wanted), file = new ProjectFile(engine, project, state, asker, notice => display.set({notice}));
-  const app: App = new App(engine, project, state, display, asker, file);
+  const beside = new BesideResults(engine.beside(), () => questionsBeside(app));
+  const first: Pick<Engine, 'ask'> = {ask(...question) {  // the page does not wait for what is beside it
+    beside.yield();
+    return engine.ask(...question);
+  }};
+  const asker = new Asker(first, state, wanted), file = new ProjectFile(engine, project, state, asker, notice => display.set({notice}));
+  const app: App = new App(engine, project, state, display, asker, file, beside);
+  state.subscribe(beside.rest);
+  asker.subscribe(beside.rest);
   const shell = new PageShell();
   shell.app = app;
   file.begin();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {LitElement} from 'lit';
 import type {Asker} from './asker.ts';
+import type {BesideResults} from './beside.ts';
 import type {Display} from './display.ts';
 import type {Engine, Project} from './engine.ts';
 import {indexOf, type TextIndex} from './numbers_of_text.ts';
@@ -14,7 +15,7 @@ export class App {
   private indexed: {text: string; index: TextIndex} | null = null;
 
   constructor(readonly engine: Engine, readonly project: Project, readonly state: State, readonly display: Display, readonly asker: Asker,
-              readonly file: ProjectFile) {}
+              readonly file: ProjectFile, readonly beside: BesideResults) {}
 
   /// Names of the cases of the present text; "" is the base model.
   get cases(): string[] {
@@ -33,7 +34,7 @@ export class App {
 export class Part extends LitElement {
   static override properties = {app: {attribute: false}};
   declare app: App;
-  private unsubscribe: (() => void)[] = [];
+  protected unsubscribe: (() => void)[] = [];
 
   override createRenderRoot(): HTMLElement | ShadowRoot { return this; }
   override connectedCallback() {

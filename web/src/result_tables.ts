@@ -1,28 +1,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
 import {hasSomethingToJudge} from './judgement.ts';
-import {Part} from './part.ts';
+import type {Table} from './display.ts';
+import './map_panel.ts';
+import {Part, type App} from './part.ts';
 import {frequency, number, withUnit} from './quantities.ts';
 import type {Check, Curves, Modes, Roots, Verdict} from './results.ts';
 
-const TABS = {modes: 'Modes', requirements: 'Requirements', mounts: 'Mounts', peaks: 'Peaks'} as const;
-type Tab = keyof typeof TABS;
+const TABS: Record<Table, string> = {modes: 'Modes', requirements: 'Requirements', mounts: 'Mounts', peaks: 'Peaks', map: 'Map'};
 const COORDINATES = ['x', 'y', 'z', 'θx', 'θy', 'θz'];
+
+export const hasMap = (app: App) => app.index.byPath.has('analyses\0map');
+/// The table that the user chose, or the one that suits the file.
+export function tableOnPage(app: App): Table {
+  const {table} = app.display, usual = hasSomethingToJudge(app) ? 'requirements' : hasMap(app) ? 'map' : 'modes';
+  return table && (table !== 'map' || hasMap(app)) ? table : usual;
+}
 
 /// Tables of the results: modes with their energies, margins of requirements, loads of mounts, peaks.
 export class ResultTables extends Part {
-  static override properties = {...Part.properties, tab: {state: true}};
-  declare tab: Tab | null;
-
-  constructor() {
-    super();
-    this.tab = null;
-  }
   override render() {
-    const tab = this.tab ?? (hasSomethingToJudge(this.app) ? 'requirements' : 'modes');
-    const bodies: Record<Tab, () => unknown> = {modes: () => this.modes(), requirements: () => this.requirements(), mounts: () => this.mounts(), peaks: () => this.peaks()};
-    return html`<div class="tabs" role="tablist" aria-label="Tables">${(Object.keys(TABS) as Tab[]).map(t => html`<button role="tab" id="tab-${t}" aria-controls="table-panel" aria-selected=${t === tab} @click=${() => { this.tab = t; }}>${TABS[t]}</button>`)}</div>
+    const {app} = this, tab = tableOnPage(app);
+    const bodies: Record<Table, () => unknown> = {modes: () => this.modes(), requirements: () => this.requirements(), mounts: () => this.mounts(), peaks: () => this.peaks(),
+                                                  map: () => html`<map-panel .app=${app}></map-panel>`};
+    const shown = (Object.keys(TABS) as Table[]).filter(t => t !== 'map' || hasMap(app));
+    return html`<div class="tabs" role="tablist" aria-label="Tables">${shown.map(t => html`<button role="tab" id="tab-${t}" aria-controls="table-panel" aria-selected=${t === tab} @click=${() => this.choose(t)}>${TABS[t]}</button>`)}</div>
       <div class="scroll table" role="tabpanel" id="table-panel" aria-labelledby="tab-${tab}" tabindex="0">${bodies[tab]()}</div>`;
+  }
+  private choose(table: Table) {
+    this.app.display.set({table});
+    this.app.beside.rest();
   }
   private modes() {
     const {asker, display} = this.app, modes = asker.result<Modes>('modes'), roots = asker.result<Roots>('roots');

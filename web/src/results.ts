@@ -196,3 +196,26 @@ export interface Verdict {
 export interface Check {
   mounts?: {case: string; element: string; compression: number; across: number; deflection: number}[];
 }
+
+export interface MapAxis {
+  parameter: string;  // a path, or a name of [parameters]
+  name: string;
+  from: number;
+  to: number;
+  unit: string;
+  spacing: 'linear' | 'logarithmic';
+  points: number;
+}
+/// Many designs over two numbers, judged by the program.
+export interface DesignMap {
+  x: MapAxis;
+  y: MapAxis;
+  rules: {words: string; governs_kept: number; governs_broken: number}[];
+  designs: number;
+  kept: number;
+  feasible: {share: number; boundary: (readonly [number, number])[][]};
+  best: {x: number; y: number; margin: number | null; governing: number | 'none'; kept: boolean} | null;
+  marks: {case: string; x: number | null; y: number | null; of_this_model: boolean; kept?: boolean; margin?: number | null}[];
+  grid: {margin: (number | null)[]; governing: (number | string)[]};  // row after row of y, x fastest
+}
+export type DesignMaps = DesignMap | {pairs: DesignMap[]};

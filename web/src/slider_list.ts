@@ -27,6 +27,9 @@ type InCase = (path: string) => string;
 export const settingsOf = ({paths, unit}: Slider, value: number) =>
   Object.fromEntries(paths.map(({path, factor}) => [path, written(value * factor, unit)]));
 
+/// What a parameter of the file moves.
+export const pathsOfParameter = (name: string, index: TextIndex) => pathsOf(index.byPath.get(['parameters', name, 'path'].join('\0')), index);
+
 const textOf = (entry?: Entry) => (entry?.raw ?? '').replace(/^["']|["']$/g, '');
 
 function ofParameters(design: Design, index: TextIndex, inCase: InCase): Slider[] {

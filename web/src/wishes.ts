@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type {Wish} from './asker.ts';
+import type {Question} from './beside.ts';
 import type {Display} from './display.ts';
+import type {App} from './part.ts';
+import {pathsOfParameter} from './slider_list.ts';
+import {pathParts} from './toml_outline.ts';
+import {tableOnPage} from './result_tables.ts';
 
 /// Commands whose results are on the page.
 export function wishes(display: Display, {hasSomethingToJudge, hasSteady}: {hasSomethingToJudge: boolean; hasSteady: boolean}): Wish[] {
@@ -16,4 +21,20 @@ function curves({drawn}: Display): Wish[] {
   const finished = {want: {command: 'curves'}};
   if (!drawn.length) return [finished];  // which ones are drawn is not yet known
   return [{want: {command: 'curves', keys: {draft: true, of: drawn}}, as: 'draft'}, {...finished, exact: true}];
+}
+
+const PATIENCE = 1000;  // ms for a map that nobody asked for
+
+/// Results beside those of the state: the map, while it is shown. It does not depend on the numbers along its axes.
+export function questionsBeside(app: App): Question[] {
+  if (!app.state.design.text || tableOnPage(app) !== 'map') return [];
+  const {change} = app.state, moved = mapPaths(app);
+  const settings = change.settings.filter(s => !moved.has(s.slice(0, s.indexOf(' = '))));
+  return [{key: 'map', change: {...change, settings}, want: {command: 'map'}, patience: PATIENCE}];
+}
+/// Paths that the axes of the map move.
+function mapPaths({index}: App): Set<string> {
+  const text = (path: string[]) => index.byPath.get(path.join('\0'))?.raw.replace(/^["']|["']$/g, '');
+  const axes = ['x', 'y'].map(axis => text(['analyses', 'map', axis, 'parameter'])).filter(p => p !== undefined);
+  return new Set(axes.flatMap(name => (pathParts(name).length > 1 ? [name] : pathsOfParameter(name, index).map(p => p.path))));
 }
