@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""In a browser, on a wide and on a narrow screen: no label of a picture lies on another or leaves its picture, and no page is
-wider than its window."""
+"""In a browser, on a wide and on a narrow screen: no label of a picture lies on another or leaves its picture, no mark of a
+mode on a peak, no cell is squeezed to one word a line, and no page is wider than its window."""
 import html
 import json
 import os
@@ -19,6 +19,8 @@ EXAMPLES = (
     "optical_table/table",
     "roll_stop/idle",
     "bogie/loaded_frame",
+    "isolator/hardening",
+    "microscope/microscope",
 )
 WIDTHS = (1280, 390)
 # Boxes of texts; of slanted ones only the centre is known to be covered.
@@ -51,9 +53,35 @@ addEventListener('load', () => setTimeout(() => {
     check(svg.querySelector('title').textContent, texts, room, room.width / svg.viewBox.baseVal.width);
   }
   for (const marks of document.querySelectorAll('.marks')) check('marks', [...marks.querySelectorAll('b')], null, 1);
+  for (const marks of document.querySelectorAll('.marks'))
+    for (const mode of marks.querySelectorAll('.mode'))
+      for (const peak of marks.querySelectorAll('.peak'))
+        if (covered(mode.getBoundingClientRect(), peak.getBoundingClientRect()) > 5)  // beyond the ring that is drawn
+          found.push(`the mark of a mode covers the peak "${peak.title}"`);
+  for (const cell of document.querySelectorAll('.scroll > table :is(td, th)')) {
+    const range = document.createRange(), {width} = cell.getBoundingClientRect();
+    range.selectNodeContents(cell);
+    const lines = range.getBoundingClientRect().height / parseFloat(getComputedStyle(cell).lineHeight);
+    const isHidden = cell.closest('thead') && getComputedStyle(cell.closest('thead')).clipPath !== 'none';
+    if (!isHidden && lines > 3.5 && width < 110)
+      found.push(`the cell "${words(cell)}" has ${Math.round(lines)} lines of ${Math.round(width)} px`);
+  }
+  for (const cell of document.querySelectorAll('td[data-heading]')) {
+    const style = getComputedStyle(cell, '::before'), probe = document.createElement('span');
+    if (style.content === 'none') continue;
+    probe.textContent = cell.dataset.heading;
+    for (const key of ['display', 'width', 'font', 'whiteSpace', 'overflowWrap']) probe.style[key] = style[key];
+    cell.append(probe);
+    if (probe.scrollWidth > probe.clientWidth + 1)
+      found.push(`the heading "${cell.dataset.heading}" lies on its value`);
+    probe.remove();
+  }
+  const filters = new Set([...document.querySelectorAll('.legend svg, .picture')].map(one => getComputedStyle(one).filter));
+  if (filters.size > 1) found.push('curves and their legend differ in colour');
   const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
   if (wide > 0) found.push(`the page is ${wide} px wider than the window`);
-  parent.postMessage(JSON.stringify({measured, found}), '*');
+  const marks = document.getElementById('marks').textContent;
+  parent.postMessage(JSON.stringify({measured, found, marks}), '*');
 }, 1500));
 """
 FRAME = """<iframe src="measured.html" style="width:{width}px;height:9000px;border:0"></iframe><pre id="answer"></pre>
@@ -62,7 +90,7 @@ FRAME = """<iframe src="measured.html" style="width:{width}px;height:9000px;bord
 
 @unittest.skipUnless(BROWSER, "no browser")
 class Overlaps(InTemporaryFolder):
-    def answer(self, page, width):
+    def answer(self, page, width, scheme="1"):
         """Of the page in a frame: windows have a least width."""
         page.with_name("measured.html").write_text(
             page.read_text().replace("</head>", f"<script>{MEASURE}</script></head>", 1)
@@ -70,6 +98,7 @@ class Overlaps(InTemporaryFolder):
         frame = page.with_name("frame.html")
         frame.write_text(FRAME.format(width=width))
         arguments = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking"]
+        arguments += [f"--blink-settings=preferredColorScheme={scheme}"]
         arguments += ["--window-size=1400,9000", "--virtual-time-budget=9000", "--allow-file-access-from-files"]
         done = subprocess.run(
             [BROWSER, *arguments, f"--user-data-dir={self.folder / 'profile'}", "--dump-dom", frame.as_uri()],
@@ -91,6 +120,14 @@ class Overlaps(InTemporaryFolder):
                     answer = self.answer(target / "report.html", width)
                     self.assertEqual(answer["found"], [])
                     self.assertGreater(answer["measured"], 10)
+
+    def test_a_legend_in_the_dark_has_the_colours_of_its_curves_and_explains_only_marks_that_are_drawn(self):
+        """The fan has modes and no peaks."""
+        target = self.folder / "fan"
+        trivet("run", SOURCE / "examples/fan/fan.toml", "-o", target)
+        answer = self.answer(target / "report.html", 1280, scheme="0")
+        self.assertEqual(answer["found"], [])
+        self.assertEqual(answer["marks"], "Grey ticks on the upper edge: undamped natural frequencies.")
 
 
 if __name__ == "__main__":

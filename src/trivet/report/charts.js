@@ -7,6 +7,7 @@ const view = {case: 0, ylog: null, xlog: false, hz: false, zoom: null, compare: 
 let charts = [];        // of the selected case
 let comparison = null;  // the chart of all cases
 const axisFactor = () => (view.hz ? 1 / TURN : frequency?.factor ?? 1);  // from rad/s to the unit of the frequency axes
+const isOnPaper = chart => Boolean(chart.width);  // low: the caption names the amplitude, the last number the unit
 const FEW_POINTS = 24;  // so few points of a response are drawn as dots, because the line between them shows little
 
 const byId = id => document.getElementById(id);
@@ -61,6 +62,12 @@ function isSpiky(chart) {
   return common > 0 && largestOf(lines.map(highest)) > spiky * common;
 }
 
+/// Share of the height of a chart that the marks of modes on its upper edge and a circle below them need.
+function roomOfMarks(chart) {
+  const marks = 20, above = 10, axis = 24, label = isOnPaper(chart) ? 0 : 18;  // [px]
+  return chart.modes.length ? marks / (chart.height - above - axis - label) : 0.057;
+}
+
 /// Range of the amplitude axis: all shown curves and peaks, and limits near them.
 function amplitudeRange(chart) {
   const range = frequencyRange(chart), curves = shownCurves(chart), lines = curves.map(c => inRange(c, ...range));
@@ -72,27 +79,33 @@ function amplitudeRange(chart) {
   const limits = limitsOf(chart).map(l => l.limit).filter(l => l <= largest * (log ? 100 : 3));
   const top = Math.max(largest, ...limits);
   if (!(top > 0)) return log ? [0.1, 1] : [0, 1];
-  if (!log) return [0, 1.06 * top];
+  const room = roomOfMarks(chart);
+  if (!log) return [0, top / (1 - room)];
   const alive = lines.map(line => line.map(p => p[1])).filter(values => largestOf(values) > 1e-9 * largest);
   const least = Math.max(smallestOf(alive.map(smallestOf)), 1e-8 * largest), from = Math.min(least / 1.6, top / 10);
-  return [from, top * (top / from) ** 0.06];
+  return [from, top * (top / from) ** (room / (1 - room))];
 }
 
-/// Range of the phase axis: ±180° with some space, or more in multiples of 90° for continuous phases.
+/// Phases of the curves: ±180°, or more in multiples of 90° for continuous phases.
 function phaseRange(curves) {
   const angles = curves.flatMap(c => c.phase).filter(v => v !== null);
   const low = Math.min(-180, Math.floor(smallestOf(angles) / 90 + 1e-9) * 90);
-  const high = Math.max(180, Math.ceil(largestOf(angles) / 90 - 1e-9) * 90), air = 0.02 * (high - low);
-  return [low - air, high + air];
+  return [low, Math.max(180, Math.ceil(largestOf(angles) / 90 - 1e-9) * 90)];
+}
+/// Range of the phase axis, with some space and that of the marks.
+function phaseAxis(chart) {
+  const [low, high] = chart.phase, room = roomOfMarks(chart), air = 0.02 * (high - low);
+  return [low - air, high + Math.max(air, chart.modes.length ? (high - low) * room / (1 - room) : 0)];
 }
 
 /// Ticks of a logarithmic axis; uPlot's own start at its lower end, which is not round after a zoom.
-function logarithmicTicks(from, to, step) {
+/// @param length  of the axis [px]; lines closer than 2 px within a decade would be a grey area
+function logarithmicTicks(from, to, step, length) {
   const ticks = [], decades = Math.log10(to / from);
   if (decades < 1) for (let k = Math.ceil(from / step); k * step <= to; k++) ticks.push(k * step);
   else
     for (let k = Math.floor(Math.log10(from)); k <= Math.log10(to); k++)
-      for (let digit = 1; digit <= (decades > 4 ? 1 : 9); digit++) ticks.push(digit * Number(`1e${k}`));
+      for (let digit = 1; digit <= (length / decades < 44 ? 1 : 9); digit++) ticks.push(digit * Number(`1e${k}`));
   return ticks.filter(tick => tick >= from && tick <= to);
 }
 /// Labels of powers of ten, as many as there is room for, and of 2 and 5 times them on a short axis.
@@ -197,14 +210,24 @@ function amplitudeWords(chart, u) {
   const top = u.scales.y.max ?? amplitudeRange(chart)[1];  // before the first drawing
   return `${name} [${multiple(top, chart.unit).unit}]`;
 }
-/// Frequency axis and amplitude or phase axis. A chart with a caption has its amplitude's name there.
+const frequencyLabel = () => (view.hz ? 'f [Hz]' : frequency?.label ?? 'ω [rad/s]');
+const frequencyUnit = () => (view.hz ? 'Hz' : frequency?.unit ?? 'rad/s');
+/// Numbers of an axis, the last one with a unit: "5", "", "20 Hz".
+function withUnitAtEnd(texts, unit) {
+  const last = texts.findLastIndex(Boolean);
+  return texts.map((text, i) => (i === last ? `${text} ${unit}` : text));
+}
+/// Frequency axis and amplitude or phase axis.
 function axesOf(chart) {
   const logarithmic = {filter: (u, ticks) => ticks,
-                       splits: (u, axis, from, to, step) => logarithmicTicks(from, to, step)};
+                       splits: (u, axis, from, to, step) =>
+                         logarithmicTicks(from, to, step, (axis ? u.bbox.height : u.bbox.width) / uPlot.pxRatio)};
   const labels = (ticks, log, room) => (log ? logarithmicLabels(ticks, room) : ticks.map(tick => number(tick, 8)));
   const ylog = isLogarithmic(chart), suited = u => multiple(u.scales.y.max, chart.unit);
-  const x = {...AXIS, label: view.hz ? 'f [Hz]' : frequency?.label ?? 'ω [rad/s]', size: 24, space: 50,
-             values: (u, ticks) => labels(ticks, view.xlog, u.width / 50),
+  const frequencies = (u, ticks) => labels(ticks, view.xlog, u.width / 50);
+  const x = {...AXIS, label: isOnPaper(chart) ? null : frequencyLabel(), size: 24, space: 50,
+             values: (u, ticks) => (isOnPaper(chart) ? withUnitAtEnd(frequencies(u, ticks), frequencyUnit())
+                                                     : frequencies(u, ticks)),
              ...(view.xlog ? logarithmic : {})};
   const angles = {...AXIS, label: 'phase [°]', size: 50, space: 22, incrs: [45, 90, 180, 360, 720, 1440, 3600, 14400]};
   const amplitudes = {...AXIS, label: chart.caption ? null : u => amplitudeWords(chart, u), size: 50,
@@ -218,16 +241,17 @@ function seriesOf(chart, curve) {
   return {label: curve.label, pxAlign: 0, stroke: few ? `${curve.colour}59` : curve.colour, width: 1.7,
           dash: curve.dash.map(length => length * uPlot.pxRatio),
           show: !view.hidden.has(curve.key) && !(chart.phase && curve.vanishes),
-          paths: chart.phase && chart.phase[1] < 190 ? wrappedPath : undefined,
+          paths: chart.phase && chart.phase[1] === 180 ? wrappedPath : undefined,
           points: {show: few, size: 6, width: 0, fill: curve.colour}};
 }
 function optionsOf(chart) {
   const [from, to] = frequencyRange(chart).map(w => w * axisFactor()), ylog = isLogarithmic(chart) && !chart.phase;
   return {
-    width: chart.width ?? Math.max(280, chart.holder.clientWidth), height: chart.height, padding: [10, 12, 0, 0],
+    width: chart.width ?? Math.max(280, chart.holder.clientWidth), height: chart.height,
+    padding: [10, isOnPaper(chart) ? 28 : 12, 0, 0],
     legend: {show: false}, axes: axesOf(chart), series: [{}, ...chart.curves.map(curve => seriesOf(chart, curve))],
     scales: {x: {time: false, distr: view.xlog ? 3 : 1, min: from, max: to, range: (u, low, high) => [low, high]},
-             y: {distr: ylog ? 3 : 1, range: () => chart.phase || amplitudeRange(chart)}},
+             y: {distr: ylog ? 3 : 1, range: () => (chart.phase ? phaseAxis(chart) : amplitudeRange(chart))}},
     cursor: {y: false, move: (u, x, y) => snapped(chart, u, x, y), dataIdx: nearestPoint, points: {size: 7},
              drag: {x: true, y: false, setScale: false, dist: 6}, bind: bindings,
              sync: {key: 'ω', scales: ['x', null], filters: {pub: type => type === 'mousemove'}}},

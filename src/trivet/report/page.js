@@ -24,8 +24,12 @@ function chartsOfCase(index, options = {}) {
     html('div', {}, html('h3', {}, name), rows.filter(members => members.length).map(members => row(name, members))));
   return {nodes, charts: made};
 }
+/// What the marks in the charts of a case mean.
+const marksWords = ({peaks, modes}) => [peaks.length ? 'Circles: resonance peaks.' : '',
+  modes.length ? 'Grey ticks on the upper edge: undamped natural frequencies.' : ''].filter(Boolean).join(' ');
 function buildCharts() {
   const made = chartsOfCase(view.case);
+  byId('marks').textContent = marksWords(cases[view.case]);
   charts = made.charts;
   byId('pictures').replaceChildren(...made.nodes);
   byId('characteristics').hidden = !made.nodes.length;
@@ -82,7 +86,7 @@ function refresh(what = 'all') {
   byId('case').value = view.case;
   const range = allCharts().length ? frequencyRange(allCharts()[0]) : [0, 0];
   [byId('from').value, byId('to').value] = range.map(w => Number((w * axisFactor()).toPrecision(5)));
-  byId('zoom-unit').textContent = view.hz ? 'Hz' : frequency?.unit ?? 'rad/s';
+  byId('zoom-unit').textContent = frequencyUnit();
   byId('unzoom').disabled = !view.zoom;
   document.querySelectorAll('.glance tbody tr').forEach((row, i) =>
     row.classList.toggle('selected', i === view.case && cases.length > 1));

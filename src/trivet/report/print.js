@@ -35,8 +35,6 @@ function viewWords() {
   if (hidden.length) words.push(`Not drawn: ${hidden.join(', ')}.`);
   return words.length ? html('p', {class: 'hint'}, words.join(' ')) : null;
 }
-const drawnWords = 'Circles: resonance peaks. Grey ticks on the upper edge: undamped natural frequencies.';
-
 /// Heading, charts, results and tables of a case.
 function paperCase(index) {
   const {nodes, charts: made} = chartsOfCase(index, PAPER_CHART);
@@ -45,7 +43,7 @@ function paperCase(index) {
   const [head, ...rest] = document.querySelectorAll(`[data-case="${index}"]`);
   moveForPrint(head, page);
   if (nodes.length)
-    page.append(html('section', {}, title, html('p', {class: 'hint'}, drawnWords), viewWords(), nodes));
+    page.append(html('section', {}, title, html('p', {class: 'hint'}, marksWords(cases[index])), viewWords(), nodes));
   for (const block of rest) moveForPrint(block, page);
   return page;
 }
@@ -146,6 +144,8 @@ function divideLongTables() {
       if (!fitTable(table, widthsOnOneLine([table])[0], HALF)) return;
     }
     parentNode.classList.add('side-by-side');
+    table.classList.add('one-line');  // as measured: its headings are wrapped, its cells are not
+    undo.push(() => table.classList.remove('one-line'));
     const columns = Math.min(most, Math.max(2, Math.floor(PAPER_WIDTH / (widths[k] + COLUMN_GAP))));
     parentNode.style.columnCount = columns;
     // A short one does not continue on the next page, where its headings might be missing.
