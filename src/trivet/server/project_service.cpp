@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/server/project_service.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "trivet/documents/json_text.h"
+#include "trivet/engine/answer.h"
 #include "trivet/engine/program.h"
 #include "trivet/project/case_changes.h"
 #include "trivet/project/elements/catalogue.h"
@@ -22,8 +21,6 @@ using documents::json::Json;
 using foundation::Problems;
 
 constexpr const char* unsaved_name = "machine.toml";  // in messages of a page without a project
-
-Json problems_json(const Problems& problems) { return Json::parse(engine::errors_json(problems))["problems"]; }
 
 /// Commands whose result a page can have: those with JSON.
 Json commands_json() {
@@ -59,48 +56,9 @@ Json mounts_json() {
   return list;
 }
 
-/// What a page must not want: it reads results, and only /save writes.
-Problems want_problems(const engine::Request& want) {
-  Problems problems;
-  const engine::Command* command = engine::find_command(want.command);
-  if (!command) return problems;  // reported by the session
-  if (!command->json || command->for_programs)
-    problems.error("wants", want.command, "a page can want commands with --json", "run it in a terminal");
-  for (const engine::Key& key : command->keys)
-    for (const auto& [name, value] : want.keys)
-      if (key.kind == engine::KeyKind::file && name == key.name)
-        problems.error(want.command + "." + name, "", "a page writes no files but the project", "leave the key out");
-  return problems;
-}
-
-engine::Result refused_result(const engine::Request& want, Problems problems) {
-  engine::Result result;
-  result.command = want.command;
-  result.errors = std::move(problems);
-  return result;
-}
-
-/// One entry of "results"; "json" has the bytes that the command prints with --json.
-std::string result_text(const engine::Result& result) {
-  const bool ok = !result.errors.has_errors() && result.failure.empty();
-  std::string text =
-      documents::json::text({{"command", result.command},
-                             {"ok", ok},
-                             {"problems", problems_json(ok ? engine::shown_warnings(result) : result.errors)},
-                             {"failure", result.failure},
-                             {"failures", result.failures},
-                             {"notes", result.notes}});
-  text.back() = ',';
-  return text + "\"json\":" + (ok && result.json ? engine::whole(result.json) : "null") + "}";
-}
-
-Problems warnings_of(const engine::Session& session, const std::string& case_name) {
-  const std::vector<std::string> cases = session.case_names();
-  return std::ranges::find(cases, case_name) == cases.end() ? Problems() : session.model(case_name).warnings;
-}
-
 Answer unprocessable(const std::string& sentence, const Problems& problems) {
-  return {.status = 422, .body = documents::json::text({{"error", sentence}, {"problems", problems_json(problems)}})};
+  return {.status = 422,
+          .body = documents::json::text({{"error", sentence}, {"problems", engine::problem_list(problems)}})};
 }
 
 Answer another_version() {
@@ -134,7 +92,7 @@ void ProjectService::open(const FileState& state) {
   opened_ = state;
 }
 
-std::optional<std::string> ProjectService::text_of(const PageQuestion& question) const {
+std::optional<std::string> ProjectService::text_of(const engine::Question& question) const {
   if (question.text) return question.text;
   FileState state = opened();
   if (!question.version.empty() && question.version != state.version) return std::nullopt;
@@ -161,7 +119,7 @@ Answer ProjectService::project() {
   std::vector<std::string> cases{""};
   if (!state.version.empty()) {
     const auto session = sessions_.of(state.text, {});
-    problems = session ? warnings_of(**session, "") : session.error();
+    problems = session ? engine::warnings_of(**session, "") : session.error();
     if (session) cases = (*session)->case_names();
   }
   answer["name"] = std::filesystem::path(file_).filename().string();
@@ -170,39 +128,21 @@ Answer ProjectService::project() {
   answer["version"] = state.version;
   answer["read_only"] = read_only_;
   answer["cases"] = cases;
-  answer["problems"] = problems_json(problems);
+  answer["problems"] = engine::problem_list(problems);
   return {.body = documents::json::text(answer)};
 }
 
 Answer ProjectService::ask(const std::string& body, const foundation::Progress& progress) {
-  PageQuestion question = read_question(body);
+  const engine::Question question = engine::read_question(body);
   const auto text = text_of(question);
   if (!text) return another_version();
   foundation::report_progress(progress, "opening the project", 0);
-  const auto session = sessions_.of(*text, question.settings);
-  const Problems refused = session ? Problems() : sessions_.refused_files(*text, question.settings);
-  std::string results;
-  for (engine::Request& want : question.wants) {
-    foundation::report_progress(progress, want.command, 0);
-    const engine::Command* command = engine::find_command(want.command);
-    if (command && command->of_one_case) want.case_name = question.case_name;
-    if (Problems problems = want_problems(want); problems.has_errors()) {
-      results += (results.empty() ? "" : ",") + result_text(refused_result(want, std::move(problems)));
-    } else if (session) {
-      results += (results.empty() ? "" : ",") + result_text((*session)->ask(want, progress));
-    } else if (!refused.has_errors()) {  // a wrong table that this command does not look at is no reason against it
-      const auto own = sessions_.only_for(want, *text, question.settings);
-      results += (results.empty() ? "" : ",") +
-          result_text(own ? own->ask(want, progress) : refused_result(want, own.error()));
-    }
-  }
-  std::string head = documents::json::text(
-      {{"revision", question.revision},
-       {"ok", session.has_value()},
-       {"version", opened().version},
-       {"problems", problems_json(session ? warnings_of(**session, question.case_name) : session.error())}});
-  head.back() = ',';
-  return {.body = head + "\"results\":[" + results + "]}"};
+  engine::Questioned questioned{.session = sessions_.of(*text, question.settings), .version = opened().version};
+  if (!questioned.session && !sessions_.refused_files(*text, question.settings).has_errors())
+    questioned.only_for = [&](const engine::Request& want) {
+      return sessions_.only_for(want, *text, question.settings);
+    };
+  return {.body = engine::answer_json(question, questioned, progress)};
 }
 
 foundation::Expected<std::string> ProjectService::new_text(const std::string& text,
@@ -216,7 +156,7 @@ foundation::Expected<std::string> ProjectService::new_text(const std::string& te
 }
 
 foundation::Expected<std::string> ProjectService::text_with_new_case(const std::string& text,
-                                                                      const PageQuestion& question) const {
+                                                                      const engine::Question& question) const {
   if (Problems refused = sessions_.refused_files(text, question.settings); refused.has_errors())
     return tl::make_unexpected(std::move(refused));
   return project::text_with_case(text, file_.empty() ? unsaved_name : file_, *question.new_case, question.case_name,
@@ -224,7 +164,7 @@ foundation::Expected<std::string> ProjectService::text_with_new_case(const std::
 }
 
 Answer ProjectService::text(const std::string& body) {
-  const PageQuestion question = read_question(body);
+  const engine::Question question = engine::read_question(body);
   const auto given = text_of(question);
   if (!given) return another_version();
   const auto text = question.new_case ? text_with_new_case(*given, question) : new_text(*given, question.settings);
@@ -233,7 +173,7 @@ Answer ProjectService::text(const std::string& body) {
 }
 
 Answer ProjectService::save(const std::string& body) {
-  const PageQuestion question = read_question(body);
+  const engine::Question question = engine::read_question(body);
   if (read_only_) return error_answer(403, "the server was started with --read-only; nothing is saved");
   if (file_.empty()) return error_answer(409, "the page was opened without a project file; start trivet serve FILE");
   const std::scoped_lock guard(saving_);

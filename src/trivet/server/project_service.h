@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "trivet/engine/question.h"
 #include "trivet/foundation/interruption.h"
 #include "trivet/server/answer.h"
 #include "trivet/server/opened_sessions.h"
-#include "trivet/server/page_question.h"
 #include "trivet/server/project_file.h"
 
 namespace trivet::server {
@@ -38,13 +38,13 @@ class ProjectService {
   void open(const FileState& state);
   /// The text that a question is about. None: it names a version of the file that is not the opened one, because
   /// another page has opened a newer one, or because the program was started again.
-  [[nodiscard]] std::optional<std::string> text_of(const PageQuestion& question) const;
+  [[nodiscard]] std::optional<std::string> text_of(const engine::Question& question) const;
   /// The text with settings, or why there is none.
   [[nodiscard]] foundation::Expected<std::string> new_text(const std::string& text,
                                                            const std::vector<std::string>& settings);
   /// The text with a further case, or why there is none.
   [[nodiscard]] foundation::Expected<std::string> text_with_new_case(const std::string& text,
-                                                                     const PageQuestion& question) const;
+                                                                     const engine::Question& question) const;
 
   const std::string file_;
   const bool read_only_;

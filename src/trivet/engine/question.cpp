@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/server/page_question.h"
+#include "trivet/engine/question.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 
-namespace trivet::server {
+namespace trivet::engine {
 namespace {
 
 using nlohmann::ordered_json;
@@ -62,19 +62,19 @@ std::vector<std::string> texts_at(const std::string& key, const ordered_json& va
   return texts;
 }
 
-engine::Value value_at(const std::string& key, const ordered_json& value) {
+Value value_at(const std::string& key, const ordered_json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>();
   if (value.is_number()) return value.get<double>();
   if (!value.is_array()) refuse_question(key, "must be a text, a number, true, false, or a list of them");
-  std::vector<engine::Value> list;
+  std::vector<Value> list;
   for (const ordered_json& one : value) list.push_back(value_at(key, one));
   return list;
 }
 
-engine::Request want_from(const ordered_json& value) {
+Request want_from(const ordered_json& value) {
   if (!value.is_object() || !value.contains("command")) refuse_question("wants", "must be a list of {command, keys}");
-  engine::Request want;
+  Request want;
   for (const auto& [key, item] : value.items()) {
     if (key == "command") {
       want.command = text_at(key, item);
@@ -89,10 +89,10 @@ engine::Request want_from(const ordered_json& value) {
 
 }  // namespace
 
-PageQuestion read_question(const std::string& body) {
+Question read_question(const std::string& body) {
   const ordered_json parsed = parsed_body(body);
   if (!parsed.is_object()) throw foundation::InvalidInput("the body must be a JSON object");
-  PageQuestion question;
+  Question question;
   for (const auto& [key, value] : parsed.items()) {
     if (key == "revision" && value.is_number()) {
       question.revision = value.get<double>();
@@ -115,4 +115,4 @@ PageQuestion read_question(const std::string& body) {
   return question;
 }
 
-}  // namespace trivet::server
+}  // namespace trivet::engine

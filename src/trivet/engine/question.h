@@ -7,20 +7,21 @@
 
 #include "trivet/engine/request.h"
 
-namespace trivet::server {
+namespace trivet::engine {
 
-/// What the page sends with /ask, /text and /save. Keys that a path does not use are absent.
-struct PageQuestion {
+/// What a page sends (docs/serve.md), to the server or to the kernel of a notebook. Keys that a question does not use
+/// are absent.
+struct Question {
   double revision = 0;                     ///< counts the changes of the page; in the answer again
   std::optional<std::string> text = {};    ///< of the edited file; otherwise the file as it was opened
   std::vector<std::string> settings = {};  ///< "elements.mount.scale = 1.5"
   std::string case_name = {};
   std::optional<std::string> new_case = {};  ///< name of a case to add to the text, like `case_name`
-  std::vector<engine::Request> wants = {};  ///< without their case
-  std::string version = {};                 ///< of the file with which the edits began; empty: any
+  std::vector<Request> wants = {};           ///< without their case; `case_name` is that of all
+  std::string version = {};                  ///< of the file with which the edits began; empty: any
 };
 
 /// @throws foundation::InvalidInput with a sentence if the body is not the JSON of a question
-[[nodiscard]] PageQuestion read_question(const std::string& body);
+[[nodiscard]] Question read_question(const std::string& body);
 
-}  // namespace trivet::server
+}  // namespace trivet::engine
