@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
 
 #include "trivet/engine/case_alone.h"
@@ -82,6 +83,12 @@ Result run_with_picture(const Task& task) {
 
 }  // namespace
 
+/// A slider makes many projects whose hash nobody asks for.
+struct Session::Content {
+  std::once_flag once;
+  std::string hash;
+};
+
 foundation::Expected<Session> Session::open(const Source& source, const std::vector<std::string>& settings,
                                             const Request* only_for) {
   foundation::remove_abandoned_folders();
@@ -94,16 +101,18 @@ foundation::Expected<Session> Session::open(const Source& source, const std::vec
   }
   auto read = judging::project_from_text(*text, source.name, settings, source.folder);
   if (!read) return tl::make_unexpected(std::move(read.error()));
-  return of(std::move(*read), std::move(*text), settings);
+  Session opened = of(std::move(*read), std::move(*text), settings);
+  static_cast<void>(opened.content());  // of the files as they are now
+  return opened;
 }
 
 Session Session::of(project::Project project, std::string text, const std::vector<std::string>& settings) {
   Session session;
-  if (!text.empty()) session.content_ = project::content_hash(project);
   session.text_ = std::move(text);
   session.settings_ = settings;
   session.project_ = std::make_shared<const project::Project>(std::move(project));
   session.solved_ = std::make_shared<SolvedCases>();
+  session.content_ = std::make_shared<Content>();
   return session;
 }
 
@@ -146,6 +155,13 @@ Result Session::ask(const Request& request, const foundation::Progress& progress
     result.failure = reason.what();
   }
   return result;
+}
+
+const std::string& Session::content() const {
+  std::call_once(content_->once, [this] {
+    if (!text_.empty()) content_->hash = project::content_hash(*project_);
+  });
+  return content_->hash;
 }
 
 const project::Case& Session::model(const std::string& case_name) const { return case_of(*project_, case_name, ""); }

@@ -55,8 +55,9 @@ class Session {
   [[nodiscard]] std::vector<std::string> case_names() const;
   /// Names of the elements of the base model.
   [[nodiscard]] std::vector<std::string> element_names() const;
-  /// A hash, equal for projects of equal content, also of the files that they name, when they were opened.
-  [[nodiscard]] const std::string& content() const { return content_; }
+  /// A hash, equal for projects of equal content, also of the files that they name: as they were when the project was
+  /// opened; of a changed one when this is first called. Empty with `only_for`.
+  [[nodiscard]] const std::string& content() const;
   /// The text with the settings for a file; comments, order and format stay. @param target  the file: names of files
   /// become relative to its folder; empty: stay
   [[nodiscard]] foundation::Expected<std::string> text_with_settings(const std::string& target = "") const;
@@ -65,10 +66,13 @@ class Session {
   Session() = default;
   static Session of(project::Project project, std::string text, const std::vector<std::string>& settings);
 
-  std::string text_, content_;
+  struct Content;
+
+  std::string text_;
   std::vector<std::string> settings_;
   std::shared_ptr<const project::Project> project_;
   std::shared_ptr<SolvedCases> solved_;
+  std::shared_ptr<Content> content_;
 };
 
 }  // namespace trivet::engine
