@@ -138,7 +138,7 @@ void add_command(CLI::App& app, const Command& command, CommandLine& line) {
 void add_serve(CLI::App& app, CommandLine& line, FurtherWords& words) {
   app.add_option("PROJECT", line.source.name, "project file (TOML); without it the page offers examples")
       ->type_name("FILE");
-  app.add_option("--port", words.port, "port of 127.0.0.1; without it a free one")
+  app.add_option("--port", words.port, "port of 127.0.0.1; without it that of the last start, or a free one")
       ->check(CLI::Range(1, 65535))
       ->type_name("N");
   app.add_flag("--no-browser", words.no_browser, "print the address instead of opening it: BROWSER, or xdg-open");
