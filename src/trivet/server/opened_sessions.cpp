@@ -61,10 +61,11 @@ foundation::Expected<OpenedSessions::Shared> OpenedSessions::opened(const std::s
 foundation::Expected<OpenedSessions::Shared> OpenedSessions::of(const std::string& text,
                                                                 const std::vector<std::string>& settings) {
   if (Shared found = kept(text, settings)) return found;
+  std::size_t permission = 0;
+  const PermittedFiles permitted = files(&permission);  // before that of the text: it may become a newer one
   const auto base = opened(text);
   if (!base || settings.empty()) return base;
-  std::size_t permission = 0;
-  if (auto refused = files(&permission).refused_in_settings(settings); refused.has_errors())
+  if (auto refused = permitted.refused_in_settings(settings); refused.has_errors())
     return tl::make_unexpected(std::move(refused));
   auto session = (*base)->changed(settings);
   if (!session) return tl::make_unexpected(std::move(session.error()));
