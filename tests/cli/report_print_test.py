@@ -294,6 +294,16 @@ class PrintedReport(unittest.TestCase):
                 for words in ("VIOLATED", "6 × front left", "Undamped modes", "displacement ["):
                     self.assertIn(words, everything)
 
+    def test_no_page_is_shrunk_because_something_is_wider(self):
+        """The title of a machine with several matrices of 12×12 is as high as that of one mass."""
+        (self.folder / "plain.toml").write_text(ONE_MASS.replace("TITLE", "Bogie"))
+        projects = (self.folder / "plain.toml", SOURCE / "examples/track/bogie.toml")
+        titles = []
+        for project in projects:
+            words = self.printed(self.report(project), "A4").body(0)
+            titles.append(max(word.bottom - word.top for word in words if word.text == "Bogie"))
+        self.assertAlmostEqual(titles[1] / titles[0], 1, delta=0.02)
+
     def test_special_characters_of_a_title_are_printed(self):
         title = 'A "quoted" \\ <b>title</b>; } körper'
         project = self.folder / "special.toml"

@@ -119,11 +119,14 @@ function widthsOnOneLine(tables) {
   document.body.classList.remove('measured', 'one-line');
   return widths;
 }
+const fontOf = table => parseFloat(getComputedStyle(table).fontSize);
+/// The font in which a table fits into a width.
+const fittingFont = (table, width, room) => fontOf(table) * Math.min(1, room / width);
 /// Gives a table the font in which it fits into a width; false if that would be too small.
 function fitTable(table, width, room) {
-  const font = parseFloat(getComputedStyle(table).fontSize), fitting = font * Math.min(1, room / width);
+  const fitting = fittingFont(table, width, room);
   if (fitting < LEAST_FONT) return false;
-  if (fitting < font) {
+  if (fitting < fontOf(table)) {
     table.style.fontSize = `${fitting}px`;
     undo.push(() => { table.style.fontSize = ''; });
   }
@@ -163,7 +166,7 @@ function pairFoldedTables() {
   const tables = parts.map(part => part.querySelector('table')), widths = widthsOnOneLine(tables);
   for (let k = 0; k + 1 < parts.length; k++) {
     const rows = tables[k].rows.length + tables[k + 1].rows.length;
-    const fits = [k, k + 1].every(i => widths[i] * 0.75 < HALF);
+    const fits = [k, k + 1].every(i => fittingFont(tables[i], widths[i], HALF) >= LEAST_FONT);
     if (parts[k].nextElementSibling !== parts[k + 1] || rows > 4 * FEW_ROWS || !fits) continue;
     const pair = html('div', {class: 'two-tables'});
     parts[k].before(pair);
