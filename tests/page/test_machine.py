@@ -16,12 +16,12 @@ def test_ghosts_and_flashes_stand_beside_the_moving_machine(serve):
     page = serve('bogie/loaded_frame.toml').page()
     settled(page)
     stage, edges = page.locator('.stage'), picture(page.locator('.stage'))
-    choose(page, 'Compared with', 'rest')
+    choose(page, 'Motion against', 'rest')
     rest = picture(stage)
     assert share_changed(edges, rest) > 0.005
-    choose(page, 'Compared with', 'strobe')
+    choose(page, 'Motion against', 'strobe')
     assert share_changed(rest, picture(stage)) > 0.003
-    choose(page, 'Compared with', 'edges')
+    choose(page, 'Motion against', 'edges')
     assert share_changed(edges, picture(stage)) == 0  # nothing is left behind
     assert_alive(page)
 

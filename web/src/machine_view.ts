@@ -64,7 +64,7 @@ export class MachineView extends Part {
       <div class="bar">
         <label><input type="checkbox" .checked=${display.damped} @change=${(e: Event) => { display.set({damped: (e.target as HTMLInputElement).checked}); asker.again(); }}> damped</label>
         <label><input type="checkbox" .checked=${display.traces} @change=${(e: Event) => display.set({traces: (e.target as HTMLInputElement).checked})}> trace</label>
-        <label class="chosen">against <select aria-label="Compared with" @change=${(e: Event) => display.set({ghost: (e.target as HTMLSelectElement).value as Ghost})}>
+        <label class="chosen">against <select aria-label="Motion against" @change=${(e: Event) => display.set({ghost: (e.target as HTMLSelectElement).value as Ghost})}>
           ${Object.entries(GHOSTS).map(([key, words]) => html`<option value=${key} ?selected=${key === display.ghost}>${words}</option>`)}</select></label>
       </div>`;
   }
