@@ -128,6 +128,21 @@ class Answers(Served):
             self.assertTrue(example["title"])
         self.assertIn("error", server.data("POST", "/save", {"text": "x = 1"}, status=409))
 
+    def test_a_result_that_the_page_knows_is_not_sent_again(self):
+        server = self.serve(PAPER)
+
+        def asked(setting, known=""):
+            wants = [{"command": name, **({"known": known} if known else {})} for name in ("scene", "modes")]
+            return server.data("POST", "/ask", {"settings": [setting], "wants": wants})["results"]
+
+        scene, modes = asked("elements.suspension.scale = 1")
+        self.assertFalse(scene["same"])
+        again, other = asked("elements.suspension.scale = 2", scene["hash"])  # the scene does not show a stiffness
+        self.assertEqual((again["same"], again["json"], again["hash"]), (True, None, scene["hash"]))
+        self.assertNotEqual(other["hash"], modes["hash"])
+        printed = trivet("modes", PAPER, "--json", "--set", "elements.suspension.scale=2")
+        self.assertEqual(other["json"]["modes"], json.loads(printed.stdout)["modes"])
+
     def test_what_a_page_cannot_want(self):
         server = self.serve(PAPER)
         for want in (

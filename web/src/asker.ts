@@ -97,7 +97,7 @@ export class Asker {
       const {end} = this.underWay = {pace, revision, end: new AbortController()};
       try {
         const settings = [...change.settings, ...wished.flatMap(w => w.settings ?? [])];
-        this.take(await this.engine.ask(revision, {...change, settings}, wished.map(w => w.want), end.signal), wished, generation);
+        this.take(await this.engine.ask(revision, {...change, settings}, wished.map(w => this.unknown(w)), end.signal), wished, generation);
         this.trouble = '';
       } catch (error) {
         if (!end.signal.aborted) this.trouble = error instanceof EngineError ? error.message : String(error);
@@ -107,6 +107,11 @@ export class Asker {
     }
     if (!this.trouble) this.next();
   }
+  /// A want that need not be answered if the result is the one that is kept: most sliders change nothing of the scene.
+  private unknown(wish: Wish): Want {
+    const hash = this.results.get(nameOf(wish))?.outcome.hash;
+    return hash ? {...wish.want, known: hash} : wish.want;
+  }
   /// Keeps results only if they are newer than those that are kept, and of the same machine.
   private take(answer: Answer, wished: readonly Wish[], generation: number) {
     if (generation !== this.state.generation) return;
@@ -114,7 +119,8 @@ export class Asker {
     for (const outcome of answer.results) {
       const wish = wished.find(w => w.want.command === outcome.command), name = wish ? nameOf(wish) : outcome.command, drawn = this.results.get(name);
       if (drawn && drawn.generation === generation && drawn.revision > answer.revision) continue;
-      this.results.set(name, {revision: answer.revision, generation, outcome});
+      const json = outcome.same && drawn ? drawn.outcome.json : outcome.json;
+      this.results.set(name, {revision: answer.revision, generation, outcome: {...outcome, json}});
     }
   }
 }

@@ -13,12 +13,15 @@ export interface Change {
 export interface Want {
   command: string;
   keys?: Record<string, unknown>;
+  known?: string;  // hash of a result that is not sent again if it is the same
 }
 export interface Outcome {
   command: string;
   ok: boolean;
   problems: Problem[];
   failure?: string;
+  hash?: string;
+  same?: boolean;  // the known one
   json: unknown;
 }
 export interface Answer {

@@ -87,3 +87,22 @@ test('a draft is drawn with the limits of the finished curves, until these are f
   await after(5);
   assert.deepEqual(drawn.of(asker)?.limits, [{result: 'z', limit: state.revision}]);
 });
+test('a result that is the same is not sent again and stays the same object', async () => {
+  const asked: Want[] = [], scene = {size: 1};
+  const engine = {ask: async (revision: number, _: Change, wants: readonly Want[]): Promise<Answer> => {
+    asked.push(...wants);
+    const same = wants[0]!.known === 'a';
+    return {revision, ok: true, problems: [], results: [{command: 'scene', ok: true, problems: [], hash: 'a', same, json: same ? null : scene}]};
+  }};
+  const state = new State(), asker = new Asker(engine as unknown as Engine, state, () => [{want: {command: 'scene'}}]);
+  state.open('mass = 1', true);
+  await after(5);
+  state.set({mass: '2'}, true);
+  await after(5);
+  assert.deepEqual(asked.map(w => w.known), [undefined, 'a']);
+  assert.equal(asker.result('scene'), scene);
+  assert.ok(!asker.isOld('scene'));
+  state.chooseCase('cold');
+  await after(5);
+  assert.equal(asker.result('scene'), scene);
+});

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/engine/answer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -46,17 +49,22 @@ std::optional<Result> result_of(const Request& want, const Questioned& questione
   return own ? own->ask(want, progress) : refused_result(want, own.error());
 }
 
-/// One entry of "results"; "json" has the bytes that the command prints with --json.
-std::string result_text(const Result& result) {
+/// One entry of "results"; "json" has the bytes that the command prints with --json, unless the page knows them.
+std::string result_text(const Result& result, const std::string& known) {
   const bool ok = !result.errors.has_errors() && result.failure.empty();
+  const std::string bytes = ok && result.json ? whole(result.json) : "null";
+  const std::string hash = fmt::format("{:016x}", std::hash<std::string>()(bytes));
+  const bool same = ok && hash == known;
   std::string text = documents::json::text({{"command", result.command},
                                             {"ok", ok},
                                             {"problems", problem_list(ok ? shown_warnings(result) : result.errors)},
                                             {"failure", result.failure},
                                             {"failures", result.failures},
-                                            {"notes", result.notes}});
+                                            {"notes", result.notes},
+                                            {"hash", hash},
+                                            {"same", same}});
   text.back() = ',';
-  return text + "\"json\":" + (ok && result.json ? whole(result.json) : "null") + "}";
+  return text + "\"json\":" + (same ? "null" : bytes) + "}";
 }
 
 }  // namespace
@@ -70,12 +78,12 @@ Problems warnings_of(const Session& session, const std::string& case_name) {
 
 std::string answer_json(const Question& question, const Questioned& questioned, const foundation::Progress& progress) {
   std::string results;
-  for (Request want : question.wants) {
-    foundation::report_progress(progress, want.command, 0);
-    const Command* command = find_command(want.command);
-    if (command && command->of_one_case) want.case_name = question.case_name;
-    if (const auto result = result_of(want, questioned, progress))
-      results += (results.empty() ? "" : ",") + result_text(*result);
+  for (auto [request, known] : question.wants) {
+    foundation::report_progress(progress, request.command, 0);
+    const Command* command = find_command(request.command);
+    if (command && command->of_one_case) request.case_name = question.case_name;
+    if (const auto result = result_of(request, questioned, progress))
+      results += (results.empty() ? "" : ",") + result_text(*result, known);
   }
   const auto& session = questioned.session;
   std::string head = documents::json::text(

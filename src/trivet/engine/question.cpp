@@ -72,14 +72,16 @@ Value value_at(const std::string& key, const ordered_json& value) {
   return list;
 }
 
-Request want_from(const ordered_json& value) {
+Want want_from(const ordered_json& value) {
   if (!value.is_object() || !value.contains("command")) refuse_question("wants", "must be a list of {command, keys}");
-  Request want;
+  Want want;
   for (const auto& [key, item] : value.items()) {
     if (key == "command") {
-      want.command = text_at(key, item);
+      want.request.command = text_at(key, item);
+    } else if (key == "known") {
+      want.known = text_at(key, item);
     } else if (key == "keys" && item.is_object()) {
-      for (const auto& [name, given] : item.items()) want.keys.emplace_back(name, value_at(name, given));
+      for (const auto& [name, given] : item.items()) want.request.keys.emplace_back(name, value_at(name, given));
     } else {
       refuse_question(key, "is no key of a want, or has a wrong value");
     }

@@ -9,6 +9,12 @@
 
 namespace trivet::engine {
 
+/// A command whose result the page wants.
+struct Want {
+  Request request;         ///< without its case; that of the question is that of all
+  std::string known = {};  ///< hash of the result that the page has already; if it is still the same, it is not sent
+};
+
 /// What a page sends (docs/serve.md), to the server or to the kernel of a notebook. Keys that a question does not use
 /// are absent.
 struct Question {
@@ -17,8 +23,8 @@ struct Question {
   std::vector<std::string> settings = {};  ///< "elements.mount.scale = 1.5"
   std::string case_name = {};
   std::optional<std::string> new_case = {};  ///< name of a case to add to the text, like `case_name`
-  std::vector<Request> wants = {};           ///< without their case; `case_name` is that of all
-  std::string version = {};                  ///< of the file with which the edits began; empty: any
+  std::vector<Want> wants = {};
+  std::string version = {};  ///< of the file with which the edits began; empty: any
 };
 
 /// @throws foundation::InvalidInput with a sentence if the body is not the JSON of a question
