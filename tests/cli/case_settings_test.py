@@ -83,9 +83,10 @@ class Texts(Served):
         text = server.data("POST", "/text", question)["text"]
         self.assertTrue(text.startswith(before))
         cases = tomllib.loads(text)["cases"]
-        self.assertEqual(cases.pop('cold and "heavy"'), {
-            "element_types": {"foot": {"scale": 1.5}}, "bodies": {"compressor": {"mass": "300 kg"}}
-        })
+        self.assertEqual(
+            cases.pop('cold and "heavy"'),
+            {"element_types": {"foot": {"scale": 1.5}}, "bodies": {"compressor": {"mass": "300 kg"}}},
+        )
         self.assertEqual(cases, tomllib.loads(before)["cases"])
         file = self.file(text)
         words = ["--set", settings[0], "--set", settings[1]]
@@ -107,10 +108,10 @@ class Texts(Served):
             self.assertEqual(cases["copy"], cases.get(like, {}), name)
             found = server.data("POST", "/ask", {"text": text, "case": "copy", "wants": [{"command": "modes"}]})
             known = server.data("POST", "/ask", {"case": like, "wants": [{"command": "modes"}]})
-            self.assertEqual(
-                found["results"][0]["json"]["modes"], known["results"][0]["json"]["modes"], name
-            )
-        self.assertIn("damping = {loss_factor = 0.1}", server_text(self, "microscope/microscope.toml", "on rubber feet"))
+            self.assertEqual(found["results"][0]["json"]["modes"], known["results"][0]["json"]["modes"], name)
+        self.assertIn(
+            "damping = {loss_factor = 0.1}", server_text(self, "microscope/microscope.toml", "on rubber feet")
+        )
 
     def test_a_line_end_of_windows_stays(self):
         text = COMPRESSOR.read_text().replace("\n", "\r\n")

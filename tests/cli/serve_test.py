@@ -226,9 +226,7 @@ class Answers(Served):
         for i, page in enumerate(pages):
             page.sendall(server.head("POST", "/ask", len(body), X_Trivet_Client=f"page {i}") + body)
         time.sleep(0.5)
-        self.assertEqual(
-            server.data("GET", "/progress", X_Trivet_Client="page 4")["task"], "waiting for other pages"
-        )
+        self.assertEqual(server.data("GET", "/progress", X_Trivet_Client="page 4")["task"], "waiting for other pages")
         pages[0].close()
         for _ in range(100 * slower):
             if server.data("GET", "/progress", X_Trivet_Client="page 4")["task"] != "waiting for other pages":
@@ -240,9 +238,7 @@ class Answers(Served):
     def test_pages_with_different_texts_keep_their_sessions(self):
         server = self.serve(GENSET)
         texts = [GENSET.read_text().replace('mass = "4200 kg"', f'mass = "{mass} kg"', 1) for mass in (4300, 4400)]
-        expected = [
-            json.loads(trivet("modes", self.file(text), "--json").stdout)["modes"] for text in texts
-        ]
+        expected = [json.loads(trivet("modes", self.file(text), "--json").stdout)["modes"] for text in texts]
         for _ in range(3):
             for client, text in enumerate(texts):
                 question = {"text": text, "wants": [{"command": "modes"}]}

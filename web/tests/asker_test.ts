@@ -95,7 +95,7 @@ test('a result that is the same is not sent again and stays the same object', as
     return {revision, ok: true, problems: [], results: [{command: 'scene', ok: true, problems: [], hash: 'a', same, json: same ? null : scene}]};
   }};
   const state = new State(), asker = new Asker(engine as unknown as Engine, state, () => [{want: {command: 'scene'}}]);
-  state.open('mass = 1', true);
+  state.open('mass = 1', '1');
   await after(5);
   state.set({mass: '2'}, true);
   await after(5);

@@ -32,9 +32,8 @@ void report_unknown(const std::string& name, const Node* cases, const Node& sett
   const std::vector<std::string> known = cases ? cases->keys : std::vector<std::string>();
   const std::string guess = foundation::nearest_name(name, known);
   problems
-      .error("cases." + foundation::path_key(name), "no such case",
-             "a setting changes a case that the file has",
-             !guess.empty()     ? "did you mean \"" + guess + "\"?"
+      .error("cases." + foundation::path_key(name), "no such case", "a setting changes a case that the file has",
+             !guess.empty()      ? "did you mean \"" + guess + "\"?"
                  : known.empty() ? "the file has no cases"
                                  : "known: " + foundation::comma_separated(known))
       .origin = setting.origin;

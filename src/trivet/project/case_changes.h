@@ -15,7 +15,8 @@ namespace trivet::project {
 /// are ignored.
 void change_cases(Node& document, const std::vector<Node>& settings, foundation::Problems& problems);
 
-/// The changes `first` and then `second` as one: values of both, those of `second` in place of the same ones of `first`.
+/// The changes `first` and then `second` as one: values of both, those of `second` in place of the same ones of
+/// `first`.
 [[nodiscard]] Node merged_changes(Node first, const Node& second);
 
 /// The text of a project file with a further case at its end: the changes of the case `like` (empty: none, the base

@@ -116,10 +116,9 @@ void Connection::work(const AcceptedRequest& request) {
 void Connection::on_answer(Answer answer, bool keeps_alive) {
   if (state_ != State::working) return;
   Error ignored;
-  socket_.cancel(ignored);                           // ends watch_client
+  socket_.cancel(ignored);                                                // ends watch_client
   const bool is_everyday = answer.status == 409 || answer.status == 412;  // a newer question, a changed file
-  if (answer.status >= 400 && !is_everyday)
-    site_.log.add(answer.status, about_, answer.body);
+  if (answer.status >= 400 && !is_everyday) site_.log.add(answer.status, about_, answer.body);
   send(std::move(answer), keeps_alive);
 }
 

@@ -37,8 +37,7 @@ Answer resume_answer(const std::string& token, const Resumption& resumption, con
   if (resumption.key.empty()) return error_answer(404, "pages of an earlier start cannot go on with this one");
   if (page_nonce.size() != nonce_length) return error_answer(400, "X-Trivet-Nonce must have 64 characters");
   const SealedToken sealed = sealed_token(token, resumption, page_nonce, new_token());
-  return {.body = documents::json::text(
-              {{"nonce", sealed.nonce}, {"sealed", sealed.sealed}, {"proof", sealed.proof}})};
+  return {.body = documents::json::text({{"nonce", sealed.nonce}, {"sealed", sealed.sealed}, {"proof", sealed.proof}})};
 }
 
 /// Pages whose results are computed side by side; each computation may use all processors.

@@ -104,10 +104,8 @@ Answer ProjectService::version() const {
 }
 
 Answer ProjectService::project() {
-  Json answer{{"name", nullptr},
-              {"program", engine::version()},
-              {"commands", commands_json()},
-              {"resume_key", resume_key_}};
+  Json answer{
+      {"name", nullptr}, {"program", engine::version()}, {"commands", commands_json()}, {"resume_key", resume_key_}};
   if (file_.empty()) {
     answer["examples"] = examples_json();
     answer["mounts"] = mounts_json();

@@ -33,7 +33,7 @@ FolderHandle private_folder() {
   const char* given = std::getenv("XDG_RUNTIME_DIR");
   if (!given || *given != '/') return {};
   const FolderHandle runtime{fs::path(given)};
-  struct stat status {};
+  struct stat status{};
   const bool is_private = runtime.is_open() && fstat(runtime.descriptor(), &status) == 0 &&
       status.st_uid == geteuid() && (status.st_mode & (S_IRWXG | S_IRWXO)) == 0;
   return is_private ? runtime.made_folder("trivet") : FolderHandle();

@@ -59,7 +59,8 @@ std::optional<Doing> Worker::doing(const std::string& client) {
 
 bool Worker::begin_next(WorkerTask& task, std::list<Running>::iterator& running) {
   const auto can_begin = [this](const WorkerTask& one) {
-    return !one.client || std::ranges::none_of(running_, [&](const Running& other) { return other.client == one.client; });
+    return !one.client ||
+        std::ranges::none_of(running_, [&](const Running& other) { return other.client == one.client; });
   };
   std::unique_lock guard(lock_);
   auto next = waiting_.end();
