@@ -3,9 +3,12 @@
 
 /// State chosen by the user. `ylog` is null while each chart chooses its amplitude axis. `zoom` is null or [from, to]
 /// in rad/s; `hidden` contains the names of hidden curves.
-const view = {case: 0, ylog: null, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set()};
+/// `design` is null or [column, row] of the stored design under the point of the map.
+const view = {case: 0, ylog: null, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set(), design: null};
 let charts = [];        // of the selected case
 let comparison = null;  // the chart of all cases
+let designCharts = [];  // of the design under the point of a map
+const onCase = [];      // called when another case is shown
 const axisFactor = () => (view.hz ? 1 / TURN : frequency?.factor ?? 1);  // from rad/s to the unit of the frequency axes
 const isOnPaper = chart => Boolean(chart.width);  // low: the caption names the amplitude, the last number the unit
 const FEW_POINTS = 24;  // so few points of a response are drawn as dots, because the line between them shows little
@@ -123,7 +126,7 @@ function logarithmicLabels(ticks, room) {
 
 // ---------------------------------------------------------------- charts
 
-const allCharts = () => (comparison ? [...charts, comparison] : charts);
+const allCharts = () => [...charts, ...designCharts, ...(comparison ? [comparison] : [])];
 
 /// Path of a phase within ±180°: it continues at the other edge, reached the short way.
 function wrappedPath(u, curve, first, last) {

@@ -51,6 +51,7 @@ const frequencyWords = omega => (frequency ? `${reading(omega * frequency.factor
 /// Values [re, im, re, im, …] of all curves of a model at ω: Σ w v/(ω − x) / Σ w/(ω − x) over the nodes x, times
 /// e^{−iωd} for each delay d.
 function modelAt(model, w) {
+  if (model.at) return model.at(w);  // a design of a map, from its poles
   const {nodes, weights, values} = model.pieces.find(p => w <= p.band[1]) ?? model.pieces.at(-1);
   const n = nodes.length, hit = nodes.indexOf(w), curves = model.results.length;
   const result = new Float64Array(2 * curves), shares = new Float64Array(2 * n);
@@ -121,11 +122,12 @@ const same = (a, b) => a.name === b.name && a.unit === b.unit;
 /// Curves of a model in the form of a table, with exact heights at the maxima.
 function tabled(c) {
   const packed = p => ({...p, weights: Float64Array.from(p.weights), values: p.values.map(v => Float64Array.from(v))});
-  const model = {...c.response, pieces: c.response.pieces.map(packed)};
+  const model = c.response.at ? c.response : {...c.response, pieces: c.response.pieces.map(packed)};
   if (!model.pieces.length)
     return {angular_frequency: [], results: model.results.map(r => ({...r, complex: [], phase: []}))};
   const vanishing = model.results.map(r => (c.vanishing ?? []).some(v => same(v, r)));
-  const points = sampled(model, vanishing, model.results.map(r => c.peaks.some(p => p.unbounded && same(p, r))));
+  const unbounded = model.results.map(r => c.peaks.some(p => p.unbounded && same(p, r)));
+  const drawn = sampled(model, vanishing, unbounded), points = model.completed ? model.completed(drawn) : drawn;
   const results = model.results.map((r, curve) => {
     const exact = new Map(r.extrema);
     let last = r.first_phase;
@@ -159,7 +161,7 @@ function readCurves(c) {
             vanishes: (c.vanishing ?? []).some(v => same(v, r))};
   });
 }
-const known = new Map();
+const known = new WeakMap();
 function curvesOf(c) {
   if (!known.has(c)) known.set(c, c.response ? readCurves(c) : []);
   return known.get(c);

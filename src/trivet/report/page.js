@@ -68,6 +68,7 @@ function buildCase() {
   for (const block of document.querySelectorAll('[data-case]')) block.hidden = Number(block.dataset.case) !== view.case;
   buildCharts();
   buildComparison();
+  for (const build of onCase) build();
   const sections = [...document.querySelectorAll('main section:not(.case-head)')];
   const shown = sections.filter(s => !s.closest('[hidden]'));
   const link = s => html('button', {type: 'button', class: 'link', onclick: () => s.scrollIntoView()},
@@ -97,7 +98,7 @@ function refresh(what = 'all') {
   soon('address', writeAddress);
 }
 function change(patch) {
-  Object.assign(view, patch);
+  Object.assign(view, 'case' in patch ? {design: null} : {}, patch);
   if ('case' in patch) buildCase();
   refresh(Object.keys(patch).join() === 'zoom' ? 'range' : 'all');
 }
@@ -130,6 +131,7 @@ function writeAddress() {
   if (view.case) parts.unshift(`case=${view.case}`);
   if (view.zoom) parts.push(`zoom=${view.zoom.map(w => Number(w.toPrecision(6))).join(',')}`);
   if (view.compare && view.compare !== comparedNames()[0]) parts.push(`compare=${encodeURIComponent(view.compare)}`);
+  if (view.design) parts.push(`design=${view.design}`);
   if (view.hidden.size) parts.push(`hide=${[...view.hidden].map(encodeURIComponent).join(',')}`);
   try {
     history.replaceState(null, '', `#${parts.join('&')}`);
@@ -147,6 +149,7 @@ function readAddress() {
   for (const key of SWITCHES) view[key] = given.has(key);
   view.ylog = given.has('ylog') ? given.get('ylog') !== '0' : null;
   view.zoom = zoom.length === 2 && zoom[0] >= 0 && zoom[1] > zoom[0] ? zoom : null;
+  view.design = /^\d+,\d+$/.test(given.get('design')) ? given.get('design').split(',').map(Number) : null;
   view.compare = decoded(given.get('compare') ?? '');
   view.hidden = new Set((given.get('hide') ?? '').split(',').filter(Boolean).map(decoded));
   buildCase();

@@ -137,7 +137,9 @@ Figure map_figure(const study::DesignMap& map, const std::string& title) {
   const double width = 998, height = 628 + 16 * static_cast<double>(notes.size());
   const std::string heading = title.empty() ? "Map of designs" : title;
   MapPicture picture{
-      map, SvgCanvas(width, height), {{96, 44}, 590, 520, drawn_axis(map.request.x), drawn_axis(map.request.y)}};
+      map,
+      SvgCanvas(width, height),
+      {map_frame.corner, map_frame.width, map_frame.height, drawn_axis(map.request.x), drawn_axis(map.request.y)}};
   picture.canvas.text({width / 2, 22}, heading, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   Key key(picture.canvas, {picture.panel.corner.x + picture.panel.width + 22, picture.panel.corner.y});
   const std::vector<MapRegion> regions = map_regions(map);

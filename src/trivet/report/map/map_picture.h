@@ -21,6 +21,13 @@ inline constexpr const char* lighter = "fill=\"white\" fill-opacity=\"0.72\" str
 /// Approximate width of a line of 11 pixels height.
 [[nodiscard]] double width_of(const std::string& text);
 
+/// The frame of the panel of a single map [pixels of its picture].
+struct MapFrame {
+  PixelPoint corner;
+  double width = 0, height = 0;
+};
+inline constexpr MapFrame map_frame{{96, 44}, 590, 520};
+
 /// The panel of a map, and the areas that are occupied by text.
 struct MapPicture {
   const study::DesignMap& map;

@@ -51,9 +51,16 @@ Json row(const std::vector<GroupedCurve>& curves) {
   return list;
 }
 
+Json groups_json(const std::vector<CurveName>& names) {
+  Json list = Json::array();
+  for (const CurveGroup& group : curve_groups(names))
+    list.push_back({{"name", group.name}, {"rows", {row(group.upper), row(group.lower)}}});
+  return list;
+}
+
 }  // namespace
 
-std::string drawing_json(const std::vector<study::CaseResults>& results) {
+std::string drawing_json(const std::vector<study::CaseResults>& results, const CaseMapCurves& map_curves) {
   const project::DisplayUnits display = results.empty() ? project::DisplayUnits() : results.front().display;
   Json units = Json::object(), groups = Json::array();
   std::map<std::string, double> largest;
@@ -66,12 +73,21 @@ std::string drawing_json(const std::vector<study::CaseResults>& results) {
       for (const auto& value : curve.value)
         if (std::isfinite(std::abs(value))) most = std::max(most, std::abs(value));
     }
-    for (const CurveGroup& group : curve_groups(curve_names(curves)))
-      groups.back().push_back({{"name", group.name}, {"rows", {row(group.upper), row(group.lower)}}});
+    groups.back() = groups_json(curve_names(curves));
+  }
+  Json of_designs = Json::array();
+  for (const auto& curves : map_curves) {
+    std::vector<CurveName> names;
+    for (std::size_t c = 0; curves && c < curves->names.size(); ++c) {
+      names.push_back({curves->names[c], curves->units[c]});
+      largest.try_emplace(curves->units[c], 0);
+    }
+    of_designs.push_back(groups_json(names));
   }
   for (const auto& [unit, most] : largest)
     units[unit] = shown_unit_json(results::amplitude_unit(display, unit), unit, most);
   Json drawing{{"strokes", strokes()}, {"units", std::move(units)}, {"groups", std::move(groups)}};
+  if (!of_designs.empty()) drawing["design_groups"] = std::move(of_designs);
   drawing["frequency"] = {{"unit", results::frequency_unit(display)},
                           {"factor", results::shown_frequency(display, 1)},
                           {"label", results::frequency_heading(display)}};

@@ -26,6 +26,8 @@ extern const char* const page_html;
 extern const char* const page_css;
 extern const char* const page_js;
 extern const char* const print_js;
+extern const char* const design_curves_js;
+extern const char* const map_point_js;
 extern const char* const charts_js;
 extern const char* const curves_js;
 extern const char* const chart_script;
@@ -39,9 +41,10 @@ void replace(std::string& text, const std::string& place, const std::string& con
   if (at != std::string::npos) text.replace(at, place.size(), content);
 }
 
-/// Leaves out the parts of the page that the short form does not have: between <!-- full --> and <!-- /full -->.
-std::string without_full_parts(std::string page) {
-  const std::string begin = "<!-- full -->", end = "<!-- /full -->";
+/// Leaves out the parts of the page of one kind: between <!-- KIND --> and <!-- /KIND -->. The short form has none that
+/// are `full`, a page without maps none of a `map`.
+std::string without_parts(std::string page, const std::string& kind) {
+  const std::string begin = "<!-- " + kind + " -->", end = "<!-- /" + kind + " -->";
   for (std::size_t from = page.find(begin); from != std::string::npos; from = page.find(begin))
     page.erase(from, page.find(end, from) + end.size() - from);
   return page;
@@ -142,21 +145,25 @@ std::string below_comparison(const project::Project& project, const ShownCase& s
 }  // namespace
 
 std::string report_page(const project::Project& project, const std::vector<study::CaseResults>& case_results,
-                        const std::string& results, const project::ReportForm form) {
+                        const std::string& results, const project::ReportForm form, const CaseMapCurves& map_curves) {
   const std::string title = project.title.empty() ? project.source : project.title;
   const std::string input = std::filesystem::path(project.source).filename().string();
   const std::vector<ShownCase> cases = shown_cases(project, case_results);
   const project::DisplayUnits display = project.base().display;
   const bool is_short = form == project::ReportForm::brief;
-  std::string page = is_short ? without_full_parts(page_html) : page_html;
+  std::string page = is_short ? without_parts(page_html, "full") : page_html;
+  const bool has_points = has_map_point(map_curves);
+  if (!has_points) page = without_parts(page, "map");
   // From the end to the start, so that inserted text that looks like a placeholder is not replaced.
   replace(page, "{{script}}", page_js);
+  replace(page, "{{map_point}}", has_points ? std::string(design_curves_js) + map_point_js : "");
   replace(page, "{{print}}", print_js);
   replace(page, "{{charts}}", charts_js);
   replace(page, "{{curves}}", curves_js);
   replace(page, "{{chart_script}}", chart_script);
   replace(page, "{{chart_licence}}", chart_licence);
-  replace(page, "{{drawing}}", inside_script(drawing_json(case_results)));
+  if (has_points) replace(page, "{{designs}}", inside_script(map_point_json(case_results, map_curves)));
+  replace(page, "{{drawing}}", inside_script(drawing_json(case_results, map_curves)));
   replace(page, "{{results}}", inside_script(results));
   replace(page, "{{input_file}}", section("input-file", "Appendix: input file", input_file(project)));
   replace(page, "{{open}}", is_short ? " open" : "");

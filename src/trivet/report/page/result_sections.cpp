@@ -107,7 +107,8 @@ std::string result_sections(const project::Case& variant, const study::CaseResul
     const std::string tables = kinds.result ? results::result_html(kinds.result, variant, results)
         : kinds.tables                      ? kinds.tables(results)
                                             : "";
-    html += section("answer", kinds.title, tables + figures);
+    html += section(std::string("answer") + (kinds.result ? std::string(" ") + kinds.result : ""), kinds.title,
+                    tables + figures);
   }
   return html;
 }

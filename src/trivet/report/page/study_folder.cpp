@@ -58,7 +58,10 @@ WrittenStudy write_study(const project::Project& project, const std::string& fol
   if (!study.envelope.rows.empty())
     folder.write("envelope.csv", as_csv(results::envelope_document(study.envelope), "envelope.csv"));
   folder.write("results.json", results::results_json(project, study.results));
-  folder.write("report.html", report_page(project, study.results, results::page_json(project, study.results), form));
+  const CaseMapCurves curves =
+      form == project::ReportForm::full ? case_map_curves(project, study.results, progress) : CaseMapCurves();
+  folder.write("report.html",
+               report_page(project, study.results, results::page_json(project, study.results), form, curves));
   foundation::report_progress(progress, "done", 1);
   study.notes = folder.publish();
   return study;
