@@ -76,6 +76,12 @@ addEventListener('load', () => setTimeout(() => {
       found.push(`the heading "${cell.dataset.heading}" lies on its value`);
     probe.remove();
   }
+  for (const drawing of document.querySelectorAll('.drawing')) {
+    const [svg] = [...drawing.querySelectorAll('svg')].filter(one => one.getBoundingClientRect().width);
+    const {width} = svg.getBoundingClientRect(), letters = 11 * width / svg.viewBox.baseVal.width;
+    if (drawing.querySelector('.scroll').scrollWidth > document.documentElement.clientWidth || letters < 9)
+      found.push(`the drawing of the machine is ${width} px wide, with letters of ${letters.toFixed(1)} px`);
+  }
   const filters = new Set([...document.querySelectorAll('.legend svg, .picture')].map(one => getComputedStyle(one).filter));
   if (filters.size > 1) found.push('curves and their legend differ in colour');
   const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;

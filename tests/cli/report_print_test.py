@@ -49,7 +49,7 @@ class Report(html.parser.HTMLParser):
         super().__init__()
         self.tables, self.headings, self.figures, self.cases, self.data = [], [], [], [], {}
         self.inside, self.script, self.elsewhere = collections.Counter(), None, False
-        self.feed(text)
+        self.feed(re.sub('<div class="narrow">.*?</div>', "", text, flags=re.DOTALL))  # for narrow screens
 
     def handle_starttag(self, tag, attributes):
         attributes = dict(attributes)

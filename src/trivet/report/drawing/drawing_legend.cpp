@@ -63,8 +63,9 @@ ScaleBar scale_bar(double scale, double wanted, const project::DisplayUnits& dis
   return {length / shown.factor * scale, fmt::format("{:g} {}", length, shown.unit)};
 }
 
-void draw_drawing_legend(SvgCanvas& canvas, PixelPoint corner, const DrawnMachine& machine, bool over_given,
-                         double scale, const project::DisplayUnits& display, const std::vector<std::string>& left_out) {
+double draw_drawing_legend(SvgCanvas& canvas, PixelPoint corner, double right, const DrawnMachine& machine,
+                           bool over_given, double scale, const project::DisplayUnits& display,
+                           const std::vector<std::string>& left_out) {
   constexpr double font = 11, wanted_bar = 110, symbol = 26, gap = 16;
   const ScaleBar bar = scale_bar(scale, wanted_bar, display);
   const std::string ink = fmt::format("stroke=\"{}\" stroke-width=\"1.2\"", drawing_ink);
@@ -81,7 +82,7 @@ void draw_drawing_legend(SvgCanvas& canvas, PixelPoint corner, const DrawnMachin
     used.push_back({true, fmt::format("{} names have no room: see the tables", left_out.size()), {}});
   for (const Entry& entry : used) {
     const double width = symbol + text_width(entry.words, font) + gap;
-    if (x + width > 980) {
+    if (x > start && x + width > right) {
       x = start;
       y += 18;
     }
@@ -89,6 +90,8 @@ void draw_drawing_legend(SvgCanvas& canvas, PixelPoint corner, const DrawnMachin
     canvas.text({x + symbol, y + 4}, entry.words, fmt::format("fill=\"{}\"", drawing_ink));
     x += width;
   }
+  constexpr double below = 22;  // of a baseline: the label of the scale bar
+  return y + below;
 }
 
 }  // namespace trivet::report

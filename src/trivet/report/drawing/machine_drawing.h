@@ -12,6 +12,9 @@ namespace trivet::report {
 /// that shows its place best.
 [[nodiscard]] std::string machine_drawing(const project::Case& machine);
 
+/// The same with the views below each other, for narrow screens.
+[[nodiscard]] std::string narrow_machine_drawing(const project::Case& machine);
+
 /// The same of a design, over a given one in grey.
 [[nodiscard]] std::string machine_drawing(const project::Case& given, const project::Case& design);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -35,6 +36,8 @@ class SvgCanvas {
   void text(PixelPoint at, std::string_view content, std::string_view attributes);
   /// Permits a page break at a height: everything drawn before is above it, everything drawn later is below it.
   void permit_break(double y);
+  /// Makes the picture at least this high.
+  void reach(double height) { height_ = std::max(height_, height); }
 
   [[nodiscard]] std::string svg(std::string_view description) const;
   /// The same picture as several, one below the other, divided at the permitted page breaks.

@@ -56,13 +56,15 @@ std::string speeds_part(const std::vector<ShownCase>& cases) {
   return cases.empty() ? "" : section("speeds", "Operating speeds", as_html(document, cases.front().variant.display));
 }
 
+std::string drawing_part(const project::Case& machine, const std::string& label) {
+  return "<figure class=\"drawing\"><div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" + label + "\">" +
+      machine_drawing(machine) + "</div><div class=\"narrow\">" + narrow_machine_drawing(machine) + "</div></figure>\n";
+}
+
 std::string machine_part(const project::Project& project) {
   const project::Case& base = project.base();
-  const std::string drawing =
-      "<figure><div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Drawing of the machine\">" +
-      machine_drawing(base) + "</div></figure>\n";
   return section("machine", "Machine and mounts" + std::string(project.cases.size() > 1 ? " of the base model" : ""),
-                 drawing + as_html(results::mounts_document(base), base.display));
+                 drawing_part(base, "Drawing of the machine") + as_html(results::mounts_document(base), base.display));
 }
 
 std::string overview_part(const std::string& picture, bool is_short) {

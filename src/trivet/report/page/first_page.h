@@ -12,6 +12,9 @@ namespace trivet::report {
 /// The operating speeds in one sentence each: motion, force on the ground, isolation and nearest mode, in all cases.
 [[nodiscard]] std::string speeds_part(const std::vector<ShownCase>& cases);
 
+/// The drawing of a machine in an element that scrolls; on narrow screens its views are below each other and fit.
+[[nodiscard]] std::string drawing_part(const project::Case& machine, const std::string& label);
+
 /// The machine as its drawing and the table of its mounts show it.
 [[nodiscard]] std::string machine_part(const project::Project& project);
 

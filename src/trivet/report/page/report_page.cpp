@@ -119,12 +119,9 @@ std::string below_pictures(const ShownCase& shown) {
 
 /// The drawing of a case whose machine differs from that of the base model.
 std::string own_drawing(const ShownCase& shown, const std::string& of_base) {
-  std::string drawing = machine_drawing(shown.variant);
-  if (drawing == of_base) return "";
+  if (machine_drawing(shown.variant) == of_base) return "";
   return section("case-machine", "Machine of this case",
-                 "<figure><div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Drawing of the machine of "
-                 "this case\">" +
-                     drawing + "</div></figure>\n");
+                 drawing_part(shown.variant, "Drawing of the machine of this case"));
 }
 
 /// The text of the input file, if it states a case as it is: without settings and changes.
