@@ -51,5 +51,21 @@ TEST(PanelFigure, OfOnePanelHasItsKeyBesideIt) {
   EXPECT_TRUE(figure.strips.empty());
 }
 
+double number_after(const std::string& text, const std::string& part) {
+  const std::size_t at = text.find(part);
+  return at == std::string::npos ? -1 : std::stod(text.substr(at + part.size()));
+}
+
+TEST(PanelFigure, NamesAMarkBesideTheCurveAboveIt) {
+  report::PanelRow row = panel("", "limit", "stroke=\"red\"");
+  row.curves.front().y = {0.55, 0.55};  // where the name would be
+  row.marks = {{0.5, 0.5, "blue", "+1.2 dB"}};
+  const std::string svg = report::panel_figure("Limit", "limit.svg", {row}).svg;
+  const std::string text = svg.substr(0, svg.find(">+1.2 dB<"));
+  const double centre = number_after(svg.substr(svg.find("<circle")), "cy=\""),
+               baseline = number_after(text.substr(text.rfind("<text")), "y=\"");
+  EXPECT_GT(baseline, centre + 10);  // below the mark
+}
+
 }  // namespace
 }  // namespace trivet

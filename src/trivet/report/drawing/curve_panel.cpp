@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "trivet/report/drawing/label_placement.h"
 
@@ -143,9 +144,13 @@ void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row) {
   draw_frame(canvas, panel);
   for (const double level : row.levels)
     canvas.line(panel.at(panel.x.from, level), panel.at(panel.x.to, level), "stroke=\"#333\" stroke-width=\"0.9\"");
+  std::vector<std::vector<PixelPoint>> lines;
   for (const PanelCurve& curve : row.curves)
-    for (const auto& piece : visible_pieces(panel, curve.x, curve.y)) canvas.polyline(piece, curve.stroke);
-  draw_panel_marks(canvas, panel, row.marks);
+    for (auto& piece : visible_pieces(panel, curve.x, curve.y)) {
+      canvas.polyline(piece, curve.stroke);
+      lines.push_back(std::move(piece));
+    }
+  draw_panel_marks(canvas, panel, row.marks, lines);
 }
 
 Axis logarithmic_axis(const std::vector<PanelCurve>& curves, double depth, std::string label) {
@@ -177,8 +182,8 @@ struct TextPlace {
 };
 
 Box box_of(const PanelMark& mark, const TextPlace& place) {
-  constexpr double per_letter = 6, height = 10, descent = 2;
-  const double width = per_letter * static_cast<double>(mark.text.size());
+  constexpr double font = 11, height = 11, descent = 3;  // a box of letters is higher than their ink
+  const double width = text_width(mark.text, font);
   const double before = place.anchor == "end" ? width : place.anchor == "start" ? 0 : width / 2;
   return {place.at.x - before, place.at.y - height, place.at.x - before + width, place.at.y + descent};
 }
@@ -187,35 +192,52 @@ Box box_of(const PixelPoint& at) {
   return {at.x - mark_radius, at.y - mark_radius, at.x + mark_radius, at.y + mark_radius};
 }
 
-/// The first place that is free, inside the frame or else beyond it, but not below it, where ticks have their numbers.
-std::optional<TextPlace> free_place(const PlotPanel& panel, const PanelMark& mark, const std::vector<Box>& taken) {
+bool is_crossed(const Box& box, const std::vector<std::vector<PixelPoint>>& lines) {
+  for (const std::vector<PixelPoint>& line : lines)
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (crosses(box, line[i - 1], line[i])) return true;
+  return false;
+}
+
+/// The first place that is free, inside the frame and off the lines, or else on them, or else beyond the frame, but not
+/// below it, where ticks have their numbers.
+std::optional<TextPlace> free_place(const PlotPanel& panel, const PanelMark& mark, const std::vector<Box>& taken,
+                                    const std::vector<std::vector<PixelPoint>>& lines) {
   const PixelPoint at = panel.at(mark.x, mark.y);
   constexpr double above = -8, below = 17, line = 14, beside = 9, middle = 4, edge = 0.1;
   const double share = panel.x.share(mark.x);
   const char* anchor = share > 1 - edge ? "end" : share < edge ? "start" : "middle";
-  const std::array<TextPlace, 9> places = {{{{at.x, at.y + above}, anchor},
-                                            {{at.x, at.y + below}, anchor},
-                                            {{at.x + beside, at.y + middle}, "start"},
-                                            {{at.x - beside, at.y + middle}, "end"},
-                                            {{at.x, at.y + above - line}, anchor},
-                                            {{at.x, at.y + below + line}, anchor},
-                                            {{at.x, at.y + above - 2 * line}, anchor},
-                                            {{at.x, at.y + below + 2 * line}, anchor},
-                                            {{at.x, at.y + above - 3 * line}, anchor}}};
+  const std::array<TextPlace, 13> places = {{{{at.x, at.y + above}, anchor},
+                                             {{at.x, at.y + below}, anchor},
+                                             {{at.x + beside, at.y + middle}, "start"},
+                                             {{at.x - beside, at.y + middle}, "end"},
+                                             {{at.x, at.y + above - line}, anchor},
+                                             {{at.x, at.y + below + line}, anchor},
+                                             {{at.x, at.y + above - 2 * line}, anchor},
+                                             {{at.x, at.y + below + 2 * line}, anchor},
+                                             {{at.x, at.y + above - 3 * line}, anchor},
+                                             {{at.x + beside, at.y + above}, "start"},
+                                             {{at.x - beside, at.y + above}, "end"},
+                                             {{at.x + beside, at.y + below}, "start"},
+                                             {{at.x - beside, at.y + below}, "end"}}};
   const Box frame = {panel.corner.x, panel.corner.y, panel.corner.x + panel.width, panel.corner.y + panel.height};
-  for (const bool inside : {true, false})
-    for (const TextPlace& place : places) {
-      const Box here = box_of(mark, place);
-      if (here.bottom > frame.bottom) continue;
-      if (inside && !frame.contains(here)) continue;
-      if (std::ranges::none_of(taken, [&](const Box& other) { return here.overlaps(other); })) return place;
-    }
-  return std::nullopt;
+  std::optional<TextPlace> on_a_line, outside;
+  for (const TextPlace& place : places) {
+    const Box here = box_of(mark, place);
+    if (here.bottom > frame.bottom ||
+        std::ranges::any_of(taken, [&](const Box& other) { return here.overlaps(other); }))
+      continue;
+    if (!frame.contains(here)) outside = outside.value_or(place);
+    else if (is_crossed(here, lines)) on_a_line = on_a_line.value_or(place);
+    else return place;
+  }
+  return on_a_line ? on_a_line : outside;
 }
 
 }  // namespace
 
-void draw_panel_marks(SvgCanvas& canvas, const PlotPanel& panel, const std::vector<PanelMark>& marks) {
+void draw_panel_marks(SvgCanvas& canvas, const PlotPanel& panel, const std::vector<PanelMark>& marks,
+                      const std::vector<std::vector<PixelPoint>>& lines) {
   std::vector<Box> taken;
   for (const PanelMark& mark : marks) {
     const PixelPoint at = panel.at(mark.x, mark.y);
@@ -224,7 +246,7 @@ void draw_panel_marks(SvgCanvas& canvas, const PlotPanel& panel, const std::vect
   }
   for (const PanelMark& mark : marks) {
     if (mark.text.empty()) continue;
-    const std::optional<TextPlace> place = free_place(panel, mark, taken);
+    const std::optional<TextPlace> place = free_place(panel, mark, taken, lines);
     if (!place) continue;
     taken.push_back(box_of(mark, *place));
     canvas.text(place->at, mark.text,

@@ -49,8 +49,10 @@ void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row);
 /// A linear axis with some space at the ends; an end at 0 stays at 0.
 [[nodiscard]] Axis airy_axis(double from, double to, std::string label);
 
-/// Draws marked points, with texts beside them of which none lies over another one or over another mark: above, below
-/// or beside, inside the frame if there is room. A text without any room is left out.
-void draw_panel_marks(SvgCanvas& canvas, const PlotPanel& panel, const std::vector<PanelMark>& marks);
+/// Draws marked points, with texts beside them of which none lies over another one or over another mark, nor, if there
+/// is room, over one of the lines: above, below or beside, inside the frame if there is room. A text without any room
+/// is left out.
+void draw_panel_marks(SvgCanvas& canvas, const PlotPanel& panel, const std::vector<PanelMark>& marks,
+                      const std::vector<std::vector<PixelPoint>>& lines = {});
 
 }  // namespace trivet::report
