@@ -83,6 +83,37 @@ class RequirementsOfCases(InTemporaryFolder):
             met = text.replace("0.05 mm", "5 mm").replace("750 rpm", "300 rpm")
             self.assertEqual(self.code("verdict", WINTER + met, "--strict"), DONE, met)
 
+    def test_a_limit_of_the_file_holds_in_every_case(self):
+        """`verdict`, `run` and the report count the same; the case alone violates the limit."""
+        limit = '[analyses]\nresponse = {of = ["m.z"], band = ["1 Hz", "40 Hz"]}\n[limits]\n'
+        limit += f'"m.z" = "{1e3 * PEAK * 1.01} mm"\n'
+        weak = WINTER + f"elements.s.damping.translation.z = {DASHPOT / 2}\n"
+        path, target = self.file(MACHINE + limit + weak), self.folder / "out"
+        for done in (trivet("verdict", path, "--strict"), trivet("run", path, "-o", target, "--strict")):
+            self.assertEqual(done.returncode, OVER_A_LIMIT, done.stdout + done.stderr)
+        base, winter = self.cases(limit + weak)["cases"]
+        self.assertEqual((base["decides"], base["met"]), (True, True))
+        self.assertEqual((winter["decides"], winter["met"]), (True, False))
+        self.assertIn("Case winter violates", re.sub("<[^>]*>", "", (target / "report.html").read_text()))
+        # The project says otherwise.
+        base_alone = limit + '[requirements]\nhold_in = [""]\n' + weak
+        self.assertEqual(self.code("verdict", base_alone, "--strict"), DONE)
+        self.assertEqual(self.code("run", base_alone, "--strict", "-o", target), DONE)
+
+    def test_a_case_that_is_a_point_of_a_map_is_judged_there(self):
+        limit = '[analyses]\nresponse = {of = ["m.z"], band = ["1 Hz", "40 Hz"]}\n'
+        axes = "map = {x = {parameter = 'elements.s.scale', from = 0.9, to = 1.1}, "
+        axes += "y = {parameter = 'bodies.m.mass', from = 35, to = 45}}\n"
+        text = limit + axes + '[limits]\n"m.z" = "1 m"\n' + WINTER
+        stiffer = trivet("map", self.file(MACHINE + text + "elements.s.scale = 1.05\n"), "--strict", "--points", "5")
+        self.assertEqual(stiffer.returncode, DONE, stiffer.stderr)
+        other = trivet(
+            "map", self.file(MACHINE + text + "elements.s.stiffness_factor = {z = 1.1}\n"), "--json", "--points", "5"
+        )
+        words = [rule["words"] for rule in json.loads(other.stdout)["rules"]]
+        self.assertEqual(len(words), 2, words)
+        self.assertTrue(any("winter" in one for one in words), words)
+
     def test_hold_in_still_decides(self):
         base = '[requirements]\nlimits = {"m.z" = "5 mm"}\n'
         own = base + WINTER + 'requirements.limits = {"m.z" = "0.05 mm"}\n'

@@ -53,7 +53,7 @@ project::MapRequest request_in(const project::Case& variant, const project::MapR
 }
 
 /// Does a further case take both numbers of the map, and set neither itself? If not, its designs cannot be judged: a
-/// warning, or an error if the file requests it.
+/// warning, or an error if the file requests it. A case with limits alone is a point of the map, judged there.
 bool takes_numbers(const project::Case& variant, const project::Case& base, const project::MapRequest& request,
                    bool as_requested, foundation::Problems& warnings) {
   constexpr double inside = 0.47;  // of the axis
@@ -73,6 +73,7 @@ bool takes_numbers(const project::Case& variant, const project::Case& base, cons
   }
   const std::vector<OverruledCase> lost = overruled_in(variant, base, {request.x, request.y});
   if (lost.empty()) return true;
+  if (!is_judged_in_a_run(variant)) return false;
   if (as_requested) throw foundation::InvalidInput(lost.front().refusal("map"));
   warnings.warning("map", lost.front().finding, "every design would undo the case, so none is judged in it",
                    "change another number in the case, such as stiffness_factor, or judge it separately by verdict");

@@ -93,8 +93,7 @@ std::vector<std::string> cases_to_hold(const project::Project& project) {
     const project::Node* table = variant.written.find("requirements");
     const bool names_cases = base.analyses.requirements || (table && table->find("hold_in"));
     if (own && names_cases) return std::ranges::find(own->hold_in, variant.name) != own->hold_in.end();
-    if (own || &variant == &base) return true;
-    return has_something_to_judge(base) ? is_judged_in_a_run(variant) : has_something_to_judge(variant);
+    return own || &variant == &base || has_something_to_judge(variant);
   };
   std::vector<std::string> names;
   for (const project::Case& variant : project.cases)

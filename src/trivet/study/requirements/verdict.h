@@ -148,9 +148,7 @@ struct Verdict {
 [[nodiscard]] bool has_something_to_judge(const project::Case& variant);
 
 /// Names of the cases in which the design has to hold: those of `hold_in`, as each case has it. If the base model has
-/// no requirements, it and every case with requirements of its own, with clearances, because nothing may touch in any,
-/// or with limits at the speeds of the machine; of a base model with nothing to judge also those with limits of their
-/// own.
+/// no requirements, it and every case with something to judge, of its own or from the base model.
 [[nodiscard]] std::vector<std::string> cases_to_hold(const project::Project& project);
 
 /// Judges one case. @param hold_in  names of the cases in which the design has to hold
