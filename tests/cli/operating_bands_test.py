@@ -173,7 +173,7 @@ class OperatingBands(unittest.TestCase):
         own = f'[limit_lines.quiet]\nof = "m.z"\nbands = "third-octave"\nrows = [["10 Hz", "{limit} m/s"], ["11 Hz", "{limit} m/s"]]\n'
         text = text[: text.index("[limit_lines")] + own
         self.assertIn("1 requirement violated", self.trivet(text, "run", "--strict", code=3).stderr)
-        self.assertIn("1 limit exceeded", self.trivet(text, "operation", "--strict", code=3).stderr)
+        self.assertIn("1 limit violated", self.trivet(text, "operation", "--strict", code=3).stderr)
 
     def test_lines_that_no_requirement_judges_count(self):
         level = rms(UNBALANCE * (2 * math.pi * 10) ** 2, 10)
@@ -185,7 +185,7 @@ class OperatingBands(unittest.TestCase):
             text += f'rows = [["5 Hz", "{bound}"], ["80 Hz", "{bound}"]]\n'
         done = self.trivet(text, "run", "--strict", code=3)
         self.assertTrue(done.stdout.startswith("VIOLATED: 2 of 2 limit lines"), done.stdout)
-        self.assertIn("2 limits exceeded", done.stderr)
+        self.assertIn("2 limits violated", done.stderr)
         page = (self.file.parent / "results" / "report.html").read_text()
         self.assertIn("VIOLATED: 2 of 2 limit lines", page)
         named = text.replace('["high"]', '["high", "low"]')

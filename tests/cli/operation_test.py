@@ -245,7 +245,7 @@ class Operation(unittest.TestCase):
         amplitude = of_rotor(980 * RPM)
         text = MACHINE + ROTOR + f'[operation]\nspeeds = ["980 rpm"]\nlimits."m.z" = "{0.8e3 * amplitude} mm"\n'
         over = self.trivet(text, "operation", "--strict", code=3)
-        self.assertIn("1 limit exceeded", over.stderr)
+        self.assertIn("1 limit violated", over.stderr)
         (row,) = [line for line in over.stdout.splitlines() if line.endswith("VIOLATED")]
         self.assertIn("125.0 %", row)
         self.assertIn(f"{0.8e6 * amplitude:.1f} µm 0-p", row)  # the limit

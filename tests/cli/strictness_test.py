@@ -52,7 +52,7 @@ class Strictness(unittest.TestCase):
         self.assertEqual(self.code("run", path, "-o", output), DONE)
         strict = trivet("run", path, "-o", output, "--strict")
         self.assertEqual(strict.returncode, OVER_A_LIMIT)
-        self.assertIn("1 limit exceeded", strict.stderr)
+        self.assertIn("1 limit violated", strict.stderr)
         self.assertTrue((output / "results.json").exists())
         self.assertIn("Report:", strict.stdout)
         for arguments in (("response", path), ("response", path, "--json"), ("response", path, "--csv")):
@@ -86,8 +86,8 @@ class Strictness(unittest.TestCase):
         self.assertTrue(done.stdout.startswith("MET: 1 of 1 requirement\n"), done.stdout)
         self.assertRegex(done.stdout, r"(?m)^  soft +1 of 1 met ")
         page = (pathlib.Path(self.folder.name) / "results" / "report.html").read_text()
-        self.assertIn("exceeded; judged as a requirement", page)
-        self.assertNotIn("EXCEEDED", page)
+        self.assertIn("above the line; judged as a requirement", page)
+        self.assertNotIn("VIOLATED", page)
 
     def test_warnings_alone_are_4(self):
         path = self.file("")

@@ -54,7 +54,7 @@ std::string Findings::words() const {
   const auto list = [&](std::size_t count, const char* one, const char* several) {
     if (count > 0) found += (found.empty() ? "" : ", ") + count_words(count, one, several);
   };
-  list(exceeded_, "limit exceeded", "limits exceeded");
+  list(exceeded_, "limit violated", "limits violated");
   list(violated_, "requirement violated", "requirements violated");
   list(infeasible_, "verdict of a map is \"infeasible\"", "verdicts of a map are \"infeasible\"");
   list(infeasible_designs_, "best design violates a requirement", "best designs violate a requirement");

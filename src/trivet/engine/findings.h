@@ -28,7 +28,7 @@ class Findings {
 
   /// The strict judgement of results that are complete.
   [[nodiscard]] Outcome outcome() const;
-  /// What was found: "1 limit exceeded, 2 warnings"; empty if nothing was.
+  /// What was found: "1 limit violated, 2 warnings"; empty if nothing was.
   [[nodiscard]] std::string words() const;
 
  private:

@@ -252,7 +252,7 @@ std::string glance_table(const std::vector<ShownCase>& cases) {
         right(c.results.changes.empty() ? "–" : std::to_string(c.results.changes.size())),
         warnings ? Cell{fmt::format("⚠ {}", warnings), false, Tone::bad} : Cell{"none"},
         verdict_cell(!failed, "ok", fmt::format("{} FAILED", failed)),
-        c.limits() ? verdict_cell(!exceeded, "met", fmt::format("{} of {} EXCEEDED", exceeded, c.limits()))
+        c.limits() ? verdict_cell(!exceeded, "met", fmt::format("{} of {} VIOLATED", exceeded, c.limits()))
                    : Cell{"–"}};
     if (has_verdict) row.push_back(c.results.verdict ? requirements_cell(*c.results.verdict) : Cell{"–"});
     if (has_map) row.push_back(map_cell(c, cases));

@@ -81,7 +81,7 @@ Table limit_line_table(const study::CaseResults& results, const project::Display
            row("verdict", Kind::words, "verdict",
                [is_alone](const LimitLineResult& l) {
                  if (l.comparison.met()) return "✓ met";
-                 return is_alone(l) ? "✗ EXCEEDED" : "exceeded; judged as a requirement";
+                 return is_alone(l) ? "✗ VIOLATED" : "above the line; judged as a requirement";
                },
                {.forms = for_people})},
       .csv = {{"limit line", "name"},

@@ -125,7 +125,7 @@ Table limit_table(const study::CaseResults& results) {
                   row("anywhere", Kind::amplitude, "largest at any ω", &LimitResult::anywhere),
                   row("met", Kind::yes_no, "", &LimitResult::met),
                   row("verdict", Kind::words, "verdict",
-                      [one](const LimitResult& l) { return !l.met ? "✗ EXCEEDED"
+                      [one](const LimitResult& l) { return !l.met ? "✗ VIOLATED"
                                                         : one     ? "✓ met at this ω"
                                                                   : "✓ met"; },
                       {.forms = for_people})},
