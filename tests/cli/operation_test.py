@@ -83,6 +83,51 @@ class Operation(unittest.TestCase):
     def near(self, found, expected, share=1e-9):
         self.assertLessEqual(abs(found - expected), share * abs(expected), (found, expected))
 
+    def measured(self, speeds, bands=""):
+        """The rotor on a spring that is known from 5 to 20 Hz; 120 rpm is 2 Hz."""
+        (self.file.parent / "spring.csv").write_text(
+            f"frequency_hz,k_z,k_z_loss\n5,{STIFFNESS},0.05\n10,{STIFFNESS},0.05\n20,{STIFFNESS},0.05\n".replace(
+                "0.05", str(0.05 * STIFFNESS)
+            )
+        )
+        spring = '[elements.s]\ntype = "table"\non = "m"\nat = [0, 0, 0]\nfile = "spring.csv"\n'
+        body = MACHINE[: MACHINE.index("[elements.s]")]
+        limits = 'limits = {"m.z" = "1 m"}\n'
+        return body + spring + ROTOR + f"[operation]\nspeeds = {speeds}\n{bands}{limits}"
+
+    def test_a_speed_that_cannot_be_computed_leaves_the_others(self):
+        text = self.measured('["600 rpm", "120 rpm", ["600 rpm", "900 rpm"]]')
+        done = self.trivet(text, "operation", "--json")
+        found = json.loads(done.stdout)
+        self.near(
+            self.value(found, "m.z")["amplitude"],
+            UNBALANCE
+            * (2 * math.pi * 10) ** 2
+            / abs(complex(STIFFNESS - MASS * (2 * math.pi * 10) ** 2, 0.05 * STIFFNESS)),
+        )
+        self.assertEqual(len(found["limits"]), 2)
+        self.assertIn("120 rpm is not computed", " ".join(found["warnings"]))
+        rows = json.loads(self.trivet(text, "verdict", "--json", code=1).stdout)["cases"][0]["requirements"]
+        self.assertEqual([row["judged"] for row in rows], [True, False, True])
+        self.assertIn("no stiffness at 2 Hz", rows[1]["reason"])
+        alone = self.trivet(self.measured('["120 rpm"]'), "operation", code=1)
+        self.assertIn("no stiffness at 2 Hz", alone.stderr)
+
+    def test_a_range_that_begins_below_a_table_says_from_where_it_is_computed(self):
+        bands = 'bands = "third-octave"\n'
+        done = self.trivet(self.measured('[["120 rpm", "900 rpm"]]', bands), "operation", "--json")
+        cut = json.loads(done.stdout)
+        self.assertRegex(" ".join(cut["warnings"]), r"120 … 900 rpm is computed from 300\.?\d* rpm on")
+        inside = self.operation(self.measured('[["300 rpm", "900 rpm"]]', bands))
+        self.near(self.value(cut, "m.z")["amplitude"], self.value(inside, "m.z")["amplitude"])
+        levels = [
+            {row["nominal_hz"]: row["rms"] for row in one["bands"] if row["name"] == "m.z"} for one in (cut, inside)
+        ]
+        self.assertEqual(list(levels[0]), list(levels[1]))
+        for band, level in levels[1].items():
+            self.near(levels[0][band], level, 1e-6)
+        self.assertNotIn("computed from", self.trivet(self.measured('[["330 rpm", "900 rpm"]]'), "operation").stderr)
+
     def test_one_mass_under_unbalance_has_the_closed_form(self):
         found = self.operation(MACHINE + ROTOR + '[operation]\nspeeds = ["980 rpm", "200 rpm"]\n')
         for i, rpm in enumerate((980, 200)):

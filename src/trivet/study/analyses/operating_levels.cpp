@@ -114,6 +114,7 @@ std::vector<OperatingLevel> operating_levels(const CaseContext& c, const project
     for (const excitation::FrequencyBand& band : bands) values.push_back(summed.largest_in(band, speed));
     for (std::size_t i = 0; i < results.size(); ++i)
       for (std::size_t b = 0; b < bands.size(); ++b) {
+        if (values[b][i].order == 0) continue;  // it begins below the data of an element
         levels.push_back({speed, results[i].quantity, bands[b], std::move(values[b][i])});
         const auto place = static_cast<std::size_t>(std::ranges::find(reached, bands[b]) - reached.begin());
         judge(results[i].lines, random[i][place], levels.back());

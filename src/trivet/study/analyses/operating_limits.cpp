@@ -21,6 +21,11 @@ const char* motion_name(assembly::MotionQuantity quantity) {
   }
 }
 
+project::OperationAnalysis at_speed(project::OperationAnalysis request, const assembly::Band& speed) {
+  request.speeds = {speed};
+  return request;
+}
+
 double fastest_range(const std::vector<assembly::Band>& speeds) {
   double fastest = 0;
   for (const assembly::Band& speed : speeds)

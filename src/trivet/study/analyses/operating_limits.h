@@ -16,6 +16,9 @@ namespace trivet::study {
     const CaseContext& context, const project::OperationAnalysis& request,
     const std::vector<response::OrderLoading>& loads);
 
+/// The request at one of its speeds, or over one of its ranges.
+[[nodiscard]] project::OperationAnalysis at_speed(project::OperationAnalysis request, const assembly::Band& speed);
+
 /// The upper end of the fastest range of speeds [rad/s]; 0 of single speeds.
 [[nodiscard]] double fastest_range(const std::vector<assembly::Band>& speeds);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
@@ -157,6 +158,43 @@ void warn_of_resonance(const OperatingSpeed& at, foundation::Problems& warnings)
                    "look at the amplitudes there; change the speed, the mounts or the mass if they are too large");
 }
 
+/// A range that begins below the data of an element is computed from there on.
+void warn_of_cut_range(const SummedOrders& summed, const assembly::Band& speed, foundation::Problems& warnings) {
+  constexpr double rounding = 1e-9;
+  const double from = summed.begin(speed);
+  if (from <= speed.from * (1 + rounding)) return;
+  warnings.warning(
+      "operation",
+      fmt::format("{} is computed from {:.5g} rpm on", speed_words(speed), from * foundation::rpm_per_rad_s),
+      "below it an order is slower than the first frequency at which an element is known",
+      "begin the range there, or give the element at lower frequencies");
+}
+
+/// Adds the results at the one speed of the request, or over its one range.
+void add_speed(const CaseContext& c, const project::OperationAnalysis& request,
+               const std::vector<response::OrderLoading>& loads, const OperatingChannels& channels,
+               OperationResult& result, foundation::Problems& warnings) {
+  const assembly::Band& speed = request.speeds.front();
+  const SummedOrders summed(c, channels.list, loads, fastest_range(request.speeds));
+  OperatingSpeed at;
+  at.speed = speed;
+  const std::vector<OperatingValue> values = summed.largest(speed);
+  for (std::size_t i = 0; i < channels.motions; ++i) at.motions.push_back({values[i], values[channels.motions + i]});
+  at.forces.assign(values.begin() + static_cast<std::ptrdiff_t>(2 * channels.motions), values.end());
+  at.isolation = isolation_at(c, speed, request.selection.excitations);
+  at.modes = distances(c, loads, speed);
+  at.limits = std::move(operating_limits(c, request, loads).front());
+  if (request.bands) {
+    const auto velocities = channels.list.begin() + static_cast<std::ptrdiff_t>(channels.motions);
+    const std::vector<OperatingLevel> levels = operating_levels(c, request, loads, {velocities, channels.list.end()});
+    std::ranges::move(operating_lines(request, levels), std::back_inserter(result.lines));
+    result.levels.insert(result.levels.end(), levels.begin(), levels.end());
+  }
+  warn_of_cut_range(summed, speed, warnings);
+  warn_of_resonance(at, warnings);
+  result.speeds.push_back(std::move(at));
+}
+
 }  // namespace
 
 std::string speed_words(const assembly::Band& speed) {
@@ -180,24 +218,15 @@ OperationResult operation_result(const CaseContext& c, const project::OperationA
       if (std::ranges::find(result.excitations, name) == result.excitations.end()) result.excitations.push_back(name);
   }
   const OperatingChannels channels = operating_channels(c, request);
-  const SummedOrders summed(c, channels.list, loads, fastest_range(request.speeds));
-  std::vector<std::vector<OperatingLimit>> limits = operating_limits(c, request, loads);
-  for (const assembly::Band& speed : request.speeds) {
-    OperatingSpeed& at = result.speeds.emplace_back();
-    at.speed = speed;
-    const std::vector<OperatingValue> values = summed.largest(speed);
-    for (std::size_t i = 0; i < channels.motions; ++i) at.motions.push_back({values[i], values[channels.motions + i]});
-    at.forces.assign(values.begin() + static_cast<std::ptrdiff_t>(2 * channels.motions), values.end());
-    at.isolation = isolation_at(c, speed, selected);
-    at.modes = distances(c, loads, speed);
-    at.limits = std::move(limits[result.speeds.size() - 1]);
-    warn_of_resonance(at, warnings);
-  }
-  if (request.bands) {
-    const auto velocities = channels.list.begin() + static_cast<std::ptrdiff_t>(channels.motions);
-    result.levels = operating_levels(c, request, loads, {velocities, channels.list.end()});
-    result.lines = operating_lines(request, result.levels);
-  }
+  std::optional<foundation::NotComputable> first_reason;
+  for (const assembly::Band& speed : request.speeds) try {
+      add_speed(c, at_speed(request, speed), loads, channels, result, warnings);
+    } catch (const foundation::NotComputable& reason) {
+      if (!first_reason) first_reason = reason;
+      warnings.warning("operation", speed_words(speed) + " is not computed", reason.what(),
+                       "the other speeds are computed; remove this one, or extend the data of the element");
+    }
+  if (result.speeds.empty()) throw *first_reason;
   return result;
 }
 

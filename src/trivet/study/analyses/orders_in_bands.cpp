@@ -58,7 +58,7 @@ std::vector<OperatingValue> SummedOrders::largest_in(const FrequencyBand& band, 
   const std::vector<double> ends = divided(speed, band, loads_);
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const Counted orders = in_band(band, 0.5 * (ends[i - 1] + ends[i]));
-    if (orders.empty()) continue;
+    if (orders.empty() || begin({ends[i - 1], ends[i]}, orders) >= ends[i]) continue;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       const OperatingValue found = largest_of(c, {ends[i - 1], ends[i]}, orders);
       if (found.rms > result[c].rms || result[c].order == 0) result[c] = found;

@@ -26,12 +26,18 @@ class SummedOrders {
   /// Of a range from 0 the limit towards rest counts, which may be infinite.
   [[nodiscard]] std::vector<OperatingValue> largest(const assembly::Band& speed) const;
 
+  /// The speed from which the values of a range are computed: above its begin if an element is not defined below.
+  [[nodiscard]] double begin(const assembly::Band& speed) const {
+    return speed.from < speed.to ? begin(speed, all()) : speed.from;
+  }
+
   /// The bands that an order reaches at this speed, or over this range of speeds, ascending.
   [[nodiscard]] std::vector<excitation::FrequencyBand> reached(excitation::BandWidth width,
                                                                const assembly::Band& speed) const;
 
   /// The same value of every channel under the orders alone whose frequencies are in the band. A range is divided where
-  /// an order enters or leaves the band, so that the value has the accuracy of `largest`.
+  /// an order enters or leaves the band, so that the value has the accuracy of `largest`. The order of a value is 0 if
+  /// an element is not defined at any speed at which an order is in the band.
   [[nodiscard]] std::vector<OperatingValue> largest_in(const excitation::FrequencyBand& band,
                                                        const assembly::Band& speed) const;
 

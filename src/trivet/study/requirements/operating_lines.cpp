@@ -7,6 +7,7 @@
 #include "trivet/response/machinery/operating_loads.h"
 #include "trivet/study/analyses/band_lines.h"
 #include "trivet/study/analyses/operating_levels.h"
+#include "trivet/study/analyses/operating_limits.h"
 #include "trivet/study/requirements/requirement_list.h"
 #include "trivet/study/requirements/requirement_values.h"
 
@@ -41,7 +42,6 @@ void add_operating_line_requirements(const CaseContext& c, const project::Analys
     if (line.bands != request.bands ||
         (required && std::ranges::find(required->limit_lines, line.line.name) == required->limit_lines.end()))
       continue;
-    const std::size_t first = list.size();
     for (const assembly::Band& speed : request.speeds) {
       const std::string scope = (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
       RequirementResult& result =
@@ -49,15 +49,15 @@ void add_operating_line_requirements(const CaseContext& c, const project::Analys
       result.line = line.line.name;
       result.quantity = quantity_of(line.line);
       result.excitations = request.selection.excitations;
+      const std::size_t place = list.size() - 1;
+      list.attempt(place, [&] {
+        const auto loads = response::operating_loads(c.system, c.assembled, request.selection.excitations);
+        if (loads.empty()) throw without_excitation("operation");
+        project::OperationAnalysis alone = at_speed(request, speed);
+        alone.lines = {line};
+        set_share_of_line(operating_lines(alone, operating_levels(c, alone, loads, {})).front(), list[place]);
+      });
     }
-    list.attempt(first, [&] {
-      const auto loads = response::operating_loads(c.system, c.assembled, request.selection.excitations);
-      if (loads.empty()) throw without_excitation("operation");
-      project::OperationAnalysis alone = request;
-      alone.lines = {line};
-      const std::vector<OperatingLine> judged = operating_lines(alone, operating_levels(c, alone, loads, {}));
-      for (std::size_t s = 0; s < judged.size(); ++s) set_share_of_line(judged[s], list[first + s]);
-    });
   }
 }
 

@@ -32,9 +32,8 @@ bool judges_operation(const project::Analyses& analyses) {
 void add_operation_requirements(const CaseContext& c, const project::Analyses& analyses, RequirementList& list) {
   if (!judges_operation(analyses)) return;
   const project::OperationAnalysis& request = *analyses.operation;
-  const std::size_t first = list.size(), limits = request.limits.size();
   for (const assembly::Band& speed : request.speeds) {
-    const std::size_t of_speed = list.size();
+    const std::size_t of_speed = list.size(), limits = request.limits.size();
     list.add_bounds(c, RequirementKind::operation, request.limits, "");
     for (std::size_t i = 0; i < limits; ++i) {
       RequirementResult& result = list[of_speed + i];
@@ -42,15 +41,13 @@ void add_operation_requirements(const CaseContext& c, const project::Analyses& a
       result.quantity = request.limits[i].quantity;
       result.excitations = request.selection.excitations;
     }
+    list.attempt(of_speed, [&] {  // a speed that cannot be computed leaves the others judged
+      const auto loads = response::operating_loads(c.system, c.assembled, request.selection.excitations);
+      if (loads.empty()) throw without_excitation("operation");
+      const std::vector<OperatingLimit> judged = operating_limits(c, at_speed(request, speed), loads).front();
+      for (std::size_t i = 0; i < limits; ++i) set_operating_value(judged[i].value, speed, list[of_speed + i]);
+    });
   }
-  list.attempt(first, [&] {
-    const auto loads = response::operating_loads(c.system, c.assembled, request.selection.excitations);
-    if (loads.empty()) throw without_excitation("operation");
-    const std::vector<std::vector<OperatingLimit>> judged = operating_limits(c, request, loads);
-    for (std::size_t s = 0; s < request.speeds.size(); ++s)
-      for (std::size_t i = 0; i < limits; ++i)
-        set_operating_value(judged[s][i].value, request.speeds[s], list[first + s * limits + i]);
-  });
 }
 
 }  // namespace trivet::study
