@@ -134,6 +134,20 @@ class OperatingBands(unittest.TestCase):
         message = self.trivet(MACHINE + ROTOR + line + operation, "verdict", code=2).stderr
         self.assertIn('bands = "third-octave" to [operation]', message)
 
+    def test_a_line_of_the_file_is_judged_in_the_case_that_has_the_speeds(self):
+        level = rms(UNBALANCE * (2 * math.pi * 10) ** 2, 10)
+        text = (
+            MACHINE + ROTOR + '[limit_lines.floor]\nof = "m.z"\nbands = "third-octave"\n'
+            f'rows = [["5 Hz", "{2 * level} m/s"], ["80 Hz", "{2 * level} m/s"]]\n'
+            '[cases.running]\noperation = {speeds = "600 rpm", bands = "third-octave"}\n'
+        )
+        base, running = json.loads(self.trivet(text, "verdict", "--json").stdout)["cases"]
+        self.assertEqual(base["requirements"], [])
+        (judged,) = running["requirements"]
+        self.near(judged["margin"], 2)
+        nowhere = text[: text.index("[cases")]
+        self.assertIn("no random excitation in the model", self.trivet(nowhere, "verdict", code=2).stderr)
+
     def test_the_sum_of_tones_and_random_vibration_is_judged(self):
         density = 2e-3  # of the velocity of the ground [(m/s)²/Hz]
         noise = (

@@ -172,17 +172,23 @@ void warn_of_other_bands(TableReader& reader, bool named, const LimitLineRequest
               "add bands = \"" + width + "\" to [operation]");
 }
 
+/// Does a case add the speeds at which lines over bands are judged? The base model has nothing to compare with them.
+bool a_case_has_speeds(TableReader& root) {
+  const Node* cases = root.has("cases") ? root.node("cases") : nullptr;
+  return cases && std::ranges::any_of(cases->items, [](const Node& one) { return one.find("operation") != nullptr; });
+}
+
 /// `bands` of a limit line, and the random excitations that it judges; a named line is in third octaves.
 /// @returns false if it has an error
-bool read_bands_of_line(TableReader& reader, const SymbolTable& symbols, const Analyses& analyses, bool named,
-                        LimitLineRequest& request) {
+bool read_bands_of_line(TableReader& root, TableReader& reader, const SymbolTable& symbols, const Analyses& analyses,
+                        bool named, LimitLineRequest& request) {
   if (!named && !reader.has("bands")) return true;
   request.bands = read_bands(reader, "bands");
   if (named && !reader.has("bands")) request.bands = excitation::BandWidth::third_octave;
   if (named && request.bands == excitation::BandWidth::octave)
     reader.error("bands", "\"octave\"", "the named lines are published for third octaves", "remove the key");
   else if (request.bands && symbols.random_excitations.empty() &&
-           !(analyses.operation && analyses.operation->bands == request.bands))
+           !(analyses.operation && analyses.operation->bands == request.bands) && !a_case_has_speeds(root))
     reader.error(named ? "line" : "bands", "no random excitation in the model",
                  "a line over bands bounds the root mean square in each band, of a random vibration or of the orders "
                  "at the speeds of [operation]; a sweep of one harmonic after the other has none",
@@ -252,7 +258,7 @@ void read_limit_lines(TableReader& root, const ResultNames& names, const SymbolT
     LimitLineRequest request;
     request.of = reader.required_text("of");
     const bool named = reader.has("line");
-    const bool bands_missing = !read_bands_of_line(reader, symbols, result, named, request);
+    const bool bands_missing = !read_bands_of_line(root, reader, symbols, result, named, request);
     const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"}).value_or("velocity");
     const auto motion_quantity = quantity == "velocity" ? assembly::MotionQuantity::velocity
         : quantity == "acceleration"                    ? assembly::MotionQuantity::acceleration
