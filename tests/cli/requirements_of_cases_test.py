@@ -114,6 +114,11 @@ class RequirementsOfCases(InTemporaryFolder):
         self.assertEqual(len(words), 2, words)
         self.assertTrue(any("winter" in one for one in words), words)
 
+    def test_hold_in_alone_is_no_requirement(self):
+        done = trivet("verdict", self.file(MACHINE + '[requirements]\nhold_in = [""]\n'))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("neither requirements nor limits nor clearances", done.stderr)
+
     def test_hold_in_still_decides(self):
         base = '[requirements]\nlimits = {"m.z" = "5 mm"}\n'
         own = base + WINTER + 'requirements.limits = {"m.z" = "0.05 mm"}\n'

@@ -189,11 +189,11 @@ std::optional<std::size_t> Verdict::governing_case() const {
 }
 
 Verdict verdict(const project::Project& project, const foundation::Progress& progress) {
-  if (std::ranges::none_of(project.cases, has_something_to_judge))
-    throw foundation::InvalidInput(
-        "verdict: neither requirements nor limits nor clearances; add [requirements] with limits = {\"BODY.x\" = \"1 "
-        "mm\"}, no_peak = "
-        "\"coordinates\", damping_ratio = 0.03 …");
+  const foundation::InvalidInput nothing(
+      "verdict: neither requirements nor limits nor clearances; add [requirements] with limits = {\"BODY.x\" = \"1 "
+      "mm\"}, no_peak = "
+      "\"coordinates\", damping_ratio = 0.03 …");
+  if (std::ranges::none_of(project.cases, has_something_to_judge)) throw nothing;
   const std::vector<std::string> hold_in = cases_to_hold(project);
   Verdict result;
   for (std::size_t i = 0; i < project.cases.size(); ++i) {
@@ -206,6 +206,8 @@ Verdict verdict(const project::Project& project, const foundation::Progress& pro
     result.cases.push_back(case_verdict(variant, hold_in, step));
     if (variant.analyses.operation) tell_operation(variant, step, result.cases.back());
   }
+  if (std::ranges::all_of(result.cases, [](const CaseVerdict& judged) { return judged.results.empty(); }))
+    throw nothing;  // such as [requirements] with `hold_in` alone
   std::vector<const LoadCase*> load_cases;
   for (const CaseVerdict& judged : result.cases) load_cases.push_back(&judged.load_case);
   result.envelope = envelope(load_cases);
