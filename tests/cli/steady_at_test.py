@@ -12,6 +12,7 @@ import tempfile
 import unittest
 
 TRIVET = os.environ["TRIVET"]
+SOURCE = pathlib.Path(os.environ.get("TRIVET_SOURCE", pathlib.Path(__file__).parents[2]))
 MASS, STIFFNESS, DAMPING, FORCE = 40.0, 36000.0, 48.0, 60.0
 MACHINE = f"""trivet = 1
 [bodies.m]
@@ -130,6 +131,14 @@ class SteadyAt(unittest.TestCase):
             by_size = sorted(one["motions"], key=lambda motion: motion["results"][0]["amplitudes"][0])
             self.assertEqual([motion["stable"] for motion in by_size], [True, False, True])
             self.assertFalse(any(motion.get("uncertain") for motion in by_size))
+
+    def test_a_mean_of_round_off_is_shown_as_0(self):
+        """The machine on its snubber is symmetric: it moves as far up as down."""
+        done = subprocess.run(
+            [TRIVET, "steady", SOURCE / "examples/snubber/slip_map.toml"], capture_output=True, text=True
+        )
+        _, *rows = done.stdout.split("mean there")[1].splitlines()
+        self.assertEqual([row.split()[6] for row in rows[:3]], ["0", "0", "0"], rows[:3])
 
 
 class Grouped(unittest.TestCase):

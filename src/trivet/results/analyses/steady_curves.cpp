@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "trivet/documents/shown_numbers.h"
+#include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/nonlinear/branch/stable_motions.h"
 #include "trivet/results/analyses/steady_parts.h"
@@ -250,7 +251,7 @@ Table stable_table(const SteadyBranch& branch) {
                       varied_options(branch, 5)),
                   row("mean", Kind::quantity, "mean there",
                       [extremes = nonlinear::stable_extremes(branch)](std::size_t i) {
-                        return extremes[i].at->results[i].mean;
+                        return without_round_off(extremes[i].at->results[i].mean, extremes[i].farthest_of_all);
                       }),
                   row("farthest", Kind::quantity, "magnitude of all, also unstable", &StableExtremes::farthest_of_all)},
       .without_rows = nonlinear::stable_points(branch).empty() ? "No motion of this branch is stable" : "",
