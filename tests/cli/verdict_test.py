@@ -2,6 +2,7 @@
 """`trivet verdict` against closed forms and hand calculations."""
 import json
 import math
+import tomllib
 import unittest
 
 from trivet_test import SOURCE, InTemporaryFolder, result_of, trivet
@@ -288,6 +289,69 @@ mount_load = "catalogue"
         self.assertAlmostEqual(results['m.z within "severity"']["margin"], 2e-3 / level, DIGITS)
         results, _ = self.judged(OSCILLATOR + more + "[requirements]\ndamping_ratio = 0.01\n")
         self.assertEqual(len(results), 2)  # the line is not named there
+
+    def test_a_limit_states_the_place_of_its_number_and_where_it_is_judged(self):
+        text = (
+            OSCILLATOR
+            + """
+[excitations.rotor]
+type = "unbalance"
+on = "m"
+at = [0, 0, 0]
+axis = "x"
+mass_eccentricity = 0.001
+[analyses.response]
+band = ["1 Hz", "30 Hz"]
+[limits]
+"m.z" = "1 mm p-p"
+[operation]
+speeds = ["600 rpm", ["700 rpm", "800 rpm"]]
+limits = {"m.z" = "3 mm"}
+[requirements]
+damping_ratio = 0.01
+static = {"m.z" = "4 mm"}
+limits = {"m.z" = [{limit = "5 mm/s rms", band = ["2 Hz", "4 Hz"], excitations = ["f"]}, {limit = "6 mm/s2", speed = ["60 rpm", "90 rpm"]}]}
+"""
+        )
+
+        def rounded(ends):
+            return (
+                [round(x, 6) for x in ends] if isinstance(ends, list) and ends and isinstance(ends[0], float) else ends
+            )
+
+        def ends(*both):
+            return rounded(list(both))
+
+        in_si = {"mm p-p": 1e-3 / 2, "mm": 1e-3, "mm/s rms": 1e-3 * math.sqrt(2), "mm/s2": 1e-3}
+        _, found = self.judged(text)
+        rpm, hertz = math.pi / 30, 2 * math.pi
+        places = []
+        for one in found["cases"][0]["requirements"]:
+            if not one["place"]:
+                self.assertEqual(one["kind"], "damping_ratio")
+                continue
+            number = tomllib.loads(text)
+            for key in one["place"]:
+                number = number[int(key) if isinstance(number, list) else key]
+            value, unit = number.split(" ", 1)
+            self.assertAlmostEqual(one["allowed"] / (float(value) * in_si[unit]), 1, DIGITS)
+            scope = [one["band"], one["speed"], one["excitations"], one["order"]]
+            places.append((".".join(one["place"]), [rounded(s) for s in scope]))
+
+        self.assertEqual(
+            sorted(places, key=str),
+            sorted(
+                [
+                    ("limits.m.z", [ends(hertz, 30 * hertz), None, [], None]),
+                    ("operation.limits.m.z", [None, ends(600 * rpm, 600 * rpm), [], None]),
+                    ("operation.limits.m.z", [None, ends(700 * rpm, 800 * rpm), [], None]),
+                    ("requirements.limits.m.z.0.limit", [ends(2 * hertz, 4 * hertz), None, ["f"], None]),
+                    ("requirements.limits.m.z.1.limit", [ends(60 * rpm, 90 * rpm), None, [], 1.0]),
+                    ("requirements.static.m.z", [None, None, [], None]),
+                ],
+                key=str,
+            ),
+        )
 
     def test_a_run_begins_with_the_verdict(self):
         target = self.folder / "out"

@@ -116,10 +116,20 @@ std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std:
   const Node* table = owner.table(key);
   if (!table) return limits;
   TableReader reader(*table, owner.path() + "." + key, owner.problems());
-  const auto read_one = [&](const std::string& name, const Node& value) {
-    if (scoped && value.kind == Node::Kind::table)
+  std::vector<std::string> place_of_table = path_keys(owner.path());
+  place_of_table.push_back(key);
+  const auto read_one = [&](const std::string& name, const Node& value, std::optional<std::size_t> item = {}) {
+    const std::size_t before = limits.size();
+    std::vector<std::string> place = place_of_table;
+    place.push_back(name);
+    if (item) place.push_back(std::to_string(*item));
+    if (scoped && value.kind == Node::Kind::table) {
+      place.emplace_back("limit");
       read_scoped_limit(reader, name, value, names, usual, levels, *scoped, limits);
-    else read_limit(reader, name, value, names, usual, levels, limits, name);
+    } else {
+      read_limit(reader, name, value, names, usual, levels, limits, name);
+    }
+    for (std::size_t i = before; i < limits.size(); ++i) limits[i].place = place;
   };
   for (std::size_t i = 0; i < table->keys.size(); ++i) {
     const std::string& name = table->keys[i];
@@ -129,7 +139,7 @@ std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std:
     } else if (value.kind == Node::Kind::array && value.items.empty()) {
       reader.error(name, "an empty list", "a list of limits has at least one", "write one, or remove the line");
     } else if (value.kind == Node::Kind::array) {
-      for (const Node& item : value.items) read_one(name, item);
+      for (std::size_t item = 0; item < value.items.size(); ++item) read_one(name, value.items[item], item);
       check_limits_differ(reader, name, value, limits);
     } else {
       read_one(name, value);

@@ -19,6 +19,8 @@ struct AmplitudeLimit {
   std::optional<assembly::Band> band;                   ///< of its own, if it has one
   std::optional<std::vector<std::string>> excitations;  ///< of its own, if it has them
   std::optional<assembly::Band> speed;                  ///< of a shaft, whose orders then drive it one by one
+  /// Keys that lead to its number in the file; an item of a list by its place from 0: {"limits", "machine.z"}.
+  std::vector<std::string> place = {};
 
   /// True if it is judged in the band and under the excitations of all limits.
   [[nodiscard]] bool has_common_scope() const { return !band && !excitations && !speed; }

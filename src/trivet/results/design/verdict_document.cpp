@@ -34,6 +34,18 @@ std::optional<double> or_infinite(const std::optional<double>& value) {
   return value && !std::isfinite(*value) ? std::numeric_limits<double>::infinity() : value;
 }
 
+/// [from, to], without an upper end null in its place; null: none.
+Json ends(const std::optional<assembly::Band>& band) {
+  return band ? Json{json::number(band->from), json::number(band->to)} : Json();
+}
+
+/// Frequencies in which the amplitude of a curve is judged.
+Json band_of_curve(const RequirementResult& result) {
+  const bool is_curve =
+      result.kind == study::RequirementKind::amplitude || result.kind == study::RequirementKind::limit_line;
+  return is_curve && result.band.to > 0 ? ends(result.band) : Json();
+}
+
 Table requirement_table(const std::vector<const CaseVerdict*>& cases) {
   std::vector<JudgedRequirement> list;
   for (const CaseVerdict* judged : cases)
@@ -87,7 +99,17 @@ Table requirement_table(const std::vector<const CaseVerdict*>& cases) {
                           of([](const RequirementResult& r) { return r.met() ? "true" : "false"; }), {.forms = in_csv}),
                       row("verdict", Kind::words, "verdict", of(verdict_word), {.forms = for_people}),
                       row("detail", Kind::words, "", of(&RequirementResult::detail), {.forms = in_json}),
-                      row("reason", Kind::words, "", of(&RequirementResult::reason))},
+                      row("reason", Kind::words, "", of(&RequirementResult::reason)),
+                      row("band", Kind::words, "", of(band_of_curve), {.forms = in_json}),
+                      row("speed", Kind::words, "", of([](const RequirementResult& r) { return ends(r.speed); }),
+                          {.forms = in_json}),
+                      row("excitations", Kind::words, "",
+                          of([](const RequirementResult& r) { return Json(r.excitations); }), {.forms = in_json}),
+                      row("order", Kind::words, "",
+                          of([](const RequirementResult& r) { return r.order > 0 ? Json(r.order) : Json(); }),
+                          {.forms = in_json}),
+                      row("place", Kind::words, "", of([](const RequirementResult& r) { return Json(r.place); }),
+                          {.forms = in_json})},
           .csv = {"case", "kind", "subject", "requirement", "unit", "allowed", "value", "angular_frequency [rad/s]",
                   "time [s]", "margin", "met", "reason", "level"},
           .forms = in_json | on_screen | on_page};

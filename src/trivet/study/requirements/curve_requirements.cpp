@@ -33,8 +33,10 @@ class CurveRequirements {
     std::vector<project::AmplitudeLimit> limits;
     const auto& response = analyses_.response;
     for (const project::Limit& limit : analyses_.limits)
-      limits.push_back(
-          {limit.name, response ? response->selection.quantity : MotionQuantity::displacement, limit.amplitude});
+      limits.push_back({.name = limit.name,
+                        .quantity = response ? response->selection.quantity : MotionQuantity::displacement,
+                        .amplitude = limit.amplitude,
+                        .place = {"limits", limit.name}});
     const assembly::Band all{0, infinity};
     add_amplitudes(limits, response ? response->band.value_or(all) : all,
                    response ? response->selection.excitations : std::vector<std::string>());

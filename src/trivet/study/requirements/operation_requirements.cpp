@@ -40,6 +40,7 @@ void add_operation_requirements(const CaseContext& c, const project::Analyses& a
       result.words.scope += (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
       result.quantity = request.limits[i].quantity;
       result.excitations = request.selection.excitations;
+      result.speed = speed;
     }
     list.attempt(of_speed, [&] {  // a speed that cannot be computed leaves the others judged
       const auto loads = response::operating_loads(c.system, c.assembled, request.selection.excitations);

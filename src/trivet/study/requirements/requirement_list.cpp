@@ -59,7 +59,8 @@ void RequirementList::add_bounds(const CaseContext& context, RequirementKind kin
   for (const project::AmplitudeLimit& limit : limits) {
     const std::string in =
         assembly::channels(context.system, context.assembled, {limit.name}, limit.quantity).front().unit;
-    add(kind, limit.name, {of + limit.name, "≤ " + value_words(limit.amplitude, in)}, in, limit.amplitude);
+    add(kind, limit.name, {of + limit.name, "≤ " + value_words(limit.amplitude, in)}, in, limit.amplitude).place =
+        limit.place;
   }
 }
 

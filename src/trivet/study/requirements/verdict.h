@@ -81,6 +81,9 @@ struct RequirementResult {
   int direction = 2;   ///< of a mount's load: 0 … 2 for x, y, z of the mount
   std::string detail;  ///< "mode 3 and 4", "across its axis: not judged"
   std::string reason;  ///< why it is not judged
+  std::vector<std::string>
+      place;  ///< of a limit: keys that lead to its number in the file, see project::AmplitudeLimit
+  std::optional<assembly::Band> speed;  ///< of the machine at which it holds [rad/s]; from = to: a single speed
 
   /// A place that may decide the margin: a maximum of the curve or an end of its band, a mode, two neighbouring modes.
   struct Candidate {
