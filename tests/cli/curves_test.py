@@ -236,6 +236,35 @@ class Curves(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("machine.q", done.stderr)
 
+    def test_motions_in_another_quantity_are_those_of_the_file_times_i_omega(self):
+        file = written(self, ONE_BODY + '[limits]\n"machine.z" = "1 mm"\n')
+        given, velocity = result("curves", file), result("curves", file, "--quantity", "velocity")
+        self.assertEqual([len(given["limits"]), len(velocity["limits"])], [1, 0])
+        low, high = given["band"]
+        for omega in (low + 0.21 * (high - low), low + 0.77 * (high - low)):
+            before, after = (Model(one["models"][0]).at(omega) for one in (given, velocity))
+            for c, one in enumerate(given["results"]):
+                motion = one["unit"] in ("m", "rad")
+                self.assertEqual(velocity["results"][c]["unit"], one["unit"] + "/s" if motion else one["unit"])
+                expected = 1j * omega * before[c] if motion else before[c]
+                self.assertLess(abs(after[c] - expected), ALLOWED * abs(expected))
+
+    def test_three_springs_in_place_of_every_element_have_the_peaks_of_element(self):
+        file = EXAMPLES / "three_coil_springs/machine.toml"
+        compared = result("element", file, "spring x", "--all")["simplification"]["peaks"]
+        full, simple = (result("curves", file, *more)["peaks"] for more in ([], ["--three_springs"]))
+        checked = 0
+        for one in compared:
+            for key, peaks in (("peak", full), ("simplified_peak", simple)):
+                mine = [p for p in peaks if p["result"] == one["name"]]
+                if one[key] is None or not mine:
+                    continue
+                highest = max(mine, key=lambda p: p["amplitude"])
+                self.assertAlmostEqual(highest["amplitude"] / one[key]["amplitude"], 1, 6)
+                self.assertAlmostEqual(highest["angular_frequency"] / one[key]["angular_frequency"], 1, 6)
+                checked += 1
+        self.assertGreater(checked, 8)
+
     def test_a_draft_has_the_curves_without_exact_peaks(self):
         for file in (written(self, ONE_BODY), EXAMPLES / "genset/genset.toml", EXAMPLES / "track/bogie.toml"):
             draft, whole = result("curves", file, "--draft"), result("curves", file)

@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 
 #include "trivet/engine/command_rows.h"
@@ -19,6 +22,8 @@
 #include "trivet/study/analyses/analysis_commands.h"
 #include "trivet/study/analyses/case_results.h"
 #include "trivet/study/analyses/curve_results.h"
+#include "trivet/study/analyses/solved_case.h"
+#include "trivet/study/explain/simplification.h"
 
 namespace trivet::engine {
 namespace {
@@ -115,9 +120,28 @@ Result run_analysis(const Task& task) {
   return result;
 }
 
+constexpr std::array motion_quantities = {"displacement", "velocity", "acceleration"};
+
+/// The case, with every element replaced by three springs.
+project::Case on_three_springs(const project::Case& full) {
+  std::vector<std::size_t> all(full.system.elements().size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  project::Case simple = full;
+  simple.system = study::with_three_springs(full.system, all);
+  return simple;
+}
+
 Result curves(const Task& task) {
   const project::Case& variant = task.variant;
+  std::optional<project::Case> simple;
+  if (task.keys.flag("three_springs")) simple = on_three_springs(variant);
   project::Analyses request = study::curve_request(variant);
+  if (task.keys.has("quantity")) {
+    const auto word = std::ranges::find(motion_quantities, task.keys.text("quantity"));
+    request.response->selection.quantity = static_cast<assembly::MotionQuantity>(word - motion_quantities.begin());
+    request.peaks->selection = request.response->selection;
+    request.limits.clear();  // they are limits of the quantity of the file
+  }
   if (task.keys.has("band")) set_band(task, request);
   if (task.keys.has("of")) {
     request.response->selection.of = task.keys.names("of");
@@ -128,7 +152,9 @@ Result curves(const Task& task) {
     request.limits.clear();
     request.limit_lines.clear();
   }
-  study::CaseResults found = study::curve_results(variant, request, task.progress, task.solved.of(variant));
+  study::CaseResults found = study::curve_results(
+      simple ? *simple : variant, request, task.progress,
+      simple ? std::make_shared<const study::SolvedCase>(simple->system) : task.solved.of(variant));
   if (task.keys.has("band")) found.warnings.add(judging::doubts_about_band(variant, *request.response->band));
   found.warnings = without_unused(*task.project, found.warnings);
   if (!found.response) throw foundation::NotComputable(found.failures.front());
@@ -162,6 +188,13 @@ Command curve_command() {
                 .about = "only this result (repeatable): \"machine.z\", \"ground\"",
                 .repeatable = true,
                 .value = "RESULT"},
+               {.name = "quantity",
+                .kind = KeyKind::choice,
+                .about = "of the motions, instead of that of the response; without the limits of [limits]",
+                .choices = {motion_quantities.begin(), motion_quantities.end()}},
+               {.name = "three_springs",
+                .kind = KeyKind::flag,
+                .about = "as if every element were three springs, as `element` compares them"},
                {.name = "draft",
                 .kind = KeyKind::flag,
                 .about = "the models alone, sooner: without exact peaks, extrema, limits and limit lines"}},
