@@ -14,7 +14,7 @@ def test_what_takes_long_is_named(serve):
     assert page.locator('progress-line').inner_text() == ''
     assert not any(address.endswith('/progress') for address in served.requests)
     held = []
-    page.route('**/ask', held.append)
+    page.route('**/ask', lambda route: held.append(route))
     page.route('**/progress', lambda route: route.fulfill(json={'task': 'boundary', 'fraction': 0.42}))
     set_number(page, 'mass of genset, value', '4500 kg')
     page.locator('progress-line').get_by_text('Computing: boundary 42 %').wait_for()

@@ -18,7 +18,7 @@ export class CaseBar extends Part {
         ${cases.map(c => html`<option value=${c} .selected=${c === state.case}>${c || 'base model'}</option>`)}</select>` : nothing}
       ${this.naming ? html`<form @submit=${this.create} @keydown=${(e: KeyboardEvent) => { if (e.key === 'Escape') this.naming = false; }}>
         <input name="name" required maxlength="60" aria-label="Name of the new case" placeholder="name"><button>Create</button></form>`
-      : html`<button title="New case: the changes of this one and of the moved sliders" aria-label="New case like this one" @click=${this.begin}>⧉</button>`}`;
+      : html`<button title="New case: the changes of this one and of the moved sliders" aria-label="New case like this one" @click=${this.begin}>+ case</button>`}`;
   }
   private async begin() {
     this.naming = true;

@@ -24,7 +24,7 @@ export class EmptyState extends Part {
       <h2>Or describe yours</h2>
       <form @submit=${this.create}>
         <label>Name<input name="title" value="New machine"></label>
-        <label>Mounts<select name="mount" @change=${(e: Event) => { this.mount = (e.target as HTMLSelectElement).value; }}>
+        <label>Mounts<select name="mount" aria-label="Mounts" @change=${(e: Event) => { this.mount = (e.target as HTMLSelectElement).value; }}>
           <option value="">by their stiffness</option>
           ${(this.app.project.mounts ?? []).map(mount => html`<option value=${mount.name}>${described(mount)}</option>`)}</select></label>
         ${(Object.entries(QUESTIONS) as [Question, (typeof QUESTIONS)[Question]][]).filter(([name]) => !this.mount || !OF_A_MOUNT.includes(name)).map(([name, q]) => html`<label>${q.label}${q.unit ? ` [${q.unit}]` : ''}<input name=${name} inputmode="decimal" value=${q.value}></label>`)}

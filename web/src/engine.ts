@@ -78,7 +78,10 @@ export interface Engine {
 }
 
 /// The server went away, or it rejected the request: `message` says what to do.
-export class EngineError extends Error {}
+export class EngineError extends Error {
+  /// @param isSilent  the program does not answer at all
+  constructor(message: string, readonly isSilent = false) { super(message); }
+}
 
 /// The engine behind `trivet serve`.
 export class ServerEngine implements Engine {
@@ -150,7 +153,7 @@ export class ServerEngine implements Engine {
   private get = async <T>(path: string): Promise<T> => content<T>(await this.request(path));
   private post = async <T>(path: string, data: unknown): Promise<T> => content<T>(await this.request(path, data));
   private async request(path: string, data?: unknown, signal?: AbortSignal, client: string = this.client): Promise<Response> {
-    if (this.isLost) throw new EngineError(SILENT);  // until `version` finds it again: nothing goes to a stranger
+    if (this.isLost) throw new EngineError(SILENT, true);  // until `version` finds it again: nothing goes to a stranger
     const headers: Record<string, string> = {'X-Trivet-Token': this.token, 'X-Trivet-Client': client};
     if (data !== undefined) headers['Content-Type'] = 'application/json';
     const response = await this.fetched(path, data === undefined ? {headers} : {method: 'POST', headers, body: JSON.stringify(data), ...(signal ? {signal} : {})});
@@ -163,7 +166,7 @@ export class ServerEngine implements Engine {
     } catch (reason) {
       if (init.signal?.aborted) throw reason;
       this.isLost = true;
-      throw new EngineError(SILENT);
+      throw new EngineError(SILENT, true);
     }
   }
   /// Goes on with a program that was started again, at this address and with another token.
@@ -186,7 +189,7 @@ export class ServerEngine implements Engine {
   }
 }
 const MOMENT = 500;  // ms
-const SILENT = 'The program does not answer.';
+const SILENT = 'The program does not answer. The page goes on by itself when it runs again.';
 const STRANGER = 'The program was started again with another token. Open the address that it prints in this tab.';
 
 const textOf = ({text, settings}: Change) => ({text, settings});

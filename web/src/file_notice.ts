@@ -18,10 +18,10 @@ export class FileNotice extends Part {
       default: return nothing;
     }
   }
-  private away({reason}: {reason: string}) {
+  private away({reason, isSilent}: Trouble & {kind: 'away'}) {
     const {file, project} = this.app;
-    return html`<div class="problems error" role="alert"><p>${reason} Your edits are kept in this tab, and the page goes on by itself.</p>
-      <pre>${['trivet serve', quoted(project.name ?? ''), '--port', location.port].filter(word => word).join(' ')}</pre>
+    return html`<div class="problems error" role="alert"><p>${reason} Your edits are kept in this tab.</p>
+      ${isSilent ? html`<pre>${['trivet serve', quoted(project.name ?? ''), '--port', location.port].filter(word => word).join(' ')}</pre>` : nothing}
       <button @click=${() => void file.look()}>Try again</button>
       <button @click=${() => download(project.name ?? 'machine.toml', file.textAway)}>Download the text</button></div>`;
   }

@@ -6,7 +6,7 @@ import type {Design, State} from './state.ts';
 
 /// Why the page and the file differ, and what the user decides about.
 export type Trouble =
-  | {kind: 'away'; reason: string}  // the program does not answer
+  | {kind: 'away'; reason: string; isSilent: boolean}  // the program does not answer
   | {kind: 'changed'; version: string; text: string}  // another program wrote the file, and the page has edits
   | {kind: 'deleted'};
 
@@ -112,7 +112,7 @@ export class ProjectFile {
       if (!this.isSaving && version === this.version) await this.compare(onDisk);
     } catch (error) {
       if (!(error instanceof EngineError)) throw error;
-      this.set({kind: 'away', reason: error.message});
+      this.set({kind: 'away', reason: error.message, isSilent: error.isSilent});
       this.keep();
     } finally {
       this.isLooking = false;
@@ -166,7 +166,9 @@ export class ProjectFile {
       return state.put(design, kept.case);
     }
     state.put(design, kept.case);
-    if (this.version === '' || kept.version !== this.version) this.meet(this.version, project.text ?? '');
+    const onDisk = this.version;
+    this.version = kept.version ?? '';  // with which the edits began
+    if (onDisk === '' || onDisk !== this.version) this.meet(onDisk, project.text ?? '');
     else this.say('Your edits are back; they are not saved yet.');
   }
   /// The machine without a file is closed.

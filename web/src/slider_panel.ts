@@ -18,11 +18,12 @@ export class SliderPanel extends Part {
     const position = positionOf(s, s.value), isSet = s.paths.some(p => this.app.state.design.settings.has(p.path));
     const pinned = this.app.display.pins.includes(s.name);
     return html`<li class=${isSet ? 'changed' : ''}>
-      <label title=${s.paths.map(p => p.path).join('\n')}><span>${s.name}${s.paths.some(p => p.path.startsWith('cases.')) && !s.name.startsWith('cases.') ? ` in case ${this.app.state.case}` : ''}</span>
+      <label title=${s.paths.map(p => p.path).join('\n')}><span>${s.name}</span>
         <input type="range" min="0" max=${STEPS} .value=${String(position)} aria-valuetext="${number(s.value)} ${s.unit}"
           @input=${(e: Event) => this.move(s, (e.target as HTMLInputElement).value, true)} @change=${() => this.app.state.dropped()}></label>
       <input class="number" aria-label="${s.name}, value" .value="${number(s.value, 5)}${s.unit ? ` ${s.unit}` : ''}"
         @change=${(e: Event) => this.type(s, e.target as HTMLInputElement)}>
+      ${s.paths.some(p => p.path.startsWith('cases.')) && !s.name.startsWith('cases.') ? html`<small class="hint">of case ${this.app.state.case}</small>` : nothing}
       ${pinned ? html`<button title="Remove the slider" @click=${() => this.app.display.set({pins: this.app.display.pins.filter(p => p !== s.name)})}>×</button>` : nothing}
     </li>`;
   }
