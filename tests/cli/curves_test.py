@@ -14,6 +14,7 @@ import unittest
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 EXAMPLES = SOURCE / "examples"
+TEN_BODIES = SOURCE / "benchmarks/ten_bodies.toml"
 ALLOWED = 1e-3  # relative error of a plot; the models are built to a tenth of it
 
 # One body with 8 results, of the size that a page redraws at every move of a slider.
@@ -167,12 +168,20 @@ class Curves(unittest.TestCase):
                 EXAMPLES / "bogie/loaded_frame.toml",
                 EXAMPLES / "track/bogie.toml",
                 EXAMPLES / "frame/frame.toml",
+                TEN_BODIES,
                 written(self, ONE_BODY),
                 written(self, MOVING_GROUND),
             )
         ):
             with self.subTest(file=file):
                 self.compare(file, seed)
+
+    def test_constant_matrices_need_one_solve_for_each_pole_and_a_few_tests(self):
+        for file, bodies in ((TEN_BODIES, 10), (written(self, ONE_BODY), 1)):
+            curves = result("curves", file, "--draft")
+            self.assertEqual(len(curves["models"][0]["pieces"]), 1)
+            self.assertLessEqual(curves["solves"], 12 * bodies + 11)
+            self.assertLess(curves["interpolation_error"], 1e-5)
 
     def test_a_wave_and_a_delayed_force_have_delays_of_their_own(self):
         model = result("curves", written(self, MOVING_GROUND))["models"][0]

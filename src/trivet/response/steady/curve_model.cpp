@@ -6,10 +6,11 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numbers>
 
 #include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/known_poles.h"
 #include "trivet/response/steady/channel_terms.h"
+#include "trivet/response/steady/curve_frequencies.h"
 
 namespace trivet::response {
 namespace {
@@ -23,6 +24,7 @@ constexpr std::size_t solves_per_round = 8;
 constexpr std::size_t most_corners = 42;
 constexpr std::size_t most_samples = 100;  // of one piece: with those of its tests, 120 solves
 constexpr double apart = 1e-10;            // of ω: closer frequencies are equal
+constexpr Eigen::Index most_poles = 300;   // of 25 bodies; more are fitted, in parts of the band
 
 /// The difference; infinite for NaN, which a pole of the fit at the frequency gives.
 double as_error(double difference) {
@@ -30,26 +32,6 @@ double as_error(double difference) {
 }
 
 using Samples = std::map<double, Eigen::VectorXcd>;  // ω → a value per delay and curve
-
-/// Three frequencies for each pole of the band and, if `spread_too`, a few over all of it.
-std::vector<double> first_frequencies(const Eigen::VectorXcd& poles, const assembly::Band& band, bool spread_too) {
-  constexpr int spread = 9, decades = 4;
-  constexpr double undamped = 1e-9;
-  std::vector<double> omega;
-  for (int i = 0; spread_too && i < spread; ++i)
-    omega.push_back(0.5 *
-                    (band.from + band.to - (band.to - band.from) * std::cos(std::numbers::pi * i / (spread - 1))));
-  for (int k = 1; spread_too && k <= decades; ++k) omega.push_back(band.to * std::pow(10.0, -k));
-  for (Eigen::Index k = 0; k < poles.size(); ++k) {
-    const double centre = poles(k).imag(), width = std::max(std::abs(poles(k).real()), 1e-6 * centre);
-    if (!(centre > 0)) continue;
-    for (const double t : {-1.0, 0.0, 1.0})
-      if (t != 0 || std::abs(poles(k).real()) > undamped * centre) omega.push_back(centre + t * width);
-  }
-  omega.insert(omega.end(), {band.from, band.to});
-  std::erase_if(omega, [&](double w) { return !(w >= band.from && w <= band.to); });
-  return omega;
-}
 
 class CurveModelBuilder {
  public:
@@ -59,6 +41,9 @@ class CurveModelBuilder {
       : assembled_(assembled), channels_(channels), options_(options), progress_(progress), model_(model) {
     for (const double delay : model.delays) loadings_.push_back(undelayed(loading, delay));
     extrema_ = extrema(peaks, model.band);
+    lowest_power_ = loading.lowest_power();
+    highest_power_ = loading.force.highest_power();
+    if (!loading.motion.vanishes()) highest_power_ = std::max(highest_power_, loading.motion.highest_power() + 2);
     for (const Peak& peak : peaks.list)
       if (std::isinf(peak.amplitude) && peak.angular_frequency >= model.band.from &&
           peak.angular_frequency <= model.band.to)
@@ -98,6 +83,23 @@ class CurveModelBuilder {
       largest_ = largest_.cwiseMax(values.cwiseAbs());
       samples_.emplace(fresh[i], std::move(values));
     }
+  }
+
+  /// Adds the whole band as one piece without a fit, if all poles are known because the matrices are constant, most of
+  /// them matter in the band, and tests confirm it.
+  [[nodiscard]] bool add_piece_of_poles(const assembly::Band& band, const Eigen::VectorXcd& of_matrices) {
+    constexpr double far = 1.5;  // of the end of the band: a fit of few poles needs fewer nodes
+    const auto near = (of_matrices.array().abs() <= far * band.to).count();
+    if (assembled_.frequency_dependent() || of_matrices.size() > most_poles || 2 * near < of_matrices.size())
+      return false;
+    const int at_rest = std::max(0, -lowest_power_);  // the load itself has these poles at 0
+    Eigen::VectorXcd poles = Eigen::VectorXcd::Zero(of_matrices.size() + at_rest);
+    poles.head(of_matrices.size()) = std::complex<double>(0, -1) * of_matrices;
+    if (is_confirmed(band, poles, poles.size() + 3 + highest_power_))  // a result has up to ω²; one node more
+      return true;
+    samples_.clear();  // too many for a fit
+    largest_.setZero();
+    return false;
   }
 
   /// Adds the pieces between the corners of the tables, if they are few.
@@ -152,6 +154,31 @@ class CurveModelBuilder {
   }
 
  private:
+  /// Adds the piece with these poles −iλ if it agrees with solves where its error would be largest, and with the peaks.
+  bool is_confirmed(const assembly::Band& band, const Eigen::VectorXcd& poles, Eigen::Index nodes) {
+    const std::complex<double> i(0, 1);
+    std::vector<double> omega = numerics::leja_nodes(
+        candidate_frequencies(i * poles, band, 4 * static_cast<int>(nodes)), poles, to_size(nodes) + solves_per_round);
+    solve(omega);
+    std::erase_if(omega, [&](double w) { return !samples_.contains(w); });
+    if (std::ssize(omega) < nodes + 1) return false;
+    const auto first_test = omega.begin() + nodes;
+    std::sort(omega.begin(), first_test);
+    numerics::RationalFit fit{Eigen::Map<const Eigen::VectorXd>(omega.data(), nodes), {}, {}, 0};
+    fit.weights = numerics::weights_for_poles(fit.nodes, poles);
+    fit.values.resize(largest_.size(), nodes);
+    for (Eigen::Index k = 0; k < nodes; ++k) fit.values.col(k) = samples_.at(fit.nodes(k));
+    double worst = error_at_extrema(band, fit), worst_at = doubted_extremum_;
+    for (auto test = first_test; test != omega.end(); ++test)
+      if (const double error = error_of(fit, *test, samples_.at(*test)); error > worst) worst = error, worst_at = *test;
+    if (!(worst <= options_.tolerance)) return false;
+    model_.tests += tests_ + static_cast<int>(omega.end() - first_test);
+    model_.worst_error = worst;
+    model_.worst_error_at = worst_at;
+    model_.pieces.push_back({band, std::move(fit)});
+    return true;
+  }
+
   void add(const SolutionCheck& check) {
     model_.check.fallbacks += check.fallbacks;
     if (!(check.worst_backward_error > model_.check.worst_backward_error)) return;
@@ -347,6 +374,7 @@ class CurveModelBuilder {
   Eigen::VectorXd largest_;
   Eigen::Array<bool, Eigen::Dynamic, 1> idle_;
   double doubted_extremum_ = 0;
+  int lowest_power_ = 0, highest_power_ = 0;  // of ω in the load
   int tests_ = 0;
 };
 
@@ -362,7 +390,7 @@ CurveModel curve_model(const assembly::Assembled& assembled, const std::vector<a
   model.delays = delays_of(loading);
   if (channels.empty()) return model;
   CurveModelBuilder builder(assembled, channels, loading, peaks, options, progress, model);
-  builder.add_pieces_between_corners(band, poles);
+  if (!builder.add_piece_of_poles(band, poles)) builder.add_pieces_between_corners(band, poles);
   return model;
 }
 

@@ -39,11 +39,11 @@ struct CurveModelOptions {
   int most_solves = 3000;   ///< limit; `worst_error` then states the accuracy of the model
 };
 
-/// Model of all curves over a band. Solves around the poles and over the band, fits, compares the fit with new solves
-/// where it is least certain and with the extrema of `peaks`, and repeats where they disagree. A band of curves that no
-/// rational function of few poles fits (corners of tables, very many resonances) is halved, and each half has its own
-/// model.
-/// @param poles  of the response at iω = λ, as far as they are known: they only guide the first solves
+/// Model of all curves over a band. With constant matrices it has all poles and interpolates solves. Otherwise it
+/// solves around the poles and over the band and fits. It is compared with new solves where it is least certain and
+/// with the extrema of `peaks`, and a fit is repeated where they disagree. A band of curves that no rational function
+/// of few poles fits (corners of tables, very many resonances) is halved, and each half has its own model.
+/// @param poles  of the response at iω = λ: all of them with constant matrices, otherwise as far as they are known
 /// @param peaks  of the same curves; may be empty
 [[nodiscard]] CurveModel curve_model(const assembly::Assembled& assembled,
                                      const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
