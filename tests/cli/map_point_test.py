@@ -37,7 +37,7 @@ on = "block"
 at = [-0.4, 0.2, -0.3]
 translation = [5e4, 3e4, 7e4]
 rotation = [400, 300, 500]
-damping = DAMPING
+damping = {proportional = 0.004}
 [excitations.drive]
 EXCITATION
 [analyses]
@@ -162,7 +162,7 @@ class StoredDesigns(Folder):
         self.check_verdicts(project, designs)
         return designs
 
-    def test_proportional_damping(self):
+    def test_viscous_damping(self):
         designs = self.check(block())
         self.assertTrue(designs.stored["curves"]["rounded"])
         self.assertEqual(len(designs.margins), 45)
