@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import {html, nothing} from 'lit';
-import {pictureOf, unitsOf, type Choice} from './chart/picture.ts';
+import {html, nothing, svg} from 'lit';
+import {limitsOf, type NotDrawn} from './chart/limits.ts';
+import {amplitudeAt, pictureOf, shownLimits, unitsOf, type Choice} from './chart/picture.ts';
+import type {Compared} from './chart/overlays.ts';
 import {Plot, type Picture} from './chart/plot.ts';
 import {strokeOf} from './chart/strokes.ts';
+import {comparable, comparisons, isCompared, wordsOf} from './comparisons.ts';
 import {DrawnCurves} from './drawn_curves.ts';
+import {LimitMover} from './limit_mover.ts';
 import {Part} from './part.ts';
-import {FREQUENCY_UNITS, number, type FrequencyUnit} from './quantities.ts';
+import {FREQUENCY_UNITS, number, quantityName, type FrequencyUnit} from './quantities.ts';
 import type {Curves, Steady} from './results.ts';
 
 /// Amplitude and phase of the characteristics. A click, or Enter at the cursor, makes the machine swing at that frequency.
@@ -20,6 +24,11 @@ export class CurveChart extends Part {
   private picture: Picture | null = null;
   private readonly drawnCurves = new DrawnCurves();
   private drawn: unknown[] = [];
+  private limitsDrawn = '';
+  private notDrawn: NotDrawn[] = [];
+  private mover!: LimitMover;
+  private compared: Compared[] = [];
+  private wanted = '';  // unit that the user chose
   private watcher: ResizeObserver | null = null;
 
   constructor() {
@@ -31,15 +40,15 @@ export class CurveChart extends Part {
   }
   override render() {
     const {display, asker} = this.app, curves = this.drawnCurves.of(asker), units = curves ? unitsOf(curves) : [];
-    const unit = units.includes(this.choice.unit) ? this.choice.unit : units[0] ?? '';
+    const unit = [this.wanted, this.choice.unit].find(u => units.includes(u)) ?? units[0] ?? '';
     if (curves && unit !== this.choice.unit) this.chooseUnit(curves, unit);
     const check = (label: string, on: boolean, set: (on: boolean) => void) => html`<label title=${HINTS[label] ?? ''}><input type="checkbox" .checked=${on}
       @change=${(e: Event) => set((e.target as HTMLInputElement).checked)}> ${label}</label>`;
     return html`
       <div class="bar">
         <h2 class="hidden">Characteristics</h2>${asker.isOld('curves') ? html`<span class="old">…</span>` : nothing}
-        ${units.length > 1 ? html`<select aria-label="Quantity" @change=${(e: Event) => this.chooseUnit(curves!, (e.target as HTMLSelectElement).value)}>
-          ${units.map(u => html`<option value=${u} ?selected=${u === unit}>${QUANTITIES[u] ?? u}</option>`)}</select>` : nothing}
+        ${units.length ? html`<select aria-label="Quantity" @change=${(e: Event) => this.chooseQuantity(curves!, (e.target as HTMLSelectElement).value)}>
+          ${offeredUnits(units).map(u => html`<option value=${u} ?selected=${u === unit}>${quantityName(u)}</option>`)}</select>` : nothing}
         ${curves && curves.models.length > 1 ? html`<select aria-label="Excitation" @change=${(e: Event) => { this.choice = {...this.choice, model: Number((e.target as HTMLSelectElement).value)}; }}>
           ${curves.models.map((m, i) => html`<option value=${i} ?selected=${i === this.choice.model}>${m.excitations?.join(', ') || 'all excitations'}</option>`)}</select>` : nothing}
         <select aria-label="Unit of frequency" @change=${(e: Event) => display.set({frequencyUnit: (e.target as HTMLSelectElement).value as FrequencyUnit})}>
@@ -47,7 +56,7 @@ export class CurveChart extends Part {
         ${check('log f', display.logarithmicFrequency, logarithmicFrequency => display.set({logarithmicFrequency}))}
         ${check('log', display.logarithmicAmplitude, logarithmicAmplitude => display.set({logarithmicAmplitude}))}
         ${check('dB', display.decibel, decibel => display.set({decibel}))}
-        ${check('keep', this.kept !== null, on => { this.kept = on ? curves : null; })}
+        <details class="menu"><summary title="draw others beside these curves">compare</summary><div>${check('keep these curves', this.kept !== null, on => { this.kept = on ? curves : null; })}${comparable(this.app).map(key => check(wordsOf(key), isCompared(this.app, key), on => this.compare(key, on)))}</div></details>
         ${check('table', this.asTable, on => { this.asTable = on; })}
       </div>
       <div class="plots" tabindex="0" role="application" aria-label="Characteristics. Left and right arrow move the cursor, page up and page down go from peak to peak, Enter makes the machine swing at the cursor." @keydown=${this.key}>
@@ -58,10 +67,15 @@ export class CurveChart extends Part {
       <p class="hidden" role="status" aria-live="polite">${this.spoken}</p>
       ${this.asTable && this.picture ? this.table(this.picture) : nothing}`;
   }
+  override connectedCallback() {
+    super.connectedCallback();
+    this.unsubscribe.push(this.app.beside.subscribe(() => this.requestUpdate()));
+  }
   override firstUpdated() {
     const click = (x: number) => this.swing(x / FREQUENCY_UNITS[this.app.display.frequencyUnit]);
     const [top, bottom] = [this.querySelector<HTMLElement>('.amplitude')!, this.querySelector<HTMLElement>('.phase')!];
-    this.amplitude = new Plot(top, 'amplitude', this.app.display, click);
+    this.mover = new LimitMover(this.app, y => amplitudeAt(y, this.picture!.scale, this.app.display), () => this.requestUpdate());
+    this.amplitude = new Plot(top, 'amplitude', this.app.display, click, this.mover);
     this.phase = new Plot(bottom, 'phase', this.app.display, click);
     for (const place of [top, bottom]) place.addEventListener('mousemove', event => this.follow(event, place));
     this.watcher = new ResizeObserver(() => {
@@ -74,15 +88,25 @@ export class CurveChart extends Part {
   override updated() {
     const {asker, display} = this.app, curves = this.drawnCurves.of(asker);
     if (!curves || !this.amplitude) return;
-    const steady = asker.result<Steady>('steady'), seen = [curves, steady, this.kept, this.choice, display.theme, display.frequencyUnit, display.logarithmicFrequency, display.decibel, display.logarithmicAmplitude];
-    if (seen.some((value, i) => value !== this.drawn[i])) {
+    const steady = asker.result<Steady>('steady'), compared = comparisons(this.app, this.kept);
+    const seen = [curves, steady, ...compared.flatMap(c => [c.curves, c.measured?.[0], c.key]), this.choice, display.theme, display.frequencyUnit, display.logarithmicFrequency, display.decibel, display.logarithmicAmplitude];
+    if (JSON.stringify(compared.map(c => [c.label, c.old, c.failure])) !== JSON.stringify(this.compared.map(c => [c.label, c.old, c.failure]))) this.requestUpdate();
+    this.compared = compared;
+    if (seen.length !== this.drawn.length || seen.some((value, i) => value !== this.drawn[i])) {
       this.drawn = seen;
-      this.picture = pictureOf(curves, this.choice, display, steady, this.kept);
+      this.picture = pictureOf(curves, this.choice, display, steady, compared);
+      this.limitsDrawn = this.setLimits(curves);
       display.drawn = this.picture.curves.map(c => c.name);
       this.amplitude.show(this.picture);
       this.phase!.show(this.picture);
       this.requestUpdate();
     } else if (this.picture) {
+      const limits = this.setLimits(curves);
+      if (limits !== this.limitsDrawn) {
+        this.limitsDrawn = limits;
+        this.amplitude.rescale();
+        this.requestUpdate();
+      }
       const cursor = display.cursor === null ? null : display.cursor * FREQUENCY_UNITS[display.frequencyUnit];
       if (cursor === this.picture.cursor) return;
       this.picture.cursor = cursor;
@@ -97,23 +121,50 @@ export class CurveChart extends Part {
     this.phase?.destroy();
   }
 
+  /// Puts the present limits into the picture. @returns their text, which changes with them
+  private setLimits(curves: Curves): string {
+    const {display} = this.app, {drawn, not} = limitsOf(curves, this.choice.model, this.mover.requirements), names = this.drawable(curves).map(r => r.name);
+    this.notDrawn = not;
+    this.picture!.limits = shownLimits(this.mover.present(drawn), names, this.choice.hidden, this.picture!.scale, display);
+    return JSON.stringify([this.picture!.limits, not.map(n => n.why)]);
+  }
+  private drawable = (curves: Curves) => curves.results.filter(r => r.unit === this.choice.unit && !curves.vanishing?.includes(r.name));
+
   /// Names of the curves with their values at the cursor; a click hides one.
   private legend(curves: Curves | null) {
     if (!curves || !this.picture) return nothing;
     const steady = this.picture.overlays.some(o => o.kind === 'stable');
-    const {display} = this.app, all = curves.results.filter(r => r.unit === this.choice.unit && !curves.vanishing?.includes(r.name)), at = this.indexAtCursor();
-    return html`${at === null ? nothing : html`<span class="cursor">${number(this.picture.x[at], 4)} ${display.frequencyUnit}</span>`}${all.map((r, i) => {
+    const {display} = this.app, all = this.drawable(curves), at = this.indexAtCursor();
+    return html`${at === null ? nothing : html`<span class="cursor">${number(this.picture.x[at], 4)} ${display.frequencyUnit}</span>`}${this.notDrawn.length ? html`<details class="note"><summary>${this.notDrawn.length === 1 ? '1 limit is' : `${this.notDrawn.length} limits are`} not drawn</summary>
+      <ul>${this.notDrawn.map(({requirement, why}) => html`<li>${requirement.requirement}: ${why}</li>`)}</ul></details>` : nothing}${all.map((r, i) => {
       const curve = this.picture!.curves.find(c => c.name === r.name), {colour} = strokeOf(i, display.theme);
       const value = at !== null && curve ? number(curve.amplitude[at], 3) : '';
       return html`<button class="curve" aria-pressed=${curve !== undefined} @click=${() => this.toggle(r.name)}>
         <svg viewBox="0 0 18 6" aria-hidden="true"><line x1="0" y1="3" x2="18" y2="3" stroke=${colour} stroke-width="3" stroke-dasharray=${strokeOf(i, display.theme).dash.join(' ')}></line></svg>
         ${r.name}${value ? html` <b>${value}</b>` : nothing}</button>`;
-    })}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak; dashed: unstable; arrow: jump</span>` : nothing}`;
+    })}${this.compared.map(c => html`<span class="curve" title=${c.failure}><svg viewBox="0 0 26 6" aria-hidden="true">${c.measured ? svg`<circle cx="7" cy="3" r="2.4" fill="currentColor"></circle><circle cx="18" cy="3" r="2.4" fill="currentColor"></circle>`
+        : svg`<line x1="0" y1="3" x2="26" y2="3" stroke="currentColor" stroke-width="2" stroke-dasharray=${c.dash.join(' ')}></line>`}</svg> ${c.label}${c.failure ? ': not computed' : ''}${c.old ? html` <span class="old">…</span>` : nothing}</span>`)}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak; dashed: unstable; arrow: jump</span>` : nothing}`;
   }
-  /// Shows the first curves of a unit; more would cover each other until one chooses.
+  /// Shows the first curves of a unit, those with limits before others; more would cover each other until one chooses.
   private chooseUnit(curves: Curves, unit: string) {
     const names = curves.results.filter(r => r.unit === unit && !curves.vanishing?.includes(r.name)).map(r => r.name);
-    this.choice = {...this.choice, unit, hidden: new Set(names.slice(MOST_AT_FIRST))};
+    const limited = new Set([...this.app.index.byPath.values()].filter(e => !e.children.length).flatMap(e => e.path)), first = (name: string) => (limited.has(name) ? 0 : 1);
+    const order = [...names].sort((a, b) => first(a) - first(b));
+    this.choice = {...this.choice, unit, hidden: new Set(order.slice(MOST_AT_FIRST))};
+  }
+  /// Motions are drawn in the quantity of the chosen unit, which the program computes.
+  private chooseQuantity(curves: Curves, unit: string) {
+    const {display, asker, beside} = this.app, quantity = MOTIONS.findIndex(([a, b]) => a === unit || b === unit);
+    this.wanted = unit;
+    if (unitsOf(curves).includes(unit)) return this.chooseUnit(curves, unit);
+    display.set({quantity: QUANTITIES[quantity]!});
+    asker.again();
+    beside.rest();
+  }
+  private compare(key: string, on: boolean) {
+    const {display, beside} = this.app;
+    display.set({compared: new Map([...display.compared, [key, on]])});
+    beside.rest();
   }
   private toggle(name: string) {
     const hidden = new Set(this.choice.hidden);
@@ -172,8 +223,11 @@ export class CurveChart extends Part {
   }
 }
 const MOST_AT_FIRST = 6;
+/// Units of the motions in each quantity: of a translation and of a rotation.
+const MOTIONS = [['m', 'rad'], ['m/s', 'rad/s'], ['m/s²', 'rad/s²']] as const, QUANTITIES = ['displacement', 'velocity', 'acceleration'];
+/// Units that can be drawn: those of the curves, and their motions in the other quantities.
+const offeredUnits = (units: readonly string[]) => [
+  ...[0, 1].flatMap(kind => (units.some(u => MOTIONS.some(m => m[kind] === u)) ? MOTIONS.map(m => m[kind]!) : [])), ...units.filter(u => !MOTIONS.some(m => (m as readonly string[]).includes(u)))];
 const HINTS: Record<string, string> = {'log f': 'logarithmic frequency', log: 'logarithmic amplitude', dB: 'decibels of the SI unit',
-                                       keep: 'keep these curves, dashed, to compare with changed ones', table: 'the values as a table'};
-const QUANTITIES: Record<string, string> = {m: 'displacement', rad: 'rotation', 'm/s': 'velocity', 'm/s^2': 'acceleration', 'm/s2': 'acceleration', N: 'force',
-                                            'N m': 'moment'};
+                                       'keep these curves': 'dashed, to compare with changed ones', table: 'the values as a table'};
 customElements.define('curve-chart', CurveChart);

@@ -26,6 +26,8 @@ export class Display {
   drawn: readonly string[] = [];  // names of the results that are drawn as curves; empty: not yet known
   pins: readonly string[] = [];  // numbers of the tree that are sliders, too
   leftTab: 'sliders' | 'model' | 'text' = 'sliders';
+  compared: ReadonlyMap<string, boolean> = new Map();  // what is drawn beside the curves, see comparisons.ts
+  quantity = '';  // of the motions in the curves; empty: that of the file
   table: Table | null = null;  // shown below the curves; null: the one that suits the file
   notice = '';  // one sentence for a few seconds
   private readonly listeners = new Set<() => void>();

@@ -15,10 +15,14 @@ export class DrawnCurves {
     const draft = asker.revisionOf('draft') > asker.revisionOf('curves') ? asker.result<Curves>('draft') : null;
     if (this.from.length && finished === this.from[0] && draft === this.from[1]) return this.curves;
     this.from = [finished, draft];
-    this.curves = draft && finished ? completed(draft, finished) : finished;
+    this.curves = draft && finished && isOfSameQuantity(draft, finished) ? completed(draft, finished) : finished;
     return this.curves;
   }
 }
+
+/// Not if one has just chosen velocities instead of displacements.
+const isOfSameQuantity = (draft: Curves, finished: Curves) =>
+  draft.results.every(({name, unit}) => finished.results.some(r => r.name === name && r.unit === unit));
 
 /// A draft with the results, in their order, and the limits of finished curves. Results that it does not have are empty.
 function completed(draft: Curves, finished: Curves): Curves {

@@ -24,6 +24,11 @@ const PREFIXES: readonly (readonly [number, string])[] =
 const WITHOUT_LARGE = new Set(['m', 'm/s', 'm/s^2', 'm/s2', 'm/s²', 'rad', 'rad/s', 'rad/s^2', 's']);
 const PREFIXED = /^(m|N|rad|W|J|Pa|s)\b/;
 
+const QUANTITIES: Record<string, string> = {m: 'displacement', rad: 'rotation', 'm/s': 'velocity', 'rad/s': 'angular velocity', 'm/s^2': 'acceleration', 'm/s2': 'acceleration', 'm/s²': 'acceleration',
+                                            'rad/s^2': 'angular acceleration', 'rad/s2': 'angular acceleration', 'rad/s²': 'angular acceleration', N: 'force', 'N m': 'moment'};
+/// What is measured in a unit, in a word; the unit itself if it has none.
+export const quantityName = (unit: string) => QUANTITIES[unit] ?? unit;
+
 export interface Scale {
   factor: number;
   unit: string;

@@ -188,6 +188,12 @@ export interface Requirement {
   met: boolean;
   reason: string;
   detail: string;
+  angular_frequency: number | null;  // at which the value occurs
+  band: readonly [number, number | null] | null;  // ω in which the curve is judged
+  speed: readonly [number, number] | null;  // of the machine at which it is judged
+  excitations: readonly string[];  // empty: all
+  order: number | null;  // of a shaft that alone drives it
+  place: readonly string[];  // keys that lead to its number in the file; empty: it has none
 }
 export interface Verdict {
   met: boolean;
@@ -219,3 +225,9 @@ export interface DesignMap {
   grid: {margin: (number | null)[]; governing: (number | string)[]};  // row after row of y, x fastest
 }
 export type DesignMaps = DesignMap | {pairs: DesignMap[]};
+
+export interface Measurement {
+  name: string;
+  excitation: string | null;  // that alone acts; null: those of the response
+  channels: {result: string; unit: string; angular_frequency: number[]; measured: Complex[]}[];
+}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type {Wish} from './asker.ts';
 import type {Question} from './beside.ts';
+import {comparedQuestions} from './comparisons.ts';
 import type {Display} from './display.ts';
 import type {App} from './part.ts';
 import {pathsOfParameter} from './slider_list.ts';
@@ -17,20 +18,24 @@ export function wishes(display: Display, {hasSomethingToJudge, hasSteady}: {hasS
   return all;
 }
 /// The drawn curves follow a slider as a draft; all curves with exact peaks follow when it rests.
-function curves({drawn}: Display): Wish[] {
-  const finished = {want: {command: 'curves'}};
+function curves({drawn, quantity}: Display): Wish[] {
+  const keys = quantity ? {quantity} : {}, finished = {want: {command: 'curves', keys}};
   if (!drawn.length) return [finished];  // which ones are drawn is not yet known
-  return [{want: {command: 'curves', keys: {draft: true, of: drawn}}, as: 'draft'}, {...finished, exact: true}];
+  return [{want: {command: 'curves', keys: {...keys, draft: true, of: drawn}}, as: 'draft'}, {...finished, exact: true}];
 }
 
 const PATIENCE = 1000;  // ms for a map that nobody asked for
 
-/// Results beside those of the state: the map, while it is shown. It does not depend on the numbers along its axes.
+/// Results beside those of the state: what is compared, and the map while it is shown, which does not depend on the numbers along
+/// its axes.
 export function questionsBeside(app: App): Question[] {
-  if (!app.state.design.text || tableOnPage(app) !== 'map') return [];
+  if (!app.state.design.text) return [];
+  return [...comparedQuestions(app), ...tableOnPage(app) === 'map' ? [mapQuestion(app)] : []];
+}
+function mapQuestion(app: App): Question {
   const {change} = app.state, moved = mapPaths(app);
   const settings = change.settings.filter(s => !moved.has(s.slice(0, s.indexOf(' = '))));
-  return [{key: 'map', change: {...change, settings}, want: {command: 'map'}, patience: PATIENCE}];
+  return {key: 'map', change: {...change, settings}, want: {command: 'map'}, patience: PATIENCE};
 }
 /// Paths that the axes of the map move.
 function mapPaths({index}: App): Set<string> {

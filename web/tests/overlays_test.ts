@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {partsByStability, steadyOverlays} from '../src/chart/overlays.ts';
+import {measuredOverlays, partsByStability, steadyOverlays} from '../src/chart/overlays.ts';
 
 const point = (angular_frequency: number, largest: number, stable = true) => ({angular_frequency, stable, results: [{largest, smallest: -largest}]});
 
@@ -12,7 +12,13 @@ test('parts of a branch meet where its stability changes', () => {
 test('steady motions have half their peak-to-peak value, and folds jump to where they land', () => {
   const steady = {over: 'frequency', results: [{name: 'm.z', unit: 'm'}, {name: 'm.x', unit: 'm'}], points: [point(1, 2), point(3, 4)].map(p => ({...p, results: [p.results[0]!, p.results[0]!]})),
                   folds: [{point: {...point(3, 4), results: [{largest: 5, smallest: 1}, {largest: 0, smallest: 0}]}, lands: {...point(3, 9), results: [{largest: 9, smallest: -9}, {largest: 0, smallest: 0}]}}]};
-  const overlays = steadyOverlays(steady, ['m.z'], 2, v => 10 * v);
+  const overlays = steadyOverlays(steady, 'm', ['m.z'], 2, v => 10 * v);
   assert.deepEqual(overlays.map(o => [o.kind, o.points]), [['stable', [[2, 20], [6, 40]]], ['jump', [[6, 20], [6, 90]]]]);
-  assert.deepEqual(steadyOverlays({...steady, over: 'load'}, ['m.z'], 1, v => v), []);
+  assert.deepEqual(steadyOverlays(steady, 'm/s', ['m.z'], 1, v => v), []);
+  assert.deepEqual(steadyOverlays({...steady, over: 'load'}, 'm', ['m.z'], 1, v => v), []);
+});
+test('measured amplitudes belong to the drawn result of their unit', () => {
+  const measured = [{name: 'impact', excitation: 'hammer', channels: [{result: 'm.z', unit: 'm/s²', angular_frequency: [1, 2], measured: [[3, 4], [0, 2]] as [number, number][]}]}];
+  assert.deepEqual(measuredOverlays(measured, 'm/s²', ['m.x', 'm.z'], 10, v => 2 * v).map(o => [o.stroke, o.points]), [[1, [[10, 10], [20, 4]]]]);
+  assert.deepEqual(measuredOverlays(measured, 'm', ['m.z'], 1, v => v), []);
 });

@@ -1,23 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines over the characteristics: curves kept for comparison, limit lines, periodic motions of a nonlinear machine.
-import type {Steady} from '../results.ts';
+import type {Curves, Measurement, Steady} from '../results.ts';
 
 export interface Overlay {
   name: string;
   stroke: number;
-  kind: 'kept' | 'limit' | 'stable' | 'unstable' | 'jump';
+  kind: 'compared' | 'measured' | 'limit' | 'stable' | 'unstable' | 'jump';
+  dash?: readonly number[];  // of compared curves
   points: (readonly [number, number | null])[];  // in the units of the chart
 }
 type Value = (amplitude: number) => number | null;
 
+/// Curves of the same results of another machine, beside those on the page.
+export interface Compared {
+  key: string;
+  label: string;
+  curves: Curves | null;  // null: not there yet
+  measured?: readonly Measurement[];
+  old: boolean;
+  failure: string;
+  dash: readonly number[];
+}
+/// Amplitudes that were measured, of the drawn results in their unit.
+export function measuredOverlays(measured: readonly Measurement[], unit: string, results: readonly string[], frequency: number, value: Value): Overlay[] {
+  return measured.flatMap(({channels}) => channels.flatMap((channel): Overlay[] => {
+    const stroke = results.indexOf(channel.result);
+    if (stroke < 0 || channel.unit !== unit) return [];
+    return [{name: channel.result, stroke, kind: 'measured', points: channel.angular_frequency.map((w, i) => [w * frequency, value(Math.hypot(...channel.measured[i]!))])}];
+  }));
+}
+
 /// Half the peak-to-peak values of the periodic motions over frequency, in parts that are stable or unstable, and the
 /// jumps from folds to where they land.
-export function steadyOverlays(steady: Steady, results: readonly string[], frequency: number, value: Value): Overlay[] {
+export function steadyOverlays(steady: Steady, shownUnit: string, results: readonly string[], frequency: number, value: Value): Overlay[] {
   if (steady.over !== 'frequency') return [];
   const overlays: Overlay[] = [];
-  steady.results.forEach(({name}, r) => {
+  steady.results.forEach(({name, unit}, r) => {
     const stroke = results.indexOf(name);
-    if (stroke < 0) return;
+    if (stroke < 0 || unit !== shownUnit) return;
     const place = (p: Steady['points'][number]) => [p.angular_frequency * frequency, value((p.results[r]!.largest - p.results[r]!.smallest) / 2)] as const;
     for (const branch of [steady, ...steady.further ?? []]) {
       overlays.push(...partsByStability(branch.points, place).map(({stable, points}): Overlay => ({name, stroke, kind: stable ? 'stable' : 'unstable', points})));

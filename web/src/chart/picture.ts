@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type {Display} from '../display.ts';
-import {FREQUENCY_UNITS, scaleOf} from '../quantities.ts';
+import {FREQUENCY_UNITS, number, scaleOf, type Scale} from '../quantities.ts';
 import type {Curves, Steady} from '../results.ts';
+import type {ShownLimit} from './limit_handles.ts';
+import type {Limit} from './limits.ts';
 import {drawnFrequencies, sampledCurves} from '../sampled_curves.ts';
-import {steadyOverlays, type Overlay} from './overlays.ts';
+import {measuredOverlays, steadyOverlays, type Compared, type Overlay} from './overlays.ts';
 import type {Picture, Shown} from './plot.ts';
+import {strokeOf} from './strokes.ts';
 
 /// What the user chose to see of the curves.
 export interface Choice {
@@ -18,42 +21,71 @@ export const unitsOf = ({results, vanishing = []}: Curves) =>
   [...new Set(results.filter(r => !vanishing.includes(r.name)).map(r => r.unit))];
 
 /// Curves of one unit in the units of the page.
-export function pictureOf(curves: Curves, choice: Choice, display: Display, steady: Steady | null = null, kept: Curves | null = null): Picture {
+export function pictureOf(curves: Curves, choice: Choice, display: Display, steady: Steady | null = null, compared: readonly Compared[] = []): Picture {
   const frequency = FREQUENCY_UNITS[display.frequencyUnit];
   const indices = curves.results.map((_, i) => i).filter(i => curves.results[i]!.unit === choice.unit && !curves.vanishing?.includes(curves.results[i]!.name));
   const seen = indices.filter(i => !choice.hidden.has(curves.results[i]!.name));
   const omega = drawnFrequencies(curves, POINTS, display.logarithmicFrequency, seen), sampled = sampledCurves(curves, choice.model, omega, seen);
-  const limitOf = (name: string) => curves.limits.find(l => l.result === name)?.limit ?? null;
   const largest = seen.reduce((top, i) => sampled.amplitude[i]!.reduce<number>((t, a) => Math.max(t, a ?? 0), top), 0);
   const scale = display.decibel ? {factor: 1, unit: choice.unit} : scaleOf(largest, choice.unit);
   const names = indices.map(i => curves.results[i]!.name);
-  const shownValue = (v: number | null) => {
-    if (v === null || !(v > 0 || !display.decibel && !display.logarithmicAmplitude)) return null;
-    return display.decibel ? 20 * Math.log10(v) : v * scale.factor;
-  };
+  const shownValue = (v: number | null) => shownAmplitude(v, scale, display);
   const shown = seen.map((i): Shown => {
     const {name} = curves.results[i]!;
     return {name, stroke: indices.indexOf(i), amplitude: sampled.amplitude[i]!.map(shownValue), phase: sampled.phase[i]!,
-            limit: shownValue(limitOf(name)), peaks: curves.peaks.filter(p => p.result === name && p.amplitude !== null && p.amplitude > 1e-4 * largest)
+            peaks: curves.peaks.filter(p => p.result === name && p.amplitude !== null && p.amplitude > 1e-4 * largest)
               .map(p => ({x: p.angular_frequency * frequency, y: shownValue(p.amplitude)!}))};
   });
-  const overlays: Overlay[] = steady ? steadyOverlays(steady, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)) : [];
+  const overlays: Overlay[] = steady ? steadyOverlays(steady, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)) : [];
   for (const line of curves.lines ?? []) {
     const stroke = names.indexOf(line.result), level = line.rms ? Math.SQRT2 : 1;
     if (stroke < 0 || line.unit !== choice.unit || choice.hidden.has(line.result)) continue;
     overlays.push({name: line.result, stroke, kind: 'limit', points: line.angular_frequency.map((w, k) => [w * frequency, shownValue(level * line.limit[k]!)])});
   }
-  if (kept) overlays.push(...keptOverlays(kept, choice, display, names, shownValue));
-  return {overlays, x: omega.map(w => w * frequency), curves: shown, natural: curves.natural.map(w => w * frequency), scale,
+  for (const one of compared) {
+    if (one.curves) overlays.push(...comparedOverlays(one.curves, one.dash, choice, display, names, shownValue));
+    if (one.measured) overlays.push(...measuredOverlays(one.measured, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)));
+  }
+  return {overlays, limits: [], x: omega.map(w => w * frequency), curves: shown, natural: curves.natural.map(w => w * frequency), scale,
           cursor: display.cursor === null ? null : display.cursor * frequency};
 }
 
-/// Curves as they were when the user kept them, dashed.
-function keptOverlays(kept: Curves, choice: Choice, display: Display, names: readonly string[], shownValue: (v: number | null) => number | null): Overlay[] {
-  const omega = drawnFrequencies(kept, POINTS, display.logarithmicFrequency), sampled = sampledCurves(kept, choice.model, omega);
-  return kept.results.flatMap(({name}, i): Overlay[] => {
-    const stroke = names.indexOf(name);
-    if (stroke < 0 || choice.hidden.has(name)) return [];
-    return [{name, stroke, kind: 'kept', points: omega.map((w, k) => [w * FREQUENCY_UNITS[display.frequencyUnit], shownValue(sampled.amplitude[i]![k]!)])}];
+/// An amplitude on the axis; null where the axis cannot show it.
+export function shownAmplitude(value: number | null, {factor}: Scale, {decibel, logarithmicAmplitude}: Display): number | null {
+  if (value === null || !(value > 0 || !decibel && !logarithmicAmplitude)) return null;
+  return decibel ? 20 * Math.log10(value) : value * factor;
+}
+/// The SI value of a place on the axis.
+export const amplitudeAt = (shown: number, {factor}: Scale, {decibel}: Display) => (decibel ? 10 ** (shown / 20) : shown / factor);
+
+/// A limit of the file as it is on the page.
+export interface PresentLimit {
+  limit: Limit;
+  allowed: number;  // SI, of the present number
+  written: string;  // "4.5 mm/s rms", as in the file
+  movable: boolean;
+  old: boolean;  // its margin is not that of the present numbers yet
+}
+/// Limits of the curves that are seen.
+export function shownLimits(all: readonly PresentLimit[], names: readonly string[], hidden: ReadonlySet<string>, scale: Scale, display: Display): ShownLimit[] {
+  const frequency = FREQUENCY_UNITS[display.frequencyUnit];
+  return all.flatMap(({limit: {requirement: r, result, from, to, atSpeed}, allowed, written, movable, old}, i): ShownLimit[] => {
+    const stroke = names.indexOf(result), y = shownAmplitude(allowed, scale, display);
+    if (stroke < 0 || hidden.has(result) || y === null) return [];
+    const value = atSpeed && r.value !== null ? shownAmplitude(r.value, scale, display) : null, violated = r.judged && !r.met;
+    const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}`, label = `≤ ${written} · ${margin}${old ? ' …' : ''}`;
+    return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label, violated, movable, colour: strokeOf(stroke, display.theme).colour,
+             words: `${r.requirement}: ${margin}${violated ? ', violated' : ''}`, at: value !== null ? {x: (from + to) / 2 * frequency, y: value} : null}];
+  });
+}
+
+/// Curves of another machine, or as they were when the user kept them.
+function comparedOverlays(other: Curves, dash: readonly number[], choice: Choice, display: Display, names: readonly string[], shownValue: (v: number | null) => number | null): Overlay[] {
+  const omega = drawnFrequencies(other, POINTS, display.logarithmicFrequency);
+  const wanted = other.results.map((_, i) => i).filter(i => other.results[i]!.unit === choice.unit && names.includes(other.results[i]!.name) && !choice.hidden.has(other.results[i]!.name));
+  const sampled = sampledCurves(other, choice.model, omega, wanted);
+  return wanted.map((i): Overlay => {
+    const {name} = other.results[i]!;
+    return {name, stroke: names.indexOf(name), kind: 'compared', dash, points: omega.map((w, k) => [w * FREQUENCY_UNITS[display.frequencyUnit], shownValue(sampled.amplitude[i]![k]!)])};
   });
 }

@@ -2,6 +2,7 @@
 import uPlot from 'uplot';
 import type {Display} from '../display.ts';
 import {number, type Scale} from '../quantities.ts';
+import {LimitHandles, type Box, type LimitMoves, type ShownLimit} from './limit_handles.ts';
 import type {Overlay} from './overlays.ts';
 import {partsAbove} from './parts_above.ts';
 import {chartColours, strokeOf} from './strokes.ts';
@@ -12,7 +13,6 @@ export interface Shown {
   stroke: number;
   amplitude: (number | null)[];
   phase: (number | null)[];
-  limit: number | null;
   peaks: {x: number; y: number}[];
 }
 export interface Picture {
@@ -22,6 +22,7 @@ export interface Picture {
   scale: Scale;
   cursor: number | null;
   overlays: Overlay[];
+  limits: ShownLimit[];
 }
 
 /// Amplitudes below this share of the largest are not drawn on a logarithmic axis: they are zeros and round-off.
@@ -32,9 +33,25 @@ export class Plot {
   private plot: uPlot | null = null;
   private picture: Picture | null = null;
   private made = '';
+  private readonly handles: LimitHandles | null;
+  private held: [number, number] | null = null;  // the range while a limit is dragged
 
+  /// @param moves  what is done with limits; null: they are not drawn here
   constructor(private readonly parent: HTMLElement, private readonly what: 'amplitude' | 'phase', private readonly display: Display,
-              private readonly clicked: (x: number) => void) {}
+              private readonly clicked: (x: number) => void, moves: LimitMoves | null = null) {
+    this.handles = moves && new LimitHandles(parent, {
+      ...moves,
+      began: () => {
+        const {min, max} = this.plot!.scales['y']!;
+        this.held = [min!, max!];
+        moves.began();
+      },
+      dropped: id => {
+        this.held = null;
+        moves.dropped(id);
+        this.rescale();
+      }});
+  }
 
   show(picture: Picture) {
     this.picture = picture;
@@ -53,6 +70,8 @@ export class Plot {
     const {clientWidth: width, clientHeight: height} = this.parent;
     if (width > 0 && height > 0) this.plot?.setSize({width, height});
   }
+  /// Draws again what is not a curve, with room for it.
+  rescale() { this.plot?.setData(this.plot.data); }
   /// Redraws what follows the cursor.
   redraw() { this.plot?.redraw(false); }
   destroy() { this.plot?.destroy(); }
@@ -86,8 +105,9 @@ export class Plot {
     };
   }
   private range(low: number | null, high: number | null, logarithmic: boolean): [number, number] {
-    const {curves, overlays} = this.picture!, heights = overlays.flatMap(o => o.points.map(p => p[1])).filter(v => v !== null);
-    const others = [...curves.map(c => c.limit).filter(v => v !== null), ...heights];
+    if (this.held) return this.held;
+    const {limits, overlays} = this.picture!, heights = overlays.flatMap(o => o.points.map(p => p[1])).filter(v => v !== null);
+    const others = [...limits.map(l => l.y), ...limits.flatMap(l => (l.at ? [l.at.y] : [])), ...heights];
     const top = others.reduce((a, b) => Math.max(a, b), high ?? 1), bottom = others.reduce((a, b) => Math.min(a, b), low ?? 0);
     if (logarithmic) return [Math.max(bottom, LOWEST * top) / 1.3, top * 2];
     return this.display.decibel ? [Math.max(bottom, top - 120) - 3, top + 6] : [0, top * 1.12 || 1];
@@ -111,28 +131,41 @@ export class Plot {
     for (const value of picture.natural) vertical(value, colours.mode, 1, [1, 3]);
     if (this.what === 'amplitude') {
       for (const overlay of picture.overlays) this.overlay(ctx, overlay, (points: Overlay['points']) => points.map(([a, b]) => [x(a), b === null ? null : y(b)] as const));
-      for (const curve of picture.curves) if (curve.limit !== null) {
-        stroke(ctx, colours.limit, 1.4 * ratio, [8 * ratio, 4 * ratio],
-               [[bbox.left, y(curve.limit)], [bbox.left + bbox.width, y(curve.limit)]]);
-        for (const part of partsAbove(picture.x, curve.amplitude, curve.limit))
-          stroke(ctx, colours.violated, 3.2 * ratio, [], part.map(([a, b]) => [x(a), y(b)] as const));
-      }
-      this.labels(plot, colours.text);
+      for (const limit of picture.limits) this.limit(plot, limit);
+      const taken = this.handles?.place(plot, picture.limits) ?? [];
+      this.labels(plot, colours.text, taken.map(([left, top, right, bottom]): Box => [bbox.left + left * ratio, bbox.top + top * ratio, bbox.left + right * ratio, bbox.top + bottom * ratio]));
     }
     if (picture.cursor !== null) vertical(picture.cursor, colours.text, 1, []);
     ctx.restore();
   }
-  private overlay(pen: CanvasRenderingContext2D, {stroke: index, kind, points}: Overlay, placed: (points: Overlay['points']) => readonly (readonly [number, number | null])[]) {
+  /// A limit as a dashed line, red where its curve is above it.
+  private limit(plot: uPlot, {result, from, to, y: height, at, violated}: ShownLimit) {
+    const {ctx, bbox} = plot, ratio = devicePixelRatio, colours = chartColours(this.display.theme), {x: xs, curves} = this.picture!;
+    const x = (value: number) => plot.valToPos(value, 'x', true), y = plot.valToPos(height, 'y', true), least = 10 * ratio;
+    const ends = [Math.max(x(from), bbox.left), Number.isFinite(to) ? Math.min(x(to), bbox.left + bbox.width) : bbox.left + bbox.width] as const;
+    stroke(ctx, violated ? colours.violated : colours.limit, 1.6 * ratio, ends[1] - ends[0] > 3 * least ? [8 * ratio, 4 * ratio] : [], [[ends[0], y], [Math.max(ends[1], ends[0] + least), y]]);
+    if (at) {
+      const [left, top] = [x(at.x), plot.valToPos(at.y, 'y', true)];
+      ctx.fillStyle = violated ? colours.violated : colours.text;
+      ctx.fillRect(left - 3 * ratio, top - 3 * ratio, 6 * ratio, 6 * ratio);
+      return;
+    }
+    const curve = curves.find(c => c.name === result), inside = xs.map(value => value >= from && value <= to);
+    for (const part of curve ? partsAbove(xs, curve.amplitude.map((a, i) => (inside[i] ? a : null)), height) : [])
+      stroke(ctx, colours.violated, 3.2 * ratio, [], part.map(([a, b]) => [x(a), plot.valToPos(b, 'y', true)] as const));
+  }
+  private overlay(pen: CanvasRenderingContext2D, {stroke: index, kind, points, dash}: Overlay, placed: (points: Overlay['points']) => readonly (readonly [number, number | null])[]) {
     const ratio = devicePixelRatio, {colour} = strokeOf(index, this.display.theme), at = placed(points);
     const known = at.filter((p): p is readonly [number, number] => p[1] !== null);
-    pen.globalAlpha = kind === 'kept' ? 0.55 : 1;
-    stroke(pen, colour, (kind === 'stable' ? 2.6 : 1.3) * ratio, {kept: [4, 3], limit: [8, 4], stable: [], unstable: [3, 3], jump: [1, 4]}[kind].map(d => d * ratio), known);
+    if (kind === 'measured') return dots(pen, colour, known, 2 * ratio);
+    pen.globalAlpha = kind === 'compared' ? 0.7 : 1;
+    stroke(pen, colour, (kind === 'stable' ? 2.6 : 1.3) * ratio, (dash ?? {compared: [4, 3], limit: [8, 4], stable: [], unstable: [3, 3], jump: [1, 4]}[kind]).map(d => d * ratio), known);
     if (kind === 'jump' && known.length === 2) arrowHead(pen, colour, known[0]!, known[1]!, 7 * ratio);
     pen.globalAlpha = 1;
   }
   /// Values at the highest peaks, as many as have room.
-  private labels(plot: uPlot, colour: string) {
-    const {ctx: pen, bbox} = plot, ratio = devicePixelRatio, taken: Box[] = [];
+  private labels(plot: uPlot, colour: string, taken: Box[]) {
+    const {ctx: pen, bbox} = plot, ratio = devicePixelRatio;
     const peaks = this.picture!.curves.flatMap(curve => curve.peaks.map(p => ({...p, curve}))).sort((a, b) => b.y - a.y).slice(0, 16);
     pen.font = `${11 * ratio}px system-ui, sans-serif`;
     pen.textAlign = 'center';
@@ -158,7 +191,6 @@ export class Plot {
   }
 }
 
-type Box = [number, number, number, number];
 function arrowHead(pen: CanvasRenderingContext2D, colour: string, [x0, y0]: readonly [number, number], [x1, y1]: readonly [number, number], size: number) {
   const angle = Math.atan2(y1 - y0, x1 - x0);
   pen.fillStyle = colour;
@@ -166,6 +198,14 @@ function arrowHead(pen: CanvasRenderingContext2D, colour: string, [x0, y0]: read
   pen.moveTo(x1, y1);
   for (const side of [-0.4, 0.4]) pen.lineTo(x1 - size * Math.cos(angle + side), y1 - size * Math.sin(angle + side));
   pen.fill();
+}
+function dots(pen: CanvasRenderingContext2D, colour: string, points: readonly (readonly [number, number])[], size: number) {
+  pen.fillStyle = colour;
+  for (const [x, y] of points) {
+    pen.beginPath();
+    pen.arc(x, y, size, 0, 7);
+    pen.fill();
+  }
 }
 const isDecade = (value: number) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
 

@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What is drawn beside the curves: other cases, three springs, measurements, kept curves."""
+import json
+
+from conftest import settled
+from test_pictures import picture, share_changed
+from test_play import set_number
+
+
+def watched(page):
+    """The questions that the page asks from now on."""
+    asked = []
+    page.on('request', lambda r: asked.append(json.loads(r.post_data)) if r.url.endswith('/ask') else None)
+    return asked
+
+
+def compare(page, words, on=True):
+    page.locator('.menu summary').click()
+    page.locator('.menu').get_by_label(words, exact=True).set_checked(on)
+    page.locator('.menu summary').click()
+    settled(page)
+
+
+def test_another_case_is_drawn_beside_the_shown_one_and_follows_the_sliders(serve):
+    page = serve('compressor/requirements.toml').page()
+    settled(page)
+    asked, alone = watched(page), picture(page.locator('.amplitude'))
+    compare(page, 'case cold')
+    assert asked[-1]['case'] == 'cold' and [w['command'] for w in asked[-1]['wants']] == ['curves']
+    assert share_changed(alone, picture(page.locator('.amplitude'))) > 0.001
+    assert 'case cold' in page.locator('.readings').inner_text()
+    set_number(page, 'mass of compressor, value', '300 kg')
+    page.wait_for_function("() => document.querySelector('.readings').textContent.includes('…')")
+    settled(page)
+    cold = [q for q in asked if q['case'] == 'cold']
+    assert cold[0]['settings'] == [] and cold[-1]['settings'] == ['bodies.compressor.mass = "300 kg"']
+    compare(page, 'case cold', False)
+    assert 'case cold' not in page.locator('.readings').inner_text()
+
+
+def test_the_machine_on_three_springs_is_drawn_beside_it(serve):
+    page = serve('three_coil_springs/machine.toml').page()
+    settled(page)
+    asked, alone = watched(page), picture(page.locator('.amplitude'))
+    compare(page, 'mounts as three springs')
+    assert asked[-1]['wants'] == [{'command': 'curves', 'keys': {'three_springs': True}}]
+    assert share_changed(alone, picture(page.locator('.amplitude'))) > 0.001
+
+
+def test_measured_values_are_drawn_until_they_are_put_away(serve):
+    page = serve('measured_response/machine.toml').page()
+    settled(page)
+    assert 'measured' in page.locator('.readings').inner_text()
+    dots = picture(page.locator('.amplitude'))
+    compare(page, 'measured', False)
+    assert 'measured' not in page.locator('.readings').inner_text()
+    assert share_changed(dots, picture(page.locator('.amplitude'))) > 0.005
+
+
+def test_kept_curves_stay_where_they_are_while_a_slider_moves(serve):
+    page = serve('genset/genset.toml').page()
+    settled(page)
+    compare(page, 'keep these curves')
+    assert 'kept' in page.locator('.readings').inner_text()
+    set_number(page, 'mass of genset, value', '5000 kg')
+    settled(page)
+    both = picture(page.locator('.amplitude'))
+    compare(page, 'keep these curves', False)
+    assert share_changed(both, picture(page.locator('.amplitude'))) > 0.001

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+import {limitsOf} from '../src/chart/limits.ts';
+import {amplitudeAt, shownAmplitude} from '../src/chart/picture.ts';
+import type {Display} from '../src/display.ts';
+import {limitNumber, PresentLimits, rounded, setLimit} from '../src/limit_number.ts';
+import {indexOf} from '../src/numbers_of_text.ts';
+import type {Curves, Requirement} from '../src/results.ts';
+import {State} from '../src/state.ts';
+
+const TEXT = `trivet = 1
+[limits]
+"m.z" = "2 mm p-p"
+[requirements.limits]
+"m.x" = [
+  {limit = "2.8 mm/s rms", band = ["20 Hz", "25 Hz"]},  # in operation
+  {limit = "0.3 mm"},
+]
+[operation]
+limits = {"m.y" = 0.001}
+[cases.cold]
+requirements.limits = {"m.x" = "3 mm"}
+`;
+const opened = () => {
+  const state = new State();
+  state.open(TEXT, '1');
+  return state;
+};
+const at = (state: State, place: string[], caseName = '') => limitNumber(place, caseName, state.design, indexOf(state.design.text))!;
+const limited = (more: Partial<Requirement>): Requirement => ({kind: 'amplitude', subject: 'm.z', requirement: 'm.z ≤ 1 mm', unit: 'm', allowed: 1e-3, value: 2e-3, margin: 0.5, judged: true, met: false,
+  reason: '', detail: '', angular_frequency: 10, band: [5, 20], speed: null, excitations: [], order: null, place: ['limits', 'm.z'], ...more});
+
+test('a limit is a setting in the unit and level of the file, and a drag one step of undo', () => {
+  const state = opened(), values = new PresentLimits();
+  assert.equal(values.allowed(limited({}), at(state, ['limits', 'm.z']), true), 1e-3);
+  for (const value of [1.5, 1.2]) setLimit(state, at(state, ['limits', 'm.z']), value, true);
+  state.dropped();
+  assert.deepEqual(state.change.settings, ['limits."m.z" = "1.2 mm p-p"']);
+  assert.equal(values.allowed(limited({}), at(state, ['limits', 'm.z']), false), 0.6e-3);  // before it is judged again
+  state.undo();
+  assert.equal(state.design.settings.size, 0);
+});
+test('a limit in a list or of a case is replaced in the text, once, when it is dropped', () => {
+  const state = opened(), place = ['requirements', 'limits', 'm.x', '0', 'limit'];
+  setLimit(state, at(state, place), 3.5, true);
+  assert.equal(state.design.text, TEXT);
+  setLimit(state, at(state, place), 3.5);
+  assert.equal(state.design.text, TEXT.replace('2.8 mm/s rms', '3.5 mm/s rms'));
+  setLimit(state, at(state, ['requirements', 'limits', 'm.x'], 'cold'), 4);
+  assert.equal(state.design.text, TEXT.replace('2.8 mm/s rms', '3.5 mm/s rms').replace('"3 mm"', '"4 mm"'));
+});
+test('a bare number stays one, and a limit in a new unit has no SI value before it is judged', () => {
+  const state = opened(), values = new PresentLimits(), place = ['operation', 'limits', 'm.y'];
+  const before = at(state, place);
+  values.allowed(limited({place}), before, true);
+  setLimit(state, before, 0.002);
+  assert.deepEqual(state.change.settings, ['operation.limits."m.y" = 0.002']);
+  assert.equal(values.allowed(limited({place}), {...before, unit: 'in'}, false), null);
+  assert.equal(rounded(4.5454), 4.55);
+});
+test('a limit is drawn beside a curve of its quantity under its excitations alone', () => {
+  const curves = {results: [{name: 'm.z', unit: 'm'}], models: [{excitations: ['push', 'pull']}]} as unknown as Curves;
+  const why = (more: Partial<Requirement>) => limitsOf(curves, 0, [limited(more)]).not.map(n => n.why);
+  assert.deepEqual(limitsOf(curves, 0, [limited({})]).drawn.map(l => [l.result, l.from, l.to, l.atSpeed]), [['m.z', 5, 20, false]]);
+  assert.equal(limitsOf(curves, 0, [limited({band: [5, null]})]).drawn[0]!.to, Infinity);
+  assert.deepEqual(why({unit: 'm/s'}), ['it limits the velocity, the curve is the displacement']);
+  assert.deepEqual(why({excitations: ['push']}), ['it holds under push alone']);
+  assert.deepEqual(why({excitations: ['pull', 'push']}), []);
+  assert.deepEqual(why({order: 2}), ['it holds for order 2 of the shaft alone']);
+  assert.deepEqual(why({subject: 'm.x'}), ['no curve of m.x is drawn']);
+  assert.deepEqual(limitsOf(curves, 0, [limited({kind: 'static'}), limited({place: []})]), {drawn: [], not: []});
+  const [speed] = limitsOf(curves, 0, [limited({kind: 'operation', speed: [60, 60], band: null})]).drawn;
+  assert.deepEqual([speed!.from, speed!.to, speed!.atSpeed], [60, 60, true]);
+});
+test('a height of the chart is the amplitude that is drawn there', () => {
+  for (const decibel of [false, true]) {
+    const display = {decibel, logarithmicAmplitude: true} as Display, scale = {factor: decibel ? 1 : 1e3, unit: 'mm'};
+    assert.ok(Math.abs(amplitudeAt(shownAmplitude(2e-3, scale, display)!, scale, display) - 2e-3) < 1e-15);
+  }
+});
