@@ -387,6 +387,12 @@ class Operation(unittest.TestCase):
             rows = said.split("Distance from resonance")[1].splitlines()[2:6]
             self.assertEqual([row.split()[:1] + row.split()[2:3] for row in rows], [[m, k] for k in "23" for m in "12"])
 
+    def test_of_many_distances_the_nearest_are_shown(self):
+        orders = ", ".join(f"{{order = {k}, force = [0, 0, 1]}}" for k in range(1, 26))
+        table = '[excitations.shaft]\ntype = "orders"\non = "m"\nat = [0, 0, 0]\ntable = [' + orders + "]\n"
+        said = self.trivet(MACHINE + table + '[operation]\nspeeds = ["980 rpm"]\n', "operation").stdout
+        self.assertIn("5 more rows, these are the 20 nearest", said)
+
     def test_a_motion_of_the_ground_that_nothing_uses_is_named(self):
         floor = '[excitations.floor]\ntype = "base"\ntranslation = [0, 0, "1 mm"]\n'
         text = MACHINE + ROTOR + floor + '[operation]\nspeeds = ["980 rpm"]\n'

@@ -20,7 +20,8 @@ std::string content(const Cell& c) {
 }
 
 std::string table_cell(const Cell& c) {
-  return fmt::format("<td{}{}>{}</td>", c.number ? " class=\"number\"" : "",
+  return fmt::format("<td{}{}{}>{}</td>", c.heading.empty() ? "" : " data-heading=\"" + escaped(c.heading) + "\"",
+                     c.number ? " class=\"number\"" : "",
                      c.columns > 1 ? fmt::format(" colspan=\"{}\"", c.columns) : "", content(c));
 }
 

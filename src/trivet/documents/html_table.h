@@ -17,8 +17,9 @@ struct Cell {
   std::string text;
   bool number = false;
   Tone tone = Tone::plain;
-  int columns = 1;    ///< that it covers
-  bool html = false;  ///< `text` is HTML, not plain text
+  int columns = 1;           ///< that it covers
+  bool html = false;         ///< `text` is HTML, not plain text
+  std::string heading = {};  ///< of a row that is a record on narrow screens
 };
 
 /// A row, with the style of the whole row: "failed", "unjudged", "minor" or "".

@@ -87,10 +87,12 @@ struct Table {
   std::optional<std::vector<std::size_t>> people_rows = {};         ///< and their order, if not all
   std::size_t most_rows = std::numeric_limits<std::size_t>::max();  ///< on the screen
   std::function<double(std::size_t row)> height = {};  ///< of more rows it shows the highest; without it the first
+  const char* what_is_high = "highest";                ///< in words: "nearest" if rows are near to something
   std::size_t together = 1;  ///< columns after the first that the screen does not separate: 2 for amplitude and phase
   std::function<Mark(std::size_t row)> mark = {};
   std::string without_rows = {};  ///< words for people in place of an empty table, which has no title then
   bool folded = false;            ///< the page shows it after a click
+  bool records = false;           ///< on narrow screens the page shows a row as a record: each cell with its heading
   bool one_prefix = false;        ///< columns of quantities with the same unit have the same SI prefix
   unsigned forms = everywhere;
 };

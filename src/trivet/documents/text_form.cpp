@@ -35,7 +35,7 @@ KeptRows kept_rows(const Table& table, std::size_t rows, std::size_t most, Form 
   if (summary && !table.height && is_along_an_axis(table, form))
     return {spread_rows(rows, most), fmt::format("{} evenly spread", most)};
   KeptRows kept{std::vector<std::size_t>(rows),
-                fmt::format(fmt::runtime(table.height ? "{} highest" : "first {}"), most)};
+                table.height ? fmt::format("{} {}", most, table.what_is_high) : fmt::format("first {}", most)};
   std::iota(kept.places.begin(), kept.places.end(), std::size_t{0});
   const auto height = [&](std::size_t place) {
     const double value = table.height(table.people_rows ? (*table.people_rows)[place] : place);

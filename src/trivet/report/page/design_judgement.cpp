@@ -43,28 +43,6 @@ std::vector<Judgement> judgements_of(const std::vector<ShownCase>& cases) {
   return results::judgements(results);
 }
 
-/// The table with the heading of each cell as its attribute, for narrow screens, where a row becomes a record.
-std::string with_headings_at_cells(const std::string& table) {
-  const std::string head = "<th", cell = "<td", row = "<tr";
-  std::vector<std::string> headings;
-  std::string html;
-  std::size_t column = 0;
-  for (std::size_t at = 0; at < table.size();) {
-    if (table.compare(at, row.size(), row) == 0) column = 0;
-    if (table.compare(at, head.size(), head) == 0 && table[at + head.size()] != 'e') {
-      const std::size_t from = table.find('>', at) + 1;
-      headings.push_back(table.substr(from, table.find("</th>", from) - from));
-    }
-    if (table.compare(at, cell.size(), cell) == 0 && column < headings.size()) {
-      html += cell + " data-heading=\"" + headings[column++] + "\"";
-      at += cell.size();
-    } else {
-      html += table[at++];
-    }
-  }
-  return html;
-}
-
 std::string judgement_part(const std::string& style, const std::string& title, const std::string& html) {
   return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2>{}</div>\n", style, escaped(title), html);
 }
@@ -74,7 +52,7 @@ std::string judgement_part(const std::string& style, const std::string& title, c
 std::string judgements_table(const std::vector<ShownCase>& cases, const project::DisplayUnits& display) {
   std::vector<std::string> names;
   for (const ShownCase& one : cases) names.push_back(one.results.case_name);
-  return with_headings_at_cells(as_html(results::judgements_document(judgements_of(cases), names), display));
+  return as_html(results::judgements_document(judgements_of(cases), names), display);
 }
 
 std::string judgement_box(const std::vector<ShownCase>& cases, bool linked) {

@@ -198,6 +198,7 @@ Table shown_isolation(const OperatingSpeed& at, bool several_orders) {
           .people = std::move(columns),
           .most_rows = 40,
           .height = [&at](std::size_t i) { return at.isolation[i].transmissibility; },
+          .what_is_high = "least isolated",
           .mark =
               [&at](std::size_t i) {
                 return !at.isolation[i].reason.empty()     ? Mark::doubt
@@ -280,6 +281,7 @@ Table shown_modes(const OperatingSpeed& at) {
       .people = {"mode", "angular_frequency", "order", "excitation_frequency", "ratio", "distance", "remark"},
       .most_rows = 40,
       .height = [&at](std::size_t i) { return -std::abs(at.modes[i].distance()); },
+      .what_is_high = "nearest",
       .mark = [&at](std::size_t i) { return at.modes[i].is_near() && at.modes[i].excited ? Mark::bad : Mark::plain; },
       .forms = for_people};
 }

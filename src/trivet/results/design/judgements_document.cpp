@@ -126,6 +126,7 @@ Document judgements_document(const std::vector<Judgement>& list, const std::vect
                 : outcome == Outcome::met        ? Mark::plain
                                                  : Mark::minor;
           },
+      .records = true,
       .forms = for_people};
   if (several)
     table.columns.push_back(row("case", Kind::words, "worst case", [case_names](const WorstCase& one) {
