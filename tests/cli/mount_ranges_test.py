@@ -78,6 +78,17 @@ class MountRanges(InTemporaryFolder):
         self.assertAlmostEqual(results["a carries -1500 … 1700 N along x"]["margin"], 1500 / -LOADS["x"], DIGITS)
         self.assertFalse(met)
 
+    def test_the_utilisation_of_a_mount_at_rest_is_its_largest_share_of_a_range(self):
+        for keys, share in (
+            ("load = {x = [-1700, 900], y = [-200, 200], z = [100, 1500]}", max(LOADS["z"] / 1500, -LOADS["x"] / 1700)),
+            ("load = {z = [100, 2500]}", LOADS["z"] / 2500),
+        ):
+            self.catalogue(keys)
+            (mount,) = result_of("check", self.file(SKEW))["mounts"]
+            self.assertAlmostEqual(mount["utilisation"], share, DIGITS)
+        self.catalogue("")
+        self.assertIsNone(result_of("check", self.file(SKEW))["mounts"][0]["utilisation"])
+
     def test_a_range_that_has_no_zero(self):
         self.catalogue("load = {z = [-900, -100]}")
         hung = STRAIGHT.replace('axis = "z"', 'axis = "-z"').replace(f"mass = {M}", "mass = 50")

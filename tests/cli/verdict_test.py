@@ -100,6 +100,16 @@ class Verdict(InTemporaryFolder):
         self.assertAlmostEqual(found["value"], M * G / K, DIGITS)
         self.assertAlmostEqual(found["margin"], 2e-3 * K / (M * G), DIGITS)
 
+    def test_an_element_takes_the_share_of_the_limit_that_governs_it(self):
+        limits = '[requirements]\nstatic = {"m.z" = "1 mm", "s.deflection.z" = "2 mm", "s.force.z" = "%d N"}\n'
+        weight = M * G
+        for most, governing, share in ((300, "s.force.z", weight / 300), (900, "s.deflection.z", weight / K / 2e-3)):
+            found = result_of("verdict", self.file(OSCILLATOR + limits % most))["cases"][0]
+            (element,) = found["elements"]
+            self.assertEqual(element["element"], "s")
+            self.assertEqual(found["requirements"][element["governing"]]["subject"], governing)
+            self.assertAlmostEqual(element["share"], share, DIGITS)
+
     def test_largest_motion_after_a_step(self):
         step = '[excitations.s]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {step = {amplitude = 50}}\n'
         overshoot = 1 + math.exp(-math.pi * RATIO / math.sqrt(1 - RATIO**2))

@@ -115,6 +115,18 @@ Table requirement_table(const std::vector<const CaseVerdict*>& cases) {
           .forms = in_json | on_screen | on_page};
 }
 
+/// For programs that draw: how much of its limit each element takes.
+Table element_table(const CaseVerdict& judged) {
+  using study::ElementVerdict;
+  const Rows row(judged.elements);
+  return {.key = "elements",
+          .rows = row.size(),
+          .columns = {row("element", Kind::words, "", &ElementVerdict::element),
+                      row("governing", Kind::number, "", &ElementVerdict::governing),
+                      row("share", Kind::share, "", [](const ElementVerdict& one) { return or_infinite(one.share); })},
+          .forms = in_json};
+}
+
 Sentence verdict_sentence(const CaseVerdict& judged) {
   const auto& all = judged.results;
   const std::string whose = judged.case_name.empty() ? "Base model" : "Case " + judged.case_name;
@@ -158,6 +170,7 @@ Document verdict_document(const CaseVerdict& judged) {
     const RequirementResult& result = judged.results[i];
     return !result.value ? Mark::doubt : result.met() ? Mark::plain : Mark::bad;
   };
+  document.add(element_table(judged));
   if (judged.operation)
     for (const study::OperatingSpeed& at : judged.operation->speeds) document.add(operation_sentence(at));
   std::vector<std::string> reasons;

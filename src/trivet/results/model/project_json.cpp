@@ -247,11 +247,13 @@ std::string problems_json(const foundation::Problems& problems, const std::vecto
               {"warnings", json::warnings(problems)}};
   for (const study::CaseCheck& one : cases)
     for (const study::MountAtRest& mount : one.mounts)
-      result["mounts"].push_back({{"case", one.case_name},
-                                  {"element", mount.name},
-                                  {"compression", mount.compression},
-                                  {"across", mount.across},
-                                  {"deflection", mount.deflection}});
+      result["mounts"].push_back(
+          {{"case", one.case_name},
+           {"element", mount.name},
+           {"compression", mount.compression},
+           {"across", mount.across},
+           {"deflection", mount.deflection},
+           {"utilisation", mount.utilisation ? json::number(*mount.utilisation) : Json(nullptr)}});
   for (const study::CaseCheck& one : cases) {
     if (!one.deep) continue;
     const response::DeepCheck& check = *one.deep;

@@ -16,6 +16,7 @@
 #include "trivet/study/analyses/case_context.h"
 #include "trivet/study/explain/explanation.h"
 #include "trivet/study/requirements/amplification.h"
+#include "trivet/study/requirements/element_verdict.h"
 #include "trivet/study/requirements/requirement_values.h"
 #include "trivet/study/requirements/single_mount_forces.h"
 
@@ -120,6 +121,7 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
       result.load_case.values.push_back({one.subject + ", gap left", "m", one.allowed - *one.value});
   result.common_band = common_band(variant.analyses, result.results);
   result.governing = least_margin(result.results);
+  result.elements = element_verdicts(context.system, result.results);
   if (result.governing && std::isfinite(result.results[*result.governing].margin))
     result.cause = cause_of(variant, result.results[*result.governing]);
   return result;

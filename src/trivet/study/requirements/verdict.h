@@ -117,6 +117,13 @@ struct RequirementResult {
   [[nodiscard]] std::string words_at_level() const;
 };
 
+/// The requirement that governs an element.
+struct ElementVerdict {
+  std::string element;
+  std::size_t governing = 0;  ///< of the results of the case
+  double share = 0;           ///< of the limit that the element takes, 1/margin: infinite with no margin left at all
+};
+
 /// All requirements of one case.
 struct CaseVerdict {
   std::string case_name;
@@ -125,6 +132,7 @@ struct CaseVerdict {
   std::vector<RequirementResult> results;
   std::optional<assembly::Band> common_band;  ///< of limits and limit lines without one of their own [rad/s]
   std::optional<std::size_t> governing;       ///< of the judged ones, that with the least margin
+  std::vector<ElementVerdict> elements;       ///< those with requirements of their own
   StatedWords cause;                          ///< of a governing amplitude or peak: mode, element and what changes it
   foundation::Problems warnings;
   LoadCase load_case;                        ///< what it contributes to the envelope
