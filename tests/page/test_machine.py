@@ -1,15 +1,59 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The middle of the page: ghosts and screw axes."""
+"""The middle of the page: colours of mounts, ghosts and screw axes."""
 import re
 
 from conftest import settled
 from test_pictures import assert_alive, picture, share_changed
-from test_play import command
+from test_play import command, set_number
 
 
 def choose(page, label, value):
     page.get_by_label(label, exact=True).select_option(value)
     page.wait_for_timeout(300)
+
+
+def red(image):
+    """Share of pixels with the colour of a violated limit, however it is lit."""
+    data = image.convert('RGB').tobytes()
+    pixels = zip(data[0::3], data[1::3], data[2::3])
+    return 3 * sum(r > 90 and r > 2.5 * g and r > 1.8 * b for r, g, b in pixels) / len(data)
+
+
+def words_of(share):
+    return f'{100 * share:.3g} %'
+
+
+def test_mounts_are_coloured_by_the_share_of_their_limit_that_the_program_states(serve):
+    served = serve('compressor/requirements.toml')
+    page = served.page()
+    settled(page)
+    stage, plain = page.locator('.stage'), picture(page.locator('.stage'))
+    choose(page, 'Colour of mounts', 'limit')
+    assert share_changed(plain, picture(stage)) > 0.002
+    assert_alive(page)
+    elements = command('verdict', served.file)['cases'][0]['elements']
+    most = max(elements, key=lambda e: e['share'])
+    legend = page.locator('.legend')
+    assert f"{most['element']}, {words_of(most['share'])}" in legend.inner_text()
+    assert most['share'] < 1 and red(picture(stage)) < 1e-4
+    set_number(page, 'mass of compressor, value', '900 kg')
+    settled(page)
+    heavy = command('verdict', served.file, '--set', 'bodies.compressor.mass=900 kg')['cases'][0]['elements']
+    most = max(heavy, key=lambda e: e['share'])
+    assert most['share'] > 1 and words_of(most['share']) in legend.inner_text()
+    assert red(picture(stage)) > 1e-3
+
+
+def test_mounts_without_limits_have_a_sentence_and_their_deflections_a_scale(serve):
+    served = serve('genset/genset.toml')
+    page = served.page()
+    settled(page)
+    choose(page, 'Colour of mounts', 'limit')
+    legend = page.locator('.legend')
+    assert 'has a limit in this file' in legend.inner_text()
+    choose(page, 'Colour of mounts', 'deflection')
+    most = max(command('check', served.file)['mounts'], key=lambda m: abs(m['deflection']))
+    assert f"most: {most['element']}, −{abs(1e3 * most['deflection']):.3g} mm" in legend.inner_text()
 
 
 def test_ghosts_and_flashes_stand_beside_the_moving_machine(serve):

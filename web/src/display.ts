@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How the results are shown: nothing here changes a result.
 import type {Ghost} from './machine/ghosts.ts';
+import type {Colouring} from './mount_colouring.ts';
 import type {FrequencyUnit} from './quantities.ts';
 
 /// The motion that the machine makes on the page.
@@ -22,6 +23,7 @@ export class Display {
   phase = 0;  // [rad]
   traces = false;
   ghost: Ghost = 'edges';  // what the moving machine is compared with
+  colouring: Colouring = 'none';  // of the mounts
   cursor: number | null = null;  // ω [rad/s] of the linked cursor
   drawn: readonly string[] = [];  // names of the results that are drawn as curves; empty: not yet known
   pins: readonly string[] = [];  // numbers of the tree that are sliders, too

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
+import {colourLegend} from './colour_legend.ts';
+import {hasSomethingToJudge} from './judgement.ts';
 import {DARK, LIGHT} from './machine/colours.ts';
 import {GHOSTS, type Ghost} from './machine/ghosts.ts';
 import {MachineScene} from './machine/machine_scene.ts';
 import {Stage, type View} from './machine/stage.ts';
 import type {Motion} from './motion.ts';
+import {COLOURINGS, mountValues, type Colouring} from './mount_colouring.ts';
 import {Part} from './part.ts';
 import {frequency} from './quantities.ts';
-import type {Modes, Scene, SceneBody} from './results.ts';
+import type {Check, Modes, Scene, SceneBody, Verdict} from './results.ts';
 import {screwOf, screwWords, type PlacedScrew} from './screws.ts';
 import {ShownMotion} from './shown_motion.ts';
 import {canRecord, framesOf, periodVideo} from './video/period_video.ts';
@@ -40,6 +43,7 @@ export class MachineView extends Part {
            @keydown=${(event: KeyboardEvent) => machineKeys(event, this.app, this.stage)}>
         <canvas class="machine" @pointerdown=${this.pressed} @pointerup=${this.released} @pointermove=${this.moved}></canvas>
         <div class="caption" aria-hidden="true">${label}${asker.isOld(command) ? html` <span class="old">…</span>` : nothing}</div>
+        ${this.legend()}
         <div class="hover" aria-hidden="true">${this.hovered || state.selection?.name || ''}${screw && !this.hovered ? html` · ${screwWords(screw, body)}` : nothing}</div>
         ${asker.result<Scene>('scene') ? nothing : html`<p class="missing">${asker.missing('scene')}</p>`}
       </div>
@@ -66,6 +70,8 @@ export class MachineView extends Part {
         <label><input type="checkbox" .checked=${display.traces} @change=${(e: Event) => display.set({traces: (e.target as HTMLInputElement).checked})}> trace</label>
         <label class="chosen">against <select aria-label="Motion against" @change=${(e: Event) => display.set({ghost: (e.target as HTMLSelectElement).value as Ghost})}>
           ${Object.entries(GHOSTS).map(([key, words]) => html`<option value=${key} ?selected=${key === display.ghost}>${words}</option>`)}</select></label>
+        <label class="chosen">mounts <select aria-label="Colour of mounts" @change=${(e: Event) => display.set({colouring: (e.target as HTMLSelectElement).value as Colouring})}>
+          ${Object.entries(COLOURINGS).map(([key, words]) => html`<option value=${key} ?selected=${key === display.colouring}>${words}</option>`)}</select></label>
       </div>`;
   }
   override firstUpdated() {
@@ -96,6 +102,7 @@ export class MachineView extends Part {
     this.trace();
     this.machine!.highlight(state.selection);
     this.markScrew();
+    this.machine!.colour(this.mountValues());
     this.stage.draw();
     if (before !== this.motion) this.requestUpdate();
   }
@@ -118,6 +125,16 @@ export class MachineView extends Part {
     this.marked = wanted;
     const [screw, body] = this.screw();
     this.machine!.showScrew(screw, body);
+  }
+  private mountValues() {
+    const {asker, display: {colouring, shown}, state} = this.app;
+    const results = {verdict: asker.result<Verdict>('verdict'), check: asker.result<Check>('check'), modes: asker.result<Modes>('modes')};
+    return mountValues(colouring, results, state.case, shown.kind === 'mode' ? shown.number : null);
+  }
+  private legend() {
+    const {asker, display: {colouring}} = this.app, command = COMMAND_OF[colouring];
+    const waits = command && !asker.result(command) && (command !== 'verdict' || hasSomethingToJudge(this.app));
+    return colourLegend(colouring, this.mountValues(), command !== undefined && asker.isOld(command), waits ? asker.missing(command) : '');
   }
   /// Moves the machine to its present phase, and asks for the next frame while it plays.
   private frame() {
@@ -194,4 +211,5 @@ function download(blob: Blob, name: string) {
   link.click();
   URL.revokeObjectURL(link.href);
 }
+const COMMAND_OF: Partial<Record<Colouring, string>> = {limit: 'verdict', utilisation: 'check', deflection: 'check', compression: 'check', energy: 'modes'};
 customElements.define('machine-view', MachineView);

@@ -97,7 +97,7 @@ export interface Mode {
   angular_frequency: number;
   shape: number[];
   kinetic_energy_share: number[];
-  strain_energy_share: number[];
+  strain_energy_share: number[] | null;
   screws?: {direction: Vector; point: Vector | null; pitch: number | null; rotation: number}[];  // of each body, along its axes, from its pole
   name: string;
 }
@@ -197,10 +197,11 @@ export interface Requirement {
 }
 export interface Verdict {
   met: boolean;
-  cases: {case: string; met: boolean; decides: boolean; governing: number | null; requirements: Requirement[]}[];
+  cases: {case: string; met: boolean; decides: boolean; governing: number | null; requirements: Requirement[];
+          elements: {element: string; governing: number; share: number | null}[]}[];  // share of a limit; null: infinite
 }
 export interface Check {
-  mounts?: {case: string; element: string; compression: number; across: number; deflection: number}[];
+  mounts?: {case: string; element: string; compression: number; across: number; deflection: number; utilisation: number | null}[];
 }
 
 export interface MapAxis {

@@ -2,9 +2,11 @@
 import {Box3, Group, Vector3, type Object3D} from 'three';
 import {corners, displacement, largestDisplacement, type Motion} from '../motion.ts';
 import type {Scene, SceneBody, Vector} from '../results.ts';
+import type {MountValues} from '../mount_colouring.ts';
 import type {PlacedScrew} from '../screws.ts';
 import type {Selection} from '../state.ts';
 import {BodyObject, disposeAll} from './body_object.ts';
+import {colourOf} from './colour_scale.ts';
 import type {Colours} from './colours.ts';
 import {ElementObject} from './element_object.ts';
 import {forceMark} from './force_marks.ts';
@@ -100,6 +102,13 @@ export class MachineScene {
   highlight(selection: Selection | null) {
     for (const b of this.bodies) b.highlight(selection?.kind === 'body' && selection.name === b.body.name, this.colours);
     for (const e of this.elements) e.highlight(selection?.kind === 'element' && selection.name === e.element.name, this.colours);
+  }
+  /// Colours elements by their values; those without one look as they are.
+  colour(values: MountValues | null) {
+    for (const e of this.elements) {
+      const value = values?.values.get(e.element.name);
+      e.paint(value === undefined ? null : colourOf(value, values!));
+    }
   }
   dispose() {
     disposeAll(this.root);
