@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """trivet steady --at: harmonics of all motions at one frequency; notes and warnings of several elements in one line."""
+
 import cmath
 import csv
 import io
@@ -80,6 +81,49 @@ class SteadyAt(unittest.TestCase):
             ]
             self.assertAlmostEqual(max(course) / result["largest"], 1, delta=1e-6)
             self.assertAlmostEqual(min(course) / result["smallest"], 1, delta=1e-6)
+
+    def test_places_move_with_all_harmonics_as_the_results_say(self):
+        # The body is turned about z by a quarter: its x and ry are the y and −rx of the ground.
+        machine = (
+            MACHINE.replace('free = ["x"]', 'free = ["x", "ry"]\ninertia = {about = "pole", xx = 2, yy = 2, zz = 2}')
+            .replace(
+                "[elements.s]",
+                'orientation = {axis = "z", angle = "90 deg"}\npoints.tip = [0.1, 0.2, 0.3]\n[elements.s]',
+            )
+            .replace("at = [0, 0, 0]\ntranslation", "at = [0.2, 0, -0.1]\ntranslation")
+            .replace(f"[{STIFFNESS}, 0, 0]", f"[{STIFFNESS}, 0, 5e4]")
+            .replace('of = ["m.x"]', 'of = ["m.x", "m.ry", "m.tip.x", "m.tip.z"]')
+        )
+        found = run(STOP, "--json", "--at", "40 rad/s", machine=machine)
+        self.assertEqual(found.returncode, 0, found.stderr)
+        motions = json.loads(found.stdout)["at"][0]["motions"]
+        self.assertGreater(len(motions), 0)
+        for motion in motions:
+            self.assertEqual([place["name"] for place in motion["places"]], ["m"])
+            largest = max(max(result["amplitudes"]) for result in motion["results"])
+            self.assertGreater(sorted(motion["results"][0]["amplitudes"])[-2], 1e-3 * largest)  # it touches the stop
+            for k, six in enumerate(motion["places"][0]["harmonics"]):
+                x, y, z, rx, ry, rz = (complex(*one) for one in six)
+                wanted = [
+                    result["mean"] if k == 0 else cmath.rect(result["amplitudes"][k - 1], result["phases"][k - 1])
+                    for result in motion["results"]
+                ]
+                # The point is at [−0.2, 0.1, 0.3] along the axes of the ground, and moves by t + θ × r.
+                tip_y, tip_z = y - 0.3 * rx, z + 0.1 * rx
+                for one, other in zip(wanted, (y, -rx, tip_y, tip_z)):
+                    self.assertAlmostEqual(abs(one - other) / largest, 0, delta=1e-9)
+                self.assertLess(max(map(abs, (x, ry, rz))), 1e-12 * largest)
+
+    def test_a_moving_ground_is_a_place_too(self):
+        push = MACHINE[MACHINE.index("[excitations.F]") : MACHINE.index("[analyses]")]
+        base = '[excitations.floor]\ntype = "base"\ntranslation = ["2 mm", 0, 0]\n'
+        found = run(STOP, "--json", "--at", "40 rad/s", machine=MACHINE.replace(push, base))
+        self.assertEqual(found.returncode, 0, found.stderr)
+        for motion in json.loads(found.stdout)["at"][0]["motions"]:
+            foot = next(place for place in motion["places"] if place["name"] == "s.foot")["harmonics"]
+            for k, six in enumerate(foot):
+                self.assertAlmostEqual(abs(complex(*six[0]) - (k == 1) * 2e-3), 0, delta=1e-15)
+                self.assertEqual(max(abs(complex(*one)) for one in six[1:]), 0)
 
     def test_a_frequency_outside_the_band_is_an_error(self):
         found = run(OPEN, "--at", "40 Hz")

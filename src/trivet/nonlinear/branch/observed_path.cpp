@@ -36,6 +36,7 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
     judge_by_winding(found, progress);
   for (const BranchPoint& point : motions.requested()) {
     found.at.push_back(steady(point));
+    found.at.back().shapes = observer_.shapes(path_.balance(), point.unknowns, path_.driving(point.parameter));
     if (observer_.has_winding() && options_.deep && !by_winding_) (void)contradicts(point, found.at.back());
   }
   for (const FollowedMotions::Turn& turn : motions.turns())

@@ -27,6 +27,11 @@ class PointObserver {
   [[nodiscard]] SteadyPoint at(const HarmonicBalance& balance, const Eigen::VectorXd& unknowns,
                                const Driving& driving) const;
 
+  /// Motion of all places at each harmonic, from the mean on.
+  [[nodiscard]] std::vector<response::DeflectionShape> shapes(const HarmonicBalance& balance,
+                                                              const Eigen::VectorXd& unknowns,
+                                                              const Driving& driving) const;
+
   [[nodiscard]] const PeriodicStability& stability() const { return stability_; }
   [[nodiscard]] const WindingStability& winding() const { return winding_; }
   /// Is there a second verdict? Not with loss factors, and not if forces depend on the amplitude.

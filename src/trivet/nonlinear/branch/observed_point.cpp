@@ -90,6 +90,24 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
   return result;
 }
 
+std::vector<response::DeflectionShape> PointObserver::shapes(const HarmonicBalance& balance,
+                                                             const Eigen::VectorXd& unknowns,
+                                                             const Driving& driving) const {
+  const auto [omega, factor] = driving;
+  const Eigen::MatrixXcd coordinates = machine_.condensed.coordinates(balance.forces(unknowns, omega), omega, factor);
+  const PeriodicExcitation& excitation = machine_.excitation;
+  std::vector<response::DeflectionShape> list;
+  for (Eigen::Index k = 0; k < coordinates.cols(); ++k) {
+    response::SteadyMotion motion{static_cast<double>(k) * omega, coordinates.col(k),
+                                  Eigen::VectorXcd::Zero(machine_.assembled.ground.size())};
+    for (std::size_t e = 0; e < excitation.harmonics.size(); ++e)
+      if (excitation.harmonics[e] == k && !excitation.loadings[e].motion.vanishes())
+        motion.ground = factor * excitation.loadings[e].motion.at(motion.angular_frequency);
+    list.push_back(response::deflection_shape(machine_.system, machine_.assembled, motion));
+  }
+  return list;
+}
+
 double PointObserver::contact(std::size_t stop, const HarmonicBalance& balance, const SteadyPoint& point) const {
   const auto first = to_index(stop);
   for (const LawSet::Distance& one : balance.laws().distances())

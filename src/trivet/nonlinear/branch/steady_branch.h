@@ -11,6 +11,7 @@
 #include "trivet/nonlinear/balance/observed_motion.h"
 #include "trivet/nonlinear/balance/steady_equations.h"
 #include "trivet/nonlinear/branch/detached_motions.h"
+#include "trivet/response/machinery/deflection_shape.h"
 
 namespace trivet::nonlinear {
 
@@ -20,6 +21,8 @@ struct SteadyPoint {
   double load_factor = 1;
   Eigen::MatrixXd deflections;          ///< Fourier coefficients × nonlinear deflections
   std::vector<ObservedMotion> results;  ///< in the order of SteadyBranch::results
+  /// Motion of all places at each harmonic, from the mean on, as deviations from rest; of SteadyBranch::at alone.
+  std::vector<response::DeflectionShape> shapes = {};
   Eigen::VectorXcd multipliers;
   double multiplier_uncertainty = 0;  ///< PeriodicStability::Multipliers
   bool multipliers_hold = true;       ///< are they accurate, and is their product that of Liouville's formula?

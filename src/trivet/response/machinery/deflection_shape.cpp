@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/response/steady/steady_motion.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::response {
@@ -27,10 +26,13 @@ MovingPlace end_place(const model::System& system, const std::string& name, cons
 
 DeflectionShape deflection_shape(const model::System& system, const assembly::Assembled& assembled,
                                  const assembly::Loading& loading, double angular_frequency) {
-  const std::vector<SteadyMotion> motions = steady_motions(assembled, loading, {angular_frequency});
-  const SteadyMotion& motion = motions.front();
+  return deflection_shape(system, assembled, steady_motions(assembled, loading, {angular_frequency}).front());
+}
+
+DeflectionShape deflection_shape(const model::System& system, const assembly::Assembled& assembled,
+                                 const SteadyMotion& motion) {
   DeflectionShape shape;
-  shape.angular_frequency = angular_frequency;
+  shape.angular_frequency = motion.angular_frequency;
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const model::Body& body = system.bodies()[b];
     const Vector6c q = assembled.layout.of_body(b, motion.free);

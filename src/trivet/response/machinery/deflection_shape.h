@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/assembly/loads.h"
+#include "trivet/response/steady/steady_motion.h"
 
 namespace trivet::response {
 
@@ -28,6 +28,10 @@ struct DeflectionShape {
   std::vector<MovingPlace> heads;  ///< one per element
   double largest_excursion = 0;    ///< over all places [m]
 };
+
+/// All places under a motion of the coordinates.
+[[nodiscard]] DeflectionShape deflection_shape(const model::System& system, const assembly::Assembled& assembled,
+                                               const SteadyMotion& motion);
 
 /// @throws foundation::NotComputable if Z(ω) is singular
 [[nodiscard]] DeflectionShape deflection_shape(const model::System& system, const assembly::Assembled& assembled,

@@ -177,6 +177,30 @@ void add_harmonics(const SteadyBranch& branch, Document& document) {
   document.add(harmonic_table(branch, std::move(all))).file = "steady.csv";
 }
 
+namespace {
+
+/// Of all bodies, and of the ends of elements that move with the ground: six complex amplitudes, ground axes, for each
+/// harmonic from the mean on.
+Json places_json(const std::vector<response::DeflectionShape>& shapes) {
+  using response::DeflectionShape;
+  using response::MovingPlace;
+  Json list = Json::array();
+  const auto add = [&](std::vector<MovingPlace> DeflectionShape::* group, auto is_wanted) {
+    for (std::size_t p = 0; p < (shapes.front().*group).size(); ++p) {
+      const auto moves = [&](const DeflectionShape& shape) { return !(shape.*group)[p].motion.isZero(0); };
+      if (!is_wanted((shapes.front().*group)[p]) || std::ranges::none_of(shapes, moves)) continue;
+      Json harmonics = Json::array();
+      for (const DeflectionShape& shape : shapes) harmonics.push_back(json::list((shape.*group)[p].motion));
+      list.push_back({{"name", (shapes.front().*group)[p].name}, {"harmonics", std::move(harmonics)}});
+    }
+  };
+  add(&DeflectionShape::bodies, [](const MovingPlace&) { return true; });
+  add(&DeflectionShape::feet, [](const MovingPlace& foot) { return !foot.body; });
+  return list;
+}
+
+}  // namespace
+
 Json harmonics_json(const SteadyBranch& branch) {
   const auto numbers = [](const Eigen::VectorXd& list) { return std::vector<double>(list.begin(), list.end()); };
   Json list = Json::array();
@@ -199,6 +223,7 @@ Json harmonics_json(const SteadyBranch& branch) {
                                 {"periods", motion.curve->periods},
                                 {"stable", motion.point->uncertain ? Json(nullptr) : Json(motion.point->stable)},
                                 {"orders", orders},
+                                {"places", places_json(motion.point->shapes)},
                                 {"results", std::move(results)}});
     }
     list.push_back(std::move(one));
