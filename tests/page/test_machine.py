@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The middle of the page: colours of mounts, ghosts and screw axes."""
+"""The middle of the page: colours of mounts, steady motions, ghosts and screw axes."""
 import re
 
 from conftest import settled
@@ -54,6 +54,44 @@ def test_mounts_without_limits_have_a_sentence_and_their_deflections_a_scale(ser
     choose(page, 'Colour of mounts', 'deflection')
     most = max(command('check', served.file)['mounts'], key=lambda m: abs(m['deflection']))
     assert f"most: {most['element']}, −{abs(1e3 * most['deflection']):.3g} mm" in legend.inner_text()
+
+
+def test_a_steady_motion_of_a_nonlinear_machine_moves_with_its_harmonics(serve):
+    served = serve('isolator/hardening.toml')
+    page = served.page()
+    settled(page)
+    motion, caption, stage = page.get_by_label('Motion', exact=True), page.locator('.caption'), page.locator('.stage')
+    motion.select_option('steady 0')  # at the largest response
+    caption.get_by_text(re.compile(r'^Steady motion, [\d.]+ Hz.*stable')).wait_for()
+    settled(page)
+    first = picture(stage)
+    page.get_by_role('slider', name='Phase').fill('90')
+    page.wait_for_timeout(300)
+    assert share_changed(first, picture(stage)) > 0.002
+    assert_alive(page)
+
+
+def test_all_steady_motions_at_a_clicked_frequency_can_be_chosen(serve):
+    served = serve('isolator/hardening.toml')
+    page = served.page()
+    settled(page)
+    plot, motion, caption = (
+        page.locator('.amplitude .u-over'),
+        page.get_by_label('Motion', exact=True),
+        page.locator('.caption'),
+    )
+    box = plot.bounding_box()
+    plot.click(position={'x': box['width'] * 0.3, 'y': box['height'] * 0.7})
+    caption.get_by_text(re.compile('^Operating shape')).wait_for()
+    frequency = caption.inner_text().split(',')[1].strip()
+    motion.select_option('steady 0')
+    caption.get_by_text(re.compile(r'^Steady motion')).wait_for()
+    settled(page)
+    found = command('steady', served.file, '--at', frequency)['at'][0]['motions']
+    offered = motion.locator('option[value^=steady]').all_inner_texts()
+    assert len(offered) == len(found)
+    for words, one in zip(offered, found):
+        assert f'at {frequency}' in words and words.endswith(', stable' if one['stable'] else ', unstable')
 
 
 def test_ghosts_and_flashes_stand_beside_the_moving_machine(serve):

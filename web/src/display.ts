@@ -5,7 +5,8 @@ import type {Colouring} from './mount_colouring.ts';
 import type {FrequencyUnit} from './quantities.ts';
 
 /// The motion that the machine makes on the page.
-export type Shown = {kind: 'mode'; number: number} | {kind: 'frequency'; omega: number} | {kind: 'rest'};
+/// `steady`: one of the steady motions of a nonlinear machine at a frequency, by its place in the list of the program.
+export type Shown = {kind: 'mode'; number: number} | {kind: 'frequency'; omega: number} | {kind: 'steady'; omega: number; motion: number} | {kind: 'rest'};
 export type Theme = 'light' | 'dark';
 export type Table = 'modes' | 'requirements' | 'mounts' | 'peaks' | 'map';
 

@@ -10,9 +10,10 @@ import type {Motion} from './motion.ts';
 import {COLOURINGS, mountValues, type Colouring} from './mount_colouring.ts';
 import {Part} from './part.ts';
 import {frequency} from './quantities.ts';
-import type {Check, Modes, Scene, SceneBody, Verdict} from './results.ts';
+import type {Check, Modes, Scene, SceneBody, Steady, Verdict} from './results.ts';
 import {screwOf, screwWords, type PlacedScrew} from './screws.ts';
 import {ShownMotion} from './shown_motion.ts';
+import {missingSteady, steadyChoices} from './steady_motions.ts';
 import {canRecord, framesOf, periodVideo} from './video/period_video.ts';
 import {machineKeys} from './machine_keys.ts';
 
@@ -34,9 +35,11 @@ export class MachineView extends Part {
 
   override render() {
     const {display, asker, state} = this.app, modes = asker.result<Modes>('modes');
-    const {shown} = display, chosen = shown.kind === 'mode' ? `${shown.number}` : shown.kind;
-    const label = this.motion ? `${this.motion.label}, ${frequency(this.motion.angular_frequency, display.frequencyUnit)}${this.motion.words ? `: ${this.motion.words}` : ''}` : 'at rest';
-    const [screw, body] = this.screw(), command = shown.kind === 'frequency' ? 'shapes' : 'modes';
+    const {shown} = display, steady = steadyChoices(asker.result<Steady>('steady'), display);
+    const chosen = shown.kind === 'mode' ? `${shown.number}` : shown.kind === 'steady' ? `steady ${shown.motion}` : shown.kind;
+    const label = this.motion ? `${this.motion.label}, ${frequency(this.motion.angular_frequency, display.frequencyUnit)}${this.motion.words ? `: ${this.motion.words}` : ''}`
+                              : shown.kind === 'steady' ? missingSteady(asker, shown.omega) : 'at rest';
+    const [screw, body] = this.screw(), command = shown.kind === 'steady' ? 'steady' : shown.kind === 'frequency' ? 'shapes' : 'modes';
     const views: View[] = ['oblique', 'front', 'side', 'top'];
     return html`
       <div class="stage" tabindex="0" role="application" aria-label="Machine in 3D: ${label}. Arrow keys turn it, plus and minus zoom, space plays or stops, n and p show the next and the previous mode, s selects the next part."
@@ -52,7 +55,8 @@ export class MachineView extends Part {
           ${display.playing ? '❚❚' : '▶'}<span class="hidden">${display.playing ? 'Stop' : 'Play'}</span></button>
         <select aria-label="Motion" .value=${chosen} @change=${this.choose}>
           ${modes?.modes.map(m => html`<option value=${m.number} ?selected=${chosen === `${m.number}`}>${m.number} · ${frequency(m.angular_frequency, display.frequencyUnit)} · ${m.name}</option>`)}
-          ${shown.kind === 'frequency' ? html`<option value="frequency" selected>operating shape at ${frequency(shown.omega, display.frequencyUnit)}</option>` : nothing}
+          ${'omega' in shown ? html`<option value="frequency" ?selected=${chosen === 'frequency'}>operating shape at ${frequency(shown.omega, display.frequencyUnit)}</option>` : nothing}
+          ${steady.map(s => html`<option value="steady ${s.motion}" ?selected=${chosen === `steady ${s.motion}`}>${s.words}</option>`)}
           <option value="rest" ?selected=${chosen === 'rest'}>at rest</option>
         </select>
         <span class="views" role="group" aria-label="View">${views.map(v => html`<button @click=${() => this.stage?.look(v)}>${v}</button>`)}</span>
@@ -159,9 +163,14 @@ export class MachineView extends Part {
                   @input=${(e: Event) => set(Number((e.target as HTMLInputElement).value))}></label>`;
   }
   private choose(event: Event) {
-    const {value} = event.target as HTMLSelectElement;
-    if (value === 'frequency') return;
-    this.app.display.set({shown: value === 'rest' ? {kind: 'rest'} : {kind: 'mode', number: Number(value)}});
+    const {value} = event.target as HTMLSelectElement, {display, asker} = this.app, {shown} = display;
+    if (value === 'frequency') {
+      if ('omega' in shown) display.set({shown: {kind: 'frequency', omega: shown.omega}});
+    } else if (value.startsWith('steady')) {
+      const {omega, motion} = steadyChoices(asker.result<Steady>('steady'), display)[Number(value.split(' ')[1])]!;
+      display.set({shown: {kind: 'steady', omega, motion}, cursor: omega});
+    } else return display.set({shown: value === 'rest' ? {kind: 'rest'} : {kind: 'mode', number: Number(value)}});
+    asker.again();
   }
   private down = [0, 0];
   private pressed(event: PointerEvent) { this.down = [event.clientX, event.clientY]; }

@@ -1,41 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Harmonic rigid motions of bodies: what an animated shape is made of.
-import type {Complex, Modes, Roots, SceneBody, Shapes, Vector} from './results.ts';
+// Periodic rigid motions of bodies: what an animated shape is made of.
+import type {Complex, Modes, Roots, SceneBody, Shapes, SteadyMotion, Vector} from './results.ts';
 
 /// Complex translation of the pole and rotation about it, in the frame of the project: x, y, z, θx, θy, θz.
-export type RigidMotion = readonly Complex[];
+export type Amplitudes = readonly Complex[];
+/// The amplitudes of each harmonic of a period: Σ Re(amplitude e^{i order phase}). Order 0 is the mean.
+export type RigidMotion = readonly {order: number; amplitudes: Amplitudes}[];
 
-/// A motion of the machine at one frequency. Bodies and ends of elements that are not named are at rest.
+/// A periodic motion of the machine. Bodies and ends of elements that are not named are at rest.
 export interface Motion {
   label: string;
   words: string;
-  angular_frequency: number;
+  angular_frequency: number;  // that it is named by: of the mode, or of the excitation
   bodies: ReadonlyMap<string, RigidMotion>;
   ends: ReadonlyMap<string, RigidMotion>;  // "front left.foot": end of an element on a moving foundation
 }
 
 /// Coordinates along the axes of a body → along those of the project. Rows of `axes` are the axes of the body.
-export function inProjectFrame(motion: RigidMotion, axes: SceneBody['axes']): RigidMotion {
+export function inProjectFrame(motion: Amplitudes, axes: SceneBody['axes']): Amplitudes {
   return [0, 3].flatMap(first => [0, 1, 2].map((row): Complex => [0, 1].map(part =>
     axes.reduce((sum, axis, k) => sum + axis[row]! * motion[first + k]![part]!, 0)) as unknown as Complex));
 }
 
-/// Displacement of a point at `arm` from the pole at a phase [rad] of the motion: Re((t + θ × arm) e^{i phase}).
+export const harmonic = (amplitudes: Amplitudes): RigidMotion => [{order: 1, amplitudes}];
+
+/// Displacement of a point at `arm` from the pole at a phase [rad] of the motion: t + θ × arm.
 export function displacement(motion: RigidMotion, arm: Vector, phase: number): [number, number, number] {
   const [x, y, z, a, b, c] = valuesAt(motion, phase) as [number, number, number, number, number, number];
   return [x + b * arm[2] - c * arm[1], y + c * arm[0] - a * arm[2], z + a * arm[1] - b * arm[0]];
 }
 /// The six coordinates at a phase [rad].
 export function valuesAt(motion: RigidMotion, phase: number): number[] {
-  const cos = Math.cos(phase), sin = Math.sin(phase);
-  return motion.map(([re, im]) => re * cos - im * sin);
+  const values = [0, 0, 0, 0, 0, 0];
+  for (const {order, amplitudes} of motion) {
+    const cos = Math.cos(order * phase), sin = Math.sin(order * phase);
+    amplitudes.forEach(([re, im], k) => { values[k]! += re * cos - im * sin; });
+  }
+  return values;
 }
 
 function ofBodies(bodies: readonly SceneBody[], shape: readonly Complex[]) {
   const found = new Map<string, RigidMotion>();
   for (const {name, axes, dofs} of bodies) {
     const six = dofs.map(place => shape[place]);
-    if (six.every(value => value !== undefined)) found.set(name, inProjectFrame(six, axes));
+    if (six.every(value => value !== undefined)) found.set(name, harmonic(inProjectFrame(six, axes)));
   }
   return found;
 }
@@ -43,8 +51,8 @@ function ofBodies(bodies: readonly SceneBody[], shape: readonly Complex[]) {
 export function ofMode(modes: Modes, index: number, bodies: readonly SceneBody[]): Motion | null {
   const mode = modes.modes[index];
   if (!mode) return null;
-  return {label: `Mode ${mode.number}`, words: mode.name, angular_frequency: mode.angular_frequency, ends: new Map(),
-          bodies: ofBodies(bodies, mode.shape.map(v => [v, 0]))};
+  return {label: `Mode ${mode.number}`, words: mode.name, angular_frequency: mode.angular_frequency,
+          ends: new Map(), bodies: ofBodies(bodies, mode.shape.map(v => [v, 0]))};
 }
 /// The damped motion of the root nearest to a mode, without its decay: places move with different phases.
 export function ofRoot(roots: Roots, mode: number, bodies: readonly SceneBody[]): Motion | null {
@@ -57,23 +65,34 @@ export function ofRoot(roots: Roots, mode: number, bodies: readonly SceneBody[])
 export function ofShape(shapes: Shapes, bodies: readonly SceneBody[]): Motion | null {
   const shape = shapes.shapes[0];
   if (!shape) return null;
-  const moving = new Map<string, RigidMotion>(), ends = new Map<string, RigidMotion>();
-  for (const {name, motion} of shape.places) {
-    (bodies.some(b => b.name === name) ? moving : ends).set(name, motion);  // along the axes of the project
-  }
-  return {label: 'Operating shape', words: '', angular_frequency: shape.angular_frequency, bodies: moving, ends};
+  return {label: 'Operating shape', words: '', angular_frequency: shape.angular_frequency,
+          ...ofPlaces(shape.places.map(({name, motion}) => [name, harmonic(motion)]), bodies)};
+}
+/// A steady motion with all its harmonics, at the parameter of its curve.
+export function ofSteady(motion: SteadyMotion, angular_frequency: number, words: string, bodies: readonly SceneBody[]): Motion {
+  const places = motion.places.map(({name, harmonics}): [string, RigidMotion] => [name, harmonics.map((amplitudes, order) => ({order, amplitudes}))]);
+  return {label: 'Steady motion', words, angular_frequency, ...ofPlaces(places, bodies)};
+}
+/// Bodies, and other places, which are ends of elements; along the axes of the project.
+function ofPlaces(places: readonly (readonly [string, RigidMotion])[], bodies: readonly SceneBody[]) {
+  const isBody = ([name]: readonly [string, RigidMotion]) => bodies.some(b => b.name === name);
+  return {bodies: new Map(places.filter(isBody)), ends: new Map(places.filter(p => !isBody(p)))};
 }
 
-/// Largest displacement of the corners of all bodies over a period [m]: the scale of a drawing.
-export function largestDisplacement(motion: Motion, bodies: readonly SceneBody[], steps = 24): number {
+export const highestOrder = (motion: Motion) => Math.max(1, ...[...motion.bodies.values()].flatMap(rigid => rigid.map(h => h.order)));
+
+/// Largest displacement of the corners of all bodies, and of moving ends, over a period [m]: the scale of a drawing.
+export function largestDisplacement(motion: Motion, bodies: readonly SceneBody[], steps = 48): number {
+  const count = Math.max(steps, 8 * highestOrder(motion)), middle: Vector = [0, 0, 0];
   let largest = 0;
+  const reach = (rigid: RigidMotion, arm: Vector) => {
+    for (let s = 0; s < count; s++) largest = Math.max(largest, Math.hypot(...displacement(rigid, arm, 2 * Math.PI * s / count)));
+  };
+  for (const end of motion.ends.values()) reach(end, middle);
   for (const body of bodies) {
     const rigid = motion.bodies.get(body.name);
     if (!rigid) continue;
-    for (const corner of corners(body)) {
-      const arm = corner.map((v, k) => v - body.pole[k]!) as unknown as Vector;
-      for (let s = 0; s < steps; s++) largest = Math.max(largest, Math.hypot(...displacement(rigid, arm, Math.PI * s / steps)));
-    }
+    for (const corner of corners(body)) reach(rigid, corner.map((v, k) => v - body.pole[k]!) as unknown as Vector);
   }
   return largest;
 }

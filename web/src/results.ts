@@ -171,8 +171,16 @@ interface Branch {
   points: SteadyPoint[];
   folds: {point: SteadyPoint; lands: SteadyPoint | null}[];
 }
+/// One of the motions at a frequency: all its harmonics from the mean on, of bodies and of ends that move.
+export interface SteadyMotion {
+  curve: number;
+  periods: number;
+  stable: boolean | null;
+  places: {name: string; harmonics: Complex[][]}[];
+}
 export interface Steady extends Branch {
   over: string;
+  at?: {angular_frequency: number; motions: SteadyMotion[]}[];
   results: {name: string; unit: string}[];
   further?: Branch[];
 }

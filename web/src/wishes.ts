@@ -14,7 +14,7 @@ export function wishes(display: Display, {hasSomethingToJudge, hasSteady}: {hasS
   if (shown.kind === 'frequency') all.push({want: {command: 'shapes'}, settings: [`analyses.shapes.at = ["${shown.omega} rad/s"]`]});
   all.push({want: {command: 'roots'}, slow: !display.damped}, {want: {command: 'check'}, slow: true});
   if (hasSomethingToJudge) all.push({want: {command: 'verdict'}, slow: true});
-  if (hasSteady) all.push({want: {command: 'steady'}, slow: true});
+  if (hasSteady) all.push({want: {command: 'steady', ...(shown.kind === 'steady' ? {keys: {at: `${shown.omega} rad/s`}} : {})}, slow: true});
   return all;
 }
 /// The drawn curves follow a slider as a draft; all curves with exact peaks follow when it rests.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {displacement, inProjectFrame, largestDisplacement, ofMode, ofRoot, ofShape, type Motion, type RigidMotion} from '../src/motion.ts';
+import {displacement, inProjectFrame, largestDisplacement, ofMode, ofRoot, ofShape, ofSteady, harmonic, type Amplitudes, type Motion, type RigidMotion} from '../src/motion.ts';
 import type {Complex, SceneBody, Vector} from '../src/results.ts';
 
 const close = (a: readonly number[], b: readonly number[]) =>
   b.forEach((v, i) => assert.ok(Math.abs(a[i]! - v) < 1e-12, `${a} is not ${b}`));
-const real = (...values: number[]): RigidMotion => values.map((v): Complex => [v, 0]);
+const amplitudes = (...values: number[]): Amplitudes => values.map((v): Complex => [v, 0]);
+const real = (...values: number[]): RigidMotion => harmonic(amplitudes(...values));
 const box = (pole: Vector): SceneBody => ({name: 'body', node: false, drawn_as: 'box of equal inertia', dofs: [0, 1, 2, 3, 4, 5], solids: [], pole, centre_of_mass: pole, axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], mass: 1,
                                            box: {centre: pole, axes: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], size: [2, 4, 6]}});
 
@@ -14,17 +15,17 @@ test('a rotation about z moves a point on x along y', () => close(displacement(r
 test('a rotation about x moves a point on z against y', () => close(displacement(real(0, 0, 0, 0.1, 0, 0), [0, 0, 3], 0), [0, -0.3, 0]));
 test('a rotation about an axis moves no point of the axis', () => close(displacement(real(0, 0, 0, 1, 2, 3), [2, 4, 6], 0.7), [0, 0, 0]));
 test('an imaginary part lags: it is −sin of the phase', () => {
-  const motion: RigidMotion = [[0, 1], ...real(0, 0, 0, 0, 0)];
+  const motion = harmonic([[0, 1], ...amplitudes(0, 0, 0, 0, 0)]);
   close(displacement(motion, [0, 0, 0], Math.PI / 2), [-1, 0, 0]);
   close(displacement(motion, [0, 0, 0], 0), [0, 0, 0]);
 });
 test('two directions with a quarter of a period between them make a circle', () => {
-  const motion: RigidMotion = [[1, 0], [0, -1], ...real(0, 0, 0, 0)];
+  const motion = harmonic([[1, 0], [0, -1], ...amplitudes(0, 0, 0, 0)]);
   for (let i = 0; i < 8; i++) assert.ok(Math.abs(Math.hypot(...displacement(motion, [0, 0, 0], i)) - 1) < 1e-12);
 });
 test('coordinates along the axes of a turned body become those of the project', () => {
   const turned: SceneBody['axes'] = [[0, 1, 0], [-1, 0, 0], [0, 0, 1]];  // its x is the project's y
-  close(inProjectFrame(real(1, 0, 0, 0, 2, 0), turned).map(v => v[0]), [0, 1, 0, -2, 0, 0]);
+  close(inProjectFrame(amplitudes(1, 0, 0, 0, 2, 0), turned).map(v => v[0]), [0, 1, 0, -2, 0, 0]);
 });
 test('the largest displacement of a translation is its size, of a rotation that of the farthest corner', () => {
   const of = (motion: RigidMotion): Motion => ({label: '', words: '', angular_frequency: 1, ends: new Map(), bodies: new Map([['body', motion]])});
@@ -35,18 +36,29 @@ test('a body takes its coordinates from their places in a shape', () => {
   const shape = [...Array(6).fill(0), 0, 0, 5, 0, 0, 0] as number[];
   const mode = {number: 4, angular_frequency: 9, shape, kinetic_energy_share: [], strain_energy_share: [], name: 'z'};
   const motion = ofMode({bodies: ['first', 'body'], elements: [], modes: [mode]}, 0, [{...box([0, 0, 0]), dofs: [6, 7, 8, 9, 10, 11]}])!;
-  close(motion.bodies.get('body')!.map(v => v[0]), [0, 0, 5, 0, 0, 0]);
+  close(motion.bodies.get('body')![0]!.amplitudes.map(v => v[0]), [0, 0, 5, 0, 0, 0]);
   assert.equal(motion.angular_frequency, 9);
 });
 test('a damped mode is the root with positive frequency that is nearest to it', () => {
   const root = (im: number, mode: number) => ({eigenvalue: [-1, im] as const, kind: 'oscillating', angular_frequency: Math.abs(im), damping_ratio: 0.1,
-                                               nearest_mode: mode, shape: [[im, 2], ...real(0, 0, 0, 0, 0)] as Complex[]});
+                                               nearest_mode: mode, shape: [[im, 2], ...amplitudes(0, 0, 0, 0, 0)] as Complex[]});
   const motion = ofRoot({bodies: ['body'], roots: [root(-7, 2), root(5, 1), root(7, 2)]}, 2, [box([0, 0, 0])])!;
-  assert.deepEqual(motion.bodies.get('body')![0], [7, 2]);
+  assert.deepEqual(motion.bodies.get('body')![0]!.amplitudes[0], [7, 2]);
 });
 test('operating shapes move bodies about their poles, and ends on a foundation', () => {
-  const shapes = {shapes: [{angular_frequency: 3, places: [{name: 'body', motion: [...real(1, 0, 0, 0, 0, 0)]}, {name: 'mount.foot', motion: [...real(0, 0, 2, 0, 0, 0)]}]}]};
+  const shapes = {shapes: [{angular_frequency: 3, places: [{name: 'body', motion: [...amplitudes(1, 0, 0, 0, 0, 0)]}, {name: 'mount.foot', motion: [...amplitudes(0, 0, 2, 0, 0, 0)]}]}]};
   const motion = ofShape(shapes, [box([0, 0, 0])])!;
   assert.equal(motion.bodies.size, 1);
-  assert.equal(motion.ends.get('mount.foot')![2]![0], 2);
+  assert.equal(motion.ends.get('mount.foot')![0]!.amplitudes[2]![0], 2);
+});
+test('a steady motion is the sum of its mean and its harmonics', () => {
+  const along = (z: Complex): Complex[] => [...amplitudes(0, 0), z, ...amplitudes(0, 0, 0)];
+  const places = [{name: 'body', harmonics: [along([0.5, 0]), along([1, 0]), along([0, 0]), along([0, 0.25])]}, {name: 'mount.foot', harmonics: [along([0, 0]), along([2, 0])]}];
+  const motion = ofSteady({curve: 0, periods: 1, stable: true, places}, 40, '', [box([0, 0, 0])]);
+  for (const phase of [0, 0.4, 2, 5]) close(displacement(motion.bodies.get('body')!, [0, 0, 0], phase), [0, 0, 0.5 + Math.cos(phase) - 0.25 * Math.sin(3 * phase)]);
+  close(displacement(motion.ends.get('mount.foot')!, [0, 0, 0], Math.PI), [0, 0, -2]);
+});
+test('the largest displacement of a motion with harmonics is not half a period away', () => {
+  const motion: Motion = {label: '', words: '', angular_frequency: 1, ends: new Map(), bodies: new Map([['body', [{order: 0, amplitudes: amplitudes(-1, 0, 0, 0, 0, 0)}, {order: 1, amplitudes: amplitudes(3, 0, 0, 0, 0, 0)}]]])};
+  assert.ok(Math.abs(largestDisplacement(motion, [box([0, 0, 0])]) - 4) < 1e-12);  // at the phase π
 });

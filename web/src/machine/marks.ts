@@ -2,7 +2,7 @@
 // What is drawn beside bodies and elements: centres of mass, points, axes, stops, clearances, the ground, traces.
 import {ArrowHelper, BufferGeometry, CanvasTexture, CircleGeometry, DoubleSide, Float32BufferAttribute, GridHelper, Group, Line, LineBasicMaterial, Mesh,
         MeshBasicMaterial, Quaternion, RingGeometry, Sprite, SpriteMaterial, Vector3} from 'three';
-import {displacement, type Motion} from '../motion.ts';
+import {displacement, highestOrder, type Motion} from '../motion.ts';
 import type {Scene, SceneBody, Vector} from '../results.ts';
 import type {Colours} from './colours.ts';
 
@@ -94,11 +94,12 @@ export function ground(lowest: number, centre: Vector3, size: number, up: Up, co
   return grid;
 }
 
-/// The closed curve of a point over one period of a motion: an ellipse.
+/// The closed curve of a point over one period of a motion: an ellipse, if it is harmonic.
 export function trace(at: Vector, body: SceneBody, motion: Motion, scale: number, colours: Colours): Line {
   const arm = at.map((v, k) => v - body.pole[k]!) as unknown as Vector, rigid = motion.bodies.get(body.name), places: number[] = [];
-  for (let i = 0; rigid && i <= 72; i++) {
-    const u = displacement(rigid, arm, 2 * Math.PI * i / 72);
+  const steps = Math.max(72, 16 * highestOrder(motion));
+  for (let i = 0; rigid && i <= steps; i++) {
+    const u = displacement(rigid, arm, 2 * Math.PI * i / steps);
     places.push(...u.map((v, k) => at[k]! + scale * v));
   }
   const geometry = new BufferGeometry();
