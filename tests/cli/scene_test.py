@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`trivet scene`: what programs draw, and that it moves as the results of the other commands say."""
+
 import json
 import math
 import os
@@ -191,6 +192,38 @@ class Scene(unittest.TestCase):
                     self.assert_near(moved(body, pole, body["centre_of_mass"]), wanted, ROUND_OFF * (1 + largest))
                     tried += any(abs(a - b) > 1e-3 * largest for a, b in zip(at_pole, at_centre))
             self.assertTrue(tried or "frame" in str(file), "no centre of mass away from its pole")
+
+    def test_modes_move_the_feet_on_foundations_like_bodies_in_their_place(self):
+        # A compliant deck with a mass is the same as a body on springs.
+        machine = """trivet = 1
+[bodies.machine]
+mass = 100
+inertia = {about = "center_of_mass", xx = 4, yy = 5, zz = 6}
+position = [0, 0, 0.4]
+[elements.mount]
+type = "bushing"
+on = "machine"
+at = [0.2, 0.1, -0.4]
+translation = [1e5, 2e5, 4e5]
+rotation = [3e4, 2e4, 1e4]
+UNDER
+"""
+        deck = 'foundation = "deck"\n[foundations.deck]\ntype = "impedance"\ntranslation = [2e6, 3e6, 1e6]\nmass = 60\n'
+        body = (
+            'from = "plate"\nfrom_at = [0, 0, 0]\n[bodies.plate]\nmass = 60\ninertia = {about = "pole", xx = 1, yy = 1, zz = 1}\n'
+            'position = [0.2, 0.1, 0]\nfree = ["x", "y", "z"]\n[elements.under]\ntype = "bushing"\non = "plate"\n'
+            "at = [0, 0, 0]\ntranslation = [2e6, 3e6, 1e6]\nrotation = [1, 1, 1]\n"
+        )
+        found, wanted = (result("modes", self.written(machine.replace("UNDER", under))) for under in (deck, body))
+        self.assertEqual(found["feet"], ["mount.foot"])
+        self.assertNotIn("feet", wanted)
+        self.assertEqual(len(found["modes"]), len(wanted["modes"]))
+        for one, other in zip(found["modes"], wanted["modes"]):
+            self.assertAlmostEqual(one["angular_frequency"] / other["angular_frequency"], 1, 9)
+            foot, plate = one["feet"][0], other["shape"][6:]
+            self.assertGreater(max(map(abs, foot)), 1e-5)
+            sign = math.copysign(1, dot(foot[:3], plate[:3]))
+            self.assert_near(foot, [sign * x for x in plate], 1e-9)
 
     def test_shapes_at_a_frequency_move_points_and_ends_of_elements_as_shapes_say(self):
         file = self.workshop()

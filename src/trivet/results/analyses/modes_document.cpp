@@ -7,6 +7,7 @@
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/index.h"
+#include "trivet/modal/foundation_feet.h"
 #include "trivet/modal/modes.h"
 #include "trivet/results/format/result_writer.h"
 
@@ -161,6 +162,14 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
                  "strain_energy_share"},
       .mark = [&results](std::size_t i) { return results.modes.list[i].angular_frequency ? Mark::plain : Mark::bad; }};
   std::ranges::move(kinetic_columns(variant, row), std::back_inserter(table.columns));
+  if (!modal::elements_on_foundations(variant.system).empty()) {
+    const auto feet = [&system = variant.system,
+                       layout = assembly::Layout(variant.system.description())](const Mode& mode) {
+      return json::rows(modal::foundation_feet(system, layout, mode.coordinates).transpose().eval());
+    };
+    table.columns.push_back(row("feet", Kind::words, "", feet, {.forms = in_json}));
+    table.json.emplace_back("feet");
+  }
   return table;
 }
 
@@ -174,6 +183,7 @@ Document modes_document(const project::Case& variant, const study::CaseResults& 
   Document document;
   document.add(Words{.key = "bodies", .list = names_of(variant.system.bodies())});
   document.add(Words{.key = "elements", .list = names_of(variant.system.elements())});
+  add_feet(variant, document);
   document.add(Sentence{
       .parts = {"Undamped modes" +
                 (results.lowest_modes > 0 ? fmt::format(", the lowest {}", results.lowest_modes) : std::string())},
@@ -199,6 +209,13 @@ std::vector<std::string> shape_coordinates(const project::Case& variant) {
   for (const model::Body& body : variant.system.bodies())
     for (const char* coordinate : model::coordinate_names) names.push_back(body.name + "." + coordinate);
   return names;
+}
+
+void add_feet(const project::Case& variant, Document& document) {
+  std::vector<std::string> names;
+  for (const std::size_t e : modal::elements_on_foundations(variant.system))
+    names.push_back(variant.system.elements()[e].name + ".foot");
+  if (!names.empty()) document.add(Words{.key = "feet", .list = std::move(names)});
 }
 
 void add_shape_coordinates(const project::Case& variant, const ShapeUnits& shape, Document& document) {

@@ -76,6 +76,8 @@ struct ShapeUnits {
 /// The axis "coordinate" of shapes: names and units of the six coordinates of each body.
 [[nodiscard]] std::vector<std::string> shape_coordinates(const project::Case& variant);
 void add_shape_coordinates(const project::Case& variant, const ShapeUnits& shape, Document& document);
+/// Names of the ends on flexible foundations, in the order of the elements; nothing without foundations.
+void add_feet(const project::Case& variant, Document& document);
 template <typename Named>
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<Named>& list) {
   std::vector<std::string> names;
