@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The middle of the page: colours of mounts, steady motions, ghosts and screw axes."""
+"""The middle of the page: colours of mounts, steady motions, ghosts, screw axes and foundations."""
 import re
 
 from conftest import settled
@@ -125,4 +125,20 @@ def test_the_screw_axis_of_a_selected_body_is_that_of_the_mode(serve):
     page.wait_for_timeout(300)
     assert 'axis' not in hover.inner_text()
     assert share_changed(with_axis, picture(stage)) > 0.001
+    assert_alive(page)
+
+
+def test_the_foundation_under_the_mounts_moves_in_a_mode(serve):
+    served = serve('genset/genset.toml')
+    page = served.page()
+    settled(page)
+    found = command('modes', served.file)
+    assert len(found['feet']) == 6 and found['modes'][6]['foundation_kinetic_energy_share'] > 0.8
+    page.get_by_label('Motion', exact=True).select_option('7')  # of the deck: the genset hardly moves
+    page.get_by_role('button', name='front', exact=True).click()
+    page.wait_for_timeout(300)
+    up = picture(page.locator('.stage'))
+    page.get_by_role('slider', name='Phase').fill('180')
+    page.wait_for_timeout(300)
+    assert share_changed(up, picture(page.locator('.stage'))) > 0.001
     assert_alive(page)

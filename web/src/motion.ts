@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic rigid motions of bodies: what an animated shape is made of.
-import type {Complex, Modes, Roots, SceneBody, Shapes, SteadyMotion, Vector} from './results.ts';
+import type {Complex, Mode, Modes, Roots, SceneBody, Shapes, SteadyMotion, Vector} from './results.ts';
 
 /// Complex translation of the pole and rotation about it, in the frame of the project: x, y, z, θx, θy, θz.
 export type Amplitudes = readonly Complex[];
@@ -47,12 +47,14 @@ function ofBodies(bodies: readonly SceneBody[], shape: readonly Complex[]) {
   }
   return found;
 }
+/// Ends on foundations, along the axes of the project.
+const ofFeet = ({feet}: Modes, mode: Mode) => new Map(feet?.map((name, i) => [name, harmonic(mode.feet![i]!.map((v): Complex => [v, 0]))]));
 
 export function ofMode(modes: Modes, index: number, bodies: readonly SceneBody[]): Motion | null {
   const mode = modes.modes[index];
   if (!mode) return null;
   return {label: `Mode ${mode.number}`, words: mode.name, angular_frequency: mode.angular_frequency,
-          ends: new Map(), bodies: ofBodies(bodies, mode.shape.map(v => [v, 0]))};
+          ends: ofFeet(modes, mode), bodies: ofBodies(bodies, mode.shape.map(v => [v, 0]))};
 }
 /// The damped motion of the root nearest to a mode, without its decay: places move with different phases.
 export function ofRoot(roots: Roots, mode: number, bodies: readonly SceneBody[]): Motion | null {
@@ -73,12 +75,13 @@ export function ofSteady(motion: SteadyMotion, angular_frequency: number, words:
   const places = motion.places.map(({name, harmonics}): [string, RigidMotion] => [name, harmonics.map((amplitudes, order) => ({order, amplitudes}))]);
   return {label: 'Steady motion', words, angular_frequency, ...ofPlaces(places, bodies)};
 }
-/// Bodies, and other places, which are ends of elements; along the axes of the project.
+/// Bodies, and other places that move, which are ends of elements; along the axes of the project.
 function ofPlaces(places: readonly (readonly [string, RigidMotion])[], bodies: readonly SceneBody[]) {
   const isBody = ([name]: readonly [string, RigidMotion]) => bodies.some(b => b.name === name);
-  return {bodies: new Map(places.filter(isBody)), ends: new Map(places.filter(p => !isBody(p)))};
+  return {bodies: new Map(places.filter(isBody)), ends: new Map(places.filter(p => !isBody(p) && moves(p[1])))};
 }
 
+const moves = (rigid: RigidMotion) => rigid.some(({amplitudes}) => amplitudes.some(([re, im]) => re !== 0 || im !== 0));
 export const highestOrder = (motion: Motion) => Math.max(1, ...[...motion.bodies.values()].flatMap(rigid => rigid.map(h => h.order)));
 
 /// Largest displacement of the corners of all bodies, and of moving ends, over a period [m]: the scale of a drawing.

@@ -100,9 +100,11 @@ export interface Mode {
   strain_energy_share: number[] | null;
   screws?: {direction: Vector; point: Vector | null; pitch: number | null; rotation: number}[];  // of each body, along its axes, from its pole
   name: string;
+  feet?: number[][];  // motion of these ends, along the axes of the project
 }
 export interface Modes {
   bodies: string[];
+  feet?: string[];  // ends on flexible foundations
   elements: string[];
   modes: Mode[];
 }

@@ -51,6 +51,16 @@ test('operating shapes move bodies about their poles, and ends on a foundation',
   assert.equal(motion.bodies.size, 1);
   assert.equal(motion.ends.get('mount.foot')![0]!.amplitudes[2]![0], 2);
 });
+test('ends on foundations move as modes and roots state', () => {
+  const mode = {number: 1, angular_frequency: 9, shape: [0, 0, 0, 0, 0, 0], kinetic_energy_share: [], strain_energy_share: [], name: 'z', feet: [[0, 0, 3, 0, 0, 0]]};
+  const motion = ofMode({bodies: ['body'], elements: [], feet: ['mount.foot'], modes: [mode]}, 0, [box([0, 0, 0])])!;
+  close(displacement(motion.ends.get('mount.foot')!, [0, 0, 0], 0), [0, 0, 3]);
+  assert.ok(Math.abs(largestDisplacement(motion, [box([0, 0, 0])]) - 3) < 1e-12);  // no body moves, and the foot is not drawn without end
+});
+test('ends that rest are no moving ground', () => {
+  const shapes = {shapes: [{angular_frequency: 3, places: [{name: 'mount.foot', motion: [...amplitudes(0, 0, 0, 0, 0, 0)]}]}]};
+  assert.equal(ofShape(shapes, [box([0, 0, 0])])!.ends.size, 0);
+});
 test('a steady motion is the sum of its mean and its harmonics', () => {
   const along = (z: Complex): Complex[] => [...amplitudes(0, 0), z, ...amplitudes(0, 0, 0)];
   const places = [{name: 'body', harmonics: [along([0.5, 0]), along([1, 0]), along([0, 0]), along([0, 0.25])]}, {name: 'mount.foot', harmonics: [along([0, 0]), along([2, 0])]}];

@@ -2,9 +2,10 @@
 import {Group, Matrix4, Vector3, type Color, type Mesh, type MeshStandardMaterial} from 'three';
 import {displacement, type Motion, type RigidMotion} from '../motion.ts';
 import type {End, SceneBody, SceneElement, Vector} from '../results.ts';
-import {disposeAll} from './body_object.ts';
+import {disposeAll, rigidMatrix} from './body_object.ts';
 import type {Colours} from './colours.ts';
 import {elementShape} from './element_shapes.ts';
+import {footPlate} from './marks.ts';
 
 type Bodies = ReadonlyMap<string, SceneBody>;
 
@@ -13,11 +14,12 @@ type Bodies = ReadonlyMap<string, SceneBody>;
 export class ElementObject {
   readonly object = new Group();
   readonly rest: Matrix4;
+  readonly foot: Group | null;  // a piece of the ground or the foundation below end N, which may move
   private readonly ends: {from: Vector3; to: Vector3};
   private readonly across: readonly [Vector3, Vector3];
   private readonly length: number;
 
-  constructor(readonly element: SceneElement, bodies: Bodies, size: number, colours: Colours) {
+  constructor(readonly element: SceneElement, bodies: Bodies, size: number, up: Vector3, colours: Colours) {
     this.object.matrixAutoUpdate = false;
     const [e1, e2, e3] = element.axes.map(e => new Vector3(...e)) as [Vector3, Vector3, Vector3];
     const from = new Vector3(...element.from.at), to = new Vector3(...element.to.at), bush = element.rubber?.length;
@@ -37,11 +39,19 @@ export class ElementObject {
     this.object.traverse(part => (part.userData = {kind: 'element', name: element.name}));
     this.place(from, to);
     this.rest = this.object.matrix.clone();
+    this.foot = element.from.body ? null : footPlate(size, up, colours);
+    if (this.foot) this.foot.traverse(part => (part.userData = {kind: 'element', name: element.name}));
+    this.move(null, bodies, 0, 0);
   }
   move(motion: Motion | null, bodies: Bodies, phase: number, scale: number) {
-    const {element: {from, to, name}, ends} = this;
+    const {element: {from, to, name}, ends, foot} = this;
     this.place(moved(ends.from, from, motion, bodies, phase, scale, `${name}.foot`),
                moved(ends.to, to, motion, bodies, phase, scale, `${name}.head`));
+    if (!foot) return;
+    const rigid = motion?.ends.get(`${name}.foot`) ?? null, {x, y, z} = ends.from;
+    for (const part of foot.children) part.visible = from.foundation !== undefined || rigid !== null;  // rigid ground is the grid
+    foot.matrix.copy(rigidMatrix([x, y, z], rigid, phase, scale));
+    foot.matrixWorldNeedsUpdate = true;
   }
   highlight(on: boolean, colours: Colours) {
     this.object.traverse(part => {
@@ -58,7 +68,10 @@ export class ElementObject {
       material.color.copy(colour ?? own);
     });
   }
-  dispose() { disposeAll(this.object); }
+  dispose() {
+    disposeAll(this.object);
+    if (this.foot) disposeAll(this.foot);
+  }
 
   private place(from: Vector3, to: Vector3) {
     const along = to.clone().sub(from).divideScalar(this.length), [x, y] = this.across;

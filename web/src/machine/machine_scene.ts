@@ -38,13 +38,13 @@ export class MachineScene {
     const up = scene.gravity && Math.hypot(...scene.gravity) > 0 ? new Vector3(...scene.gravity).negate().normalize() : new Vector3(0, 0, 1);
     this.byName = new Map(scene.bodies.map(b => [b.name, b]));
     this.bodies = scene.bodies.map(b => new BodyObject(b, scene.size, colours));
-    this.elements = scene.elements.map(e => new ElementObject(e, this.byName, scene.size, colours));
+    this.elements = scene.elements.map(e => new ElementObject(e, this.byName, scene.size, up, colours));
     this.ghosts = new Ghosts(this.bodies, this.elements, colours);
     for (const {object, atRest} of this.bodies) {
       this.root.add(object);
       this.rest.add(atRest);
     }
-    for (const {object} of this.elements) this.root.add(object);
+    for (const {object, foot} of this.elements) this.root.add(object, ...(foot ? [foot] : []));
     this.root.add(this.rest, this.traces, this.ghosts.root, this.screw);
     for (const body of scene.bodies.filter(b => !b.node)) this.follow(centreOfMassMark(colours), body, body.centre_of_mass, {kind: 'body', name: body.name});
     for (const point of scene.points) {

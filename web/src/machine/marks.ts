@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is drawn beside bodies and elements: centres of mass, points, axes, stops, clearances, the ground, traces.
-import {ArrowHelper, BufferGeometry, CanvasTexture, CircleGeometry, DoubleSide, Float32BufferAttribute, GridHelper, Group, Line, LineBasicMaterial, Mesh,
-        MeshBasicMaterial, Quaternion, RingGeometry, Sprite, SpriteMaterial, Vector3} from 'three';
+import {ArrowHelper, BufferGeometry, CanvasTexture, CircleGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Float32BufferAttribute, GridHelper, Group, Line,
+        LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, RingGeometry, Sprite, SpriteMaterial, Vector3} from 'three';
 import {displacement, highestOrder, type Motion} from '../motion.ts';
 import type {Scene, SceneBody, Vector} from '../results.ts';
 import type {Colours} from './colours.ts';
@@ -84,6 +84,14 @@ export function clearanceMark({from, to}: Scene['clearances'][number], colours: 
   const line = new Line(new BufferGeometry().setFromPoints(ends), new LineBasicMaterial({color: colours.selected, depthTest: false}));
   line.renderOrder = 7;
   return line;
+}
+/// A piece of a foundation under a mount, normal to `up`, whose top is at the origin.
+export function footPlate(size: number, up: Up, colours: Colours): Group {
+  const group = new Group(), thickness = 0.012 * size, plate = new CylinderGeometry(0.045 * size, 0.045 * size, thickness, 28).translate(0, -thickness / 2, 0);
+  plate.applyQuaternion(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), up));
+  group.matrixAutoUpdate = false;
+  group.add(new Mesh(plate, new MeshLambertMaterial({color: colours.rest})), new LineSegments(new EdgesGeometry(plate, 25), new LineBasicMaterial({color: colours.edge})));
+  return group;
 }
 /// The ground below the machine, normal to `up`.
 export function ground(lowest: number, centre: Vector3, size: number, up: Up, colours: Colours): GridHelper {
