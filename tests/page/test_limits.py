@@ -3,6 +3,7 @@
 import re
 
 from conftest import settled
+from test_pictures import picture
 from test_play import changed_lines, command
 
 
@@ -119,3 +120,23 @@ def test_limits_of_speeds_and_of_lists_are_lines_too(serve):
     page.get_by_role('button', name='Save').click()
     page.get_by_text('pump.toml is saved.').wait_for()
     assert '{limit = "2.09 mm/s", band = ["1450 rpm", "1500 rpm"]},     # in operation' in served.file.read_text()
+
+
+def test_a_curve_is_red_where_it_exceeds_a_limit_line_of_its_quantity(serve):
+    page = serve('genset/genset.toml').page()
+    settled(page)
+    violated = (198, 26, 26)  # the colour of violated limits in light colours
+
+    def red():
+        page.wait_for_timeout(300)
+        return sum(n for n, colour in picture(page.locator('.amplitude')).getcolors(1 << 24) if colour == violated)
+
+    assert red() == 0
+    page.locator('.readings summary').click()
+    assert (
+        'genset.turbocharger.y within "vibration severity": it limits the velocity'
+        in page.locator('.readings').inner_text()
+    )
+    choose_quantity(page, 'velocity')
+    assert red() > 20
+    assert page.locator('.readings summary').count() == 0

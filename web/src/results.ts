@@ -162,6 +162,7 @@ export interface LimitLine {
   rms: boolean;
   angular_frequency: number[];
   limit: number[];
+  exceeded?: readonly (readonly [number, number])[];  // bands of ω
 }
 
 interface SteadyPoint {

@@ -70,6 +70,8 @@ test('a limit is drawn beside a curve of its quantity under its excitations alon
   assert.deepEqual(why({order: 2}), ['it holds for order 2 of the shaft alone']);
   assert.deepEqual(why({subject: 'm.x'}), ['no curve of m.x is drawn']);
   assert.deepEqual(limitsOf(curves, 0, [limited({kind: 'static'}), limited({place: []})]), {drawn: [], not: []});
+  const lined = {...curves, lines: [{name: 'severity', result: 'm.z', unit: 'm/s'}]} as unknown as Curves;
+  assert.deepEqual(limitsOf(lined, 0, []).not, [{words: 'm.z within "severity"', why: 'it limits the velocity, the curve is the displacement'}]);
   const [speed] = limitsOf(curves, 0, [limited({kind: 'operation', speed: [60, 60], band: null})]).drawn;
   assert.deepEqual([speed!.from, speed!.to, speed!.atSpeed], [60, 60, true]);
 });

@@ -12,7 +12,7 @@ export interface Limit {
   atSpeed: boolean;  // the judged value is that of all orders together, not of the curve
 }
 export interface NotDrawn {
-  requirement: Requirement;
+  words: string;
   why: string;
 }
 
@@ -24,12 +24,17 @@ export function limitsOf(curves: Curves, model: number, requirements: readonly R
     if (!place.length || kind !== 'amplitude' && kind !== 'operation') continue;
     const curve = curves.results.find(r => r.name === subject), drives = curves.models[model]?.excitations ?? [];
     const why = !curve ? `no curve of ${subject} is drawn`
-      : curve.unit !== unit ? `it limits the ${quantityName(unit)}, the curve is the ${quantityName(curve.unit)}`
+      : curve.unit !== unit ? otherQuantity(unit, curve.unit)
       : order !== null ? `it holds for order ${order} of the shaft alone`
       : kind === 'amplitude' && excitations.length && !sameNames(excitations, drives) ? `it holds under ${excitations.join(', ')} alone` : '';
-    if (why) not.push({requirement, why});
+    if (why) not.push({words: requirement.requirement, why});
     else drawn.push({requirement, result: subject, from: (speed ?? band)?.[0] ?? 0, to: (speed ?? band)?.[1] ?? Infinity, atSpeed: speed !== null});
+  }
+  for (const line of curves.lines ?? []) {
+    const curve = curves.results.find(r => r.name === line.result);
+    if (curve && curve.unit !== line.unit) not.push({words: `${line.result} within "${line.name}"`, why: otherQuantity(line.unit, curve.unit)});
   }
   return {drawn, not};
 }
+const otherQuantity = (limited: string, drawn: string) => `it limits the ${quantityName(limited)}, the curve is the ${quantityName(drawn)}`;
 const sameNames = (a: readonly string[], b: readonly string[]) => a.length === b.length && a.every(name => b.includes(name));

@@ -41,6 +41,9 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
     const stroke = names.indexOf(line.result), level = line.rms ? Math.SQRT2 : 1;
     if (stroke < 0 || line.unit !== choice.unit || choice.hidden.has(line.result)) continue;
     overlays.push({name: line.result, stroke, kind: 'limit', points: line.angular_frequency.map((w, k) => [w * frequency, shownValue(level * line.limit[k]!)])});
+    const amplitude = sampled.amplitude[curves.results.findIndex(r => r.name === line.result)] ?? [];
+    for (const [from, to] of line.exceeded ?? [])
+      overlays.push({name: line.result, stroke, kind: 'violated', points: omega.flatMap((w, k) => (w >= from && w <= to ? [[w * frequency, shownValue(amplitude[k] ?? null)] as const] : []))});
   }
   for (const one of compared) {
     if (one.curves) overlays.push(...comparedOverlays(one.curves, one.dash, choice, display, names, shownValue));

@@ -157,6 +157,7 @@ export class Plot {
   private overlay(pen: CanvasRenderingContext2D, {stroke: index, kind, points, dash}: Overlay, placed: (points: Overlay['points']) => readonly (readonly [number, number | null])[]) {
     const ratio = devicePixelRatio, {colour} = strokeOf(index, this.display.theme), at = placed(points);
     const known = at.filter((p): p is readonly [number, number] => p[1] !== null);
+    if (kind === 'violated') return stroke(pen, chartColours(this.display.theme).violated, 3.2 * ratio, [], known);
     if (kind === 'measured') return dots(pen, colour, known, 2 * ratio);
     pen.globalAlpha = kind === 'compared' ? 0.7 : 1;
     stroke(pen, colour, (kind === 'stable' ? 2.6 : 1.3) * ratio, (dash ?? {compared: [4, 3], limit: [8, 4], stable: [], unstable: [3, 3], jump: [1, 4]}[kind]).map(d => d * ratio), known);
