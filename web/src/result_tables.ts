@@ -4,8 +4,9 @@ import {hasSomethingToJudge} from './judgement.ts';
 import type {Table} from './display.ts';
 import './map_panel.ts';
 import {Part, type App} from './part.ts';
-import {frequency, number, withUnit} from './quantities.ts';
-import type {Check, Curves, Modes, Roots, Verdict} from './results.ts';
+import {limitNumber, setLimit} from './limit_number.ts';
+import {frequency, number, quantity, withUnit} from './quantities.ts';
+import type {Check, Curves, Modes, Requirement, Roots, Verdict} from './results.ts';
 
 const TABS: Record<Table, string> = {modes: 'Modes', requirements: 'Requirements', mounts: 'Mounts', peaks: 'Peaks', map: 'Map'};
 const COORDINATES = ['x', 'y', 'z', 'θx', 'θy', 'θz'];
@@ -43,7 +44,14 @@ export class ResultTables extends Part {
           <th scope="row"><button class="link" aria-label="Show mode ${m.number}">${m.number}</button></th><td>${frequency(m.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
           <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : roots ? '–' : html`<span class="old">…</span>`}</td><td class="words cut" title=${m.name}>${brief(m.name)}</td>
           ${one ? m.kinetic_energy_share.map(share => html`<td class="share">${Math.abs(share) >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m.kinetic_energy_share)}</td>`}</tr>`;
-      })}</tbody></table>${one ? html`<p class="hint">x … θz: share of the kinetic energy in %.</p>` : nothing}`;
+      })}</tbody></table>${one ? html`<p class="hint">x … θz: share of the kinetic energy in %.</p>` : nothing}${this.energies(modes)}`;
+  }
+  /// In which elements the chosen mode stores its energy.
+  private energies(modes: Modes) {
+    const {shown} = this.app.display, mode = shown.kind === 'mode' ? modes.modes.find(m => m.number === shown.number) : undefined;
+    if (!mode) return nothing;
+    const shares = modes.elements.map((name, i) => ({name, share: mode.strain_energy_share[i] ?? 0})).filter(e => Math.abs(e.share) >= 0.005).sort((a, b) => b.share - a.share);
+    return html`<p class="hint">Mode ${mode.number}: ${mode.name}. Strain energy: ${shares.map(e => `${e.name} ${number(100 * e.share, 3)} %`).join(', ') || '–'}.</p>`;
   }
   private requirements() {
     const {asker, state} = this.app, verdict = asker.result<Verdict>('verdict');
@@ -51,19 +59,39 @@ export class ResultTables extends Part {
     if (!verdict) return this.missing('verdict');
     const found = verdict.cases.find(c => c.case === state.case) ?? verdict.cases[0];
     const sorted = [...found?.requirements ?? []].sort((a, b) => (a.margin ?? Infinity) - (b.margin ?? Infinity));
-    return html`<table><thead><tr><th scope="col">Requirement</th><th scope="col">value</th><th scope="col" title="1: just met; more: met with room">margin</th><th scope="col">met</th></tr></thead><tbody>
-      ${sorted.map(r => html`<tr class=${!r.judged ? 'unjudged' : r.met ? '' : 'violated'}><th scope="row" class="words">${r.requirement}</th><td>${this.value(r.value, r.unit)}</td>
-        <td>${r.margin === null ? '–' : number(r.margin, 3)}</td><td>${!r.judged ? r.reason || '–' : r.met ? '✓' : '✗'}<span class="hidden">${r.met ? 'yes' : 'no'}</span></td></tr>`)}</tbody></table>`;
+    const several = verdict.cases.length > 1, numbers = sorted.some(r => r.place.length);
+    return html`<table><thead><tr><th scope="col">Requirement</th>${numbers ? html`<th scope="col">limit</th>` : nothing}<th scope="col">value</th><th scope="col" title="1: just met; more: met with room">margin</th>${several ? html`<th scope="col" title="least margin of all other cases">elsewhere</th>` : nothing}<th scope="col">met</th></tr></thead><tbody>
+      ${sorted.map(r => html`<tr class=${!r.judged ? 'unjudged' : r.met ? '' : 'violated'}><th scope="row" class="words">${r.requirement}</th>${numbers ? html`<td>${this.limit(r)}</td>` : nothing}<td>${this.value(r.value, r.unit)}</td>
+        <td>${r.margin === null ? '–' : number(r.margin, 3)}</td>${several ? html`<td>${this.elsewhere(verdict, r)}</td>` : nothing}<td>${!r.judged ? r.reason || '–' : r.met ? '✓' : '✗'}<span class="hidden">${r.met ? 'yes' : 'no'}</span></td></tr>`)}</tbody></table>`;
+  }
+  /// The number of a limit, to be changed here too.
+  private limit(r: Requirement) {
+    const {state, index} = this.app, found = r.place.length ? limitNumber(r.place, state.case, state.design, index) : null;
+    if (!found) return '';
+    return html`<input class="number" aria-label="Limit: ${r.requirement}" .value=${`${number(found.value, 6)} ${found.unit}`.trim()} @change=${(e: Event) => {
+      const typed = quantity((e.target as HTMLInputElement).value.replaceAll('−', '-'));
+      if (typed && typed.value > 0) setLimit(state, {...found, unit: typed.unit || found.unit}, typed.value);
+      else this.requestUpdate();
+    }}>`;
+  }
+  /// The least margin of the same requirement in the other cases, with the case.
+  private elsewhere({cases}: Verdict, {kind, subject, requirement}: Requirement) {
+    const others = cases.filter(c => c.case !== this.app.state.case).flatMap(c => c.requirements.filter(r => r.kind === kind && r.subject === subject && r.requirement === requirement && r.judged && r.margin !== null).map(r => ({in: c.case, r})));
+    const least = others.reduce<(typeof others)[number] | null>((best, one) => (!best || one.r.margin! < best.r.margin! ? one : best), null);
+    return least ? html`<span class=${least.r.met ? '' : 'bad'}>${number(least.r.margin, 3)} ${least.in || 'base model'}</span>` : '–';
   }
   private mounts() {
-    const {asker, state} = this.app, check = asker.result<Check>('check'), rows = check?.mounts?.filter(m => m.case === state.case) ?? [];
+    const {asker, state} = this.app, check = asker.result<Check>('check'), all = check?.mounts ?? [], own = all.filter(m => m.case === state.case);
+    const rows = own.length ? own : all.filter(m => m.case === '');  // a case is listed only if it differs from the base model
+    const judged = (asker.result<Verdict>('verdict')?.cases.find(c => c.case === state.case)?.requirements ?? []).filter(r => r.kind === 'mount_load' && r.judged);
     if (!check) return this.missing('check');
     if (!rows.length) return html`<p class="hint">No load at rest: the file has no gravity, or no mount that carries a load.</p>`;
-    return html`<table><caption>At rest under gravity</caption><thead><tr><th scope="col">Mount</th><th scope="col">compression</th><th scope="col">across</th><th scope="col">deflection</th></tr></thead><tbody>
+    return html`<table><caption>At rest under gravity</caption><thead><tr><th scope="col">Mount</th><th scope="col">compression</th><th scope="col">across</th><th scope="col">deflection</th>${judged.length ? html`<th scope="col" title="of its load range in the catalogue; 1: just met">margin of load</th>` : nothing}</tr></thead><tbody>
       ${rows.map(m => {
         const chosen = state.selection?.kind === 'element' && state.selection.name === m.element;
         return html`<tr class=${chosen ? 'chosen' : ''} @click=${() => state.select({kind: 'element', name: m.element})}><th scope="row"><button class="link">${m.element}</button></th>
-          <td>${withUnit(m.compression, 'N')}</td><td>${withUnit(m.across, 'N')}</td><td>${withUnit(m.deflection, 'm')}</td></tr>`;
+          <td>${withUnit(m.compression, 'N')}</td><td>${withUnit(m.across, 'N')}</td><td>${withUnit(m.deflection, 'm')}</td>
+          ${judged.length ? html`<td>${judged.filter(r => r.subject === m.element).map(r => html`<span class=${r.met ? '' : 'bad'}>${r.margin === null ? '–' : number(r.margin, 3)}</span>`)}</td>` : nothing}</tr>`;
       })}</tbody></table>`;
   }
   private peaks() {
