@@ -11,7 +11,7 @@ import unittest
 from trivet_test import SOURCE, InTemporaryFolder, trivet
 
 BROWSER = os.environ.get("TRIVET_BROWSER") or shutil.which("chromium") or shutil.which("google-chrome")
-EXAMPLES = ("fan/fan", "paper/corrected", "genset/genset")
+EXAMPLES = ("fan/fan", "paper/corrected", "paper/map", "genset/genset")
 SCHEMES = {"light": "1", "dark": "0"}
 # Contrast by WCAG 2.1, success criterion 1.4.3; pictures, which a filter inverts in the dark scheme, are left out.
 FIND = r"""

@@ -77,7 +77,7 @@ function ringIn(map) {
 function movableMap(map, svg, index) {
   const [left, top, width, height] = map.frame, box = [0, top - 14, left + width + 14, height + 65];
   const holder = copyOf(svg, box, `point-${index}`), ring = ringIn(map);
-  const layer = svgNode('svg', {class: 'map-layer', viewBox: box.join(' ')});
+  const layer = svgNode('svg', {class: 'map-layer', viewBox: box.join(' '), 'aria-label': 'Point of the map'});
   const area = svgNode('rect', {class: 'map-area', x: left, y: top, width, height});
   const handle = svgNode('circle', {r: 24, class: 'map-handle', tabindex: 0, role: 'application',
                                     'aria-roledescription': 'point on the map, moved by the arrow keys'});
