@@ -55,5 +55,5 @@ def test_the_form_takes_mounts_of_the_catalogue(serve, tmp_path):
     assert sum(line.startswith('#') or '  # ' in line for line in file.read_text().splitlines()) >= 6
     subprocess.run([TRIVET, 'check', file, '--strict'], check=True)
     verdict = json.loads(subprocess.run([TRIVET, 'verdict', file, '--json'], stdout=subprocess.PIPE).stdout)
-    loads = [r for r in verdict['cases'][0]['requirements'] if 'load' in r['requirement']]
-    assert loads and all(r['met'] for r in loads)
+    loads = [r for r in verdict['cases'][0]['requirements'] if r['kind'] == 'mount_load']
+    assert len(loads) == 4 and all(r['met'] for r in loads)

@@ -50,7 +50,7 @@ export class ResultTables extends Part {
   private energies(modes: Modes) {
     const {shown} = this.app.display, mode = shown.kind === 'mode' ? modes.modes.find(m => m.number === shown.number) : undefined;
     if (!mode) return nothing;
-    const shares = modes.elements.map((name, i) => ({name, share: mode.strain_energy_share[i] ?? 0})).filter(e => Math.abs(e.share) >= 0.005).sort((a, b) => b.share - a.share);
+    const shares = modes.elements.map((name, i) => ({name, share: mode.strain_energy_share?.[i] ?? 0})).filter(e => Math.abs(e.share) >= 0.005).sort((a, b) => b.share - a.share);
     return html`<p class="hint">Mode ${mode.number}: ${mode.name}. Strain energy: ${shares.map(e => `${e.name} ${number(100 * e.share, 3)} %`).join(', ') || '–'}.</p>`;
   }
   private requirements() {
