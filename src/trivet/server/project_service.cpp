@@ -154,7 +154,7 @@ foundation::Expected<std::string> ProjectService::new_text(const std::string& te
 }
 
 foundation::Expected<std::string> ProjectService::text_with_new_case(const std::string& text,
-                                                                      const engine::Question& question) const {
+                                                                     const engine::Question& question) const {
   if (Problems refused = sessions_.refused_files(text, question.settings); refused.has_errors())
     return tl::make_unexpected(std::move(refused));
   return project::text_with_case(text, file_.empty() ? unsaved_name : file_, *question.new_case, question.case_name,
