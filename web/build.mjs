@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bundles the page into dist (page.js, page.css, index.html, licences.txt), or with --tests the unit tests into build.
+// Bundles the page (page.js, page.css, index.html) and the widget of notebooks (widget.js, its styles within) into dist,
+// with licences.txt for both, or with --tests the unit tests into build.
 // --out FOLDER writes the page elsewhere, so that scripts/web can compare it with the committed one.
 import {build} from 'esbuild';
+import {createHash} from 'node:crypto';
 import {copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -11,10 +13,10 @@ const option = name => process.argv.includes(name);
 const common = {absWorkingDir: here, bundle: true, format: 'esm', target: 'es2022', charset: 'utf8', logLevel: 'warning',
                 tsconfig: 'tsconfig.json'};
 
-/// Licences of the packages that are in the bundle, in the order of their names.
-function licences(metafile) {
+/// Licences of the packages that are in the bundles, in the order of their names.
+function licences(...metafiles) {
   const names = new Set();
-  for (const file of Object.keys(metafile.inputs)) {
+  for (const file of metafiles.flatMap(metafile => Object.keys(metafile.inputs))) {
     const match = file.match(/node_modules\/((?:@[^/]+\/)?[^/]+)\//);
     if (match) names.add(match[1]);
   }
@@ -25,15 +27,25 @@ function licences(metafile) {
     if (!file) throw new Error(`${name} has no licence file`);
     return `${name} ${version} (${license})\n\n${readFileSync(join(folder, file), 'utf8').trim()}\n`;
   });
-  return `This page contains the following packages.\n\n${texts.join(`\n${'-'.repeat(78)}\n\n`)}`;
+  return `The page and the widget contain the following packages.\n\n${texts.join(`\n${'-'.repeat(78)}\n\n`)}`;
 }
 
 async function buildPage(out) {
   mkdirSync(out, {recursive: true});
   const result = await build({...common, entryPoints: ['src/page.ts', 'src/page.css'], outdir: out, minify: true,
                               metafile: true, legalComments: 'none'});
-  writeFileSync(join(out, 'licences.txt'), licences(result.metafile));
+  const widget = await buildWidget(out);
+  writeFileSync(join(out, 'licences.txt'), licences(result.metafile, widget.metafile));
   copyFileSync(join(here, 'src/index.html'), join(out, 'index.html'));
+}
+
+/// One module: anywidget takes a text. Its build is known by a hash of all that is in it.
+async function buildWidget(out) {
+  const css = (await build({...common, entryPoints: ['src/widget.css'], minify: true, write: false})).outputFiles[0].text;
+  const bundle = (build_hash, options) => build({...common, ...options, entryPoints: ['src/widget.ts'], minify: true, metafile: true, legalComments: 'none',
+    inject: ['src/own_elements.ts'], define: {WIDGET_CSS: JSON.stringify(css), WIDGET_BUILD: JSON.stringify(build_hash)}});
+  const content = (await bundle('', {write: false})).outputFiles[0].contents;
+  return bundle(createHash('sha256').update(content).digest('hex').slice(0, 16), {outdir: out});
 }
 
 async function buildTests() {

@@ -11,6 +11,7 @@ const DASHES: readonly (readonly number[])[] = [[7, 3], [2, 3], [9, 3, 2, 3], [4
 
 /// What can be compared with the curves of this file.
 export function comparable(app: App): string[] {
+  if (!app.engine.isLive) return [];
   const {cases, state, index} = app, measured = [...index.byPath.values()].some(e => e.path[0] === 'measurements');
   return [...cases.filter(c => c !== state.case).map(c => CASE + c), SPRINGS, ...measured ? [MEASURED] : []];
 }

@@ -48,7 +48,7 @@ export class CurveChart extends Part {
       <div class="bar">
         <h2 class="hidden">Characteristics</h2>${asker.isOld('curves') ? html`<span class="old">…</span>` : nothing}
         ${units.length ? html`<select aria-label="Quantity" @change=${(e: Event) => this.chooseQuantity(curves!, (e.target as HTMLSelectElement).value)}>
-          ${offeredUnits(units).map(u => html`<option value=${u} ?selected=${u === unit}>${quantityName(u)}</option>`)}</select>` : nothing}
+          ${(this.app.engine.isLive ? offeredUnits(units) : units).map(u => html`<option value=${u} ?selected=${u === unit}>${quantityName(u)}</option>`)}</select>` : nothing}
         ${curves && curves.models.length > 1 ? html`<select aria-label="Excitation" @change=${(e: Event) => { this.choice = {...this.choice, model: Number((e.target as HTMLSelectElement).value)}; }}>
           ${curves.models.map((m, i) => html`<option value=${i} ?selected=${i === this.choice.model}>${m.excitations?.join(', ') || 'all excitations'}</option>`)}</select>` : nothing}
         <select aria-label="Unit of frequency" @change=${(e: Event) => display.set({frequencyUnit: (e.target as HTMLSelectElement).value as FrequencyUnit})}>
@@ -187,6 +187,7 @@ export class CurveChart extends Part {
     this.app.display.set({cursor: value / FREQUENCY_UNITS[this.app.display.frequencyUnit]});
   }
   private swing(omega: number) {
+    if (!this.app.engine.isLive) return this.app.display.set({cursor: omega});
     this.app.display.set({shown: {kind: 'frequency', omega}, cursor: omega});
     this.app.asker.again();
   }

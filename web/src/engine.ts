@@ -62,6 +62,8 @@ export interface Doing {
 export type Saved = {conflict: false; version: string} | {conflict: true; version: string; text: string};
 
 export interface Engine {
+  /// False: it has kept results only, and computes nothing new.
+  readonly isLive: boolean;
   project(): Promise<Project>;
   schema(): Promise<unknown>;
   /// Of the project file as it is on the disk now; empty: it cannot be read. Absent: there is no file that could change.
@@ -85,6 +87,7 @@ export class EngineError extends Error {
 
 /// The engine behind `trivet serve`.
 export class ServerEngine implements Engine {
+  readonly isLive = true;
   private readonly client = crypto.randomUUID();  // a newer question ends an older one of the same tab only
 
   private isLost = false;  // until the program answers again, and has proved that it is it

@@ -10,7 +10,7 @@ const MOST_LINES = 200;
 /// What happened to the file or to the program, and what the user can do about it.
 export class FileNotice extends Part {
   override render() {
-    const {trouble} = this.app.file;
+    const {trouble} = this.app.file!;
     switch (trouble?.kind) {
       case 'away': return this.away(trouble);
       case 'deleted': return this.deleted();
@@ -19,20 +19,20 @@ export class FileNotice extends Part {
     }
   }
   private away({reason, isSilent}: Trouble & {kind: 'away'}) {
-    const {file, project} = this.app;
+    const {project} = this.app, file = this.app.file!;
     return html`<div class="problems error" role="alert"><p>${reason} Your edits are kept in this tab.</p>
       ${isSilent ? html`<pre>${['trivet serve', quoted(project.name ?? ''), '--port', location.port].filter(word => word).join(' ')}</pre>` : nothing}
       <button @click=${() => void file.look()}>Try again</button>
       <button @click=${() => download(project.name ?? 'machine.toml', file.textAway)}>Download the text</button></div>`;
   }
   private deleted() {
-    const {file, project} = this.app;
+    const {project} = this.app, file = this.app.file!;
     return html`<div class="problems error" role="alert"><p>${project.name} is no longer on the disk. Its text is still on this page.</p>
       ${project.read_only ? nothing : html`<button @click=${() => void file.save()}>Write it again</button>`}
       <button @click=${() => download(project.name ?? 'machine.toml', file.textAway)}>Download the text</button></div>`;
   }
   private changed(trouble: Trouble & {kind: 'changed'}) {
-    const {file, project, state} = this.app, lines = differentLines(trouble.text, state.design.text), {settings} = state.change;
+    const {project, state} = this.app, file = this.app.file!, lines = differentLines(trouble.text, state.design.text), {settings} = state.change;
     return html`<div class="problems error" role="alertdialog" aria-label="The file was changed"><p>Another program changed ${project.name} on the disk, and this page has edits. Nothing was written.</p>
       <details open><summary>${lines.length === 1 ? '1 line differs' : `${lines.length} lines differ`}: − on the disk, + on this page</summary>
       <pre class="difference" tabindex="0">${lines.slice(0, MOST_LINES).map(l => html`<span class=${l.side}>${l.side === 'first' ? '−' : '+'} ${String(l.number).padStart(4)}  ${l.text}\n</span>`)}${settings.map(s => html`<span class="second">+ ${s}\n</span>`)}</pre></details>

@@ -28,8 +28,8 @@ export class LimitMover implements LimitMoves {
       const {requirement: r} = limit, place = r.place.join('.'), found = limitNumber(r.place, state.case, state.design, index);
       if (found && this.pulled?.place === place) found.value = this.pulled.value;
       const allowed = found && this.values.allowed(r, found, !old && !this.pulled);
-      if (found && allowed !== null) this.known.set(`${i} ${place}`, {number: found, allowed});
-      return {limit, allowed: allowed ?? r.allowed!, written: found ? `${number(found.value)} ${found.unit}`.trim() : r.requirement, movable: allowed !== null, old};
+      if (found && allowed !== null && this.app.engine.isLive) this.known.set(`${i} ${place}`, {number: found, allowed});
+      return {limit, allowed: allowed ?? r.allowed!, written: found ? `${number(found.value)} ${found.unit}`.trim() : r.requirement, movable: allowed !== null && this.app.engine.isLive, old};
     });
   }
 

@@ -14,9 +14,9 @@ import './text_view.ts';
 import type {Display} from './display.ts';
 import {download} from './download.ts';
 import type {Example} from './engine.ts';
-import {judgement} from './judgement.ts';
 import {Part} from './part.ts';
 import type {Scene} from './results.ts';
+import {verdictPill} from './verdict_pill.ts';
 
 const TABS = {sliders: 'Sliders', model: 'Model', text: 'Text'} as const;
 
@@ -75,11 +75,11 @@ export class PageShell extends Part {
   }
   private brand() { return html`<h1>Trivet</h1>`; }
   private heading() {
-    const {state, asker, project} = this.app, said = judgement(this.app);
+    const {state, asker, project} = this.app;
     const title = asker.result<Scene>('scene')?.title || project.title || '';
     return html`<span class="title" title=${title}>${title}</span>
       <case-bar .app=${this.app}></case-bar>
-      <span class="pill ${said.state}" role="status">${SIGNS[said.state]} ${said.words}${said.old ? ' …' : ''}</span>
+      ${verdictPill(this.app)}
       <progress-line .app=${this.app}></progress-line>
       <span class="space"></span>
       <button title="Undo (Ctrl Z)" aria-label="Undo" ?disabled=${!state.canUndo} @click=${() => state.undo()}>↶</button>
@@ -91,7 +91,7 @@ export class PageShell extends Part {
   private leave() {
     this.opened = false;
     this.app.state.open('', null);
-    this.app.file.forget();
+    this.app.file!.forget();
   }
   private themeButton() {
     const {display} = this.app, other = display.theme === 'dark' ? 'light' : 'dark';
@@ -103,7 +103,7 @@ export class PageShell extends Part {
   }
   /// Writes the file; a machine without a file becomes a download.
   private async save() {
-    const text = await this.app.file.save();
+    const text = await this.app.file!.save();
     if (text !== null) download('machine.toml', text);
   }
   private key(event: KeyboardEvent) {
@@ -116,5 +116,4 @@ export class PageShell extends Part {
     event.preventDefault();
   }
 }
-const SIGNS = {met: '✓', violated: '✗', none: '○', error: '!', unknown: '…'};
 customElements.define('page-shell', PageShell);

@@ -12,10 +12,11 @@ import type {State} from './state.ts';
 /// What all parts of the page share.
 export class App {
   schema: Schema | null = null;
+  file: ProjectFile | null = null;  // a notebook has none
   private indexed: {text: string; index: TextIndex} | null = null;
 
   constructor(readonly engine: Engine, readonly project: Project, readonly state: State, readonly display: Display, readonly asker: Asker,
-              readonly file: ProjectFile, readonly beside: BesideResults) {}
+              readonly beside: BesideResults) {}
 
   /// Names of the cases of the present text; "" is the base model.
   get cases(): string[] {
@@ -41,7 +42,7 @@ export class Part extends LitElement {
     super.connectedCallback();
     const update = () => this.requestUpdate();
     const {state, display, asker, file} = this.app;
-    this.unsubscribe = [state, display, asker, file].map(part => part.subscribe(update));
+    this.unsubscribe = [state, display, asker, ...file ? [file] : []].map(part => part.subscribe(update));
   }
   override disconnectedCallback() {
     super.disconnectedCallback();

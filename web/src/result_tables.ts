@@ -6,12 +6,13 @@ import './map_panel.ts';
 import {Part, type App} from './part.ts';
 import {limitNumber, setLimit} from './limit_number.ts';
 import {frequency, number, quantity, withUnit} from './quantities.ts';
-import type {Check, Curves, Modes, Requirement, Roots, Verdict} from './results.ts';
+import type {Check, Curves, Modes, Peak, Requirement, Roots, Verdict} from './results.ts';
 
 const TABS: Record<Table, string> = {modes: 'Modes', requirements: 'Requirements', mounts: 'Mounts', peaks: 'Peaks', map: 'Map'};
 const COORDINATES = ['x', 'y', 'z', 'θx', 'θy', 'θz'];
 
-export const hasMap = (app: App) => app.index.byPath.has('analyses\0map');
+/// A map can be asked for.
+export const hasMap = (app: App) => app.engine.isLive && app.index.byPath.has('analyses\0map');
 /// The table that the user chose, or the one that suits the file.
 export function tableOnPage(app: App): Table {
   const {table} = app.display, usual = hasSomethingToJudge(app) ? 'requirements' : hasMap(app) ? 'map' : 'modes';
@@ -95,13 +96,17 @@ export class ResultTables extends Part {
       })}</tbody></table>`;
   }
   private peaks() {
-    const {asker, display} = this.app, curves = asker.result<Curves>('curves');
+    const {asker, display, engine} = this.app, curves = asker.result<Curves>('curves');
     if (!curves) return this.missing('curves');
     const unit = new Map(curves.results.map(r => [r.name, r.unit]));
     const rows = curves.peaks.filter(p => p.angular_frequency >= curves.band[0] && p.angular_frequency <= curves.band[1]);
+    const show = ({angular_frequency: omega}: Peak) => {
+      display.set({cursor: omega, ...(engine.isLive ? {shown: {kind: 'frequency', omega}} : {})});
+      asker.again();
+    };
     return html`<table><thead><tr><th scope="col">Result</th><th scope="col">${display.frequencyUnit}</th><th scope="col">amplitude</th><th scope="col">phase</th></tr></thead><tbody>
-      ${rows.map(p => html`<tr @click=${() => { display.set({shown: {kind: 'frequency', omega: p.angular_frequency}, cursor: p.angular_frequency}); asker.again(); }}>
-        <th scope="row"><button class="link" aria-label="Show the motion at this peak of ${p.result}">${p.result}</button></th><td>${frequency(p.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
+      ${rows.map(p => html`<tr @click=${() => show(p)}>
+        <th scope="row">${engine.isLive ? html`<button class="link" aria-label="Show the motion at this peak of ${p.result}">${p.result}</button>` : p.result}</th><td>${frequency(p.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
         <td>${p.amplitude === null ? '∞' : withUnit(p.amplitude, unit.get(p.result) ?? '')}</td><td>${p.phase == null ? '–' : `${number(p.phase * 180 / Math.PI, 3)}°`}</td></tr>`)}</tbody></table>`;
   }
   private value(value: number | null, unit: string) {

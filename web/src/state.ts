@@ -30,12 +30,12 @@ export class State {
   private dragged: Design | null = null;  // the design before the drag of a slider
   private readonly listeners = new Set<() => void>();
 
-  /// Opens a file; it has no history. @param version  on the disk; null: it is not there
-  open(text: string, version: string | null) {
-    this.design = {text, settings: new Map()};
+  /// Opens a file, perhaps with changed numbers; it has no history. @param version  on the disk; null: it is not there
+  open(text: string, version: string | null, settings: Iterable<readonly [string, string]> = [], name = '') {
+    this.design = {text, settings: new Map(settings)};
     this.opened = {text, version};
     this.saved = version === null ? NOWHERE : this.design;
-    [this.past, this.future, this.selection, this.case] = [[], [], null, ''];
+    [this.past, this.future, this.selection, this.case] = [[], [], null, name];
     this.changed(true);
   }
   get change(): Change {

@@ -44,7 +44,7 @@ export class TextView extends Part {
     this.updated();
   }
   override updated() {
-    const {editor} = this, {state, asker, display, file} = this.app, isAway = file.trouble?.kind === 'away';
+    const {editor} = this, {state, asker, display, file} = this.app, isAway = file?.trouble?.kind === 'away';
     if (!editor) return;
     if (this.wasAway && !isAway) this.refused = null;
     this.wasAway = isAway;

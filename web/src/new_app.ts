@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import {Asker, type Wish} from './asker.ts';
+import {BesideResults} from './beside.ts';
+import {Display} from './display.ts';
+import type {Engine, Project} from './engine.ts';
+import {hasSomethingToJudge} from './judgement.ts';
+import {App} from './part.ts';
+import {State} from './state.ts';
+import {questionsBeside, wishes} from './wishes.ts';
+
+/// What the parts of a page on this project share. Nothing is asked before a text is opened.
+/// @param aside  answers what is beside the results of the page
+export function newApp(engine: Engine, project: Project, aside: Pick<Engine, 'ask'> = engine): App {
+  const state = new State(), display = new Display();
+  const wanted = (): Wish[] => (state.design.text ? wishes(display, {hasSomethingToJudge: hasSomethingToJudge(app), hasSteady: app.index.byPath.has('analyses\0steady')}) : []);
+  const beside = new BesideResults(aside, () => questionsBeside(app));
+  const first: Pick<Engine, 'ask'> = {ask(...question) {  // the page does not wait for what is beside it
+    beside.yield();
+    return engine.ask(...question);
+  }};
+  const asker = new Asker(first, state, wanted), app: App = new App(engine, project, state, display, asker, beside);
+  state.subscribe(beside.rest);
+  asker.subscribe(beside.rest);
+  return app;
+}
