@@ -35,13 +35,14 @@ def test_mounts_are_coloured_by_the_share_of_their_limit_that_the_program_states
     most = max(elements, key=lambda e: e['share'])
     legend = page.locator('.legend')
     assert f"{most['element']}, {words_of(most['share'])}" in legend.inner_text()
-    assert most['share'] < 1 and red(picture(stage)) < 1e-4
+    assert most['share'] < 1
+    reddish = red(picture(stage))  # arrows of forces
     set_number(page, 'mass of compressor, value', '900 kg')
     settled(page)
     heavy = command('verdict', served.file, '--set', 'bodies.compressor.mass=900 kg')['cases'][0]['elements']
     most = max(heavy, key=lambda e: e['share'])
     assert most['share'] > 1 and words_of(most['share']) in legend.inner_text()
-    assert red(picture(stage)) > 1e-3
+    assert red(picture(stage)) > reddish + 1e-3
 
 
 def test_mounts_without_limits_have_a_sentence_and_their_deflections_a_scale(serve):
