@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/answers.h"
 #include "core/command.h"
 #include "core/errors.h"
 #include "core/project.h"
@@ -10,6 +11,7 @@ NB_MODULE(_core, module) {
   trivet::python::bind_errors(module);
   trivet::python::bind_result(module);
   trivet::python::bind_project(module);
+  trivet::python::bind_answers(module);
   trivet::python::bind_command(module);
   module.def("wait_for_interrupted_work", &trivet::python::wait_for_interrupted_work, nanobind::arg("seconds"));
 }

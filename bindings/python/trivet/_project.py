@@ -8,7 +8,7 @@ import os
 import pathlib
 import tomllib
 from collections.abc import Iterable, Mapping
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from trivet import _core, _errors, _html
 from trivet._result import Result
@@ -28,6 +28,9 @@ from trivet._arguments import (
 )
 from trivet._values import key_text, plain, settings_of, toml_text
 from trivet._whole_file import replace_file
+
+if TYPE_CHECKING:
+    from trivet._widget import Widget
 
 
 class Project(Analyses):
@@ -360,6 +363,19 @@ class Project(Analyses):
         from trivet import _plots
 
         return _plots.project(self, view, ax)
+
+    def show(self, *, sliders: str | Iterable[str] = (), case: str = "") -> Widget:
+        """The machine, its motions and its results in a notebook, with sliders. Needs the extra `trivet[notebook]`.
+
+        sliders: paths of numbers of the file that get a slider from half to twice their value, besides those of
+        [parameters]; without both, masses and stiffnesses get one. case: the case that is shown first. Raises
+        UnknownName, InputError, and ModuleNotFoundError without anywidget."""
+        try:
+            from trivet._widget import Widget
+        except ModuleNotFoundError as missing:
+            remedy = 'project.show() needs anywidget: pip install "trivet[notebook]", or pip install anywidget'
+            raise ModuleNotFoundError(remedy, name=missing.name) from missing
+        return Widget(self, text_list("sliders", sliders), case)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Project) and self._inner.content == other._inner.content
