@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The widget in a browser, with this process as its kernel."""
+
+import base64
+import io
+import json
+import pathlib
+import shutil
+
+import pytest
+from conftest import example
+from PIL import Image
+from playwright.sync_api import sync_playwright
+
+import trivet
+
+GENSET = example("genset/genset.toml")
+PROGRAM = pathlib.Path(trivet.__file__).parent / "page" / "widget.js"
+PAGE = pathlib.Path(__file__).parent / "notebook_page.html"
+SETTLED = """() => {
+  const root = document.querySelector('#cell > div')?.shadowRoot;
+  return root && root.querySelector('curve-chart .u-over') && !root.querySelector('.old');
+}"""
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with sync_playwright() as playwright:
+        path = shutil.which("chromium")
+        assert path, "the tests of the widget need chromium"
+        words = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"]
+        opened = playwright.chromium.launch(executable_path=path, args=words)
+        yield opened
+        opened.close()
+
+
+def new_page(browser, still=True):
+    """A page, and what its console said; nothing is asked of the network."""
+    context = browser.new_context(
+        viewport={"width": 1000, "height": 900}, reduced_motion="reduce" if still else "no-preference"
+    )
+    page, said = context.new_page(), []
+    page.on("console", lambda message: said.append(message.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    return page, said
+
+
+@pytest.fixture
+def shown(browser):
+    """show(widget): a page with it; this process is its kernel."""
+    contexts = []
+
+    def show(widget, still=True):
+        page, said = new_page(browser, still)
+        contexts.append((page.context, said))
+
+        def kernel(content):
+            sent = []
+            widget.send = lambda reply, buffers=(): sent.append(
+                (reply, [base64.b64encode(b).decode() for b in buffers])
+            )
+            widget._handle_custom_msg(content, [])
+            return sent
+
+        page.expose_function("kernel", kernel)
+        page.expose_function("kernelState", widget.set_state)
+        page.route("**/*", lambda route: route.abort())
+        page.route("http://notebook.test/", lambda route: route.fulfill(path=PAGE))
+        page.route("http://notebook.test/widget.js", lambda route: route.fulfill(path=PROGRAM))
+        page.goto("http://notebook.test/")
+        page.wait_for_function(SETTLED)
+        return page
+
+    yield show
+    for context, said in contexts:
+        context.close()
+        assert said == []
+
+
+def frequencies_shown(page):
+    page.get_by_role("tab", name="Modes").click()
+    return [float(cell) for cell in page.locator("result-tables tbody td:nth-child(2)").all_inner_texts()]
+
+
+def frequencies_of(project):
+    return [float(f"{mode['frequency_hz']:.4g}") for mode in json.loads(project.modes().to_json())["modes"]]
+
+
+def picture(locator):
+    return Image.open(io.BytesIO(locator.screenshot())).convert("RGB")
+
+
+def colours(image):
+    return len(image.getcolors(maxcolors=1 << 24))
+
+
+def test_a_slider_asks_the_kernel_and_python_has_its_project(shown):
+    widget = trivet.open(GENSET).show()
+    page = shown(widget)
+    assert frequencies_shown(page) == frequencies_of(trivet.open(GENSET))
+    number = page.get_by_label("mass of genset, value", exact=True)
+    number.fill("5000 kg")
+    number.press("Enter")
+    page.wait_for_function(SETTLED)
+    heavier = trivet.open(GENSET, {"bodies.genset.mass": "5000 kg"})
+    assert frequencies_shown(page) == frequencies_of(heavier) != frequencies_of(trivet.open(GENSET))
+    assert widget.project == heavier
+    page.get_by_role("button", name="Undo").click()
+    page.wait_for_function(SETTLED)
+    assert widget.project == trivet.open(GENSET)
+
+
+def test_a_click_on_a_curve_makes_the_machine_swing(shown):
+    page = shown(trivet.open(GENSET).show())
+    page.locator(".amplitude .u-over").click(position={"x": 120, "y": 60})
+    page.wait_for_function(SETTLED)
+    assert page.get_by_label("Motion", exact=True).input_value() == "frequency"
+    assert "Operating shape" in page.locator(".caption").inner_text()
+
+
+def test_the_styles_of_the_notebook_end_at_the_widget(shown):
+    page = shown(trivet.open(GENSET).show())
+    assert page.get_by_role("button", name="Play").is_visible()  # the notebook hides its own buttons
+    assert "system-ui" in page.locator("machine-view .caption").evaluate("e => getComputedStyle(e).fontFamily")
+    background = "() => getComputedStyle(document.body).backgroundColor"
+    assert page.evaluate(background) == "rgb(255, 255, 255)"
+    assert colours(picture(page.locator(".stage"))) > 200
+    light = picture(page.locator("notebook-view header"))
+    page.evaluate("() => { document.body.dataset.jpThemeLight = 'false'; }")
+    page.wait_for_timeout(300)
+    assert sum(picture(page.locator("notebook-view header")).getpixel((4, 4))) < 200 < sum(light.getpixel((4, 4)))
