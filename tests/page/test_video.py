@@ -72,5 +72,7 @@ def test_the_video_has_the_frames_of_exactly_one_period(serve, browser, tmp_path
         Image.open(io.BytesIO(base64.b64decode(p.split(',')[1]))).convert('RGB').resize(still.size)
         for p in played['pictures']
     )
-    assert share_changed(still, first) < 0.02 < share_changed(first, half)
+    # The caption is not in the video, which has an even number of pixels and the losses of its coding.
+    assert 2 * share_changed(still, first) < share_changed(still, half)
+    assert share_changed(first, half) > 0.02
     assert page.get_by_role('slider', name='Phase').input_value() == '0'

@@ -8,6 +8,7 @@ import type {State} from './state.ts';
 export interface Kept {
   revision: number;
   generation: number;
+  asked: string;  // of which wish
   outcome: Outcome;
 }
 /// A command that the page wants. `exact`: asked at a short rest of the state; `slow`: at a long one. `as`: the name under which its
@@ -25,6 +26,7 @@ const PACES = ['quick', 'exact', 'slow'] as const;
 type Pace = typeof PACES[number];
 const REST: Record<Pace, number> = {quick: 0, exact: 40, slow: 200};  // ms without a change
 const nameOf = (w: Wish) => w.as ?? w.want.command;
+const textOf = ({want, settings}: Wish) => JSON.stringify([want, settings]);
 const paceOf = ({exact, slow}: Wish): Pace => (slow ? 'slow' : exact ? 'exact' : 'quick');
 
 export class Asker {
@@ -90,7 +92,7 @@ export class Asker {
     else this.restTimer = setTimeout(() => this.next(), wait);
   }
   private async send(pace: Pace, revision: number) {
-    const isDue = (w: Wish) => paceOf(w) === pace && (pace !== 'exact' || this.isOld(nameOf(w))), wished = this.wishes().filter(isDue);
+    const wished = this.wishes().filter(w => paceOf(w) === pace && (pace !== 'exact' || !this.isKept(w)));
     const {generation, change} = this.state;
     this.asked[pace] = revision;
     if (wished.length) {
@@ -108,6 +110,8 @@ export class Asker {
     if (!this.trouble) this.next();
   }
   /// A want that need not be answered if the result is the one that is kept: most sliders change nothing of the scene.
+  /// Is the result that of the state on the page and of just this wish?
+  private isKept = (wish: Wish) => !this.isOld(nameOf(wish)) && this.results.get(nameOf(wish))?.asked === textOf(wish);
   private unknown(wish: Wish): Want {
     const hash = this.results.get(nameOf(wish))?.outcome.hash;
     return hash ? {...wish.want, known: hash} : wish.want;
@@ -120,7 +124,7 @@ export class Asker {
       const wish = wished.find(w => w.want.command === outcome.command), name = wish ? nameOf(wish) : outcome.command, drawn = this.results.get(name);
       if (drawn && drawn.generation === generation && drawn.revision > answer.revision) continue;
       const json = outcome.same && drawn ? drawn.outcome.json : outcome.json;
-      this.results.set(name, {revision: answer.revision, generation, outcome: {...outcome, json}});
+      this.results.set(name, {revision: answer.revision, generation, asked: wish ? textOf(wish) : '', outcome: {...outcome, json}});
     }
   }
 }

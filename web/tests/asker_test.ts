@@ -106,3 +106,20 @@ test('a result that is the same is not sent again and stays the same object', as
   await after(5);
   assert.equal(asker.result('scene'), scene);
 });
+test('curves in another quantity are asked for although the numbers are the same', async () => {
+  const asked: Want[] = [], wish: Wish = {want: {command: 'curves', keys: {}}, exact: true};
+  const engine = {ask: async (revision: number, _: Change, wants: readonly Want[]): Promise<Answer> => {
+    asked.push(...wants);
+    return {revision, ok: true, problems: [], results: [{command: 'curves', ok: true, problems: [], json: curves([])}]};
+  }};
+  const state = new State(), asker = new Asker(engine as unknown as Engine, state, () => [wish]);
+  state.open('mass = 1', '1');
+  await after(60);
+  asker.again();
+  await after(60);
+  assert.equal(asked.length, 1);
+  wish.want = {command: 'curves', keys: {quantity: 'velocity'}};
+  asker.again();
+  await after(60);
+  assert.deepEqual(asked.at(-1), {command: 'curves', keys: {quantity: 'velocity'}});
+});
