@@ -205,7 +205,7 @@ class Answers(Served):
         long = server.connect()
         long.sendall(server.head("POST", "/ask", len(body), X_Trivet_Client="a") + body)
         seen = set()
-        for client, command in (("b", "modes"), ("c", "roots"), ("b", "static"), ("", "modes")):
+        for client, command in (("b", "modes"), ("c", "roots"), ("b", "peaks"), ("", "modes")):
             found = server.data("POST", "/ask", {"wants": [{"command": command}]}, X_Trivet_Client=client)
             self.assertTrue(found["results"][0]["ok"])
             doing = server.data("GET", "/progress", X_Trivet_Client="a")
@@ -416,8 +416,13 @@ class Starts(Served):
         for folder, mode in ((str(login), 0o750), ("", 0o700), ("login", 0o700), (str(self.folder / "no"), 0o700)):
             login.chmod(mode)
             server = self.serve(PAPER, env=os.environ | {"XDG_RUNTIME_DIR": folder}, cwd=self.folder)
-            self.assertEqual(server.data("GET", "/project")["resume_key"], "", folder)
-            self.assertEqual(server.send("GET", "/resume", X_Trivet_Nonce="0" * 64)[0], 404)
+            key, nonce = server.data("GET", "/project")["resume_key"], "0" * 64
+            found = server.data("GET", "/resume", X_Trivet_Token=None, X_Trivet_Nonce=nonce)
+            self.assertEqual(opened_token(found, key, server.port, nonce), server.token)  # of this start alone
+            server.end()
+            again = self.serve(PAPER, "--port", str(server.port), env=os.environ | {"XDG_RUNTIME_DIR": folder})
+            found = again.data("GET", "/resume", X_Trivet_Token=None, X_Trivet_Nonce=nonce)
+            self.assertIsNone(opened_token(found, key, server.port, nonce))
             self.assertEqual(list(login.iterdir()), [])
         login.chmod(0o700)
         (login / "trivet").mkdir()

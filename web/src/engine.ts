@@ -100,7 +100,7 @@ export class ServerEngine implements Engine {
   }
   async project(): Promise<Project> {
     const project = await this.get<Project>('/project');
-    if (project.resume_key) keepResumeKey(project.resume_key);
+    keepResumeKey(project.resume_key ?? '');
     return project;
   }
   schema = () => this.get<unknown>('/schema');
@@ -175,14 +175,11 @@ export class ServerEngine implements Engine {
   /// Goes on with a program that was started again, at this address and with another token.
   private async resume() {
     if (this.isForeign) throw new EngineError(STRANGER);
-    const key = resumeKey(), nonce = newNonce();
-    if (key) {
-      const response = await this.fetched('/resume', {headers: {'X-Trivet-Nonce': nonce}});
-      const token = response.ok ? await openedToken(await response.json() as SealedToken, key, location.port, nonce) : null;
-      if (token === null) throw this.foreign();
-      keepToken(token);
-      this.token = token;
-    }
+    const key = resumeKey(), nonce = newNonce(), response = await this.fetched('/resume', {headers: {'X-Trivet-Nonce': nonce}});
+    const token = response.ok && key ? await openedToken(await response.json() as SealedToken, key, location.port, nonce) : null;
+    if (token === null) throw this.foreign();
+    keepToken(token);
+    this.token = token;
     if ((await this.fetched('/version', {headers: {'X-Trivet-Token': this.token}})).status === 401) throw this.foreign();
     this.isLost = false;
   }

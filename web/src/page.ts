@@ -15,7 +15,7 @@ async function start() {
   file.begin();
   addEventListener('hashchange', () => {  // the address of another start of the program was opened in this tab
     engine.useToken(tokenOfTab());
-    void file.look();
+    void engine.project().finally(() => file.look());  // it has another key
   });
   document.body.replaceChildren(shell);
   app.schema = new Schema(await engine.schema() as ConstructorParameters<typeof Schema>[0]);

@@ -34,7 +34,6 @@ Answer page_file_answer(const std::string& path) {
 constexpr std::size_t nonce_length = 64;  // hexadecimal
 
 Answer resume_answer(const std::string& token, const Resumption& resumption, const std::string& page_nonce) {
-  if (resumption.key.empty()) return error_answer(404, "pages of an earlier start cannot go on with this one");
   if (page_nonce.size() != nonce_length) return error_answer(400, "X-Trivet-Nonce must have 64 characters");
   const SealedToken sealed = sealed_token(token, resumption, page_nonce, new_token());
   return {.body = documents::json::text({{"nonce", sealed.nonce}, {"sealed", sealed.sealed}, {"proof", sealed.proof}})};
@@ -111,7 +110,7 @@ void serve(const ServeOptions& options) {
   Resumption resumption = last_resumption(options.file);
   Listener listener(loop, options.port, resumption.port);
   resumption.port = listener.port();
-  if (!keep(resumption, options.file)) resumption.key.clear();
+  keep(resumption, options.file);
   const std::string token = new_token();
   Responder responder(options, token, resumption);
   Site site{{.port = listener.port(),

@@ -48,9 +48,9 @@ std::string file_name(const std::string& project_file) {
 }  // namespace
 
 Resumption last_resumption(const std::string& project_file) {
-  const FolderHandle folder = private_folder();
-  if (!folder.is_open()) return {};
   Resumption found{0, new_token()};
+  const FolderHandle folder = private_folder();
+  if (!folder.is_open()) return found;
   const std::string text = folder.content(file_name(project_file), longest_file).value_or("");
   std::uint16_t port = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
@@ -60,16 +60,16 @@ Resumption last_resumption(const std::string& project_file) {
   return {port, key};
 }
 
-bool keep(const Resumption& resumption, const std::string& project_file) {
+void keep(const Resumption& resumption, const std::string& project_file) {
   const FolderHandle folder = private_folder();
-  if (!folder.is_open() || resumption.key.empty()) return false;
+  if (!folder.is_open()) return;
   const std::string name = file_name(project_file), draft = fmt::format("{}.{}", name, getpid());
   try {
     foundation::write_new_file(folder, draft, fmt::format("{} {}", resumption.port, resumption.key), draft);
   } catch (const std::runtime_error&) {  // a full disk, for instance: pages cannot go on, everything else works
-    return false;
+    return;
   }
-  return renameat(folder.descriptor(), draft.c_str(), folder.descriptor(), name.c_str()) == 0;
+  renameat(folder.descriptor(), draft.c_str(), folder.descriptor(), name.c_str());
 }
 
 SealedToken sealed_token(const std::string& token, const Resumption& resumption, const std::string& page_nonce,

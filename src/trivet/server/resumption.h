@@ -10,13 +10,14 @@ namespace trivet::server {
 /// and a key that no request carries. Kept in the folder of this user's login (XDG_RUNTIME_DIR) until that ends.
 struct Resumption {
   std::uint16_t port = 0;  ///< of the last start; 0: there was none
-  std::string key;         ///< 32 random bytes, hexadecimal; empty: pages cannot go on
+  std::string key;         ///< 32 random bytes, hexadecimal
 };
 
-/// Of the last start for this project; of the first one a new key. Empty if the user's login has no private folder.
+/// Of the last start for this project. A new key if there was none, or if the user's login has no private folder: by it
+/// pages recognise this start of the program, and no other.
 [[nodiscard]] Resumption last_resumption(const std::string& project_file);
-/// Keeps it for the next start. @returns false if it cannot be kept
-[[nodiscard]] bool keep(const Resumption& resumption, const std::string& project_file);
+/// Keeps it for the next start, if there is a private folder.
+void keep(const Resumption& resumption, const std::string& project_file);
 
 /// The token for a page that has the key, unreadable for every other program, and the proof that the sender has the
 /// key. With h = SHA-256, hexadecimal: `sealed` = `token` xor h(key + h(key + "token " + words)), `proof` =
