@@ -46,10 +46,18 @@ class Settings(InTemporaryFolder):
         file = self.by_hand(COLD, "element_types.foot.scale = 1.7")
         self.assertEqual(modes(COMPRESSOR, "cold", *settings), modes(file, "cold", *settings[2:]))
 
+    def test_a_setting_of_a_case_over_one_of_all(self):
+        base, own = "element_types.foot.scale=1.2", "cases.cold.element_types.foot.scale=1.4"
+        self.assertIn('also replaces that of case "cold"', trivet("check", COMPRESSOR, "--set", base).stderr)
+        for settings in (["--set", base, "--set", own], ["--set", own, "--set", base]):
+            self.assertEqual(modes(COMPRESSOR, "cold", *settings), modes(COMPRESSOR, "cold"))
+            self.assertEqual(modes(COMPRESSOR, "", *settings), modes(COMPRESSOR, "", "--set", base))
+            self.assertNotIn("also replaces", trivet("check", COMPRESSOR, *settings).stderr)
+
     def test_what_is_no_number_of_a_case(self):
         for setting, words in (
             ("cases.hot.element_types.foot.scale=2", "cases.hot: no such case"),
-            ("cases.cool.element_types.foot.scale=2", 'did you mean "cold"?'),
+            ("cases.cool.element_types.foot.scale=2", "known: cold, stiffer"),
             ("cases.cold=2", "cases.cold: cannot be changed as a whole"),
             ("cases=2", "cases: cannot be changed as a whole"),
             ("cases.cold.elements.nobody.scale=2", "the model has no such key or part"),

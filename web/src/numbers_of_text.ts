@@ -33,10 +33,6 @@ export function pathInCase(path: string, name: string, index: TextIndex): string
   return index.numbers.has(ofCase) ? ofCase : path;
 }
 
-export interface TextNumber {
-  entry: Entry;
-  path: string | null;
-}
 /// All entries of a text by their joined path, and its numbers by setting path.
 export function indexOf(text: string) {
   const entries = outline(text), byPath = new Map<string, Entry>();
@@ -49,6 +45,21 @@ export function indexOf(text: string) {
   return {entries, byPath, numbers};
 }
 export type TextIndex = ReturnType<typeof indexOf>;
+
+/// Names of the cases; "" is the base model.
+export const casesOf = ({byPath}: TextIndex) =>
+  ['', ...new Set([...byPath.values()].filter(e => e.path[0] === 'cases' && e.path.length > 1).map(e => e.path[1]!))];
+
+/// Numbers of cases that settings of the base model would replace: with their values in the text, unless they are set, too.
+export function numbersOfCases(settings: ReadonlyMap<string, string>, index: TextIndex): [path: string, value: string][] {
+  const found: [string, string][] = [];
+  for (const path of settings.keys())
+    for (const name of path.startsWith('cases.') ? [] : casesOf(index)) {
+      const own = pathInCase(path, name, index), entry = index.numbers.get(own);
+      if (own !== path && entry && !settings.has(own)) found.push([own, entry.raw]);
+    }
+  return found;
+}
 
 /// The value that is valid now, as it is written: of a setting, or of the text.
 export function valueOf(path: string, design: Design, index: TextIndex): string | null {

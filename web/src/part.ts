@@ -4,7 +4,7 @@ import type {Asker} from './asker.ts';
 import type {BesideResults} from './beside.ts';
 import type {Display} from './display.ts';
 import type {Engine, Project} from './engine.ts';
-import {indexOf, type TextIndex} from './numbers_of_text.ts';
+import {casesOf, type TextIndex} from './numbers_of_text.ts';
 import type {ProjectFile} from './project_file.ts';
 import type {Schema} from './schema.ts';
 import type {State} from './state.ts';
@@ -13,21 +13,17 @@ import type {State} from './state.ts';
 export class App {
   schema: Schema | null = null;
   file: ProjectFile | null = null;  // a notebook has none
-  private indexed: {text: string; index: TextIndex} | null = null;
 
   constructor(readonly engine: Engine, readonly project: Project, readonly state: State, readonly display: Display, readonly asker: Asker,
               readonly beside: BesideResults) {}
 
   /// Names of the cases of the present text; "" is the base model.
   get cases(): string[] {
-    const names = [...this.index.byPath.values()].filter(e => e.path[0] === 'cases' && e.path.length > 1).map(e => e.path[1]!);
-    return ['', ...new Set(names)];
+    return casesOf(this.index);
   }
   /// Keys and numbers of the present text.
   get index(): TextIndex {
-    const {text} = this.state.design;
-    if (this.indexed?.text !== text) this.indexed = {text, index: indexOf(text)};
-    return this.indexed.index;
+    return this.state.index;
   }
 }
 

@@ -57,16 +57,16 @@ export class ProjectFile {
 
   /// Writes the file. @returns the text to download if there is no file
   async save(): Promise<string | null> {
-    const {state, engine, project} = this, {change} = state;
+    const {state, engine, project} = this, {change, design} = state;
     this.isSaving = true;
     try {
-      const text = state.design.settings.size ? await engine.text(change) : state.design.text;
+      const text = design.settings.size ? await engine.text(change) : design.text;
       if (project.name === null) return text;
       const saved = await engine.save(this.version, change);
       if (saved.conflict) this.meet(saved.version, saved.text);
       else {
         [this.version, this.ignored] = [saved.version, ''];
-        state.wasSaved(text, saved.version);
+        state.wasSaved(text, saved.version, design);
         this.set(null);
         this.say(`${project.name} is saved.`);
       }

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the user decided: text, settings of sliders, case and selection, with undo and redo. Nothing here is computed.
 import type {Change} from './engine.ts';
+import {casesOf, indexOf, numbersOfCases, type TextIndex} from './numbers_of_text.ts';
 
 /// The part of the state that undo brings back.
 export interface Design {
   readonly text: string;
   readonly settings: ReadonlyMap<string, string>;  // path → value as in the project file
+}
+/// What undo brings back. `case`: the case to show then; null: the one on the page.
+interface Step {
+  design: Design;
+  case: string | null;
 }
 export interface Selection {
   kind: 'body' | 'element' | 'point' | 'force';
@@ -23,10 +29,11 @@ export class State {
   revision = 0;
   /// Counts changes after which older results belong to another machine: another text or case, not a moved slider.
   generation = 0;
-  private past: Design[] = [];
-  private future: Design[] = [];
+  private past: Step[] = [];
+  private future: Step[] = [];
   private saved: Design = this.design;
   private opened: {text: string; version: string | null} = {text: '', version: null};  // of the file on the disk
+  private indexed: {text: string; index: TextIndex} | null = null;
   private dragged: Design | null = null;  // the design before the drag of a slider
   private readonly listeners = new Set<() => void>();
 
@@ -38,10 +45,17 @@ export class State {
     [this.past, this.future, this.selection, this.case] = [[], [], null, name];
     this.changed(true);
   }
+  /// A number of the base model leaves a case alone that has its own, as it does once it is written into the file.
   get change(): Change {
-    const {text, settings} = this.design;
+    const {text, settings} = this.design, own = settings.size ? numbersOfCases(settings, this.index) : [];
     return {text, version: text === this.opened.text ? this.opened.version : null,
-            settings: [...settings].map(([path, value]) => `${path} = ${value}`), case: this.case};
+            settings: [...settings, ...own].map(([path, value]) => `${path} = ${value}`), case: this.case};
+  }
+  /// Keys and numbers of the present text.
+  get index(): TextIndex {
+    const {text} = this.design;
+    if (this.indexed?.text !== text) this.indexed = {text, index: indexOf(text)};
+    return this.indexed.index;
   }
   /// Differs the page from the text that was opened or saved last?
   get hasEdits(): boolean {
@@ -82,8 +96,10 @@ export class State {
   undo() { this.travel(this.past, this.future); }
   redo() { this.travel(this.future, this.past); }
 
-  wasSaved(text: string, version: string) {
-    this.design = this.saved = {text, settings: new Map()};
+  /// @param of  what was saved: later edits stay
+  wasSaved(text: string, version: string, of: Design = this.design) {
+    this.saved = {text, settings: new Map()};
+    if (this.design === of) this.design = this.saved;
     this.opened = {text, version};
     this.changed(false);
   }
@@ -92,6 +108,7 @@ export class State {
     this.remember(this.design);
     this.design = this.saved = {text, settings: new Map()};
     this.opened = {text, version};
+    if (!casesOf(this.index).includes(this.case)) this.case = '';
     this.changed(true);
   }
   /// The file is no longer on the disk: its text can be saved again.
@@ -102,7 +119,7 @@ export class State {
   }
   /// Another text, with a case of it, as one step of undo.
   put(design: Design, name: string) {
-    this.remember(this.design);
+    this.remember(this.design, this.case);
     this.design = design;
     this.case = name;
     this.changed(true);
@@ -120,17 +137,18 @@ export class State {
     return () => this.listeners.delete(listener);
   }
 
-  private remember(design: Design) {
-    this.past.push(design);
+  private remember(design: Design, name: string | null = null) {
+    this.past.push({design, case: name});
     this.future = [];
   }
-  private travel(from: Design[], to: Design[]) {
+  private travel(from: Step[], to: Step[]) {
     const next = from.pop();
     if (!next) return;
-    to.push(this.design);
-    const sameText = next.text === this.design.text;
-    this.design = next;
-    this.changed(!sameText);
+    to.push({design: this.design, case: next.case === null ? null : this.case});
+    const sameMachine = next.design.text === this.design.text && (next.case ?? this.case) === this.case;
+    this.design = next.design;
+    this.case = next.case ?? this.case;
+    this.changed(!sameMachine);
   }
   private changed(anotherMachine: boolean) {
     this.revision++;

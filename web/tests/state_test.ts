@@ -116,3 +116,31 @@ test('a version that the program has no longer is replaced by its text', async (
   assert.deepEqual(bodies.map(b => [b['revision'], b['version'], b['text']]),
                    [[1, 'v1', undefined], [1, undefined, 'mass = 1'], [2, undefined, 'mass = 1']]);
 });
+test('edits made while a file is saved stay', () => {
+  const state = opened();
+  state.set({'bodies.a.mass': '2'});
+  const saved = state.design;
+  state.set({'bodies.a.mass': '3'});
+  state.wasSaved('mass = 2', 'v2', saved);
+  assert.equal(state.design.settings.get('bodies.a.mass'), '3');
+  assert.ok(!state.isSaved);
+});
+test('undo of a new case shows the case before', () => {
+  const state = opened();
+  state.put({text: 'mass = 1\n[cases.hot]\n', settings: new Map()}, 'hot');
+  state.undo();
+  assert.equal(state.case, '');
+  state.redo();
+  assert.equal(state.case, 'hot');
+  state.replaced('mass = 1', 'v2');  // another hand removed the case
+  assert.equal(state.case, '');
+});
+test('a setting of the base model leaves a case alone that has its own number', () => {
+  const state = new State();
+  state.open('[bodies.a]\nmass = 1\n[cases.hot]\nbodies.a.mass = 2\n', 'v1');
+  assert.deepEqual(state.change.settings, []);
+  state.set({'bodies.a.mass': '3'});
+  assert.deepEqual(state.change.settings, ['bodies.a.mass = 3', 'cases.hot.bodies.a.mass = 2']);
+  state.set({'cases.hot.bodies.a.mass': '4'});
+  assert.deepEqual(state.change.settings, ['bodies.a.mass = 3', 'cases.hot.bodies.a.mass = 4']);
+});

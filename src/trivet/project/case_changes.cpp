@@ -113,6 +113,9 @@ foundation::Expected<std::string> text_with_case(const std::string& text, const 
   Node of_case = known ? *known : Node();
   for (const Node& change : changes)
     if (!is_of_case(change)) of_case = merged_changes(std::move(of_case), change);
+  for (const Node& change : changes)  // what is said of the case itself overrides what is said of all
+    if (const Node* own = is_of_case(change) ? change.items.front().find(like) : nullptr)
+      of_case = merged_changes(std::move(of_case), *own);
   const std::string line_end = text.find("\r\n") == std::string::npos ? "\n" : "\r\n";
   std::vector<Node> of_cases;
   std::ranges::copy_if(changes, std::back_inserter(of_cases), is_of_case);

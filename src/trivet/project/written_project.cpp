@@ -48,7 +48,20 @@ bool are_readable(const Node* cases, std::size_t parts, foundation::Problems& pr
   return false;
 }
 
-/// @param written  the document without the settings of the command line
+/// Settings of the base model, which hold in every case.
+Settings of_all_cases(Settings settings) {
+  std::erase_if(settings.changes, is_of_case);
+  std::erase_if(settings.numbers, [](const ChangedNumber& number) { return number.path.starts_with("cases."); });
+  return settings;
+}
+
+/// What a setting sets in this case; null if it is not of this case alone.
+const Node* change_of_case(const Node& setting, const std::string& name) {
+  const Node* cases = is_of_case(setting) ? setting.find("cases") : nullptr;
+  return cases ? cases->find(name) : nullptr;
+}
+
+/// @param written  the document with the changed cases, without other settings of the command line
 WrittenCase written_case(const std::string& name, const Node& change, const Node& written, const Settings& settings) {
   WrittenCase result{.name = name};
   if (change.kind != Node::Kind::table || name.empty()) {
@@ -66,9 +79,12 @@ WrittenCase written_case(const std::string& name, const Node& change, const Node
                "write it in [report], or use --set report.KEY=VALUE")
         .origin = report->origin;
   apply_changes(result.document, change, "", result.problems);
-  for (const Node& setting : settings.changes)
-    apply_changes(result.document, setting, "", result.problems);  // the command line overrides the case
-  result.changes = change_lines(&change, settings, result.document);
+  for (const Node& setting : settings.changes)  // the command line overrides the case
+    if (!is_of_case(setting)) apply_changes(result.document, setting, "", result.problems);
+  foundation::Problems reported_before;
+  for (const Node& setting : settings.changes)  // and what it says of this case alone overrides what it says of all
+    if (const Node* own = change_of_case(setting, name)) apply_changes(result.document, *own, "", reported_before);
+  result.changes = change_lines(&change, of_all_cases(settings), result.document);
   return result;
 }
 
@@ -103,25 +119,24 @@ foundation::Problems settings_over_cases(const Node& document, const std::vector
   foundation::Problems warnings;
   const Node* cases = document.find("cases");
   if (!cases || cases->kind != Node::Kind::table || given.size() != settings.changes.size()) return warnings;
+  const auto sets_again = [&](const std::string& name, const Node& number) {
+    return std::ranges::any_of(settings.changes, [&](const Node& other) {
+      const Node* own = change_of_case(other, name);
+      return own && changes_same_number(*own, number);
+    });
+  };
   for (std::size_t i = 0; i < given.size(); ++i) {
     std::vector<std::string> names;
     for (std::size_t c = 0; c < cases->keys.size(); ++c)
-      if (changes_same_number(cases->items[c], settings.changes[i]))
+      if (changes_same_number(cases->items[c], settings.changes[i]) && !sets_again(cases->keys[c], settings.changes[i]))
         names.push_back(foundation::quoted(cases->keys[c]));
     if (!names.empty())
       warnings.warning("--set " + given[i],
                        fmt::format("also replaces that of case {}", foundation::comma_separated(names)),
                        "a setting is applied to the base model and again to every case",
-                       "to keep the change of the case write it in another number, such as stiffness_factor");
+                       "to keep the change of the case set it again: --set cases.NAME.PATH=VALUE");
   }
   return warnings;
-}
-
-/// Settings of the base model, which hold in every case.
-Settings of_all_cases(Settings settings) {
-  std::erase_if(settings.changes, is_of_case);
-  std::erase_if(settings.numbers, [](const ChangedNumber& number) { return number.path.starts_with("cases."); });
-  return settings;
 }
 
 WrittenProject with_settings(Project project, const std::vector<std::string>& given) {
@@ -141,7 +156,7 @@ WrittenProject with_settings(Project project, const std::vector<std::string>& gi
   for (const Node& change : settings.changes) apply_changes(result.base.document, change, "", result.of_settings);
   result.problems.add(result.of_settings);
   result.base.changes = change_lines(nullptr, settings, result.base.document);
-  result.cases = written_cases(result.base.document, written, settings);
+  result.cases = written_cases(result.base.document, written, all);
   result.over_cases = settings_over_cases(written, given, all);
   result.project = std::move(project);
   return result;
