@@ -18,18 +18,33 @@ export const hasSomethingToJudge = (app: App) =>
     return JUDGED.includes(String(table)) && (table !== 'operation' || key === 'limits');
   });
 
+type CaseVerdict = Verdict['cases'][number];
+const nameOf = (one: CaseVerdict) => (one.case ? `case ${one.case}` : 'the base model');
+const violates = (one: CaseVerdict) => one.requirements.some(r => r.judged && !r.met);
+/// Of the margins that the program found to govern; null: none is finite.
+function leastMargin(cases: readonly CaseVerdict[]): {margin: number; of: CaseVerdict} | null {
+  const all = cases.flatMap(of => {
+    const margin = of.governing === null ? null : of.requirements[of.governing]?.margin ?? null;
+    return margin === null ? [] : [{margin, of}];
+  });
+  return all.length ? all.reduce((a, b) => (b.margin < a.margin ? b : a)) : null;
+}
+
 export function judgement(app: App): Judgement {
   const {asker, state} = app, errors = asker.problems.filter(p => p.severity === 'error');
   if (errors.length) return {state: 'error', words: errors.length === 1 ? '1 error in the file' : `${errors.length} errors in the file`, old: false};
   const verdict = asker.result<Verdict>('verdict');
   if (verdict) {
     const found = verdict.cases.find(c => c.case === state.case) ?? verdict.cases[0], all = found?.requirements ?? [];
-    const violated = all.filter(r => r.judged && !r.met), old = asker.isOld('verdict');
-    if (violated.length) return {state: 'violated', words: `${violated.length} of ${all.length} requirements violated`, old};
-    const elsewhere = verdict.cases.find(c => c.decides && !c.met);
-    if (elsewhere) return {state: 'violated', words: `met here, violated in ${elsewhere.case ? `case ${elsewhere.case}` : 'the base model'}`, old};
-    const margin = found?.governing == null ? null : all[found.governing]?.margin;
-    return {state: 'met', words: `all ${all.length} requirements met${margin == null ? '' : `, least margin ${number(margin, 3)}`}`, old};
+    const violated = all.filter(r => r.judged && !r.met), unjudged = all.filter(r => !r.judged), old = asker.isOld('verdict');
+    const not = unjudged.length ? `${unjudged.length} of ${all.length} requirements not judged` : '';
+    if (violated.length) return {state: 'violated', words: `${violated.length} of ${all.length} requirements violated${not ? `, ${not}` : ''}${found!.decides ? '' : ' in this case, which does not decide'}`, old};
+    if (!found?.met) return {state: 'violated', words: not || 'not met', old};
+    const elsewhere = verdict.cases.find(c => c !== found && c.decides && !c.met);
+    if (elsewhere) return {state: 'violated', words: `met here, ${violates(elsewhere) ? 'violated' : 'not judged'} in ${nameOf(elsewhere)}`, old};
+    const least = leastMargin(verdict.cases.filter(c => c === found || c.decides));
+    const where = least && least.of !== found ? ` in ${nameOf(least.of)}` : '';
+    return {state: 'met', words: `all ${all.length} requirements met${least ? `, least margin ${number(least.margin, 4)}${where}` : ''}`, old};
   }
   if (!hasSomethingToJudge(app)) return {state: 'none', words: 'no requirements', old: false};
   return {state: 'unknown', words: asker.failure('verdict') ? 'not judged' : 'judging', old: !asker.failure('verdict')};

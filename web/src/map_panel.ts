@@ -82,9 +82,11 @@ export class MapPanel extends Part {
   }
   /// The numbers of the design, and what the map says of the nearest one that it computed.
   private words(map: DesignMap, [a, b]: readonly [number, number]): string {
-    const [x, y] = this.axes(map).map(v => v.value), k = Math.round(b * (map.y.points - 1)) * map.x.points + Math.round(a * (map.x.points - 1)), margin = map.grid.margin[k], governing = map.grid.governing[k];
-    const said = typeof governing === 'number' ? `margin ${number(margin, 3)} of the nearest design of the map, by ${map.rules[governing]!.words}` : governing === 'none' ? 'nothing limits it' : 'no result';
-    return `${map.x.name} ${`${number(x, 4)} ${map.x.unit}`.trim()}, ${map.y.name} ${`${number(y, 4)} ${map.y.unit}`.trim()}: ${said}`;
+    const axes = this.axes(map), [i, j] = [Math.round(a * (map.x.points - 1)), Math.round(b * (map.y.points - 1))], k = j * map.x.points + i;
+    const numbers = (x: number | null, y: number | null) => `${map.x.name} ${`${number(x, 4)} ${map.x.unit}`.trim()}, ${map.y.name} ${`${number(y, 4)} ${map.y.unit}`.trim()}`;
+    const margin = map.grid.margin[k], governing = map.grid.governing[k];
+    const said = typeof governing === 'number' ? `margin ${number(margin, 4)}, by ${map.rules[governing]!.words}` : governing === 'none' ? 'nothing limits it' : 'no result';
+    return `${numbers(axes[0].value, axes[1].value)}. Nearest design of the map, ${numbers(axes[0].at(i / (map.x.points - 1)), axes[1].at(j / (map.y.points - 1)))}: ${said}`;
   }
   private set(map: DesignMap, x: number, y: number, drag = false) {
     const [ofX, ofY] = this.axes(map);
