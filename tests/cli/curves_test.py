@@ -261,7 +261,7 @@ class Curves(unittest.TestCase):
     def test_three_springs_in_place_of_every_element_have_the_peaks_of_element(self):
         file = EXAMPLES / "three_coil_springs/machine.toml"
         compared = result("element", file, "spring x", "--all")["simplification"]["peaks"]
-        full, simple = (result("curves", file, *more)["peaks"] for more in ([], ["--three_springs"]))
+        full, simple = (result("curves", file, *more)["peaks"] for more in ([], ["--three-springs"]))
         checked = 0
         for one in compared:
             for key, peaks in (("peak", full), ("simplified_peak", simple)):

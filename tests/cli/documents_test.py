@@ -47,6 +47,7 @@ ELSEWHERE = {
     "scripts/start": ("it installs packages and builds", ".ci/run", "scripts/start"),
     "pip install .": ("it compiles for minutes", ".ci/run", "scripts/python"),
     'pip install ".[plots,tables,units]"': ("it compiles for minutes", ".ci/run", "scripts/python"),
+    'pip install ".[notebook]"': ("it compiles for minutes", ".ci/run", "scripts/python"),
     "pip install FILE.whl": ("it installs into the system", ".ci/run", "scripts/release"),
     "trivet serve pump.toml": ("it serves until it is interrupted", "tests/cli/help_examples_test.py", "serve"),
     "scripts/web": ("it installs packages and needs Node", "scripts/page", "scripts/web --check"),

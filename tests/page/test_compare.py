@@ -43,7 +43,7 @@ def test_the_machine_on_three_springs_is_drawn_beside_it(serve):
     settled(page)
     asked, alone = watched(page), picture(page.locator('.amplitude'))
     compare(page, 'mounts as three springs')
-    assert asked[-1]['wants'] == [{'command': 'curves', 'keys': {'three_springs': True}}]
+    assert asked[-1]['wants'] == [{'command': 'curves', 'keys': {'three-springs': True}}]
     assert share_changed(alone, picture(page.locator('.amplitude'))) > 0.001
 
 

@@ -25,7 +25,7 @@ export function comparedQuestions(app: App): Question[] {
   const {change} = app.state, {quantity} = app.display, keys = quantity ? {quantity} : {};
   return chosen(app).map((key): Question => {
     if (key === MEASURED) return {key, change, want: {command: 'measurements'}};
-    if (key === SPRINGS) return {key, change, want: {command: 'curves', keys: {...keys, three_springs: true}}};
+    if (key === SPRINGS) return {key, change, want: {command: 'curves', keys: {...keys, 'three-springs': true}}};
     return {key, change: {...change, case: key.slice(CASE.length)}, want: {command: 'curves', keys}};
   });
 }

@@ -134,7 +134,7 @@ project::Case on_three_springs(const project::Case& full) {
 Result curves(const Task& task) {
   const project::Case& variant = task.variant;
   std::optional<project::Case> simple;
-  if (task.keys.flag("three_springs")) simple = on_three_springs(variant);
+  if (task.keys.flag("three-springs")) simple = on_three_springs(variant);
   project::Analyses request = study::curve_request(variant);
   if (task.keys.has("quantity")) {
     const auto word = std::ranges::find(motion_quantities, task.keys.text("quantity"));
@@ -192,7 +192,7 @@ Command curve_command() {
                 .kind = KeyKind::choice,
                 .about = "of the motions, instead of that of the response; without the limits of [limits]",
                 .choices = {motion_quantities.begin(), motion_quantities.end()}},
-               {.name = "three_springs",
+               {.name = "three-springs",
                 .kind = KeyKind::flag,
                 .about = "as if every element were three springs, as `element` compares them"},
                {.name = "draft",
