@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The seam: what the page asks and who answers. Everything that the page shows is a result of a command of the program.
 import type {Problem} from './results.ts';
-import {keepResumeKey, keepToken, newNonce, openedToken, resumeKey, type SealedToken} from './token.ts';
+import {keepToken, newNonce, openedToken, type SealedToken} from './token.ts';
 
 /// What is on the page: the text of the project file, the numbers that sliders changed, and the case.
 export interface Change {
@@ -90,6 +90,7 @@ export class ServerEngine implements Engine {
   readonly isLive = true;
   private readonly client = crypto.randomUUID();  // a newer question ends an older one of the same tab only
 
+  private resumeKey = '';  // not in the storage of the tab: another program at this port could read it after a reload
   private isLost = false;  // until the program answers again, and has proved that it is it
   private isForeign = false;  // what answers is not it, or has a token that this tab cannot get
 
@@ -100,7 +101,7 @@ export class ServerEngine implements Engine {
   }
   async project(): Promise<Project> {
     const project = await this.get<Project>('/project');
-    keepResumeKey(project.resume_key ?? '');
+    this.resumeKey = project.resume_key ?? '';
     return project;
   }
   schema = () => this.get<unknown>('/schema');
@@ -120,7 +121,7 @@ export class ServerEngine implements Engine {
   }
   private async askAs(client: string, revision: number, {text, version, settings, case: name}: Change, wants: readonly Want[],
                       signal?: AbortSignal): Promise<Answer> {
-    const question = {revision, settings, case: name, wants}, began = {at: performance.now()};
+    const question = {revision, settings, case: name, wants}, began = {at: performance.now(), client};
     this.underWay.add(began);
     try {
       if (version && version !== this.closed) {
@@ -135,11 +136,13 @@ export class ServerEngine implements Engine {
   }
   async doing(): Promise<Doing | null> {
     const now = performance.now();
-    if (![...this.underWay].some(({at}) => now - at > MOMENT)) return null;
-    const {task, fraction = 0} = await this.get<{task: string | null; fraction?: number}>('/progress');
+    const longest = [...this.underWay].find(({at}) => now - at > MOMENT);
+    if (!longest) return null;
+    const response = await this.request('/progress', undefined, undefined, longest.client);
+    const {task, fraction = 0} = await content<{task: string | null; fraction?: number}>(response);
     return task === null ? null : {task, fraction};
   }
-  private readonly underWay = new Set<{at: number}>();
+  private readonly underWay = new Set<{at: number; client: string}>()  // the oldest first;
   private closed = '';  // version that the program has no longer
   async text(change: Change): Promise<string> {
     return (await this.post<{text: string}>('/text', textOf(change))).text;
@@ -175,7 +178,7 @@ export class ServerEngine implements Engine {
   /// Goes on with a program that was started again, at this address and with another token.
   private async resume() {
     if (this.isForeign) throw new EngineError(STRANGER);
-    const key = resumeKey(), nonce = newNonce(), response = await this.fetched('/resume', {headers: {'X-Trivet-Nonce': nonce}});
+    const key = this.resumeKey, nonce = newNonce(), response = await this.fetched('/resume', {headers: {'X-Trivet-Nonce': nonce}});
     const token = response.ok && key ? await openedToken(await response.json() as SealedToken, key, location.port, nonce) : null;
     if (token === null) throw this.foreign();
     keepToken(token);

@@ -12,8 +12,6 @@ export function tokenOfTab(): string {
   return sessionStorage.getItem('token') ?? '';
 }
 export const keepToken = (token: string) => sessionStorage.setItem('token', token);
-export const keepResumeKey = (key: string) => sessionStorage.setItem('resume_key', key);
-export const resumeKey = () => sessionStorage.getItem('resume_key') ?? '';
 
 /// What the program answers to a nonce.
 export interface SealedToken {

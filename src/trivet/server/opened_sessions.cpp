@@ -33,7 +33,7 @@ OpenedSessions::Shared OpenedSessions::keep(engine::Session session, std::size_t
   std::deque<Shared> ended;  // destroyed without the lock
   const std::scoped_lock guard(lock_);
   if (permission != permission_) return shared;
-  // Of a text only the last settings are kept: a slider does not take the place of the sessions of another page.
+  // Of a text only the last settings are kept: a slider does not take the places of the sessions of other texts.
   const auto other = [&](const Shared& one) {
     return one->settings().empty() || shared->settings().empty() || one->text() != shared->text();
   };

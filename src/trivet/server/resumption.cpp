@@ -65,6 +65,7 @@ void keep(const Resumption& resumption, const std::string& project_file) {
   if (!folder.is_open()) return;
   const std::string name = file_name(project_file), draft = fmt::format("{}.{}", name, getpid());
   try {
+    unlinkat(folder.descriptor(), draft.c_str(), 0);  // of a start that was ended while it wrote
     foundation::write_new_file(folder, draft, fmt::format("{} {}", resumption.port, resumption.key), draft);
   } catch (const std::runtime_error&) {  // a full disk, for instance: pages cannot go on, everything else works
     return;

@@ -32,6 +32,16 @@ void remove_outside(const assembly::Band& band, std::vector<double>& omega) {
   std::erase_if(omega, [&](double w) { return !(w >= band.from && w <= band.to); });
 }
 
+/// Of undamped poles, as that of a free body at ω = 0: nothing is defined there.
+void remove_at_poles(const Eigen::VectorXcd& poles, std::vector<double>& omega) {
+  constexpr double at = 1e-9;
+  std::erase_if(omega, [&](double w) {
+    return std::ranges::any_of(poles, [&](const std::complex<double>& pole) {
+      return std::abs(pole - std::complex<double>(0, w)) <= at * std::max(std::abs(pole), w);
+    });
+  });
+}
+
 }  // namespace
 
 std::vector<double> first_frequencies(const Eigen::VectorXcd& poles, const assembly::Band& band, bool spread_too) {
@@ -50,6 +60,7 @@ std::vector<double> candidate_frequencies(const Eigen::VectorXcd& poles, const a
   add_over_band(band, spread, omega);
   add_near(poles, {-1.0, 0.0, 1.0}, omega);
   remove_outside(band, omega);
+  remove_at_poles(poles, omega);
   std::ranges::sort(omega);
   omega.erase(std::ranges::unique(omega, [](double a, double b) { return b - a <= apart * b; }).begin(), omega.end());
   return omega;

@@ -42,7 +42,8 @@ struct CurveFractions {
 };
 
 /// Curves from poles and residues, compared with direct solutions at some frequencies around the poles and over a band;
-/// deviations are relative to the value, or to a millionth of the highest of its curve. Infinite with a double pole and
+/// deviations are relative to the value, or to a millionth of the highest of its curve, or to 1e-10 of the highest of
+/// all curves of its unit: below it is round-off. Infinite with a double pole and
 /// for a load with other delays.
 /// @param assembled  of constant matrices  @throws foundation::NotComputable if the poles cannot be computed
 [[nodiscard]] CurveFractions curve_fractions(const assembly::Assembled& assembled,
