@@ -202,3 +202,13 @@ def test_every_step_without_a_mouse(serve):
         page.keyboard.press('Control+z')
     settled(page)
     assert shown_frequencies(page) == before
+
+
+def test_a_text_that_is_no_number_changes_nothing(serve):
+    page = serve('genset/genset.toml').page()
+    settled(page)
+    field = page.get_by_label('mass of genset, value')
+    field.fill('abc')
+    field.press('Tab')
+    page.get_by_text('"abc" is not a number').wait_for()
+    assert field.input_value() == '4200 kg'

@@ -2,6 +2,7 @@
 import {html, nothing, type TemplateResult} from 'lit';
 import {settingPath} from './numbers_of_text.ts';
 import {Part} from './part.ts';
+import {refuse} from './refused_number.ts';
 import {quantity, written} from './quantities.ts';
 import type {Selection} from './state.ts';
 import type {Entry} from './toml_outline.ts';
@@ -61,7 +62,7 @@ export class ModelTree extends Part {
   /// A number is set by its path; one that has no path is replaced in the text.
   private edited(entry: Entry, path: string | null, input: HTMLInputElement) {
     const typed = quantity(input.value.replaceAll('−', '-')), {state} = this.app;
-    if (!typed) return this.requestUpdate();
+    if (!typed) return refuse(input, this.app, ((path && state.design.settings.get(path)) ?? entry.raw).replace(/^["']|["']$/g, ''));
     const before = quantity(entry.raw), value = written(typed.value, typed.unit || before?.unit || '');
     if (path) return state.set({[path]: value});
     const {text} = state.design;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
 import {Part} from './part.ts';
+import {refuse} from './refused_number.ts';
 import {number, quantity} from './quantities.ts';
 import {settingsOf, sliders, type Slider} from './slider_list.ts';
 
@@ -21,7 +22,7 @@ export class SliderPanel extends Part {
       <label title=${s.paths.map(p => p.path).join('\n')}><span>${s.name}</span>
         <input type="range" min="0" max=${STEPS} .value=${String(position)} aria-valuetext="${number(s.value)} ${s.unit}"
           @input=${(e: Event) => this.move(s, (e.target as HTMLInputElement).value, true)} @change=${() => this.app.state.dropped()}></label>
-      <input class="number" aria-label="${s.name}, value" .value="${number(s.value, 5)}${s.unit ? ` ${s.unit}` : ''}"
+      <input class="number" aria-label="${s.name}, value" .value=${shown(s)}
         @change=${(e: Event) => this.type(s, e.target as HTMLInputElement)}>
       ${s.paths.some(p => p.path.startsWith('cases.')) && !s.name.startsWith('cases.') ? html`<small class="hint">of case ${this.app.state.case}</small>` : nothing}
       ${pinned ? html`<button title="Remove the slider" @click=${() => this.app.display.set({pins: this.app.display.pins.filter(p => p !== s.name)})}>×</button>` : nothing}
@@ -34,10 +35,12 @@ export class SliderPanel extends Part {
   /// A typed number has the unit of the slider, or its own.
   private type(s: Slider, input: HTMLInputElement) {
     const typed = quantity(input.value.replaceAll('−', '-').replace(',', '.'));
-    if (!typed) return this.requestUpdate();
+    if (!typed) return refuse(input, this.app, shown(s));
     this.app.state.set(settingsOf({...s, unit: typed.unit || s.unit}, typed.value));
   }
 }
+const shown = ({value, unit}: Slider) => `${number(value, 5)}${unit ? ` ${unit}` : ''}`;
+
 function positionOf({from, to, logarithmic}: Slider, value: number): number {
   const part = logarithmic ? Math.log(value / from) / Math.log(to / from) : (value - from) / (to - from);
   return Math.round(STEPS * Math.min(Math.max(part || 0, 0), 1));
