@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
-import {download} from './download.ts';
+import {downloadProject} from './download.ts';
 import {differentLines} from './line_difference.ts';
 import {Part} from './part.ts';
 import type {Trouble} from './project_file.ts';
@@ -23,13 +23,13 @@ export class FileNotice extends Part {
     return html`<div class="problems error" role="alert"><p>${reason} Your edits are kept in this tab.</p>
       ${isSilent ? html`<pre>${['trivet serve', quoted(project.name ?? ''), '--port', location.port].filter(word => word).join(' ')}</pre>` : nothing}
       <button @click=${() => void file.look()}>Try again</button>
-      <button @click=${() => download(project.name ?? 'machine.toml', file.textAway)}>Download the text</button></div>`;
+      <button @click=${() => downloadProject(project.name ?? 'machine.toml', file.textAway)}>Download the text</button></div>`;
   }
   private deleted() {
     const {project} = this.app, file = this.app.file!;
     return html`<div class="problems error" role="alert"><p>${project.name} is no longer on the disk. Its text is still on this page.</p>
       ${project.read_only ? nothing : html`<button @click=${() => void file.save()}>Write it again</button>`}
-      <button @click=${() => download(project.name ?? 'machine.toml', file.textAway)}>Download the text</button></div>`;
+      <button @click=${() => downloadProject(project.name ?? 'machine.toml', file.textAway)}>Download the text</button></div>`;
   }
   private changed(trouble: Trouble & {kind: 'changed'}) {
     const {project, state} = this.app, file = this.app.file!, lines = differentLines(trouble.text, state.design.text), {settings} = state.change;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
 import {colourLegend} from './colour_legend.ts';
+import {download} from './download.ts';
 import {hasSomethingToJudge} from './judgement.ts';
 import {DARK, LIGHT} from './machine/colours.ts';
 import {GHOSTS, type Ghost} from './machine/ghosts.ts';
@@ -191,7 +192,7 @@ export class MachineView extends Part {
   }
   private savePicture() {
     this.stage!.drawNow();
-    this.querySelector('canvas')!.toBlob(blob => download(blob!, 'machine.png'));
+    this.querySelector('canvas')!.toBlob(blob => download('machine.png', blob!));
   }
   /// Exactly one period, as fast as the machine moves on the page.
   private async saveVideo() {
@@ -204,7 +205,7 @@ export class MachineView extends Part {
         display.phase = 2 * Math.PI * share;
         this.stage!.drawNow();
       });
-      download(new Blob([bytes as BlobPart], {type: 'video/webm'}), 'machine.webm');
+      download('machine.webm', new Blob([bytes as BlobPart], {type: 'video/webm'}));
       display.set({notice: `machine.webm: one period in ${framesOf(seconds).count} frames.`});
     } catch (error) {
       display.set({notice: `No video: ${error instanceof Error ? error.message : String(error)}`});
@@ -212,13 +213,6 @@ export class MachineView extends Part {
     this.recording = false;
     display.set({phase, playing});
   }
-}
-function download(blob: Blob, name: string) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  URL.revokeObjectURL(link.href);
 }
 const COMMAND_OF: Partial<Record<Colouring, string>> = {limit: 'verdict', utilisation: 'check', deflection: 'check', compression: 'check', energy: 'modes'};
 customElements.define('machine-view', MachineView);

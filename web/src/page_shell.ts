@@ -12,7 +12,7 @@ import './result_tables.ts';
 import './slider_panel.ts';
 import './text_view.ts';
 import type {Display} from './display.ts';
-import {download} from './download.ts';
+import {downloadProject} from './download.ts';
 import type {Example} from './engine.ts';
 import {Part} from './part.ts';
 import type {Scene} from './results.ts';
@@ -104,7 +104,7 @@ export class PageShell extends Part {
   /// Writes the file; a machine without a file becomes a download.
   private async save() {
     const text = await this.app.file!.save();
-    if (text !== null) download('machine.toml', text);
+    if (text !== null) downloadProject('machine.toml', text);
   }
   private key(event: KeyboardEvent) {
     if (!(event.ctrlKey || event.metaKey) || !this.opened) return;
