@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import {html, nothing} from 'lit';
+import {html} from 'lit';
+import {caseMenu} from './case_menu.ts';
 import {EngineError} from './engine.ts';
 import {Part} from './part.ts';
 
@@ -13,9 +14,7 @@ export class CaseBar extends Part {
     this.naming = false;
   }
   override render() {
-    const {state, cases} = this.app;
-    return html`${cases.length > 1 ? html`<select aria-label="Case" @change=${(e: Event) => state.chooseCase((e.target as HTMLSelectElement).value)}>
-        ${cases.map(c => html`<option value=${c} .selected=${c === state.case}>${c || 'base model'}</option>`)}</select>` : nothing}
+    return html`${caseMenu(this.app)}
       ${this.naming ? html`<form @submit=${this.create} @keydown=${(e: KeyboardEvent) => { if (e.key === 'Escape') this.naming = false; }}>
         <input name="name" required maxlength="60" aria-label="Name of the new case" placeholder="name"><button>Create</button></form>`
       : html`<button title="New case: the changes of this one and of the moved sliders" aria-label="New case like this one" @click=${this.begin}>+ case</button>`}`;

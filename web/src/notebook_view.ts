@@ -6,6 +6,7 @@ import './machine_view.ts';
 import './problem_list.ts';
 import './result_tables.ts';
 import './slider_panel.ts';
+import {caseMenu} from './case_menu.ts';
 import {Part} from './part.ts';
 import type {Scene} from './results.ts';
 import {verdictPill} from './verdict_pill.ts';
@@ -25,13 +26,12 @@ export class NotebookView extends Part {
     this.times++;
   }
   override render() {
-    const {app} = this, {state, asker, project, display, engine} = app, {cases} = app;
+    const {app} = this, {state, asker, project, display, engine} = app;
     const title = asker.result<Scene>('scene')?.title || project.title || '', root = this.getRootNode();
     if (root instanceof ShadowRoot) (root.host as HTMLElement).dataset['theme'] = display.theme;
     return html`<header>
         <span class="title" title=${title}>${title}</span>
-        ${cases.length > 1 && engine.isLive ? html`<select aria-label="Case" @change=${(e: Event) => state.chooseCase((e.target as HTMLSelectElement).value)}>
-          ${cases.map(c => html`<option value=${c} ?selected=${c === state.case}>${c || 'base model'}</option>`)}</select>` : state.case ? html`<span>${state.case}</span>` : nothing}
+        ${engine.isLive ? caseMenu(app) : state.case ? html`<span>${state.case}</span>` : nothing}
         ${verdictPill(app)}<span class="space"></span>
         ${engine.isLive ? html`<button title="Undo" aria-label="Undo" ?disabled=${!state.canUndo} @click=${() => state.undo()}>↶</button>
           <button title="Redo" aria-label="Redo" ?disabled=${!state.canRedo} @click=${() => state.redo()}>↷</button>` : html`<span class="note">as it was last computed</span>`}
