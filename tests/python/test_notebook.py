@@ -118,6 +118,22 @@ def test_a_click_on_a_curve_makes_the_machine_swing(shown):
     assert "Operating shape" in page.locator(".caption").inner_text()
 
 
+def test_a_map_is_computed_when_the_user_asks_for_it(shown):
+    widget = trivet.open(example("paper/map.toml")).show()
+    asked, answer = [], widget._answers.answer
+    widget._answers = type("Answers", (), {"answer": lambda _, text: asked.append(text) or answer(text)})()
+    page = shown(widget)
+    page.get_by_role("tab", name="Map").click()
+    compute = page.get_by_role("button", name="Compute the map")
+    compute.wait_for()
+    page.wait_for_timeout(1000)
+    assert not [text for text in asked if '"map"' in text]
+    compute.click()
+    page.locator("map-panel canvas").wait_for()
+    assert len([text for text in asked if '"map"' in text]) == 1
+    assert compute.count() == 0
+
+
 def test_the_styles_of_the_notebook_end_at_the_widget(shown):
     page = shown(trivet.open(GENSET).show())
     assert page.get_by_role("button", name="Play").is_visible()  # the notebook hides its own buttons

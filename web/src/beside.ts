@@ -7,7 +7,7 @@ export interface Question {
   key: string;
   change: Change;
   want: Want;
-  /// ms after which it is given up until the user wants to wait for it
+  /// ms after which it is given up until the user wants to wait for it; 0: it is asked only then
   patience?: number;
 }
 interface Found {
@@ -38,10 +38,12 @@ export class BesideResults {
     const question = this.wanted().find(q => q.key === key);
     return question !== undefined && this.found.get(key)?.identity !== identityOf(question);
   }
-  /// Was it given up because it takes long?
+  /// Was it given up because it takes long, or not even asked?
   takesLong(key: string): boolean {
     const question = this.wanted().find(q => q.key === key), found = this.found.get(key);
-    return !!question?.patience && !this.waiting.has(key) && found?.outcome === null && found.identity === identityOf(question);
+    if (question?.patience === undefined || this.waiting.has(key)) return false;
+    const isOfNow = found?.identity === identityOf(question);
+    return question.patience ? isOfNow && found?.outcome === null : !isOfNow;
   }
   isRunning = (key: string) => this.running?.key === key;
   /// Asks and waits as long as it takes.
@@ -67,7 +69,7 @@ export class BesideResults {
 
   private next() {
     if (this.running) return;
-    const question = this.wanted().find(q => this.found.get(q.key)?.identity !== identityOf(q));
+    const question = this.wanted().find(q => (q.patience !== 0 || this.waiting.has(q.key)) && this.found.get(q.key)?.identity !== identityOf(q));
     if (question) void this.ask(question, identityOf(question));
   }
   private async ask({key, change, want, patience}: Question, identity: string) {
@@ -82,12 +84,12 @@ export class BesideResults {
     try {
       const answer: Answer = await this.engine.ask(0, change, [want], stop.signal);
       this.found.set(key, {identity, outcome: answer.results[0] ?? failed(answer.problems[0]?.message ?? '')});
-      this.waiting.delete(key);
     } catch (error) {
       if (tired) this.found.set(key, {identity, outcome: null});
       else if (!stop.signal.aborted) this.found.set(key, {identity, outcome: failed(error instanceof EngineError ? error.message : String(error))});
     }
     clearTimeout(limit);
+    if (!stop.signal.aborted) this.waiting.delete(key);
     this.running = null;
     this.notify();
     if (stop.signal.aborted && !tired) this.rest();

@@ -64,6 +64,8 @@ export type Saved = {conflict: false; version: string} | {conflict: true; versio
 export interface Engine {
   /// False: it has kept results only, and computes nothing new.
   readonly isLive: boolean;
+  /// True: a question cannot be ended, and others wait until it is answered.
+  readonly oneAtATime?: boolean;
   project(): Promise<Project>;
   schema(): Promise<unknown>;
   /// Of the project file as it is on the disk now; empty: it cannot be read. Absent: there is no file that could change.

@@ -29,6 +29,7 @@ const edit = () => Promise.reject(new EngineError('A notebook edits and saves it
 
 export class KernelEngine implements Engine {
   readonly isLive = true;
+  readonly oneAtATime = true;
   private readonly client = Math.random().toString(36).slice(2);  // several views of a widget share its messages
   private readonly waiting = new Map<string, Waiting>();
   private count = 0;
@@ -41,8 +42,8 @@ export class KernelEngine implements Engine {
   }
   /// Without a kernel there is never an answer.
   opened = () => this.send<Opened>({ask: 'open'});
-  ask(revision: number, {settings, case: name}: Change, wants: readonly Want[]): Promise<Answer> {
-    return this.send<Answer>({ask: 'answer', question: {revision, settings, case: name, wants}});
+  ask(revision: number, {settings, case: name}: Change, wants: readonly Want[], signal?: AbortSignal): Promise<Answer> {
+    return this.send<Answer>({ask: 'answer', question: {revision, settings, case: name, wants}}, signal);
   }
   /// The notebook shows this state when there is no kernel any more.
   keep(view: unknown) { this.model.send({ask: 'keep', view}); }
@@ -57,11 +58,14 @@ export class KernelEngine implements Engine {
   newCase = edit;
   save = edit;
 
-  private send<T>(content: object): Promise<T> {
+  /// The kernel computes on when the answer is no longer wanted; it is dropped.
+  private send<T>(content: object, signal?: AbortSignal): Promise<T> {
     if (this.ended) return Promise.reject(new EngineError(ENDED));
+    if (signal?.aborted) return Promise.reject(signal.reason);
     const id = `${this.client} ${++this.count}`;
     return new Promise((done, failed) => {
       this.waiting.set(id, {done: text => done(JSON.parse(text) as T), failed});
+      signal?.addEventListener('abort', () => { if (this.waiting.delete(id)) failed(signal.reason); });
       this.model.send({id, ...content});
     });
   }

@@ -24,7 +24,7 @@ export class MapPanel extends Part {
   }
   override render() {
     const {beside} = this.app, all = this.maps, map = this.map, running = beside.isRunning('map');
-    if (!map) return html`<p class="hint">${beside.failure('map') || (beside.takesLong('map') ? 'The map takes longer than a second.' : 'Computing …')}</p>${this.computeButton()}`;
+    if (!map) return html`<p class="hint">${beside.failure('map') || (!beside.takesLong('map') ? 'Computing …' : this.app.engine.oneAtATime ? 'The kernel answers nothing else while it computes the map.' : 'The map takes longer than a second.')}</p>${this.computeButton()}`;
     const point = this.point(map), axes = this.axes(map), colours = coloursOf(map.rules, this.app.display.theme), label = `Map of ${titleOf(map.x)} and ${titleOf(map.y)}`;
     return html`<div class="bar">${all.length > 1 ? html`<select aria-label="Pair of numbers" @change=${(e: Event) => { this.pair = Number((e.target as HTMLSelectElement).value); }}>
           ${all.map((m, i) => html`<option value=${i} ?selected=${i === this.pair}>${m.y.name} over ${m.x.name}</option>`)}</select>` : nothing}

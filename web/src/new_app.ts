@@ -15,7 +15,7 @@ export function newApp(engine: Engine, project: Project, aside: Pick<Engine, 'as
   const wanted = (): Wish[] => (state.design.text ? wishes(display, {hasSomethingToJudge: hasSomethingToJudge(app), hasSteady: app.index.byPath.has('analyses\0steady')}) : []);
   const beside = new BesideResults(aside, () => questionsBeside(app));
   const first: Pick<Engine, 'ask'> = {ask(...question) {  // the page does not wait for what is beside it
-    beside.yield();
+    if (!engine.oneAtATime) beside.yield();  // else its answer comes first anyway
     return engine.ask(...question);
   }};
   const asker = new Asker(first, state, wanted), app: App = new App(engine, project, state, display, asker, beside);

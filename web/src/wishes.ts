@@ -33,9 +33,9 @@ export function questionsBeside(app: App): Question[] {
   return [...comparedQuestions(app), ...tableOnPage(app) === 'map' ? [mapQuestion(app)] : []];
 }
 function mapQuestion(app: App): Question {
-  const {change} = app.state, moved = mapPaths(app);
+  const {change} = app.state, moved = mapPaths(app), patience = app.engine.oneAtATime ? 0 : PATIENCE;
   const settings = change.settings.filter(s => !moved.has(s.slice(0, s.indexOf(' = '))));
-  return {key: 'map', change: {...change, settings}, want: {command: 'map'}, patience: PATIENCE};
+  return {key: 'map', change: {...change, settings}, want: {command: 'map'}, patience};
 }
 /// Paths that the axes of the map move.
 function mapPaths({index}: App): Set<string> {

@@ -65,6 +65,22 @@ test('what takes long is given up until the user waits for it', async () => {
   await until(() => beside.result('map') !== null);
   assert.deepEqual([beside.result('map'), beside.takesLong('map')], ['a = 1', false]);
 });
+test('without patience it is asked only when the user wants it, and an old result stays', async () => {
+  let now = change('a = 1');
+  const {beside, asked} = besides(1, () => [{key: 'map', change: now, want: {command: 'map'}, patience: 0}]);
+  assert.ok(beside.takesLong('map'));
+  beside.rest();
+  await rest();
+  assert.equal(asked.length, 0);
+  beside.waitFor('map');
+  assert.ok(!beside.takesLong('map'));
+  await until(() => beside.result('map') !== null);
+  assert.ok(!beside.takesLong('map'));
+  now = change('a = 2');
+  beside.rest();
+  await rest();
+  assert.deepEqual([asked.length, beside.result('map'), beside.isOld('map'), beside.takesLong('map')], [1, 'a = 1', true, true]);
+});
 test('axes of maps have round numbers, and places between their ends', () => {
   const axis = (from: number, to: number, spacing: MapAxis['spacing']) => ({from, to, spacing}) as MapAxis;
   assert.deepEqual(ticksOf(axis(0.3, 10, 'logarithmic'), 8), [0.5, 1, 2, 5, 10]);

@@ -35,6 +35,18 @@ test('an error of the kernel and its end are reasons, and nothing waits for ever
   assert.equal(sent.length, 2);
 });
 
+test('a question that is no longer wanted fails at once, and its answer is dropped', async () => {
+  const {fake, sent, answer} = model(), engine = new KernelEngine(fake), end = new AbortController();
+  const old = engine.ask(1, change, [], end.signal), wanted = engine.ask(2, change, []);
+  end.abort();
+  await assert.rejects(old, {name: 'AbortError'});
+  answer(sent[0]!.id, {revision: 1});
+  answer(sent[1]!.id, {revision: 2});
+  assert.deepEqual(await wanted, {revision: 2});
+  await assert.rejects(engine.ask(3, change, [], end.signal), {name: 'AbortError'});
+  assert.equal(sent.length, 2);
+});
+
 test('a closed view hears nothing more', () => {
   const {fake, count} = model(), engine = new KernelEngine(fake);
   assert.equal(count(), 3);
