@@ -2,9 +2,11 @@
 """The widget in a browser, with this process as its kernel."""
 
 import base64
+import gzip
 import io
 import json
 import pathlib
+import re
 import shutil
 
 import pytest
@@ -116,6 +118,29 @@ def test_a_click_on_a_curve_makes_the_machine_swing(shown):
     page.wait_for_function(SETTLED)
     assert page.get_by_label("Motion", exact=True).input_value() == "frequency"
     assert "Operating shape" in page.locator(".caption").inner_text()
+
+
+def kept_in(widget):
+    """The results of the still, by command."""
+    kept = gzip.decompress(base64.b64decode(re.search(r'data-kept="([^"]+)"', widget._still)[1]))
+    return {result["command"]: result["json"] for result in json.loads(kept)["answer"]["results"]}
+
+
+def test_a_still_has_the_whole_page_at_rest_and_nothing_compared(shown):
+    widget = trivet.open(GENSET).show()
+    page = shown(widget)
+    page.get_by_text("compare", exact=True).click()
+    page.get_by_label("mounts as three springs").check()
+    number = page.get_by_label("mass of genset, value", exact=True)
+    number.fill("5000 kg")
+    number.press("Enter")
+    page.wait_for_function(SETTLED)
+    page.wait_for_timeout(1500)
+    page.get_by_label("damped").check()
+    page.wait_for_timeout(1500)
+    heavier, kept = trivet.open(GENSET, {"bodies.genset.mass": "5000 kg"}), kept_in(widget)
+    for command in ("scene", "modes", "curves", "roots", "check", "verdict"):
+        assert kept[command] == json.loads(heavier._inner.ask(command, "").json())
 
 
 def test_a_map_is_computed_when_the_user_asks_for_it(shown):

@@ -93,17 +93,32 @@ def test_the_project_of_the_sliders_is_a_project(widget):
 
 
 def test_a_still_has_the_last_state(widget):
-    wants = [{"command": "modes"}, {"command": "curves"}]
-    found = answer_to(widget, wants, [f'{MASS} = "5 t"'])
-    widget.set_state({"_settings": [f'{MASS} = "5 t"']})
+    heavier = [f'{MASS} = "5 t"']
+    found = answer_to(widget, [{"command": "scene"}, {"command": "modes"}, {"command": "curves"}], heavier)
+    widget.set_state({"_settings": heavier})
+    # What the page asks besides is no part of its state: a result that it has, a draft, what it compares.
+    asked = [{"command": "scene", "known": found["results"][0]["hash"]}]
+    assert answer_to(widget, asked, heavier)["results"][0]["json"] is None
+    answer_to(widget, [{"command": "curves", "keys": {"three_springs": True}}], heavier)
+    answer_to(widget, [{"command": "curves", "keys": {"draft": True}}])
     updated = []
     widget._stills = [type("Handle", (), {"update": lambda self, html: updated.append(html.data)})()]
-    sent_to(widget, {"ask": "keep", "view": {"damped": True}})
+    sent_to(widget, {"ask": "keep", "view": {"damped": True}, "answer": found})
     kept = kept_in(updated[-1])
     assert kept["view"] == {"damped": True}
     assert kept["opened"]["settings"] == [[MASS, '"5 t"']]
-    assert kept["answer"]["results"] == found["results"]
+    assert kept["answer"] == found
     assert "<table" in updated[-1]  # without scripts
+
+
+def test_a_still_has_results_before_a_page_asks(widget, monkeypatch, command_line):
+    shown = []
+    monkeypatch.setattr("trivet._widget.display", lambda data, **_: shown.append(data))
+    widget._ipython_display_()
+    (still,) = (one.data for one in shown if "data-trivet-still=" in getattr(one, "data", ""))
+    results = {result["command"]: result["json"] for result in kept_in(still)["answer"]["results"]}
+    for command in ("scene", "modes", "curves", "roots", "check", "verdict"):
+        assert results[command] == json.loads(command_line(command, GENSET, "--json"))
 
 
 def test_wrong_sliders_and_cases_are_reported(machine):

@@ -66,6 +66,16 @@ export class Asker {
     const kept = this.results.get(name);
     return kept && kept.generation === this.state.generation ? kept.revision : -1;
   }
+  /// What is wanted of the state on the page, without drafts; null while something of it is computed.
+  get finished(): Answer | null {
+    const wished = this.wishes().filter(w => w.as === undefined);
+    if (this.underWay || !wished.length || wished.some(w => this.isOld(nameOf(w)))) return null;
+    const results = wished.map((w): Outcome => {
+      const {hash: _, same: __, ...outcome} = this.results.get(nameOf(w))!.outcome;
+      return outcome;
+    });
+    return {revision: this.state.revision, ok: results.every(r => r.ok), problems: this.problems, results};
+  }
   /// A wish changed, or the program is there again: ask again.
   again() {
     this.asked = {quick: -1, exact: -1, slow: -1};
@@ -109,9 +119,9 @@ export class Asker {
     }
     if (!this.trouble) this.next();
   }
-  /// A want that need not be answered if the result is the one that is kept: most sliders change nothing of the scene.
   /// Is the result that of the state on the page and of just this wish?
   private isKept = (wish: Wish) => !this.isOld(nameOf(wish)) && this.results.get(nameOf(wish))?.asked === textOf(wish);
+  /// A want that need not be answered if the result is the one that is kept: most sliders change nothing of the scene.
   private unknown(wish: Wish): Want {
     const hash = this.results.get(nameOf(wish))?.outcome.hash;
     return hash ? {...wish.want, known: hash} : wish.want;

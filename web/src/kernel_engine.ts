@@ -46,7 +46,7 @@ export class KernelEngine implements Engine {
     return this.send<Answer>({ask: 'answer', question: {revision, settings, case: name, wants}}, signal);
   }
   /// The notebook shows this state when there is no kernel any more.
-  keep(view: unknown) { this.model.send({ask: 'keep', view}); }
+  keep(view: unknown, answer: Answer) { this.model.send({ask: 'keep', view, answer}); }
   close() {
     this.model.off('msg:custom', this.receive);
     this.model.off('comm:close', this.end);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a notebook keeps of its widget: settings and case for Python, and how the results are shown for the still.
+// What a notebook keeps of its widget: settings and case for Python, and for the still the results and how they are shown.
 import type {Display} from './display.ts';
 import type {KernelEngine, Model} from './kernel_engine.ts';
 import type {App} from './part.ts';
@@ -12,14 +12,16 @@ export const showAgain = ({display, asker}: App, view: object) => {
   asker.again();
 };
 
-/// Sends settings as they change, and the view when everything on it is computed. @returns what ends it
+/// Sends settings as they change, and the results and the view when everything on it is computed. @returns what ends it
 export function keepAtRest(app: App, engine: KernelEngine, model: Model): () => void {
   const {state, display, asker} = app;
-  let timer = 0, sent = '', kept = '';
+  let timer = 0, sent = '', kept: unknown[] = [];
   const keep = () => {
-    if (asker.isOld('curves') || asker.isOld('check')) return;  // the next answer comes here again
-    const view = Object.fromEntries(KEPT.map(name => [name, display[name]])), now = JSON.stringify([state.revision, view]);
-    if (now !== kept) engine.keep(view);
+    const answer = asker.finished;
+    if (!answer) return;  // the next answer comes here again
+    const view = Object.fromEntries(KEPT.map(name => [name, display[name]])), now = [state.revision, JSON.stringify(view), ...answer.results.map(r => r.json)];
+    if (now.length === kept.length && now.every((value, i) => value === kept[i])) return;
+    engine.keep(view, answer);
     kept = now;
   };
   const changed = () => {

@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
 _program = pathlib.Path(__file__).parent / "page" / "widget.js"
 _number = re.compile(r"[+-]?[\d.][\d.eE+-]*(\s|$)")
-#: What the page wants of every machine; a still of a notebook without a front end has these.
-_first_wants = ("scene", "modes", "curves", "roots", "check", "verdict")
+#: Results of a still that no page has sent: of a notebook that was executed without a front end.
+_first_results = ("scene", "modes", "curves", "roots", "check", "verdict")
 
 
 class Widget(anywidget.AnyWidget):
@@ -47,9 +47,7 @@ class Widget(anywidget.AnyWidget):
         super().__init__(_settings=project._inner.settings, _case=case)
         self._project, self._sliders = project, sliders
         self._answers = _core.Answers(project._inner, project._folder)
-        self._newest: dict[str, Any] = {}  # results by command
-        self._head: dict[str, Any] = {}  # ok and problems of the newest answer
-        self._view: dict[str, Any] = {}  # how the results are shown
+        self._still = ""  # HTML of the state at which the page last was at rest
         self._key = uuid.uuid4().hex
         self._stills: list[DisplayHandle] = []
         self.on_msg(self._receive)
@@ -66,11 +64,11 @@ class Widget(anywidget.AnyWidget):
 
     def _ipython_display_(self) -> None:
         """The widget, and in its place a still for when no kernel answers: in an exported or reopened notebook."""
-        if not self._newest:
-            self._answer({"question": self._question()})
+        if not self._still:
+            self._still = self._still_of({}, self._first_answer())
         if (bundle := self._repr_mimebundle_()) is not None:
             display(bundle[0], raw=True)
-        still = display(HTML(self._still()), display_id=True)
+        still = display(HTML(self._still), display_id=True)
         if still is not None:
             self._stills.append(still)
         display(HTML(_still_program()))
@@ -104,31 +102,29 @@ class Widget(anywidget.AnyWidget):
             "key": self._key,
         }
 
-    def _question(self) -> dict[str, Any]:
-        wants = list(_first_wants)
-        if "steady" in self._project._tables().get("analyses", {}):
-            wants.append("steady")
-        wanted = [{"command": name} for name in wants]
-        return {"revision": 0, "settings": self._settings, "case": self._case, "wants": wanted}
+    def _first_answer(self) -> dict[str, Any]:
+        steady = ["steady"] if "steady" in self._project._tables().get("analyses", {}) else []
+        wants = [{"command": name} for name in [*_first_results, *steady]]
+        question = {"revision": 0, "settings": self._settings, "case": self._case, "wants": wants}
+        answer: dict[str, Any] = json.loads(self._answer({"question": question}))
+        return answer
 
     def _answer(self, message: dict[str, Any]) -> str:
-        text = self._answers.answer(json.dumps(message["question"]))
-        answer = json.loads(text)
-        self._head = {"ok": answer["ok"], "problems": answer["problems"], "revision": 0}
-        self._newest |= {result["command"]: result for result in answer["results"]}
-        return text
+        return self._answers.answer(json.dumps(message["question"]))
 
     def _keep(self, message: dict[str, Any]) -> str:
-        """The page is at rest: its state becomes the still."""
-        self._view = message["view"]
+        """The page is at rest: what it shows becomes the still."""
+        self._still = self._still_of(message["view"], message["answer"])
         for still in self._stills:
-            still.update(HTML(self._still()))
+            still.update(HTML(self._still))
         return ""
 
-    def _still(self) -> str:
-        """The last state, for a document without a kernel. Without scripts it is a table."""
-        answer = {**self._head, "results": list(self._newest.values())}
-        kept = json.dumps({"opened": self._opened(), "view": self._view, "answer": answer})
+    def _still_of(self, view: dict[str, Any], answer: dict[str, Any]) -> str:
+        """The present state, for a document without a kernel. Without scripts it is a table.
+
+        view: how the results are shown; answer: the results, as of `trivet serve`
+        """
+        kept = json.dumps({"opened": self._opened(), "view": view, "answer": answer})
         return f'<div data-trivet-still="{self._key}" data-kept="{_packed(kept)}">{self._tables()}</div>'
 
     def _tables(self) -> str:
