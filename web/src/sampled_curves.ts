@@ -17,7 +17,7 @@ const FINEST = 5;  // points of a draft to one of the evenly spaced: less than a
 /// Frequencies of a drawing of the `wanted` results: evenly spaced on the axis, with their extrema, all natural frequencies, and the flanks
 /// of peaks and modes. Of a draft, which a moving slider replaces at once, none are closer than the pixels.
 export function drawnFrequencies(curves: Curves, count: number, logarithmic: boolean, wanted = curves.results.map((_, i) => i)): number[] {
-  const [from, to] = curves.band, start = from > 0 ? from : to * 1e-3, all: number[] = [from, to];
+  const [begin, to] = curves.band, start = begin > 0 ? begin : to * 1e-3, from = logarithmic ? start : begin, all: number[] = [from, to];
   for (let i = 0; i <= count; i++) {
     const part = i / count;
     all.push(logarithmic ? start * (to / start) ** part : from + (to - from) * part);

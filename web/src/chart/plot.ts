@@ -3,6 +3,7 @@ import uPlot from 'uplot';
 import type {Display} from '../display.ts';
 import {number, type Scale} from '../quantities.ts';
 import {LimitHandles, type Box, type LimitMoves, type ShownLimit} from './limit_handles.ts';
+import {logarithmicRange, logarithmicTicks} from './logarithmic_axis.ts';
 import type {Overlay} from './overlays.ts';
 import {partsAbove} from './parts_above.ts';
 import {chartColours, strokeOf} from './strokes.ts';
@@ -24,9 +25,6 @@ export interface Picture {
   overlays: Overlay[];
   limits: ShownLimit[];
 }
-
-/// Amplitudes below this share of the largest are not drawn on a logarithmic axis: they are zeros and round-off.
-const LOWEST = 1e-5;
 
 /// uPlot of the amplitudes or of the phases of a picture.
 export class Plot {
@@ -82,18 +80,21 @@ export class Plot {
     const axis = {stroke: colours.axis, grid: {stroke: colours.grid, width: 1}, ticks: {stroke: colours.grid, width: 1}, font: '11px system-ui, sans-serif',
                   labelFont: '12px system-ui, sans-serif', labelSize: 16};
     const values = (_: uPlot, all: number[]) => all.map(v => (v === null ? '' : number(v, 6)));
+    const ticks = {splits: (_: uPlot, _axis: number, from: number, to: number) => logarithmicTicks(from, to).lines, filter: (_: uPlot, all: number[]) => all,
+                   values: (plot: uPlot, all: number[], index: number) => {
+                     const {min, max} = plot.scales[plot.axes[index]!.scale!]!, {labelled} = logarithmicTicks(min!, max!);
+                     return all.map(v => (labelled.includes(v) ? number(v, 6) : ''));
+                   }};
+    const along = display.logarithmicFrequency ? {distr: 3 as const, range: (_: uPlot, from: number, to: number): [number, number] => [from, to]} : {distr: 1 as const};
     return {
       width: Math.max(this.parent.clientWidth, 50), height: Math.max(this.parent.clientHeight, 50), padding: [isPhase ? 4 : 14, 10, 0, 0],
       legend: {show: false},
       cursor: {y: false, drag: {x: true, y: false}, points: {show: false}, lock: false},
-      scales: {x: {time: false, distr: display.logarithmicFrequency ? 3 : 1},
+      scales: {x: {time: false, ...along},
                y: isPhase ? {range: [-190, 190]} : {distr: logarithmic ? 3 : 1, range: (_, low, high) => this.range(low, high, logarithmic)}},
-      axes: [{...axis, size: isPhase ? 34 : 20, values, ...(isPhase ? {label: `frequency [${display.frequencyUnit}]`} : {values: (_, all) => all.map(() => '')})},
+      axes: [{...axis, size: isPhase ? 34 : 20, values, ...(display.logarithmicFrequency ? ticks : {}), ...(isPhase ? {label: `frequency [${display.frequencyUnit}]`} : {values: (_, all) => all.map(() => '')})},
              {...axis, size: 46, label: isPhase ? 'phase [°]' : display.decibel ? `dB re 1 ${picture!.scale.unit}` : picture!.scale.unit,
-              values: logarithmic ? (_, all) => {
-                const digits = all.at(-1)! / all[0]! < 300 ? [1, 2, 5] : [1];
-                return all.map(v => (v !== null && digits.some(d => isDecade(v / d)) ? number(v, 6) : ''));
-              } : values,
+              ...(logarithmic ? ticks : {values}),
               ...(isPhase ? {splits: () => [-180, -90, 0, 90, 180]} : {})}],
       series: [{}, ...picture!.curves.map(curve => {
         const {colour, dash} = strokeOf(curve.stroke, display.theme);
@@ -108,8 +109,8 @@ export class Plot {
     if (this.held) return this.held;
     const {limits, overlays} = this.picture!, heights = overlays.flatMap(o => o.points.map(p => p[1])).filter(v => v !== null);
     const others = [...limits.map(l => l.y), ...limits.flatMap(l => (l.at ? [l.at.y] : [])), ...heights];
+    if (logarithmic) return logarithmicRange([low, high], others);
     const top = others.reduce((a, b) => Math.max(a, b), high ?? 1), bottom = others.reduce((a, b) => Math.min(a, b), low ?? 0);
-    if (logarithmic) return [Math.max(bottom, LOWEST * top) / 1.3, top * 2];
     return this.display.decibel ? [Math.max(bottom, top - 120) - 3, top + 6] : [0, top * 1.12 || 1];
   }
   private clickedAt(plot: uPlot, event: MouseEvent) {
@@ -208,8 +209,6 @@ function dots(pen: CanvasRenderingContext2D, colour: string, points: readonly (r
     pen.fill();
   }
 }
-const isDecade = (value: number) => Math.abs(Math.log10(value) - Math.round(Math.log10(value))) < 1e-6;
-
 function stroke(pen: CanvasRenderingContext2D, colour: string, width: number, dash: number[], points: readonly (readonly [number, number])[]) {
   pen.strokeStyle = colour;
   pen.lineWidth = width;
