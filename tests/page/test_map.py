@@ -23,7 +23,7 @@ def opened(served):
 
 def design(page):
     """Both numbers of the design on the page."""
-    words = page.locator('map-panel').get_by_text('of the nearest design').first.inner_text()
+    words = page.locator('map-panel').get_by_text('Nearest design of the map').first.inner_text()
     return [float(n) for n in re.match(r'stiffness scale ([\d.]+), δ ([\d.]+) s', words).groups()]
 
 

@@ -113,7 +113,7 @@ def test_a_still_has_the_last_state(widget):
 
 def test_a_still_has_results_before_a_page_asks(widget, monkeypatch, command_line):
     shown = []
-    monkeypatch.setattr("trivet._widget.display", lambda data, **_: shown.append(data))
+    monkeypatch.setattr("trivet._widget._notebook.display", lambda data, **_: shown.append(data))
     widget._ipython_display_()
     (still,) = (one.data for one in shown if "data-trivet-still=" in getattr(one, "data", ""))
     results = {result["command"]: result["json"] for result in kept_in(still)["answer"]["results"]}

@@ -14,8 +14,8 @@ from html import escape
 from typing import TYPE_CHECKING, Any
 
 import anywidget
+import IPython.display
 import traitlets
-from IPython.display import HTML, DisplayHandle, display
 
 from trivet import _core, _html
 from trivet._arguments import require_text
@@ -26,6 +26,7 @@ from trivet._values import key_text
 if TYPE_CHECKING:
     from trivet._project import Project
 
+_notebook: Any = IPython.display  # its functions have no types
 _program = pathlib.Path(__file__).parent / "page" / "widget.js"
 _number = re.compile(r"[+-]?[\d.][\d.eE+-]*(\s|$)")
 #: Results of a still that no page has sent: of a notebook that was executed without a front end.
@@ -49,7 +50,7 @@ class Widget(anywidget.AnyWidget):
         self._answers = _core.Answers(project._inner, project._folder)
         self._still = ""  # HTML of the state at which the page last was at rest
         self._key = uuid.uuid4().hex
-        self._stills: list[DisplayHandle] = []
+        self._stills: list[Any] = []  # handles of the stills in cells
         self.on_msg(self._receive)
 
     @property
@@ -67,11 +68,11 @@ class Widget(anywidget.AnyWidget):
         if not self._still:
             self._still = self._still_of({}, self._first_answer())
         if (bundle := self._repr_mimebundle_()) is not None:
-            display(bundle[0], raw=True)
-        still = display(HTML(self._still), display_id=True)
+            _notebook.display(bundle[0], raw=True)
+        still = _notebook.display(_notebook.HTML(self._still), display_id=True)
         if still is not None:
             self._stills.append(still)
-        display(HTML(_still_program()))
+        _notebook.display(_notebook.HTML(_still_program()))
 
     def _receive(self, _: object, message: dict[str, Any], buffers: object) -> None:
         """A message of the page. A question has an id, and gets one answer."""
@@ -116,7 +117,7 @@ class Widget(anywidget.AnyWidget):
         """The page is at rest: what it shows becomes the still."""
         self._still = self._still_of(message["view"], message["answer"])
         for still in self._stills:
-            still.update(HTML(self._still))
+            still.update(_notebook.HTML(self._still))
         return ""
 
     def _still_of(self, view: dict[str, Any], answer: dict[str, Any]) -> str:
