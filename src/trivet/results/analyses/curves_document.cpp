@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/project/text/display_units.h"
+#include "trivet/project/text/level.h"
 #include "trivet/results/format/quantity_name.h"
 #include "trivet/results/format/result_writer.h"
 
@@ -16,11 +19,17 @@ using response::CurveModel;
 using response::Peak;
 using study::CaseResults;
 
-Json drawn_results(const study::ResponseResult& found) {
+/// With the level at which amplitudes are shown, so that a program that draws them does not choose another one.
+Json drawn_results(const study::ResponseResult& found, const project::DisplayUnits& display) {
   Json list = Json::array();
   for (std::size_t c = 0; c < found.curves.curves.size(); ++c) {
+    const std::string& unit = found.curves.curves[c].unit;
     Json& result = list.emplace_back(json::drawn_curve(found, c));
-    result["kind"] = quantity_name(found.curves.curves[c].unit);
+    result["kind"] = quantity_name(unit);
+    const bool has_level = !documents::amplitude_unit(display, unit).level.empty();
+    const project::Level level = project::shown_level(display, unit);
+    result["level"] = has_level ? Json(project::level_ending(level)) : Json(nullptr);
+    result["level_factor"] = has_level ? project::level_factor(level) : 1;
   }
   return list;
 }
@@ -151,7 +160,7 @@ Document curves_document(const project::Case& variant, const CaseResults& result
   const CurveModel& model = *found.model;
   Document document;
   document.add(Single{"band", {model.band.from, model.band.to}});
-  document.add(Single{"results", drawn_results(found)});
+  document.add(Single{"results", drawn_results(found, results.display)});
   document.add(Single{"vanishing", names_of_vanishing(results)});
   document.add(Single{"models", drawn_models(variant, found)});
   document.add(Single{"peaks", exact_peaks(results)});

@@ -81,6 +81,8 @@ Table requirement_table(const std::vector<const CaseVerdict*>& cases) {
                                   of([](const RequirementResult& r) { return or_infinite(r.value); }),
                                   {.forms = in_json | in_csv})),
                       row("value", Kind::number, "value", shown(judged_value), {.forms = for_people}),
+                      row("shown_requirement", Kind::words, "", shown(requirement_words), {.forms = in_json}),
+                      row("shown_value", Kind::words, "", shown(judged_value), {.forms = in_json}),
                       row("unbounded", Kind::yes_no, "",
                           of([](const RequirementResult& r) { return r.value && std::isinf(*r.value); }),
                           {.forms = in_json}),
