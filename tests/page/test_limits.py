@@ -53,7 +53,7 @@ def test_a_dragged_limit_is_a_setting_and_its_margin_that_of_the_program(serve):
     page.mouse.up()
     moved = page.get_by_role('slider', name='Limit of ground.force.z', exact=True)
     judged(page)
-    number = float(re.search(r'≤ ([\d.]+) N', moved.inner_text()).group(1))
+    number = float(re.search(r'≤ ([\d.]+) N 0-p', moved.inner_text()).group(1))
     assert number < 59
     there = requirement(served.file, 'ground.force.z', '--set', f'requirements.limits."ground.force.z"="{number} N"')
     assert margin_on(moved) == float(f"{there['margin']:.3g}")

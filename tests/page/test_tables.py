@@ -17,12 +17,12 @@ def test_a_requirement_names_the_case_with_the_least_margin_and_its_limit_is_edi
     cases = {c['case']: c['requirements'] for c in command('verdict', served.file)['cases']}
     others = {name: r['margin'] for name, all_of in cases.items() for r in all_of if name and r['requirement'] == words}
     worst = min(others, key=others.get)
-    line = row(page, words)
+    line = row(page, f'{words} 0-p')
     line.wait_for()
     assert f'{others[worst]:.3g} {worst}' in line.inner_text()
-    page.get_by_label(f'Limit: {words}', exact=True).fill('0.1 kN')
+    page.get_by_label(f'Limit: {words} 0-p', exact=True).fill('0.1 kN')
     page.keyboard.press('Enter')
-    changed = row(page, 'ground.force.z ≤ 100 N')
+    changed = row(page, 'ground.force.z ≤ 100 N 0-p')
     changed.wait_for()
     margin = next(r['margin'] for r in cases[''] if r['requirement'] == words) * 100 / 60
     assert f'{margin:.3g}' in changed.inner_text()

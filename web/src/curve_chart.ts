@@ -135,7 +135,7 @@ export class CurveChart extends Part {
     if (!curves || !this.picture) return nothing;
     const steady = this.picture.overlays.some(o => o.kind === 'stable');
     const {display} = this.app, all = this.drawable(curves), at = this.indexAtCursor();
-    return html`${at === null ? nothing : html`<span class="cursor">${number(this.picture.x[at], 4)} ${display.frequencyUnit}</span>`}${this.notDrawn.length ? html`<details class="note"><summary>${this.notDrawn.length === 1 ? '1 limit is' : `${this.notDrawn.length} limits are`} not drawn</summary>
+    return html`${at === null ? nothing : html`<span class="cursor">${number(this.picture.x[at], 4)} ${display.frequencyUnit} [${display.decibel ? 'dB' : this.picture.scale.unit}]</span>`}${this.notDrawn.length ? html`<details class="note"><summary>${this.notDrawn.length === 1 ? '1 limit is' : `${this.notDrawn.length} limits are`} not drawn</summary>
       <ul>${this.notDrawn.map(({words, why}) => html`<li>${words}: ${why}</li>`)}</ul></details>` : nothing}${all.map((r, i) => {
       const curve = this.picture!.curves.find(c => c.name === r.name), {colour} = strokeOf(i, display.theme);
       const value = at !== null && curve ? number(curve.amplitude[at], 3) : '';

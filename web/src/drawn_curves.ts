@@ -29,6 +29,6 @@ function completed(draft: Curves, finished: Curves): Curves {
   const places = finished.results.map(r => draft.results.findIndex(d => d.name === r.name)), count = draft.results.length;
   const models = draft.models.map(model => ({...model, pieces: model.pieces.map(piece =>
     ({...piece, values: model.delays.flatMap((_, d) => places.map(p => (p < 0 ? [] : piece.values[d * count + p]!)))}))}));
-  const results = finished.results.map(({name, unit, kind}) => ({name, unit, ...(kind ? {kind} : {})}));
+  const results = finished.results.map(({extrema: _, ...result}) => result);
   return {...draft, draft: true, results, models, limits: finished.limits, lines: finished.lines ?? [], vanishing: finished.vanishing ?? []};
 }

@@ -43,6 +43,11 @@ export function scaleOf(largest: number, unit: string): Scale {
   }
   return {factor: 1e9, unit: `n${shown}`};
 }
+/// The same for amplitudes: times the share of the level at which the program shows them, "mm/s rms".
+export function scaleAtLevel(largest: number, unit: string, {level, level_factor: share = 1}: {level?: string | null; level_factor?: number} = {}): Scale {
+  const scale = scaleOf(largest * share, unit);
+  return {factor: scale.factor * share, unit: level ? `${scale.unit} ${level}` : scale.unit};
+}
 export function withUnit(value: number | null | undefined, unit: string, digits = 4): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return number(value);
   const scale = scaleOf(Math.abs(value), unit);

@@ -5,7 +5,7 @@ import type {Table} from './display.ts';
 import './map_panel.ts';
 import {Part, type App} from './part.ts';
 import {limitNumber, setLimit} from './limit_number.ts';
-import {frequency, number, quantity, withUnit} from './quantities.ts';
+import {frequency, number, quantity, scaleAtLevel, withUnit} from './quantities.ts';
 import type {Check, Curves, Modes, Peak, Requirement, Roots, Verdict} from './results.ts';
 
 const TABS: Record<Table, string> = {modes: 'Modes', requirements: 'Requirements', mounts: 'Mounts', peaks: 'Peaks', map: 'Map'};
@@ -61,15 +61,15 @@ export class ResultTables extends Part {
     const found = verdict.cases.find(c => c.case === state.case) ?? verdict.cases[0];
     const sorted = [...found?.requirements ?? []].sort((a, b) => (a.margin ?? Infinity) - (b.margin ?? Infinity));
     const several = verdict.cases.length > 1, numbers = sorted.some(r => r.place.length);
-    return html`<table><thead><tr><th scope="col">Requirement</th>${numbers ? html`<th scope="col">limit</th>` : nothing}<th scope="col">value</th><th scope="col" title="1: just met; more: met with room">margin</th>${several ? html`<th scope="col" title="least margin of all other cases">elsewhere</th>` : nothing}<th scope="col">met</th></tr></thead><tbody>
-      ${sorted.map(r => html`<tr class=${!r.judged ? 'unjudged' : r.met ? '' : 'violated'}><th scope="row" class="words">${r.requirement}</th>${numbers ? html`<td>${this.limit(r)}</td>` : nothing}<td>${this.value(r.value, r.unit)}</td>
-        <td>${r.margin === null ? '–' : number(r.margin, 3)}</td>${several ? html`<td>${this.elsewhere(verdict, r)}</td>` : nothing}<td>${!r.judged ? r.reason || '–' : r.met ? '✓' : '✗'}<span class="hidden">${r.met ? 'yes' : 'no'}</span></td></tr>`)}</tbody></table>`;
+    return html`<table class="requirements"><thead><tr><th scope="col">Requirement</th><th scope="col" class="value">value${numbers ? ', limit' : ''}</th><th scope="col" class="margin" title="1: just met; more: met with room">margin</th>${several ? html`<th scope="col" class="elsewhere" title="least margin of all other cases">elsewhere</th>` : nothing}<th scope="col" class="met">met</th></tr></thead><tbody>
+      ${sorted.map(r => html`<tr class=${!r.judged ? 'unjudged' : r.met ? '' : 'violated'}><th scope="row" class="words">${r.shown_requirement ?? r.requirement}</th><td>${r.judged ? this.judged(r) : r.reason || '–'}${this.limit(r)}</td>
+        <td>${r.margin === null ? '–' : number(r.margin, 3)}</td>${several ? html`<td>${this.elsewhere(verdict, r)}</td>` : nothing}<td>${!r.judged ? '–' : r.met ? '✓' : '✗'}<span class="hidden">${r.met ? 'yes' : 'no'}</span></td></tr>`)}</tbody></table>`;
   }
   /// The number of a limit, to be changed here too.
   private limit(r: Requirement) {
     const {state, index} = this.app, found = r.place.length ? limitNumber(r.place, state.case, state.design, index) : null;
     if (!found) return '';
-    return html`<input class="number" aria-label="Limit: ${r.requirement}" .value=${`${number(found.value, 6)} ${found.unit}`.trim()} @change=${(e: Event) => {
+    return html`<input class="number" aria-label="Limit: ${r.shown_requirement ?? r.requirement}" .value=${`${number(found.value, 6)} ${found.unit}`.trim()} @change=${(e: Event) => {
       const typed = quantity((e.target as HTMLInputElement).value.replaceAll('−', '-'));
       if (typed && typed.value > 0) setLimit(state, {...found, unit: typed.unit || found.unit}, typed.value);
       else this.requestUpdate();
@@ -98,7 +98,7 @@ export class ResultTables extends Part {
   private peaks() {
     const {asker, display, engine} = this.app, curves = asker.result<Curves>('curves');
     if (!curves) return this.missing('curves');
-    const unit = new Map(curves.results.map(r => [r.name, r.unit]));
+    const of = new Map(curves.results.map(r => [r.name, r]));
     const rows = curves.peaks.filter(p => p.angular_frequency >= curves.band[0] && p.angular_frequency <= curves.band[1]);
     const show = ({angular_frequency: omega}: Peak) => {
       display.set({cursor: omega, ...(engine.isLive ? {shown: {kind: 'frequency', omega}} : {})});
@@ -107,8 +107,9 @@ export class ResultTables extends Part {
     return html`<table><thead><tr><th scope="col">Result</th><th scope="col">${display.frequencyUnit}</th><th scope="col">amplitude</th><th scope="col">phase</th></tr></thead><tbody>
       ${rows.map(p => html`<tr @click=${() => show(p)}>
         <th scope="row">${engine.isLive ? html`<button class="link" aria-label="Show the motion at this peak of ${p.result}">${p.result}</button>` : p.result}</th><td>${frequency(p.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
-        <td>${p.amplitude === null ? '∞' : withUnit(p.amplitude, unit.get(p.result) ?? '')}</td><td>${p.phase == null ? '–' : `${number(p.phase * 180 / Math.PI, 3)}°`}</td></tr>`)}</tbody></table>`;
+        <td>${p.amplitude === null ? '∞' : amplitude(p.amplitude, of.get(p.result))}</td><td>${p.phase == null ? '–' : `${number(p.phase * 180 / Math.PI, 3)}°`}</td></tr>`)}</tbody></table>`;
   }
+  private judged = (r: Requirement) => (r.unit !== 'rad/s' && r.shown_value ? r.shown_value : this.value(r.value, r.unit));
   private value(value: number | null, unit: string) {
     if (unit === 'rad/s') return frequency(value, this.app.display.frequencyUnit, 3);
     return unit === '1' ? number(value, 3) : withUnit(value, unit, 3);
@@ -116,6 +117,11 @@ export class ResultTables extends Part {
   private missing(command: string) {
     return html`<p class="hint">${this.app.asker.missing(command)}</p>`;
   }
+}
+/// "1.07 mm/s rms"
+function amplitude(value: number, result: Curves['results'][number] | undefined): string {
+  const scale = scaleAtLevel(value, result?.unit ?? '', result);
+  return `${number(value * scale.factor)} ${scale.unit}`.trim();
 }
 /// "mostly rotation about y through (…) m" in a narrow column: "≈ about y".
 const brief = (name: string) => name.replace('mostly ', '≈ ').replace('translation ', '').replace('rotation ', '').replace(/ through .*/, '');

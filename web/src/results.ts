@@ -145,7 +145,7 @@ export interface Peak {
 }
 export interface Curves {
   band: readonly [number, number];
-  results: {name: string; unit: string; kind?: string; extrema?: readonly (readonly [number, number])[]}[];
+  results: {name: string; unit: string; kind?: string; level?: string | null; level_factor?: number; extrema?: readonly (readonly [number, number])[]}[];
   vanishing?: string[];  // results that are round-off
   models: CurveModel[];
   peaks: Peak[];
@@ -191,6 +191,8 @@ export interface Requirement {
   kind: string;
   subject: string;
   requirement: string;
+  shown_requirement?: string;  // as the table of the program has it, at its levels
+  shown_value?: string;
   unit: string;
   allowed: number | null;
   value: number | null;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type {Display} from '../display.ts';
-import {FREQUENCY_UNITS, number, scaleOf, type Scale} from '../quantities.ts';
+import {FREQUENCY_UNITS, number, scaleAtLevel, type Scale} from '../quantities.ts';
 import type {Curves, Steady} from '../results.ts';
 import type {ShownLimit} from './limit_handles.ts';
 import type {Limit} from './limits.ts';
@@ -27,7 +27,7 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
   const seen = indices.filter(i => !choice.hidden.has(curves.results[i]!.name));
   const omega = drawnFrequencies(curves, POINTS, display.logarithmicFrequency, seen), sampled = sampledCurves(curves, choice.model, omega, seen);
   const largest = seen.reduce((top, i) => sampled.amplitude[i]!.reduce<number>((t, a) => Math.max(t, a ?? 0), top), 0);
-  const scale = display.decibel ? {factor: 1, unit: choice.unit} : scaleOf(largest, choice.unit);
+  const of = curves.results[indices[0] ?? -1], scale = display.decibel ? {factor: of?.level_factor ?? 1, unit: `${choice.unit} ${of?.level ?? ''}`.trim()} : scaleAtLevel(largest, choice.unit, of);
   const names = indices.map(i => curves.results[i]!.name);
   const shownValue = (v: number | null) => shownAmplitude(v, scale, display);
   const shown = seen.map((i): Shown => {
@@ -56,10 +56,10 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
 /// An amplitude on the axis; null where the axis cannot show it.
 export function shownAmplitude(value: number | null, {factor}: Scale, {decibel, logarithmicAmplitude}: Display): number | null {
   if (value === null || !(value > 0 || !decibel && !logarithmicAmplitude)) return null;
-  return decibel ? 20 * Math.log10(value) : value * factor;
+  return decibel ? 20 * Math.log10(value * factor) : value * factor;
 }
 /// The SI value of a place on the axis.
-export const amplitudeAt = (shown: number, {factor}: Scale, {decibel}: Display) => (decibel ? 10 ** (shown / 20) : shown / factor);
+export const amplitudeAt = (shown: number, {factor}: Scale, {decibel}: Display) => (decibel ? 10 ** (shown / 20) : shown) / factor;
 
 /// A limit of the file as it is on the page.
 export interface PresentLimit {
@@ -76,10 +76,16 @@ export function shownLimits(all: readonly PresentLimit[], names: readonly string
     const stroke = names.indexOf(result), y = shownAmplitude(allowed, scale, display);
     if (stroke < 0 || hidden.has(result) || y === null) return [];
     const value = atSpeed && r.value !== null ? shownAmplitude(r.value, scale, display) : null, violated = r.judged && !r.met;
-    const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}`, label = `≤ ${written} · ${margin}${old ? ' …' : ''}`;
+    const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}`, label = `≤ ${atLevelOf(written, y, scale, display)} · ${margin}${old ? ' …' : ''}`;
     return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label, violated, movable, colour: strokeOf(stroke, display.theme).colour,
-             words: `${r.requirement}: ${margin}${violated ? ', violated' : ''}`, at: value !== null ? {x: (from + to) / 2 * frequency, y: value} : null}];
+             words: `${r.shown_requirement ?? r.requirement}: ${margin}${violated ? ', violated' : ''}`, at: value !== null ? {x: (from + to) / 2 * frequency, y: value} : null}];
   });
+}
+
+/// "110 µm p-p = 55 µm 0-p": the number of the file, and that on the axis if it has another level or unit.
+function atLevelOf(written: string, y: number, {unit}: Scale, {decibel}: Display): string {
+  const onAxis = `${number(y)} ${unit}`;
+  return decibel || written === onAxis ? written : onAxis.startsWith(`${written} `) ? onAxis : `${written} = ${onAxis}`;
 }
 
 /// Curves of another machine, or as they were when the user kept them.
