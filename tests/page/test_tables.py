@@ -55,3 +55,19 @@ def test_a_case_that_loads_no_mount_otherwise_has_the_loads_of_the_base_model(se
     settled(page)
     page.get_by_role('tab', name='Mounts').click()
     assert '766.6 N' in row(page, 'front left').inner_text()
+
+
+def test_rows_of_requirements_are_marked_until_they_are_those_of_the_numbers(serve):
+    page = serve('compressor/requirements.toml').page()
+    judged(page)
+    rows, marks = page.locator('result-tables tbody tr'), page.locator('result-tables tbody .old')
+    assert marks.count() == 0
+    page.evaluate('''() => {
+      window.most = 0;
+      const look = () => { window.most = Math.max(window.most, document.querySelectorAll('result-tables tbody .old').length); };
+      new MutationObserver(look).observe(document.querySelector('result-tables'), {childList: true, subtree: true});
+    }''')
+    page.locator('.sliders input[type=range]').first.press('PageUp')
+    page.wait_for_function('() => window.most > 0')
+    judged(page)
+    assert page.evaluate('window.most') == rows.count() and marks.count() == 0

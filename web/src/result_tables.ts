@@ -60,10 +60,11 @@ export class ResultTables extends Part {
     if (!verdict) return this.missing('verdict');
     const found = verdict.cases.find(c => c.case === state.case) ?? verdict.cases[0];
     const sorted = [...found?.requirements ?? []].sort((a, b) => (a.margin ?? Infinity) - (b.margin ?? Infinity));
+    const old = asker.isOld('verdict') ? html` <span class="old">…</span>` : nothing;
     const several = verdict.cases.length > 1, numbers = sorted.some(r => r.place.length);
     return html`<table class="requirements"><thead><tr><th scope="col">Requirement</th><th scope="col" class="value">value${numbers ? ', limit' : ''}</th><th scope="col" class="margin" title="1: just met; more: met with room">margin</th>${several ? html`<th scope="col" class="elsewhere" title="least margin of all other cases">elsewhere</th>` : nothing}<th scope="col" class="met">met</th></tr></thead><tbody>
       ${sorted.map(r => html`<tr class=${!r.judged ? 'unjudged' : r.met ? '' : 'violated'}><th scope="row" class="words">${r.shown_requirement ?? r.requirement}</th><td>${r.judged ? this.judged(r) : r.reason || '–'}${this.limit(r)}</td>
-        <td>${r.margin === null ? '–' : number(r.margin, 3)}</td>${several ? html`<td>${this.elsewhere(verdict, r)}</td>` : nothing}<td>${!r.judged ? '–' : r.met ? '✓' : '✗'}<span class="hidden">${r.met ? 'yes' : 'no'}</span></td></tr>`)}</tbody></table>`;
+        <td>${r.margin === null ? '–' : number(r.margin, 3)}${old}</td>${several ? html`<td>${this.elsewhere(verdict, r)}</td>` : nothing}<td>${!r.judged ? '–' : r.met ? '✓' : '✗'}<span class="hidden">${r.met ? 'yes' : 'no'}</span></td></tr>`)}</tbody></table>`;
   }
   /// The number of a limit, to be changed here too.
   private limit(r: Requirement) {
@@ -107,7 +108,7 @@ export class ResultTables extends Part {
     return html`<table><thead><tr><th scope="col">Result</th><th scope="col">${display.frequencyUnit}</th><th scope="col">amplitude</th><th scope="col">phase</th></tr></thead><tbody>
       ${rows.map(p => html`<tr @click=${() => show(p)}>
         <th scope="row">${engine.isLive ? html`<button class="link" aria-label="Show the motion at this peak of ${p.result}">${p.result}</button>` : p.result}</th><td>${frequency(p.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
-        <td>${p.amplitude === null ? '∞' : amplitude(p.amplitude, of.get(p.result))}</td><td>${p.phase == null ? '–' : `${number(p.phase * 180 / Math.PI, 3)}°`}</td></tr>`)}</tbody></table>`;
+        <td>${p.amplitude === null ? '∞' : amplitude(p.amplitude, of.get(p.result))}</td><td>${p.phase == null ? '–' : `${number(Math.round(p.phase * 18e6 / Math.PI) / 1e5, 3)}°`}</td></tr>`)}</tbody></table>`;
   }
   private judged = (r: Requirement) => (r.unit !== 'rad/s' && r.shown_value ? r.shown_value : this.value(r.value, r.unit));
   private value(value: number | null, unit: string) {
