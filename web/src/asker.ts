@@ -49,6 +49,10 @@ export class Asker {
     const kept = this.results.get(command);
     return kept && kept.generation === this.state.generation && kept.outcome.ok ? kept.outcome.json as T : null;
   }
+  notes(command: string): readonly string[] {
+    const kept = this.results.get(command);
+    return kept?.generation === this.state.generation ? kept.outcome.notes ?? [] : [];
+  }
   failure(command: string): string {
     const kept = this.results.get(command);
     if (!kept || kept.generation !== this.state.generation || kept.outcome.ok) return '';

@@ -133,8 +133,8 @@ export class CurveChart extends Part {
   /// Names of the curves with their values at the cursor; a click hides one.
   private legend(curves: Curves | null) {
     if (!curves || !this.picture) return nothing;
-    const steady = this.picture.overlays.some(o => o.kind === 'stable');
-    const {display} = this.app, all = this.drawable(curves), at = this.indexAtCursor();
+    const steady = this.picture.overlays.some(o => o.kind === 'stable'), elsewhere = steady ? '' : this.steadyElsewhere(this.drawable(curves));
+    const {display} = this.app, all = this.drawable(curves), at = this.indexAtCursor(), level = all[0]?.level;
     return html`${at === null ? nothing : html`<span class="cursor">${number(this.picture.x[at], 4)} ${display.frequencyUnit} [${display.decibel ? 'dB' : this.picture.scale.unit}]</span>`}${this.notDrawn.length ? html`<details class="note"><summary>${this.notDrawn.length === 1 ? '1 limit is' : `${this.notDrawn.length} limits are`} not drawn</summary>
       <ul>${this.notDrawn.map(({words, why}) => html`<li>${words}: ${why}</li>`)}</ul></details>` : nothing}${all.map((r, i) => {
       const curve = this.picture!.curves.find(c => c.name === r.name), {colour} = strokeOf(i, display.theme);
@@ -143,7 +143,12 @@ export class CurveChart extends Part {
         <svg viewBox="0 0 18 6" aria-hidden="true"><line x1="0" y1="3" x2="18" y2="3" stroke=${colour} stroke-width="3" stroke-dasharray=${strokeOf(i, display.theme).dash.join(' ')}></line></svg>
         ${r.name}${value ? html` <b>${value}</b>` : nothing}</button>`;
     })}${this.compared.map(c => html`<span class="curve" title=${c.failure}><svg viewBox="0 0 26 6" aria-hidden="true">${c.measured ? svg`<circle cx="7" cy="3" r="2.4" fill="currentColor"></circle><circle cx="18" cy="3" r="2.4" fill="currentColor"></circle>`
-        : svg`<line x1="0" y1="3" x2="26" y2="3" stroke="currentColor" stroke-width="2" stroke-dasharray=${c.dash.join(' ')}></line>`}</svg> ${c.label}${c.failure ? ': not computed' : ''}${c.old ? html` <span class="old">…</span>` : nothing}</span>`)}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak; dashed: unstable; arrow: jump</span>` : nothing}`;
+        : svg`<line x1="0" y1="3" x2="26" y2="3" stroke="currentColor" stroke-width="2" stroke-dasharray=${c.dash.join(' ')}></line>`}</svg> ${c.label}${c.failure ? ': not computed' : ''}${c.old ? html` <span class="old">…</span>` : nothing}</span>`)}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak${level && level !== '0-p' ? ` at the level ${level} of a sine` : ''}; dashed: unstable; arrow: jump</span>` : nothing}${elsewhere ? html`<span class="note">${elsewhere}</span>` : nothing}${this.app.asker.notes('curves').map(note => html`<span class="note">${note}</span>`)}`;
+  }
+  /// Why the steady motions of these results are not in the chart; empty: there are none of them.
+  private steadyElsewhere(all: Curves['results']): string {
+    const steady = this.app.asker.result<Steady>('steady'), other = steady?.over === 'frequency' ? steady.results.find(s => all.some(r => r.name === s.name && r.unit !== s.unit)) : undefined;
+    return other ? `the steady motion is not drawn: it is computed as ${quantityName(other.unit)}` : '';
   }
   /// Shows the first curves of a unit, those with limits before others; more would cover each other until one chooses.
   private chooseUnit(curves: Curves, unit: string) {

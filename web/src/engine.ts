@@ -20,6 +20,7 @@ export interface Outcome {
   ok: boolean;
   problems: Problem[];
   failure?: string;
+  notes?: readonly string[];  // what the program prints before the result
   hash?: string;
   same?: boolean;  // the known one
   json: unknown;

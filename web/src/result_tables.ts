@@ -108,7 +108,7 @@ export class ResultTables extends Part {
     return html`<table><thead><tr><th scope="col">Result</th><th scope="col">${display.frequencyUnit}</th><th scope="col">amplitude</th><th scope="col">phase</th></tr></thead><tbody>
       ${rows.map(p => html`<tr @click=${() => show(p)}>
         <th scope="row">${engine.isLive ? html`<button class="link" aria-label="Show the motion at this peak of ${p.result}">${p.result}</button>` : p.result}</th><td>${frequency(p.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
-        <td>${p.amplitude === null ? '∞' : amplitude(p.amplitude, of.get(p.result))}</td><td>${p.phase == null ? '–' : `${number(Math.round(p.phase * 18e6 / Math.PI) / 1e5, 3)}°`}</td></tr>`)}</tbody></table>`;
+        <td>${p.amplitude === null ? '∞' : amplitude(p.amplitude, of.get(p.result))}</td><td>${p.phase == null ? '–' : `${number(Math.round(p.phase * 18e6 / Math.PI) / 1e5, 3)}°`}</td></tr>`)}</tbody></table>${asker.notes('curves').map(note => html`<p class="hint">${note}</p>`)}`;
   }
   private judged = (r: Requirement) => (r.unit !== 'rad/s' && r.shown_value ? r.shown_value : this.value(r.value, r.unit));
   private value(value: number | null, unit: string) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {measuredOverlays, partsByStability, steadyOverlays} from '../src/chart/overlays.ts';
+import {largestSteady, measuredOverlays, partsByStability, steadyOverlays} from '../src/chart/overlays.ts';
 
 const point = (angular_frequency: number, largest: number, stable = true) => ({angular_frequency, stable, results: [{largest, smallest: -largest}]});
 
@@ -21,4 +21,8 @@ test('measured amplitudes belong to the drawn result of their unit', () => {
   const measured = [{name: 'impact', excitation: 'hammer', channels: [{result: 'm.z', unit: 'm/s²', angular_frequency: [1, 2], measured: [[3, 4], [0, 2]] as [number, number][]}]}];
   assert.deepEqual(measuredOverlays(measured, 'm/s²', ['m.x', 'm.z'], 10, v => 2 * v).map(o => [o.stroke, o.points]), [[1, [[10, 10], [20, 4]]]]);
   assert.deepEqual(measuredOverlays(measured, 'm', ['m.z'], 1, v => v), []);
+});
+test('the largest steady motion of a result is that of its stable parts', () => {
+  const of = (kind: 'stable' | 'unstable', points: [number, number | null][]) => ({name: 'm.z', stroke: 1, kind, points});
+  assert.deepEqual(largestSteady([of('stable', [[1, 2], [2, null], [3, 5]]), of('unstable', [[4, 9]]), of('stable', [[5, 4]])]), [{x: 3, y: 5, stroke: 1}]);
 });

@@ -46,6 +46,13 @@ export function steadyOverlays(steady: Steady, shownUnit: string, results: reado
   });
   return overlays;
 }
+/// The largest stable steady motion of each result.
+export function largestSteady(overlays: readonly Overlay[]): {x: number; y: number; stroke: number}[] {
+  const largest = new Map<string, {x: number; y: number; stroke: number}>();
+  for (const {kind, name, stroke, points} of overlays)
+    if (kind === 'stable') for (const [x, y] of points) if (y !== null && y > (largest.get(name)?.y ?? -Infinity)) largest.set(name, {x, y, stroke});
+  return [...largest.values()];
+}
 /// Parts of a branch between changes of its stability; neighbours share their end.
 export function partsByStability<P extends {stable: boolean}, T>(points: readonly P[], place: (point: P) => T): {stable: boolean; points: T[]}[] {
   const parts: {stable: boolean; points: T[]}[] = [];

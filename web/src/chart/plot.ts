@@ -4,7 +4,7 @@ import type {Display} from '../display.ts';
 import {number, type Scale} from '../quantities.ts';
 import {LimitHandles, type Box, type LimitMoves, type ShownLimit} from './limit_handles.ts';
 import {logarithmicRange, logarithmicTicks} from './logarithmic_axis.ts';
-import type {Overlay} from './overlays.ts';
+import {largestSteady, type Overlay} from './overlays.ts';
 import {partsAbove} from './parts_above.ts';
 import {chartColours, strokeOf} from './strokes.ts';
 
@@ -165,18 +165,19 @@ export class Plot {
     if (kind === 'jump' && known.length === 2) arrowHead(pen, colour, known[0]!, known[1]!, 7 * ratio);
     pen.globalAlpha = 1;
   }
-  /// Values at the highest peaks, as many as have room.
+  /// Values at the largest steady motions and at the highest peaks, as many as have room.
   private labels(plot: uPlot, colour: string, taken: Box[]) {
     const {ctx: pen, bbox} = plot, ratio = devicePixelRatio;
-    const peaks = this.picture!.curves.flatMap(curve => curve.peaks.map(p => ({...p, curve}))).sort((a, b) => b.y - a.y).slice(0, 16);
+    const ofCurves = this.picture!.curves.flatMap(({peaks, stroke}) => peaks.map(p => ({...p, stroke}))).sort((a, b) => b.y - a.y);
+    const peaks = [...largestSteady(this.picture!.overlays), ...ofCurves].slice(0, 16);
     pen.font = `${11 * ratio}px system-ui, sans-serif`;
     pen.textAlign = 'center';
     const places = peaks.map(p => ({...p, left: plot.valToPos(p.x, 'x', true), top: plot.valToPos(p.y, 'y', true)}))
       .filter(p => p.left >= bbox.left && p.left <= bbox.left + bbox.width && p.top >= bbox.top && p.top <= bbox.top + bbox.height);
     const around = 4 * ratio;
-    for (const {left, top, curve} of places) {
+    for (const {left, top, stroke: index} of places) {
       taken.push([left - around, top - around, left + around, top + around]);
-      pen.fillStyle = strokeOf(curve.stroke, this.display.theme).colour;
+      pen.fillStyle = strokeOf(index, this.display.theme).colour;
       pen.beginPath();
       pen.arc(left, top, 2.6 * ratio, 0, 7);
       pen.fill();
