@@ -185,9 +185,13 @@ export class Plot {
     pen.fillStyle = colour;
     for (const {left, top, y} of places) {
       const text = number(y, 3), half = pen.measureText(text).width / 2;
-      const middle = Math.min(Math.max(left, bbox.left + half), bbox.left + bbox.width - half);
-      const box: Box = [middle - half - 3, top - 18 * ratio, middle + half + 3, top - around];
-      if (taken.some(b => b[0] < box[2] && b[2] > box[0] && b[1] < box[3] && b[3] > box[1])) continue;
+      const boxAt = (wished: number): [number, Box] => {
+        const middle = Math.min(Math.max(wished, bbox.left + half), bbox.left + bbox.width - half);
+        return [middle, [middle - half - 3, top - 18 * ratio, middle + half + 3, top - around]];
+      };
+      const free = [left, left + half + around, left - half - around].map(boxAt).find(([, box]) => !taken.some(b => b[0] < box[2] && b[2] > box[0] && b[1] < box[3] && b[3] > box[1]));
+      if (!free) continue;
+      const [middle, box] = free;
       taken.push(box);
       pen.fillText(text, middle, top - 7 * ratio);
     }
