@@ -62,11 +62,13 @@ def test_rows_of_requirements_are_marked_until_they_are_those_of_the_numbers(ser
     judged(page)
     rows, marks = page.locator('result-tables tbody tr'), page.locator('result-tables tbody .old')
     assert marks.count() == 0
-    page.evaluate('''() => {
+    page.evaluate(
+        '''() => {
       window.most = 0;
       const look = () => { window.most = Math.max(window.most, document.querySelectorAll('result-tables tbody .old').length); };
       new MutationObserver(look).observe(document.querySelector('result-tables'), {childList: true, subtree: true});
-    }''')
+    }'''
+    )
     page.locator('.sliders input[type=range]').first.press('PageUp')
     page.wait_for_function('() => window.most > 0')
     judged(page)
