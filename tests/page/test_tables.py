@@ -69,7 +69,7 @@ def test_rows_of_requirements_are_marked_until_they_are_those_of_the_numbers(ser
       new MutationObserver(look).observe(document.querySelector('result-tables'), {childList: true, subtree: true});
     }'''
     )
-    page.locator('.sliders input[type=range]').first.press('PageUp')
+    page.locator('.sliders input[type=range]').first.fill('700')
     page.wait_for_function('() => window.most > 0')
     judged(page)
     assert page.evaluate('window.most') == rows.count() and marks.count() == 0
