@@ -7,7 +7,7 @@ const BASE: Record<string, number> = {m: 1, s: 1, N: 1, Hz: 2 * Math.PI, rpm: 2 
 const PREFIX: Record<string, number> = {k: 1e3, M: 1e6, G: 1e9, c: 1e-2, m: 1e-3, µ: 1e-6, u: 1e-6, n: 1e-9};
 
 /// Factor to SI of a unit as "kN/mm" or "N s/m"; null: not known here.
-export function unitFactor(unit: string): number | null {
+function unitFactor(unit: string): number | null {
   let factor = 1, sign = 1;
   for (const token of unit.replaceAll('·', ' ').split(/(\/)|\s+/).filter(Boolean)) {
     if (token === '/') {

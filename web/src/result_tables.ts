@@ -12,7 +12,7 @@ const TABS: Record<Table, string> = {modes: 'Modes', requirements: 'Requirements
 const COORDINATES = ['x', 'y', 'z', 'θx', 'θy', 'θz'];
 
 /// A map can be asked for.
-export const hasMap = (app: App) => app.engine.isLive && app.index.byPath.has('analyses\0map');
+const hasMap = (app: App) => app.engine.isLive && app.index.byPath.has('analyses\0map');
 /// The table that the user chose, or the one that suits the file.
 export function tableOnPage(app: App): Table {
   const {table} = app.display, usual = hasSomethingToJudge(app) ? 'requirements' : hasMap(app) ? 'map' : 'modes';
