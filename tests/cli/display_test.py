@@ -71,6 +71,11 @@ def table(text, first):
     return rows
 
 
+def without_words(text):
+    """JSON without what it says to a reader in the words of the tables: that follows [display]."""
+    return re.sub(r'"shown_(?:requirement|value)": "[^"]*"', "", text)
+
+
 class Display(InTemporaryFolder):
     def setUp(self):
         super().setUp()
@@ -159,7 +164,7 @@ isolation = {force = "push", at = ["40 Hz", "50 Hz"], least = "20 %"}
             for form in ("--json", "--csv"):
                 shown = trivet(analysis, self.shown, form).stdout.replace("shown.toml", "si.toml")
                 self.assertTrue(shown)
-                self.assertEqual(shown, trivet(analysis, self.si, form).stdout)
+                self.assertEqual(without_words(shown), without_words(trivet(analysis, self.si, form).stdout))
         folders = {}
         for path in (self.si, self.shown):
             trivet("run", path, "-o", self.folder / path.stem)
@@ -169,7 +174,7 @@ isolation = {force = "push", at = ["40 Hz", "50 Hz"], least = "20 %"}
         for one in results:
             del one["input"]
         shown = json.dumps(results[1]).replace("shown.toml", "si.toml")
-        self.assertEqual(json.dumps(results[0]), shown)
+        self.assertEqual(without_words(json.dumps(results[0])), without_words(shown))
 
     def test_the_report_and_its_figures_name_unit_and_level(self):
         trivet("run", self.shown, "-o", self.folder / "out")

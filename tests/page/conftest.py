@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`trivet serve` and a browser with it. TRIVET names the program; Chromium draws in software."""
+import contextlib
 import os
 import pathlib
 import shutil
@@ -92,6 +93,17 @@ def serve(browser, tmp_path):
     for served in all_served:
         assert served.messages == []
         assert all(address.startswith((served.address.split('#')[0], 'blob:', 'data:')) for address in served.requests)
+
+
+@contextlib.contextmanager
+def unanswered(page):
+    """Holds every question of the page to the program until the end of the block, then lets them and all later ones pass."""
+    held, ended = [], []
+    page.route('**/ask', lambda route: route.continue_() if ended else held.append(route))
+    yield
+    ended.append(True)
+    for route in held:
+        route.continue_()
 
 
 def settled(page):

@@ -3,7 +3,7 @@
 import json
 import time
 
-from conftest import settled
+from conftest import settled, unanswered
 from test_play import set_number
 
 
@@ -13,14 +13,10 @@ def test_what_takes_long_is_named(serve):
     settled(page)
     assert page.locator('progress-line').inner_text() == ''
     assert not any(address.endswith('/progress') for address in served.requests)
-    held = []
-    page.route('**/ask', lambda route: held.append(route))
     page.route('**/progress', lambda route: route.fulfill(json={'task': 'boundary', 'fraction': 0.42}))
-    set_number(page, 'mass of genset, value', '4500 kg')
-    page.locator('progress-line').get_by_text('Computing: boundary 42 %').wait_for()
-    page.unroute('**/ask')
-    for route in held:
-        route.continue_()
+    with unanswered(page):
+        set_number(page, 'mass of genset, value', '4500 kg')
+        page.locator('progress-line').get_by_text('Computing: boundary 42 %').wait_for()
     settled(page)
     page.wait_for_function("() => !document.querySelector('progress-line').textContent.trim()")
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of the results: numbers of the program, with the case in which a margin is least."""
-from conftest import settled
+from conftest import settled, unanswered
 from test_limits import judged
 from test_play import command
 
@@ -62,14 +62,10 @@ def test_rows_of_requirements_are_marked_until_they_are_those_of_the_numbers(ser
     judged(page)
     rows, marks = page.locator('result-tables tbody tr'), page.locator('result-tables tbody .old')
     assert marks.count() == 0
-    page.evaluate(
-        '''() => {
-      window.most = 0;
-      const look = () => { window.most = Math.max(window.most, document.querySelectorAll('result-tables tbody .old').length); };
-      new MutationObserver(look).observe(document.querySelector('result-tables'), {childList: true, subtree: true});
-    }'''
-    )
-    page.locator('.sliders input[type=range]').first.fill('700')
-    page.wait_for_function('() => window.most > 0')
+    with unanswered(page):
+        page.locator('.sliders input[type=range]').first.fill('700')
+        page.wait_for_function(
+            'n => document.querySelectorAll("result-tables tbody .old").length == n', arg=rows.count()
+        )
     judged(page)
-    assert page.evaluate('window.most') == rows.count() and marks.count() == 0
+    page.wait_for_function('() => !document.querySelector("result-tables tbody .old")')
