@@ -9,7 +9,7 @@ interface Read {
   data: Uint8Array;
   children: Read[];
 }
-const MASTERS = new Set([0x1a45dfa3, 0x18538067, 0x1549a966, 0x1654ae6b, 0xae, 0xe0, 0x1f43b675]);
+const MASTERS = new Set([0x1a45dfa3, 0x18538067, 0x1549a966, 0x1654ae6b, 0xae, 0xe0, 0x55b0, 0x1f43b675]);
 /// Elements by the rules of EBML (RFC 8794): the leading zeros of the first byte state how many bytes follow.
 function elements(bytes: Uint8Array): Read[] {
   const found: Read[] = [];
@@ -32,7 +32,7 @@ const find = (list: Read[], ...path: number[]): Read[] =>
   path.length ? list.filter(e => e.id === path[0]).flatMap(e => (path.length === 1 ? [e] : find(e.children, ...path.slice(1)))) : [];
 const whole = ({data}: Read) => data.reduce((sum, byte) => 256 * sum + byte, 0);
 
-const video = (count: number, frameDuration: number): Video => ({codec: 'V_VP8', width: 640, height: 480, frameDuration,
+const video = (count: number, frameDuration: number): Video => ({codec: 'V_VP8', width: 640, height: 480, frameDuration, colours: {matrix: 'bt709', transfer: 'iec61966-2-1', primaries: 'bt709', fullRange: true},
                                                                  frames: Array.from({length: count}, (_, i) => ({data: Uint8Array.of(7, i % 256), key: i === 0}))});
 
 test('a WebM file has its frames at equal times, and lasts one period', () => {
@@ -44,6 +44,7 @@ test('a WebM file has its frames at equal times, and lasts one period', () => {
   const track = find(segment!.children, 0x1654ae6b, 0xae)[0]!.children;
   assert.equal(new TextDecoder().decode(find(track, 0x86)[0]!.data), 'V_VP8');
   assert.deepEqual([0xb0, 0xba].map(id => whole(find(track, 0xe0, id)[0]!)), [640, 480]);
+  assert.deepEqual([0x55b1, 0x55b9, 0x55ba, 0x55bb].map(id => whole(find(track, 0xe0, 0x55b0, id)[0]!)), [1, 2, 13, 1]);  // full range, sRGB
   assert.equal(whole(find(track, 0x23e383)[0]!), 33e6);
   assert.deepEqual(times(segment!), Array.from({length: 60}, (_, i) => 33 * i));
 });

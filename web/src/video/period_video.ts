@@ -20,9 +20,10 @@ export async function periodVideo(canvas: HTMLCanvasElement, seconds: number, dr
   const chosen = await firstSupported(settings);
   if (!chosen) throw new Error('This browser encodes neither VP8 nor VP9.');
   const frames: EncodedFrame[] = [];
-  let failure: DOMException | null = null;
+  let failure: DOMException | null = null, colours: VideoColorSpaceInit = {};
   const encoder = new VideoEncoder({
-    output: chunk => {
+    output: (chunk, metadata) => {
+      colours = metadata?.decoderConfig?.colorSpace ?? colours;
       const data = new Uint8Array(chunk.byteLength);
       chunk.copyTo(data);
       frames.push({data, key: chunk.type === 'key'});
@@ -40,7 +41,7 @@ export async function periodVideo(canvas: HTMLCanvasElement, seconds: number, dr
   if (!failure) await encoder.flush();
   if (failure) throw failure;
   encoder.close();
-  const video: Video = {codec: chosen.name, width, height, frameDuration, frames};
+  const video: Video = {codec: chosen.name, width, height, frameDuration, frames, colours};
   return webm(video);
 }
 async function firstSupported(settings: Omit<VideoEncoderConfig, 'codec'>) {

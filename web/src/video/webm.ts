@@ -11,7 +11,11 @@ export interface Video {
   height: number;
   frameDuration: number;  // [ms], a whole number
   frames: readonly EncodedFrame[];
+  colours: VideoColorSpaceInit;  // how the encoder has written them: players of other colours would change the picture
 }
+/// Codes of ITU-T H.273.
+const MATRICES: Record<string, number> = {rgb: 0, bt709: 1, bt470bg: 5, smpte170m: 6}, TRANSFERS: Record<string, number> = {bt709: 1, smpte170m: 6, 'iec61966-2-1': 13},
+      PRIMARIES: Record<string, number> = {bt709: 1, bt470bg: 5, smpte170m: 6}, UNSPECIFIED = 2;
 
 /// The bytes of the file.
 export function webm(video: Video): Uint8Array {
@@ -23,9 +27,12 @@ export function webm(video: Video): Uint8Array {
   return joined([head, element(0x18538067, info, tracks(video), ...clusters(video))]);
 }
 
-const tracks = ({codec, width, height, frameDuration}: Video) =>
+const tracks = ({codec, width, height, frameDuration, colours}: Video) =>
   element(0x1654ae6b, element(0xae, element(0xd7, whole(1)), element(0x73c5, whole(1)), element(0x83, whole(1)), element(0x9c, whole(0)), element(0x86, text(codec)),
-                              element(0x23e383, whole(frameDuration * 1e6)), element(0xe0, element(0xb0, whole(width)), element(0xba, whole(height)))));
+                              element(0x23e383, whole(frameDuration * 1e6)), element(0xe0, element(0xb0, whole(width)), element(0xba, whole(height)), colour(colours))));
+const colour = ({matrix, transfer, primaries, fullRange}: VideoColorSpaceInit) =>
+  element(0x55b0, element(0x55b1, whole(MATRICES[matrix ?? ''] ?? UNSPECIFIED)), element(0x55b9, whole(fullRange ? 2 : 1)),
+                  element(0x55ba, whole(TRANSFERS[transfer ?? ''] ?? UNSPECIFIED)), element(0x55bb, whole(PRIMARIES[primaries ?? ''] ?? UNSPECIFIED)));
 
 /// Groups of frames: a frame has its time in 16 bits from the beginning of its cluster, and one begins with each key frame.
 function clusters({frames, frameDuration}: Video): Uint8Array[] {
