@@ -95,7 +95,6 @@ def measure(playwright, project, steps):
         [TRIVET, 'serve', project, '--no-browser', '--read-only'], stdout=subprocess.PIPE, text=True
     )
     arguments = [
-        '--use-angle=swiftshader',
         '--enable-unsafe-swiftshader',
         '--no-sandbox',
         '--js-flags=--expose-gc',

@@ -115,3 +115,23 @@ def test_the_saved_picture_is_what_is_seen(serve, tmp_path):
         ),
         rel=0.01,
     )
+
+
+def test_the_picture_is_that_of_the_last_step_of_a_slider(serve):
+    """Without a graphics processor pictures are left out while it moves."""
+    page = serve('genset/genset.toml').page()
+    settled(page)
+    page.locator('.amplitude .u-over').click(position={'x': 60, 'y': 60})  # the operating shape at this frequency
+    settled(page)
+    stage = page.locator('.stage')
+    before = picture(stage)
+    slider = page.locator('.sliders input[type=range]').first
+    for step in range(12):
+        slider.fill(str(500 + 40 * step))
+    settled(page)
+    page.wait_for_timeout(200)
+    shown = picture(stage)
+    page.evaluate("() => document.querySelector('machine-view').stage.drawNow()")
+    page.wait_for_timeout(100)
+    assert share_changed(shown, picture(stage)) == 0
+    assert share_changed(before, shown) > 0.002

@@ -30,7 +30,7 @@ def browser():
     with sync_playwright() as playwright:
         path = shutil.which("chromium")
         assert path, "the tests of the widget need chromium"
-        words = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox"]
+        words = ["--enable-unsafe-swiftshader", "--no-sandbox"]
         opened = playwright.chromium.launch(executable_path=path, args=words)
         yield opened
         opened.close()

@@ -24,8 +24,10 @@ export class MachineView extends Part {
   private machine: MachineScene | null = null;
   private drawn: {scene: Scene | null; key: string} = {scene: null, key: ''};
   private readonly shownMotion = new ShownMotion();
+  private sized: unknown[] = [];
   private traced: unknown[] = [];
   private marked: unknown[] = [];
+  private pictured: {hand: unknown[]; numbers: unknown[]} = {hand: [], numbers: []};
   private fitted = '';  // title of the machine that the camera was set for
   private motion: Motion | null = null;
   private scale = 0;
@@ -88,7 +90,7 @@ export class MachineView extends Part {
     this.updated();
   }
   override updated() {
-    const {asker, display, state} = this.app, scene = asker.result<Scene>('scene');
+    const {asker, display} = this.app, scene = asker.result<Scene>('scene');
     if (!this.stage || !scene) return;
     const colours = display.theme === 'dark' ? DARK : LIGHT;
     if (scene !== this.drawn.scene || !this.drawn.key.startsWith(display.theme)) {
@@ -103,12 +105,7 @@ export class MachineView extends Part {
     }
     const before = this.motion;
     this.motion = this.shownMotion.of(this.app);
-    this.scale = this.motion ? this.machine!.scaleFor(this.motion, display.share) : 0;
-    this.trace();
-    this.machine!.highlight(state.selection);
-    this.markScrew();
-    this.machine!.colour(this.mountValues());
-    this.stage.draw();
+    this.draw();
     if (before !== this.motion) this.requestUpdate();
   }
   override disconnectedCallback() {
@@ -131,6 +128,18 @@ export class MachineView extends Part {
     const [screw, body] = this.screw();
     this.machine!.showScrew(screw, body);
   }
+  /// Draws what changed: at once what a hand changed, and what follows moving numbers when there is time for it.
+  private draw() {
+    const {asker, display: {playing, phase, traces, ghost, share, damped, shown, colouring}, state} = this.app, stage = this.stage!;
+    const hand = [this.machine, playing, phase, traces, ghost, share, damped, shown, colouring, state.selection, state.case];
+    const numbers = [this.motion, ...colouring === 'none' ? [] : ['verdict', 'check', 'modes'].map(command => asker.result(command))];
+    const differ = (now: unknown[], before: unknown[]) => now.length !== before.length || now.some((value, i) => value !== before[i]);
+    const byHand = differ(hand, this.pictured.hand), isBehind = stage.isBehind || differ(numbers, this.pictured.numbers);
+    this.pictured = {hand, numbers};
+    if (byHand || isBehind && !this.numbersMove) stage.draw();
+    else if (isBehind) stage.drawWhenFree();
+  }
+  private get numbersMove() { return this.app.asker.isOld('curves'); }
   private mountValues() {
     const {asker, display: {colouring, shown}, state} = this.app;
     const results = {verdict: asker.result<Verdict>('verdict'), check: asker.result<Check>('check'), modes: asker.result<Modes>('modes')};
@@ -141,15 +150,29 @@ export class MachineView extends Part {
     const waits = command && !asker.result(command) && (command !== 'verdict' || hasSomethingToJudge(this.app));
     return colourLegend(colouring, this.mountValues(), command !== undefined && asker.isOld(command), waits ? asker.missing(command) : '');
   }
-  /// Moves the machine to its present phase, and asks for the next frame while it plays.
+  /// Brings the machine to the present results and phase, and asks for the next frame while it plays.
   private frame() {
-    const {display} = this.app, now = performance.now(), step = Math.min((now - this.last) / 1000, 0.1);
+    if (!this.machine) return;
+    const {display, state} = this.app, now = performance.now(), step = Math.min((now - this.last) / 1000, 0.1);
     this.last = now;
     if (display.playing && this.motion) {
       display.phase = (display.phase + 2 * Math.PI * display.speed * step) % (2 * Math.PI);
-      this.stage!.draw();
+      if (this.numbersMove) this.stage!.drawWhenFree();
+      else this.stage!.draw();
     }
-    this.machine?.move(this.motion, display.phase, this.scale);
+    this.size();
+    this.trace();
+    this.machine.highlight(state.selection);
+    this.markScrew();
+    this.machine.colour(this.mountValues());
+    this.machine.move(this.motion, display.phase, this.scale);
+  }
+  /// The scale of the drawn motion, found again only if it changed.
+  private size() {
+    const {share} = this.app.display, wanted = [this.machine, this.motion, share];
+    if (wanted.every((value, i) => value === this.sized[i])) return;
+    this.sized = wanted;
+    this.scale = this.motion ? this.machine!.scaleFor(this.motion, share) : 0;
   }
   /// Traces of places and ghosts over a period, made again only if they changed.
   private trace() {

@@ -32,6 +32,7 @@ const STEPS: Record<string, number> = {ArrowUp: 1.01, ArrowDown: 1 / 1.01, PageU
 export class LimitHandles {
   private readonly layer = document.createElement('div');
   private readonly handles = new Map<string, HTMLElement>();
+  private readonly sizes = new WeakMap<HTMLElement, {form: string; size: number}>();
   private plot: uPlot | null = null;
 
   constructor(parent: HTMLElement, private readonly moves: LimitMoves) {
@@ -41,12 +42,12 @@ export class LimitHandles {
   /// Puts the handles onto their lines. @returns places of the labels in pixels of the plot
   place(plot: uPlot, limits: readonly ShownLimit[]): Box[] {
     this.plot = plot;
-    const {over} = plot, known = new Set(limits.map(l => l.id));
+    const known = new Set(limits.map(l => l.id)), {left, top, width, height} = boxOf(plot);
     for (const [id, handle] of this.handles) if (!known.has(id)) {
       handle.remove();
       this.handles.delete(id);
     }
-    Object.assign(this.layer.style, {left: `${over.offsetLeft}px`, top: `${over.offsetTop}px`, width: `${over.clientWidth}px`, height: `${over.clientHeight}px`});
+    Object.assign(this.layer.style, {left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px`});
     const boxes: Box[] = [];
     for (const limit of [...limits].sort((a, b) => a.y - b.y)) {
       const handle = this.handles.get(limit.id) ?? this.made(limit.id), box = this.put(handle, limit, boxes);
@@ -55,9 +56,9 @@ export class LimitHandles {
     return boxes;
   }
   private put(handle: HTMLElement, limit: ShownLimit, taken: readonly Box[]): Box | null {
-    const plot = this.plot!, width = plot.over.clientWidth, x = (value: number) => Math.min(Math.max(plot.valToPos(value, 'x'), 0), width);
+    const plot = this.plot!, {width, height} = boxOf(plot), x = (value: number) => Math.min(Math.max(plot.valToPos(value, 'x'), 0), width);
     const left = x(limit.from), right = Number.isFinite(limit.to) ? x(limit.to) : width, top = plot.valToPos(limit.y, 'y'), label = handle.firstElementChild as HTMLElement;
-    const seen = plot.valToPos(limit.from, 'x') <= width && !(plot.valToPos(limit.to, 'x') < 0), outside = !(seen && top >= 0 && top <= plot.over.clientHeight);
+    const seen = plot.valToPos(limit.from, 'x') <= width && !(plot.valToPos(limit.to, 'x') < 0), outside = !(seen && top >= 0 && top <= height);
     handle.hidden = outside;
     if (outside) return null;
     if (label.textContent !== limit.label) label.textContent = limit.label;
@@ -67,11 +68,20 @@ export class LimitHandles {
     for (const [name, value] of Object.entries(attributes)) handle.setAttribute(name, value);
     Object.assign(handle.style, {left: `${left}px`, width: `${Math.max(right - left, 2 * HALF)}px`, top: `${top - HALF}px`, height: `${2 * HALF}px`});
     handle.style.setProperty('--stroke', limit.colour);
-    const size = label.offsetWidth, end = labelEnd(left, right, size, width);
-    const places = [0, 1, 2, 3].flatMap(k => [top - (k + 1) * HEIGHT, top + k * HEIGHT + 2]).filter(y => y >= -HEIGHT / 2 && y + HEIGHT <= plot.over.clientHeight);
+    const size = this.sizeOf(label, limit), end = labelEnd(left, right, size, width);
+    const places = [0, 1, 2, 3].flatMap(k => [top - (k + 1) * HEIGHT, top + k * HEIGHT + 2]).filter(y => y >= -HEIGHT / 2 && y + HEIGHT <= height);
     const free = places.find(y => !taken.some(b => b[0] < end && b[2] > end - size && b[1] < y + HEIGHT && b[3] > y)) ?? places[0] ?? top;
     Object.assign(label.style, {left: `${end - size - left}px`, top: `${free - top + HALF}px`});
     return [end - size, free, end, free + HEIGHT];
+  }
+  /// Width of a label [px]. Its digits are equally wide, so it is measured only when its form changes: to measure it at each step of a slider
+  /// would lay out the whole page each time.
+  private sizeOf(label: HTMLElement, {label: text, violated}: ShownLimit): number {
+    const form = `${violated} ${text.replace(/\d/g, '0')}`, known = this.sizes.get(label);
+    if (known?.form === form) return known.size;
+    const size = label.offsetWidth;
+    if (size > 0) this.sizes.set(label, {form, size});
+    return size;
   }
   private made(id: string): HTMLElement {
     const handle = document.createElement('div'), label = document.createElement('span');
@@ -106,6 +116,11 @@ export class LimitHandles {
     this.handles.set(id, handle);
     return handle;
   }
+}
+/// The plot in pixels of its parent, without asking the browser for its layout.
+function boxOf({bbox}: uPlot) {
+  const ratio = devicePixelRatio;
+  return {left: bbox.left / ratio, top: bbox.top / ratio, width: bbox.width / ratio, height: bbox.height / ratio};
 }
 /// Right end of a label: within its line, or beside a short one.
 function labelEnd(left: number, right: number, size: number, width: number): number {

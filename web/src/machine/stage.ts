@@ -10,6 +10,10 @@ import {axesMark} from './marks.ts';
 export type View = 'oblique' | 'front' | 'side' | 'top';
 const DIRECTIONS: Record<View, [number, number, number]> = {oblique: [0.75, -1, 0.55], front: [0, -1, 0], side: [1, 0, 0], top: [0, 0, 1]};
 
+const QUICK = 8;  // ms that every picture may take; without a graphics processor one takes 20 … 30
+const SHARE = 0.05;  // of the time that others may take while numbers move
+const POLL = 4;  // ms between two looks at whether a picture is finished
+
 /// Camera, light and renderer. It draws only when something changed.
 export class Stage {
   readonly renderer: WebGLRenderer;
@@ -21,6 +25,10 @@ export class Stage {
   private readonly corner = new Scene();  // the axes of the project, in a corner of the canvas
   private readonly cornerCamera = new OrthographicCamera(-1.6, 1.6, 1.6, -1.6, 0.1, 10);
   private wanted = false;
+  private later: ReturnType<typeof setTimeout> | undefined;
+  isBehind = false;  // what is drawn, of the present numbers
+  private isMeasured = false;  // the time that the last picture takes
+  private freeAt = 0;  // time from which the next one may be drawn [ms]
 
   constructor(canvas: HTMLCanvasElement, background: number, private readonly beforeFrame: () => void) {
     this.renderer = new WebGLRenderer({canvas, antialias: true});
@@ -81,12 +89,38 @@ export class Stage {
     this.draw();
   }
   draw() {
+    this.isBehind = false;
     if (this.wanted) return;
     this.wanted = true;
     requestAnimationFrame(() => {
       this.wanted = false;
       this.drawNow();
     });
+  }
+  /// Draws as soon as slow pictures have taken little of the time: while a slider moves, curves do not wait for them.
+  drawWhenFree() {
+    this.isBehind = true;
+    if (this.isMeasured || this.later !== undefined) return;
+    this.later = setTimeout(() => {
+      this.later = undefined;
+      this.draw();
+      this.isMeasured = true;
+      requestAnimationFrame(() => this.measure(performance.now()));
+    }, Math.max(0, this.freeAt - performance.now()));
+  }
+  /// Waits for the picture that was begun at this time: only the graphics processor knows how long it takes.
+  private measure(begun: number) {
+    const gl = this.renderer.getContext() as WebGL2RenderingContext, fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    const look = () => {
+      if (fence && !gl.isContextLost() && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) return void setTimeout(look, POLL);
+      gl.deleteSync(fence);
+      const now = performance.now();
+      this.freeAt = now - begun < QUICK ? now : now + (now - begun) / SHARE;
+      this.isMeasured = false;
+      if (this.isBehind) this.drawWhenFree();
+    };
+    look();
   }
   drawNow() {
     this.beforeFrame();
@@ -116,6 +150,7 @@ export class Stage {
     return hit ? hit.object.userData as Selection : null;
   }
   dispose() {
+    clearTimeout(this.later);
     this.machine?.dispose();
     this.controls.dispose();
     this.renderer.dispose();
