@@ -134,7 +134,9 @@ TEST(LuGre, FrictionThatDoesNotMoveSticks) {
           nonlinear::steady_branch(model::System::checked(description).value(), options);
       EXPECT_TRUE(found.winding.differs_at.empty());
       // Turned, the loops of round-off of Berg's law leave the second verdict open.
-      if (angle == 0) EXPECT_EQ(found.winding.undecided, 0);
+      if (angle == 0) {
+        EXPECT_EQ(found.winding.undecided, 0);
+      }
       const bool has_dampers = std::holds_alternative<elements::LuGreFriction>(law);
       const double damped = damping + (has_dampers ? bristles.damping + bristles.viscous : 0),
                    real = -damped / (2 * mass);

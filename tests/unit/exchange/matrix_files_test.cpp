@@ -69,7 +69,9 @@ TEST(MatrixMarket, IsReadInAllLegalForms) {
     EXPECT_EQ(read->values, form.real) << form.text;
     const bool is_complex = std::string(form.text).find("complex") != std::string::npos;
     EXPECT_EQ(read->imaginary.size(), is_complex ? 4 : 0) << form.text;
-    if (is_complex) EXPECT_EQ(read->imaginary, form.imaginary) << form.text;
+    if (is_complex) {
+      EXPECT_EQ(read->imaginary, form.imaginary) << form.text;
+    }
   }
   const std::string head = "%%MatrixMarket matrix ";
   EXPECT_THAT(complaint(exchange::read_matrix_market(head + "array real skew-symmetric\n2 2\n1\n2\n", "f")),

@@ -69,10 +69,13 @@ TEST(UniversalFiles, OfOtherProgramsAreReadInAllForms) {
     const UniversalFile read = file_of(file.name);
     ASSERT_EQ(read.functions.size(), 1u) << file.name;
     expect_receptance(read.functions[0], file.unit, file.tolerance);
-    if (file.even) EXPECT_THAT(abscissa_values(read.functions[0]), ElementsAre(5, 5.5, 6, 6.5, 7, 7.5, 8));
-    else if (file.single_abscissa)
+    if (file.even) {
+      EXPECT_THAT(abscissa_values(read.functions[0]), ElementsAre(5, 5.5, 6, 6.5, 7, 7.5, 8));
+    } else if (file.single_abscissa) {
       EXPECT_THAT(abscissa_values(read.functions[0]), ElementsAre(1, 2.5, 4.25, 10.1f, 11, 30.7f, 99.9f));
-    else EXPECT_THAT(abscissa_values(read.functions[0]), ElementsAre(1, 2.5, 4.25, 10.1, 11, 30.7, 99.9));
+    } else {
+      EXPECT_THAT(abscissa_values(read.functions[0]), ElementsAre(1, 2.5, 4.25, 10.1, 11, 30.7, 99.9));
+    }
     EXPECT_EQ(read.functions[0].response.node, 12);
     EXPECT_EQ(read.functions[0].response.direction, -3);
     EXPECT_EQ(read.functions[0].reference.node, 7);

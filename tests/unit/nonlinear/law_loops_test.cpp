@@ -24,7 +24,9 @@ TEST(LawLoops, SliderLosesItsRectangleAndACubeStoresThreeQuarters) {
   for (const LawLoop& loop : loops) {
     const double X = loop.amplitude, lost = std::max(0.0, 4 * slip * (X - slip / k));
     EXPECT_NEAR(loop.energy, lost, 1e-8 * k * X * X) << X;
-    if (lost == 0) EXPECT_THAT(loop.storage, RelativelyNear(k + 0.75 * cubic * X * X, 1e-9));
+    if (lost == 0) {
+      EXPECT_THAT(loop.storage, RelativelyNear(k + 0.75 * cubic * X * X, 1e-9));
+    }
     EXPECT_EQ(loop.forces.size(), loop.deflections.size());
     EXPECT_THAT(loop.forces.front(), RelativelyNear(std::min(slip, k * X) + cubic * X * X * X, 1e-9));
   }

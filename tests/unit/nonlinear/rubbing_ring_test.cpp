@@ -160,9 +160,10 @@ TEST(RubbingRing, WithoutContactHasNoFriction) {
   EXPECT_NEAR((found.force + lifted * own).norm(), 0, 1e-15);
   for (Index a = 0; a < 3; ++a)
     for (Index b = 0; b < 3; ++b)
-      if (const double k = own(a, b); k != 0)
+      if (const double k = own(a, b); k != 0) {
         EXPECT_EQ(found.tangent[static_cast<std::size_t>(a)][static_cast<std::size_t>(b)],
                   -k * MatrixXd::Identity(small.rows(), small.rows()));
+      }
 }
 
 TEST(RubbingRing, HasTheDerivativesOfItsForces) {

@@ -74,7 +74,9 @@ void expect_onwards(const std::vector<Piece>& pieces, const Walked& found, doubl
   for (std::size_t i = 0; i < found.points.size(); ++i) {
     const BranchPoint& point = found.points[i];
     EXPECT_NEAR(point.parameter, parameter_at(pieces, point.unknowns(0)), 1e-12);
-    if (i > 0) EXPECT_GT(point.unknowns(0), found.points[i - 1].unknowns(0));
+    if (i > 0) {
+      EXPECT_GT(point.unknowns(0), found.points[i - 1].unknowns(0));
+    }
   }
 }
 

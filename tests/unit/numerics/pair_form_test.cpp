@@ -44,7 +44,9 @@ TEST(PairForm, SeparatesDampedOscillatorsIntoPairs) {
   EXPECT_THAT(form.groups.dense, testing::IsEmpty());
   for (Eigen::Index i = 0; i < 16; ++i)
     for (Eigen::Index j = 0; j < 16; ++j)
-      if (i % 8 != j % 8) EXPECT_EQ(form.D(i, j), 0) << i << " " << j;
+      if (i % 8 != j % 8) {
+        EXPECT_EQ(form.D(i, j), 0) << i << " " << j;
+      }
 }
 
 TEST(PairForm, SeparatesRealPolesAndAnOddNumberOfStates) {

@@ -26,7 +26,9 @@ TEST(FuzzCorpus, NoInputThrows) {
   }
   EXPECT_GT(files, 100);
   for (const std::string_view role : trivet::fuzz::roles())
-    if (role != "project") EXPECT_TRUE(roles.contains(std::string(role))) << "the corpus has no " << role;
+    if (role != "project") {
+      EXPECT_TRUE(roles.contains(std::string(role))) << "the corpus has no " << role;
+    }
 }
 
 }  // namespace fuzz_corpus_test
