@@ -2,11 +2,12 @@
 """Load cases and their envelope against calculations by hand."""
 import json
 import math
+import os
 import re
 import unittest
 
 from clearances_test import OSCILLATOR
-from trivet_test import InTemporaryFolder, result_of, trivet
+from trivet_test import SOURCE, InTemporaryFolder, result_of, trivet
 
 CLOSE = 1e-9  # relative: statics of six coordinates, and peaks with their nine digits
 G = 9.80665
@@ -283,6 +284,28 @@ stiffness = 20000
         hand = by_hand()
         for mount in mounts:
             self.near(mount["compression"], hand[f"{mount['element']}, compression"][mount["case"]], 1e4)
+
+    def test_a_value_and_its_case_stay_together_on_a_narrow_screen(self):
+        path = self.file(genset())
+        rows = result_of("verdict", path)["envelope"]["quantities"]
+        wide, narrow = (
+            trivet("verdict", path, env={**os.environ, "COLUMNS": width}).stdout.split("at rest, over all cases")[1:]
+            for width in ("200", "60")
+        )
+        self.assertEqual((len(wide), len(narrow)), (1, 2))  # below each other
+        for row in rows:
+            for part, key in zip(narrow, ("least", "largest"), strict=True):
+                line = next(line for line in part.splitlines() if line.strip().startswith(row["name"] + "  "))
+                self.assertTrue(line.endswith(row[key + "_in"] or "base model"), line)
+
+    def test_of_cases_that_do_not_differ_the_first_is_named(self):
+        """Four equal mounts share the weight equally, however stiff they are, but for the second order of their deflection."""
+        rows = result_of("verdict", SOURCE / "examples/compressor/requirements.toml")["envelope"]["quantities"]
+        loads = [row for row in rows if row["name"].endswith(", compression")]
+        self.assertEqual(len(loads), 4)
+        for row in loads:
+            self.assertLess(row["largest"] - row["least"], 1e-6 * row["largest"])
+            self.assertEqual((row["least_in"], row["largest_in"]), ("", ""))
 
 
 if __name__ == "__main__":

@@ -16,7 +16,8 @@ bool is_number(const std::string& text) {
       (text == "–" || text == "∞" || text.find_first_not_of("0123456789+-.e%°") == std::string::npos);
 }
 
-constexpr std::size_t gap = 3;  // characters between columns
+constexpr std::size_t gap = 3;                  // characters between columns
+constexpr std::size_t most_further_lines = 40;  // of a table whose columns do not fit beside each other
 
 /// The given columns of a row.
 std::string line(const std::vector<std::string>& row, const std::vector<std::size_t>& columns,
@@ -101,8 +102,8 @@ FittedTable TextTable::fitted(const std::vector<bool>& kept) const {
     wide += gap + widest[column];
   };
   for (std::size_t c = 0; c < columns; ++c) {
-    const bool is_last_word = c + 1 == columns && columns > 2 && !numeric[c];
-    if (c == 0 || is_last_word || (together_ == 1 && c < kept.size() && kept[c])) add(c);
+    const bool is_last_word = c + 1 == columns && columns > 2 && !numeric[c], is_kept = c < kept.size() && kept[c];
+    if (c == 0 || (together_ == 1 && (is_last_word || is_kept))) add(c);
   }
   const auto necessary = std::ranges::count(shown, true);
   if (wide > screen_) return {blocks(), {}};
@@ -115,13 +116,45 @@ FittedTable TextTable::fitted(const std::vector<bool>& kept) const {
   }
   if (necessary < 3 && std::ranges::count(shown, true) == necessary) return {blocks(), {}};
   FittedTable found;
-  std::vector<std::size_t> part;
+  add_part(shown, found.text);
+  const std::vector<std::vector<bool>> others = parts_without(shown);
+  if (others.size() * (rows_.size() + 1) <= most_further_lines) {
+    for (const std::vector<bool>& part : others) add_part(part, found.text += "\n");
+    return found;
+  }
   for (std::size_t c = 0; c < columns; ++c)
-    if (shown[c]) part.push_back(c);
-    else if (std::ranges::find(found.left_out, rows_.front()[c]) == found.left_out.end())
+    if (!shown[c] && std::ranges::find(found.left_out, rows_.front()[c]) == found.left_out.end())
       found.left_out.push_back(rows_.front()[c]);
-  for (const auto& row : rows_) found.text += line(row, part, widest, numeric);
   return found;
+}
+
+/// The first column with the others that are not shown, as many as fit at a time.
+std::vector<std::vector<bool>> TextTable::parts_without(const std::vector<bool>& shown) const {
+  const std::size_t columns = rows_.front().size();
+  const std::vector<std::size_t> widest = layout().widest;
+  std::vector<std::vector<bool>> parts;
+  std::size_t wide = screen_;
+  for (std::size_t first = 1; first < columns; first += together_) {
+    std::size_t more = 0;
+    const std::size_t end = std::min(first + together_, columns);
+    for (std::size_t c = first; c < end; ++c) more += shown[c] ? 0 : gap + widest[c];
+    if (more == 0) continue;
+    if (wide + more > screen_) {
+      parts.emplace_back(columns, false)[0] = true;
+      wide = 2 + widest[0];
+    }
+    for (std::size_t c = first; c < end; ++c) parts.back()[c] = !shown[c];
+    wide += more;
+  }
+  return parts;
+}
+
+void TextTable::add_part(const std::vector<bool>& shown, std::string& text) const {
+  const auto [widest, numeric] = layout();
+  std::vector<std::size_t> part;
+  for (std::size_t c = 0; c < shown.size(); ++c)
+    if (shown[c]) part.push_back(c);
+  for (const auto& row : rows_) text += line(row, part, widest, numeric);
 }
 
 std::string TextTable::blocks() const {

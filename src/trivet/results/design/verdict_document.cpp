@@ -212,7 +212,8 @@ Document envelope_document(const study::Envelope& envelope) {
                        row("largest_in", Kind::words, "", &EnvelopeRow::largest_in),
                        shown_case(&EnvelopeRow::largest_in)},
            .csv =
-               {{"quantity", "name"}, "unit", "least", {"in case", "least_in"}, "largest", {"in case", "largest_in"}}}},
+               {{"quantity", "name"}, "unit", "least", {"in case", "least_in"}, "largest", {"in case", "largest_in"}},
+           .together = 2}},
        {Table{.key = "left_out",
               .rows = left_out.size(),
               .columns = {left_out("case", Kind::words, "", &LeftOut::first, {.forms = in_json}),

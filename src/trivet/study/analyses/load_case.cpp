@@ -21,6 +21,8 @@ using assembly::MotionQuantity;
 constexpr double round_off_at_rest = 1e-12;
 /// Cases differ from this share on.
 constexpr double differs = 1e-9;
+/// Of smaller differences nobody asks in which case they are.
+constexpr double is_told = 1e-6;
 
 std::vector<std::size_t> mounts_and_rated(const model::System& system) {
   std::vector<std::size_t> found = response::mounts(system);
@@ -39,9 +41,13 @@ std::map<std::string, double> largest_by_unit(const std::vector<EnvelopeRow>& ro
   return largest;
 }
 
+/// Of cases that do not differ the first one is named.
 void widen(EnvelopeRow& row, double value, const std::string& in) {
-  if (value < row.least) row.least = value, row.least_in = in;
-  if (value > row.largest) row.largest = value, row.largest_in = in;
+  const double same = is_told * std::max(std::abs(row.least), std::abs(row.largest));
+  if (value < row.least - same) row.least_in = in;
+  if (value > row.largest + same) row.largest_in = in;
+  row.least = std::min(row.least, value);
+  row.largest = std::max(row.largest, value);
 }
 
 }  // namespace
