@@ -165,6 +165,12 @@ std::vector<Isolation> read_isolation(TableReader& requirements, const SymbolTab
   return result;
 }
 
+void judge_at_operating_speeds(const OperationAnalysis& operation, std::vector<Isolation>& isolation) {
+  if (!operation.selection.excitations.empty()) return;  // others keep their own speed
+  for (Isolation& one : isolation)
+    if (one.at.empty() && !one.is_of_base()) one.at = operation.speeds;
+}
+
 std::vector<std::string> isolated_forces(const Isolation& isolation, const model::System& system) {
   if (isolation.is_of_base() || !isolation.forces.empty()) return isolation.forces;
   std::vector<std::string> forces;

@@ -233,6 +233,7 @@ void read_requirements(TableReader& root, const ResultNames& names, const Symbol
       reader.error("static", foundation::quoted(limit.name) + " as a velocity or an acceleration",
                    "at rest a point has a displacement only", "give a length or an angle");
   found.isolation = read_isolation(reader, symbols);
+  if (result.operation) judge_at_operating_speeds(*result.operation, found.isolation);
   found.mount_load = reader.choice("mount_load", {"catalogue"}).has_value();
   found.price = read_price(reader);
   if (const auto mass = reader.number("mass", Quantity::mass)) {

@@ -221,7 +221,7 @@ Table pairs_table(const std::vector<DesignMap>& maps) {
       .rows = row.size(),
       .columns = {row("x", Kind::words, "x", [](const DesignMap& map) { return axis_name(map.request.x); }),
                   row("y", Kind::words, "y", [](const DesignMap& map) { return axis_name(map.request.y); }),
-                  row("feasible", Kind::share, "feasible", [](const DesignMap& map) { return map.feasible.area; }),
+                  row("feasible", Kind::share, "feasible area", [](const DesignMap& map) { return map.feasible.area; }),
                   best("best x", Kind::number,
                        [](const DesignMap& map, const DesignOutcome&) {
                          return axis_value(map.point(*map.best).x, map.request.x);
