@@ -92,11 +92,11 @@ void ProjectService::open(const FileState& state) {
   opened_ = state;
 }
 
-std::optional<std::string> ProjectService::text_of(const engine::Question& question) const {
-  if (question.text) return question.text;
+std::optional<ProjectService::Subject> ProjectService::subject_of(const engine::Question& question) const {
   FileState state = opened();
+  if (question.text) return Subject{*question.text, std::move(state.version)};
   if (!question.version.empty() && question.version != state.version) return std::nullopt;
-  return std::move(state.text);
+  return Subject{std::move(state.text), std::move(state.version)};
 }
 
 Answer ProjectService::version() const {
@@ -132,13 +132,14 @@ Answer ProjectService::project() {
 
 Answer ProjectService::ask(const std::string& body, const foundation::Progress& progress) {
   const engine::Question question = engine::read_question(body);
-  const auto text = text_of(question);
-  if (!text) return another_version();
+  const auto subject = subject_of(question);
+  if (!subject) return another_version();
+  const std::string& text = subject->text;
   foundation::report_progress(progress, "opening the project", 0);
-  engine::Questioned questioned{.session = sessions_.of(*text, question.settings), .version = opened().version};
-  if (!questioned.session && !sessions_.refused_files(*text, question.settings).has_errors())
+  engine::Questioned questioned{.session = sessions_.of(text, question.settings), .version = subject->version};
+  if (!questioned.session && !sessions_.refused_files(text, question.settings).has_errors())
     questioned.only_for = [&](const engine::Request& want) {
-      return sessions_.only_for(want, *text, question.settings);
+      return sessions_.only_for(want, text, question.settings);
     };
   return {.body = engine::answer_json(question, questioned, progress)};
 }
@@ -163,9 +164,10 @@ foundation::Expected<std::string> ProjectService::text_with_new_case(const std::
 
 Answer ProjectService::text(const std::string& body) {
   const engine::Question question = engine::read_question(body);
-  const auto given = text_of(question);
+  const auto given = subject_of(question);
   if (!given) return another_version();
-  const auto text = question.new_case ? text_with_new_case(*given, question) : new_text(*given, question.settings);
+  const auto text =
+      question.new_case ? text_with_new_case(given->text, question) : new_text(given->text, question.settings);
   if (!text) return unprocessable("the text with these settings is wrong", text.error());
   return {.body = documents::json::text({{"text", *text}})};
 }

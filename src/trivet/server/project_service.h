@@ -36,9 +36,13 @@ class ProjectService {
  private:
   [[nodiscard]] FileState opened() const;
   void open(const FileState& state);
-  /// The text that a question is about. None: it names a version of the file that is not the opened one, because
-  /// another page has opened a newer one, or because the program was started again.
-  [[nodiscard]] std::optional<std::string> text_of(const engine::Question& question) const;
+  /// The text that a question is about, and the version of the file that is opened at this moment: another page may
+  /// open a newer one before the answer is complete. None: the question names a version of the file that is not the
+  /// opened one, because another page has opened a newer one, or because the program was started again.
+  struct Subject {
+    std::string text, version;
+  };
+  [[nodiscard]] std::optional<Subject> subject_of(const engine::Question& question) const;
   /// The text with settings, or why there is none.
   [[nodiscard]] foundation::Expected<std::string> new_text(const std::string& text,
                                                            const std::vector<std::string>& settings);
