@@ -425,7 +425,6 @@ class Starts(Served):
             self.assertIsNone(opened_token(found, key, server.port, nonce))
             self.assertEqual(list(login.iterdir()), [])
         login.chmod(0o700)
-        (login / "trivet").mkdir()
         environment = os.environ | {"XDG_RUNTIME_DIR": str(login)}
         self.serve(PAPER, env=environment).end()
         kept = next((login / "trivet").iterdir())
@@ -434,6 +433,44 @@ class Starts(Served):
             key = self.serve(PAPER, env=environment).data("GET", "/project")["resume_key"]
             self.assertRegex(key, r"^[0-9a-f]{64}$")
             self.assertNotEqual(key, "0" * 64)
+
+    def test_no_other_user_can_read_the_key(self):
+        login = self.folder / "login"
+        login.mkdir(mode=0o700)
+        environment = os.environ | {"XDG_RUNTIME_DIR": str(login)}
+        old_mask = os.umask(0)
+        self.addCleanup(os.umask, old_mask)
+
+        def start():
+            """The key of a start, and what it prints on standard error."""
+            server = self.serve(PAPER, env=environment)
+            key = server.data("GET", "/project")["resume_key"]
+            log = server.log()
+            server.end()
+            return key, log
+
+        key, log = start()
+        folder, file = login / "trivet", next((login / "trivet").iterdir())
+        self.assertEqual((folder.stat().st_mode & 0o7777, file.stat().st_mode & 0o7777), (0o700, 0o600))
+        self.assertEqual((start()[0], log), (key, ""))
+        wrong = [(file, lambda: file.chmod(0o640)), (folder, lambda: folder.chmod(0o755))]
+        if os.geteuid() == 0:
+            wrong += [(file, lambda: os.chown(file, 65534, -1)), (folder, lambda: os.chown(folder, 65534, -1))]
+        for place, spoil in wrong:
+            for good, mode in ((folder, 0o700), (file, 0o600)):
+                os.chown(good, os.geteuid(), -1)
+                good.chmod(mode)
+            key, _ = start()
+            spoil()
+            mode, owner, text = place.stat().st_mode & 0o7777, place.stat().st_uid, file.read_text()
+            found, log = start()
+            self.assertNotEqual(found, key)
+            self.assertIn(f"{place} has mode {mode:04o} and belongs to user {owner}; mode 0", log)
+            self.assertEqual(log.count("\n"), 1)
+            if place == folder:
+                self.assertEqual(file.read_text(), text)  # nothing is kept there
+            else:
+                self.assertEqual(start(), (found, ""))  # replaced
 
     def test_signals_end_it_within_a_second(self):
         for number in (signal.SIGINT, signal.SIGTERM):

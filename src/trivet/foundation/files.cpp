@@ -36,8 +36,8 @@ FolderHandle FolderHandle::folder(const std::string& name) const {
   return found;
 }
 
-FolderHandle FolderHandle::made_folder(const std::string& name) const {
-  if (mkdirat(descriptor_, name.c_str(), 0777) != 0 && errno != EEXIST) return {};
+FolderHandle FolderHandle::made_folder(const std::string& name, mode_t mode) const {
+  if (mkdirat(descriptor_, name.c_str(), mode) != 0 && errno != EEXIST) return {};
   return folder(name);
 }
 
@@ -115,9 +115,9 @@ const char* kind_name(FolderHandle::Kind kind) {
 }
 
 void write_new_file(const FolderHandle& folder, const std::string& name, const std::string& content,
-                    const std::filesystem::path& shown) {
+                    const std::filesystem::path& shown, mode_t mode) {
   const int file =
-      openat(folder.descriptor(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+      openat(folder.descriptor(), name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
   bool good = file >= 0;
   std::size_t count = 0;
   while (good && count < content.size()) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -27,8 +29,8 @@ class FolderHandle {
 
   /// Subfolder. Not open if it does not exist or is a link.
   [[nodiscard]] FolderHandle folder(const std::string& name) const;
-  /// The same, created if the name does not exist.
-  [[nodiscard]] FolderHandle made_folder(const std::string& name) const;
+  /// The same, created if the name does not exist. @param mode  of a new one, before the umask
+  [[nodiscard]] FolderHandle made_folder(const std::string& name, mode_t mode = 0777) const;
   [[nodiscard]] Kind kind(const std::string& name) const;
   /// Names of its entries, in alphabetical order. @throws std::system_error if they cannot be read
   [[nodiscard]] std::vector<std::string> names() const;
@@ -46,8 +48,9 @@ class FolderHandle {
 [[nodiscard]] const char* kind_name(FolderHandle::Kind kind);
 
 /// Writes a new file; an existing entry of this name, even a link, is an error.
-/// @param shown  path in the message  @throws std::runtime_error with the reason (a full disk, for instance)
+/// @param shown  path in the message  @param mode  of the file, before the umask
+/// @throws std::runtime_error with the reason (a full disk, for instance)
 void write_new_file(const FolderHandle& folder, const std::string& name, const std::string& content,
-                    const std::filesystem::path& shown);
+                    const std::filesystem::path& shown, mode_t mode = 0666);
 
 }  // namespace trivet::foundation

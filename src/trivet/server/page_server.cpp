@@ -107,7 +107,7 @@ void show_in_browser(const ServeOptions& options, const std::string& address, co
 
 void serve(const ServeOptions& options) {
   boost::asio::io_context loop(1);
-  Resumption resumption = last_resumption(options.file);
+  Resumption resumption = last_resumption(options.file, options.log);
   Listener listener(loop, options.port, resumption.port);
   resumption.port = listener.port();
   keep(resumption, options.file);

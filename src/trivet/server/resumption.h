@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace trivet::server {
@@ -14,9 +15,11 @@ struct Resumption {
 };
 
 /// Of the last start for this project. A new key if there was none, or if the user's login has no private folder: by it
-/// pages recognise this start of the program, and no other.
-[[nodiscard]] Resumption last_resumption(const std::string& project_file);
-/// Keeps it for the next start, if there is a private folder.
+/// pages recognise this start of the program, and no other. What other users may read, or what belongs to one of them,
+/// is not used. @param log  gets a line about each such folder or file
+[[nodiscard]] Resumption last_resumption(const std::string& project_file,
+                                         const std::function<void(const std::string&)>& log);
+/// Keeps it for the next start in a file that this user alone can read, if there is a private folder for it.
 void keep(const Resumption& resumption, const std::string& project_file);
 
 /// The token for a page that has the key, unreadable for every other program, and the proof that the sender has the
