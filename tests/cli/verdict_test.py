@@ -52,6 +52,19 @@ class Verdict(InTemporaryFolder):
         # The velocity is largest at the natural frequency itself: F / c.
         self.assertAlmostEqual(self.one('limits = {"m.z" = "80 mm/s"}')["margin"], 0.08 / (30 / C), DIGITS)
 
+    def test_least_margin_is_of_the_cases_that_decide(self):
+        """Of a resonance at its natural frequency: velocity F/c, so a case with another force has another margin."""
+        limit = '[requirements]\nhold_in = [HOLD]\nlimits = {"m.z" = "80 mm/s"}\n'
+        cases = "[cases.strong]\nexcitations.f.force = [0, 0, 45]\n[cases.weak]\nexcitations.f.force = [0, 0, 10]\n"
+        for hold, name, force in (
+            ('"", "strong", "weak"', "strong", 45),
+            ('"", "weak"', "", 30),
+            ('"weak"', "weak", 10),
+        ):
+            found = self.judged(OSCILLATOR + limit.replace("HOLD", hold) + cases)[1]["least_margin"]
+            self.assertEqual((found["case"], found["requirement"]), (name, 0))
+            self.assertAlmostEqual(found["margin"] / (0.08 / (force / C)), 1, DIGITS)
+
     def test_amplitude_in_a_band_below_the_peak(self):
         found = self.one('band = ["0 Hz", "5 Hz"]\nlimits = {"m.z" = "1 mm"}')
         w = 10 * math.pi

@@ -19,16 +19,8 @@ export const hasSomethingToJudge = (app: App) =>
   });
 
 type CaseVerdict = Verdict['cases'][number];
-const nameOf = (one: CaseVerdict) => (one.case ? `case ${one.case}` : 'the base model');
+const nameOf = (one: {case: string}) => (one.case ? `case ${one.case}` : 'the base model');
 const violates = (one: CaseVerdict) => one.requirements.some(r => r.judged && !r.met);
-/// Of the margins that the program found to govern; null: none is finite.
-function leastMargin(cases: readonly CaseVerdict[]): {margin: number; of: CaseVerdict} | null {
-  const all = cases.flatMap(of => {
-    const margin = of.governing === null ? null : of.requirements[of.governing]?.margin ?? null;
-    return margin === null ? [] : [{margin, of}];
-  });
-  return all.length ? all.reduce((a, b) => (b.margin < a.margin ? b : a)) : null;
-}
 
 export function judgement(app: App): Judgement {
   const {asker, state} = app, errors = asker.problems.filter(p => p.severity === 'error');
@@ -42,8 +34,7 @@ export function judgement(app: App): Judgement {
     if (!found?.met) return {state: 'violated', words: not || 'not met', old};
     const elsewhere = verdict.cases.find(c => c !== found && c.decides && !c.met);
     if (elsewhere) return {state: 'violated', words: `met here, ${violates(elsewhere) ? 'violated' : 'not judged'} in ${nameOf(elsewhere)}`, old};
-    const least = leastMargin(verdict.cases.filter(c => c === found || c.decides));
-    const where = least && least.of !== found ? ` in ${nameOf(least.of)}` : '';
+    const least = verdict.least_margin, where = least && least.case !== found.case ? ` in ${nameOf(least)}` : '';
     return {state: 'met', words: `all ${all.length} requirements met${least ? `, least margin ${number(least.margin, 4)}${where}` : ''}`, old};
   }
   if (!hasSomethingToJudge(app)) return {state: 'none', words: 'no requirements', old: false};

@@ -210,6 +210,7 @@ export interface Requirement {
 }
 export interface Verdict {
   met: boolean;
+  least_margin: {case: string; requirement: number; margin: number} | null;  // in the cases that decide; null: nothing limits the design
   cases: {case: string; met: boolean; decides: boolean; governing: number | null; requirements: Requirement[];
           elements: {element: string; governing: number; share: number | null}[]}[];  // share of a limit; null: infinite
 }

@@ -8,7 +8,7 @@ import type {Check, Modes, Verdict} from '../src/results.ts';
 const mount = (ofCase: string, element: string, deflection: number, utilisation: number | null = null) =>
   ({case: ofCase, element, compression: 1000, across: 0, deflection, utilisation});
 const check: Check = {mounts: [mount('', 'left', -2e-3, 0.4), mount('', 'right', -1e-3), mount('cold', 'left', -1e-3)]};
-const verdict = {met: false, cases: [{case: '', met: false, decides: true, governing: 0, requirements: [],
+const verdict = {met: false, least_margin: null, cases: [{case: '', met: false, decides: true, governing: 0, requirements: [],
                                       elements: [{element: 'left', governing: 0, share: 1.2}, {element: 'right', governing: 1, share: null}]}]} as Verdict;
 const modes = {bodies: [], elements: ['left', 'right'], modes: [{number: 2, strain_energy_share: [0.9, 0.1]}]} as unknown as Modes;
 const all: MountResults = {verdict, check, modes};

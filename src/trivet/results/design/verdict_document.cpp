@@ -153,6 +153,16 @@ Sentence verdict_sentence(const CaseVerdict& judged) {
   return {.parts = {text + (judged.decides ? "" : "; the requirements are not binding in this case")}};
 }
 
+/// The requirement that governs the design, in the cases in which it has to hold; null: nothing limits it there.
+Json least_margin(const study::Verdict& verdict) {
+  const auto found = verdict.governing_case();
+  if (!found) return nullptr;
+  const CaseVerdict& judged = verdict.cases[*found];
+  const double margin = judged.results[*judged.governing].margin;
+  if (!std::isfinite(margin)) return nullptr;
+  return {{"case", judged.case_name}, {"requirement", *judged.governing}, {"margin", margin}};
+}
+
 }  // namespace
 
 Document verdict_document(const CaseVerdict& judged) {
@@ -230,7 +240,8 @@ Document envelope_document(const study::Envelope& envelope) {
 }
 
 Document whole_verdict(const study::Verdict& verdict) {
-  Document document = {{{Single{.name = "met", .value = verdict.met()}}}};
+  Document document = {{{Single{.name = "met", .value = verdict.met()}},
+                        {Single{.name = "least_margin", .value = least_margin(verdict)}}}};
   std::vector<const CaseVerdict*> cases;
   for (const CaseVerdict& judged : verdict.cases) cases.push_back(&judged);
   document.add(requirement_table(cases)).forms = in_csv;
