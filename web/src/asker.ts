@@ -26,6 +26,8 @@ const PACES = ['quick', 'exact', 'slow'] as const;
 type Pace = typeof PACES[number];
 const REST: Record<Pace, number> = {quick: 0, exact: 40, slow: 200};  // ms without a change
 const nameOf = (w: Wish) => w.as ?? w.want.command;
+/// The name of a quick result that stands in for that of the command until it follows.
+export const draftOf = (command: string) => `draft of ${command}`;
 const textOf = ({want, settings}: Wish) => JSON.stringify([want, settings]);
 const paceOf = ({exact, slow}: Wish): Pace => (slow ? 'slow' : exact ? 'exact' : 'quick');
 
@@ -44,9 +46,10 @@ export class Asker {
     state.subscribe(() => this.next());
   }
 
-  /// The newest result of a command, or of a wish with a name, if it is of the machine on the page. It may be of an earlier position of a slider.
+  /// The newest result of a command or its draft, or of a wish with a name, if it is of the machine on the page. It may be of an earlier
+  /// position of a slider.
   result<T>(command: string): T | null {
-    const kept = this.results.get(command);
+    const kept = this.newest(command);
     return kept && kept.generation === this.state.generation && kept.outcome.ok ? kept.outcome.json as T : null;
   }
   notes(command: string): readonly string[] {
@@ -67,13 +70,13 @@ export class Asker {
   isOld = (name: string) => this.revisionOf(name) !== this.state.revision;
   /// Of the state to which the result belongs; −1 if there is none of the machine on the page.
   revisionOf(name: string): number {
-    const kept = this.results.get(name);
+    const kept = this.newest(name);
     return kept && kept.generation === this.state.generation ? kept.revision : -1;
   }
   /// What is wanted of the state on the page, without drafts; null while something of it is computed.
   get finished(): Answer | null {
     const wished = this.wishes().filter(w => w.as === undefined);
-    if (this.underWay || !wished.length || wished.some(w => this.isOld(nameOf(w)))) return null;
+    if (this.underWay || !wished.length || wished.some(w => this.results.get(nameOf(w))?.revision !== this.state.revision)) return null;
     const results = wished.map((w): Outcome => {
       const {hash: _, same: __, ...outcome} = this.results.get(nameOf(w))!.outcome;
       return outcome;
@@ -123,8 +126,17 @@ export class Asker {
     }
     if (!this.trouble) this.next();
   }
+  /// A draft that is newer than the result stands in for it, unless it failed.
+  private newest(command: string): Kept | undefined {
+    const kept = this.results.get(command), draft = this.results.get(draftOf(command));
+    const replaces = draft?.outcome.ok && (!kept || draft.generation > kept.generation || draft.revision > kept.revision);
+    return replaces ? draft : kept;
+  }
   /// Is the result that of the state on the page and of just this wish?
-  private isKept = (wish: Wish) => !this.isOld(nameOf(wish)) && this.results.get(nameOf(wish))?.asked === textOf(wish);
+  private isKept(wish: Wish) {
+    const kept = this.results.get(nameOf(wish)), {revision, generation} = this.state;
+    return kept?.revision === revision && kept.generation === generation && kept.asked === textOf(wish);
+  }
   /// A want that need not be answered if the result is the one that is kept: most sliders change nothing of the scene.
   private unknown(wish: Wish): Want {
     const hash = this.results.get(nameOf(wish))?.outcome.hash;

@@ -52,7 +52,7 @@ const ofFeet = ({feet}: Modes, mode: Mode) => new Map(feet?.map((name, i) => [na
 
 export function ofMode(modes: Modes, index: number, bodies: readonly SceneBody[]): Motion | null {
   const mode = modes.modes[index];
-  if (!mode) return null;
+  if (!mode?.shape) return null;
   return {label: `Mode ${mode.number}`, words: mode.name, angular_frequency: mode.angular_frequency,
           ends: ofFeet(modes, mode), bodies: ofBodies(bodies, mode.shape.map(v => [v, 0]))};
 }

@@ -5,6 +5,7 @@ import {Display} from './display.ts';
 import type {Engine, Project} from './engine.ts';
 import {hasSomethingToJudge} from './judgement.ts';
 import {App} from './part.ts';
+import type {Scene} from './results.ts';
 import {State} from './state.ts';
 import {questionsBeside, wishes} from './wishes.ts';
 
@@ -12,7 +13,8 @@ import {questionsBeside, wishes} from './wishes.ts';
 /// @param aside  answers what is beside the results of the page
 export function newApp(engine: Engine, project: Project, aside: Pick<Engine, 'ask'> = engine): App {
   const state = new State(), display = new Display();
-  const wanted = (): Wish[] => (state.design.text ? wishes(display, {hasSomethingToJudge: hasSomethingToJudge(app), hasSteady: app.index.byPath.has('analyses\0steady')}) : []);
+  const wanted = (): Wish[] => (state.design.text ? wishes(display, {hasSomethingToJudge: hasSomethingToJudge(app), hasSteady: app.index.byPath.has('analyses\0steady'),
+    bodies: asker.result<Scene>('scene')?.bodies.length ?? 0}) : []);
   const beside = new BesideResults(aside, () => questionsBeside(app));
   const first: Pick<Engine, 'ask'> = {ask(...question) {  // the page does not wait for what is beside it
     if (!engine.oneAtATime) beside.yield();  // else its answer comes first anyway

@@ -6,7 +6,7 @@ import './map_panel.ts';
 import {Part, type App} from './part.ts';
 import {limitNumber, setLimit} from './limit_number.ts';
 import {frequency, number, quantity, scaleAtLevel, withUnit} from './quantities.ts';
-import type {Check, Curves, Modes, Peak, Requirement, Roots, Verdict} from './results.ts';
+import type {Check, Curves, Mode, Modes, Peak, Requirement, Roots, Verdict} from './results.ts';
 
 const TABS: Record<Table, string> = {modes: 'Modes', requirements: 'Requirements', mounts: 'Mounts', peaks: 'Peaks', map: 'Map'};
 const COORDINATES = ['x', 'y', 'z', 'θx', 'θy', 'θz'];
@@ -44,7 +44,7 @@ export class ResultTables extends Part {
         return html`<tr aria-selected=${chosen} class=${chosen ? 'chosen' : ''} @click=${() => display.set({shown: {kind: 'mode', number: m.number}})}>
           <th scope="row"><button class="link" aria-label="Show mode ${m.number}">${m.number}</button></th><td>${frequency(m.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
           <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : roots ? '–' : html`<span class="old">…</span>`}</td><td class="words cut" title=${m.name}>${brief(m.name)}</td>
-          ${one ? m.kinetic_energy_share.map(share => html`<td class="share">${Math.abs(share) >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m.kinetic_energy_share)}</td>`}</tr>`;
+          ${one ? m.kinetic_energy_share!.map(share => html`<td class="share">${Math.abs(share) >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m)}</td>`}</tr>`;
       })}</tbody></table>${one ? html`<p class="hint">x … θz: share of the kinetic energy in %.</p>` : nothing}${this.energies(modes)}`;
   }
   /// In which elements the chosen mode stores its energy.
@@ -127,8 +127,8 @@ function amplitude(value: number, result: Curves['results'][number] | undefined)
 /// "mostly rotation about y through (…) m" in a narrow column: "≈ about y".
 const brief = (name: string) => name.replace('mostly ', '≈ ').replace('translation ', '').replace('rotation ', '').replace(/ through .*/, '');
 /// "frame 81 %, axle 12 %": shares of the bodies.
-function largestShares(modes: Modes, shares: number[]): string {
-  const ofBodies = modes.bodies.map((name, i) => ({name, share: shares.slice(6 * i, 6 * i + 6).reduce((a, b) => a + b, 0)}));
+function largestShares(modes: Modes, mode: Mode): string {
+  const ofBodies = modes.bodies.map((name, i) => ({name, share: mode.body_kinetic_energy_share[i]!}));
   return ofBodies.filter(b => b.share >= 0.05).sort((a, b) => b.share - a.share).slice(0, 3).map(b => `${b.name} ${Math.round(100 * b.share)} %`).join(', ');
 }
 customElements.define('result-tables', ResultTables);

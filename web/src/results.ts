@@ -95,12 +95,13 @@ export interface Scene {
 export interface Mode {
   number: number;
   angular_frequency: number;
-  shape: number[];
-  kinetic_energy_share: number[];
+  shape: number[] | null;  // null here and below: not asked for
+  kinetic_energy_share: number[] | null;
+  body_kinetic_energy_share: number[];
   strain_energy_share: number[] | null;
-  screws?: {direction: Vector; point: Vector | null; pitch: number | null; rotation: number}[];  // of each body, along its axes, from its pole
+  screws?: {direction: Vector; point: Vector | null; pitch: number | null; rotation: number}[] | null;  // of each body, along its axes, from its pole
   name: string;
-  feet?: number[][];  // motion of these ends, along the axes of the project
+  feet?: number[][] | null;  // motion of these ends, along the axes of the project
 }
 export interface Modes {
   bodies: string[];

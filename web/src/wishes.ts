@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type {Wish} from './asker.ts';
+import {draftOf, type Wish} from './asker.ts';
 import type {Question} from './beside.ts';
 import {comparedQuestions} from './comparisons.ts';
 import type {Display} from './display.ts';
@@ -9,13 +9,19 @@ import {pathParts} from './toml_outline.ts';
 import {tableOnPage} from './result_tables.ts';
 
 /// Commands whose results are on the page.
-export function wishes(display: Display, {hasSomethingToJudge, hasSteady}: {hasSomethingToJudge: boolean; hasSteady: boolean}): Wish[] {
-  const {shown} = display, all: Wish[] = [{want: {command: 'scene'}}, {want: {command: 'modes'}}, ...curves(display)];
+export function wishes(display: Display, {hasSomethingToJudge, hasSteady, bodies}: {hasSomethingToJudge: boolean; hasSteady: boolean; bodies: number}): Wish[] {
+  const {shown} = display, all: Wish[] = [{want: {command: 'scene'}}, ...modes(display, bodies), ...curves(display)];
   if (shown.kind === 'frequency') all.push({want: {command: 'shapes'}, settings: [`analyses.shapes.at = ["${shown.omega} rad/s"]`]});
   all.push({want: {command: 'roots'}, slow: !display.damped}, {want: {command: 'check'}, slow: true});
   if (hasSomethingToJudge) all.push({want: {command: 'verdict'}, slow: true});
   if (hasSteady) all.push({want: {command: 'steady', ...(shown.kind === 'steady' ? {keys: {at: `${shown.omega} rad/s`}} : {})}, slow: true});
   return all;
+}
+/// All modes, but of several bodies only the shape that moves follows a slider; the others follow when it rests.
+function modes({shown}: Display, bodies: number): Wish[] {
+  const finished = {want: {command: 'modes'}};
+  if (bodies < 2) return [finished];
+  return [{want: {command: 'modes', keys: {'shapes-of': shown.kind === 'mode' ? shown.number : 1}}, as: draftOf('modes')}, {...finished, exact: true}];
 }
 /// The drawn curves follow a slider as a draft; all curves with exact peaks follow when it rests.
 function curves({drawn, quantity}: Display): Wish[] {

@@ -34,7 +34,7 @@ test('the largest displacement of a translation is its size, of a rotation that 
 });
 test('a body takes its coordinates from their places in a shape', () => {
   const shape = [...Array(6).fill(0), 0, 0, 5, 0, 0, 0] as number[];
-  const mode = {number: 4, angular_frequency: 9, shape, kinetic_energy_share: [], strain_energy_share: [], name: 'z'};
+  const mode = {number: 4, angular_frequency: 9, shape, kinetic_energy_share: [], body_kinetic_energy_share: [], strain_energy_share: [], name: 'z'};
   const motion = ofMode({bodies: ['first', 'body'], elements: [], modes: [mode]}, 0, [{...box([0, 0, 0]), dofs: [6, 7, 8, 9, 10, 11]}])!;
   close(motion.bodies.get('body')![0]!.amplitudes.map(v => v[0]), [0, 0, 5, 0, 0, 0]);
   assert.equal(motion.angular_frequency, 9);
@@ -52,7 +52,7 @@ test('operating shapes move bodies about their poles, and ends on a foundation',
   assert.equal(motion.ends.get('mount.foot')![0]!.amplitudes[2]![0], 2);
 });
 test('ends on foundations move as modes and roots state', () => {
-  const mode = {number: 1, angular_frequency: 9, shape: [0, 0, 0, 0, 0, 0], kinetic_energy_share: [], strain_energy_share: [], name: 'z', feet: [[0, 0, 3, 0, 0, 0]]};
+  const mode = {number: 1, angular_frequency: 9, shape: [0, 0, 0, 0, 0, 0], kinetic_energy_share: [], body_kinetic_energy_share: [], strain_energy_share: [], name: 'z', feet: [[0, 0, 3, 0, 0, 0]]};
   const motion = ofMode({bodies: ['body'], elements: [], feet: ['mount.foot'], modes: [mode]}, 0, [box([0, 0, 0])])!;
   close(displacement(motion.ends.get('mount.foot')!, [0, 0, 0], 0), [0, 0, 3]);
   assert.ok(Math.abs(largestDisplacement(motion, [box([0, 0, 0])]) - 3) < 1e-12);  // no body moves, and the foot is not drawn without end

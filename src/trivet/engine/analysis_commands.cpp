@@ -18,6 +18,7 @@
 #include "trivet/project/analyses/analysis_types.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/results/analyses/curves_document.h"
+#include "trivet/results/analyses/modes_document.h"
 #include "trivet/results/format/written_results.h"
 #include "trivet/study/analyses/analysis_commands.h"
 #include "trivet/study/analyses/case_results.h"
@@ -63,6 +64,15 @@ project::Analyses operation_at(const Task& task) {
   return analyses;
 }
 
+/// The mode of which shapes are wanted; 0: all. @throws InvalidInput if there is no such mode
+int shapes_of(const Task& task, const modal::Modes& modes) {
+  const int number = task.keys.count("shapes-of");
+  if (number > std::ssize(modes.list))
+    throw InvalidInput(fmt::format("{} {}: the machine has {} mode{}", task.keys.written("shapes-of"), number,
+                                   modes.list.size(), modes.list.size() == 1 ? "" : "s"));
+  return number;
+}
+
 /// The analysis of the file, or one with defaults, with the keys of the request in place of those of the file.
 project::Analyses with_keys(const Task& task) {
   const std::string& name = task.command.name;
@@ -102,6 +112,7 @@ Result run_analysis(const Task& task) {
   const bool whole_model = !project::lowest_modes_suffice(analyses);
   study::CaseResults found =
       study::case_results(variant, analyses, task.progress, whole_model ? task.solved.of(variant) : nullptr);
+  const int shapes = name == "modes" ? shapes_of(task, found.modes) : 0;
   if (task.command.name == "response" && task.keys.has("band"))
     found.warnings.add(judging::doubts_about_band(variant, *analyses.response->band));
   found.warnings = without_unused(*task.project, found.warnings);
@@ -110,8 +121,9 @@ Result run_analysis(const Task& task) {
   const auto held = hold(task, std::move(found));
   Result result;
   add_notices(held->found, result);
-  const auto document = [held, name](const project::Case& shown) {
-    return results::result_document(name, shown, held->found);
+  const auto document = [held, name, shapes](const project::Case& shown) {
+    return shapes > 0 ? results::modes_document(shown, held->found, shapes)
+                      : results::result_document(name, shown, held->found);
   };
   std::vector<std::string> files;
   for (const results::ResultTable& table : results::result_tables(name))
@@ -214,7 +226,11 @@ Group group_of(const std::string& name) {
 
 /// Keys besides those of the file.
 std::vector<Key> keys_of(const std::string& name) {
-  if (name == "modes") return {{.name = "lowest", .kind = KeyKind::count, .about = "report only so many modes"}};
+  if (name == "modes")
+    return {{.name = "lowest", .kind = KeyKind::count, .about = "report only so many modes"},
+            {.name = "shapes-of",
+             .kind = KeyKind::count,
+             .about = "for programs: the shape, screws and elements of the mode of this number alone"}};
   if (name == "response")
     return {{.name = "at",
              .kind = KeyKind::text,

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "trivet/documents/shown_numbers.h"
@@ -9,6 +10,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/modal/foundation_feet.h"
 #include "trivet/modal/modes.h"
+#include "trivet/results/analyses/modes_document.h"
 #include "trivet/results/format/result_writer.h"
 
 /// Undamped modes.
@@ -81,15 +83,33 @@ Table coordinate_table(const Rows<Mode>& row, const char* title, Column numbers)
           .forms = on_page};
 }
 
-Table mode_table(const project::Case& variant, const study::CaseResults& results, const Column& shape,
+/// Kinetic energy of each body; it does not depend on the pole.
+Numbers body_shares(const Mode& mode) {
+  std::vector<double> shares;
+  for (Eigen::Index from = 0; from < mode.kinetic_energy_share.size(); from += 6)
+    shares.push_back(mode.kinetic_energy_share.segment(from, 6).sum());
+  return Numbers(std::move(shares));
+}
+
+/// The numbers of those modes of which they are wanted.
+auto wanted(int shapes_of, auto list) {
+  return [number = shapes_of, list](const Mode& mode) {
+    return number == 0 || mode.number == number ? Numbers(std::invoke(list, mode)) : Numbers();
+  };
+}
+
+Table mode_table(const project::Case& variant, const study::CaseResults& results, int shapes_of, const Column& shape,
                  const Column& kinetic_energy) {
   const Rows row(results.modes.list);
   const std::vector<std::string> elements = names_of(variant.system.elements());
   const auto of_coordinates = [&](const char* name, auto list, unsigned forms, const char* unit = "1") {
-    return row.lists(name, "", "coordinate", shape.entries, list, {.unit = unit, .forms = forms});
+    return row.lists(name, "", "coordinate", shape.entries, wanted(shapes_of, list), {.unit = unit, .forms = forms});
   };
   const auto of_elements = [&](const char* name, auto list, unsigned forms) {
-    return row.lists(name, "", "element", elements, list, {.forms = forms});
+    return row.lists(name, "", "element", elements, wanted(shapes_of, list), {.forms = forms});
+  };
+  const auto screws_if_wanted = [number = shapes_of](const Mode& mode) {
+    return number == 0 || mode.number == number ? screws(mode) : json::Json();
   };
   const unsigned on_a_screen_in_rad = frequency_unit(variant.display) == "rad/s" ? on_screen | in_summary : 0U;
   Table table{
@@ -106,6 +126,8 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
                   row("repeated", Kind::yes_no, "", &Mode::repeated), shape,
                   of_coordinates("shape_at_center_of_mass", &Mode::shape_at_centre, for_programs, unit_of_the_row),
                   kinetic_energy,
+                  row.lists("body_kinetic_energy_share", "", "body", names_of(variant.system.bodies()), body_shares,
+                            {.forms = in_json}),
                   of_coordinates("principal_kinetic_energy_share", &Mode::principal_kinetic_energy_share, in_json),
                   of_elements("element_kinetic_energy_share", &Mode::element_kinetic_energy_share, for_programs),
                   of_elements(
@@ -118,7 +140,8 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
                       {.forms = in_json}),
                   row("foundation_kinetic_energy_share", Kind::number, "", &Mode::foundation_kinetic_energy_share,
                       {.forms = in_json}),
-                  row("screws", Kind::words, "", screws, {.forms = in_json}), row("name", Kind::words, "", &Mode::name),
+                  row("screws", Kind::words, "", screws_if_wanted, {.forms = in_json}),
+                  row("name", Kind::words, "", &Mode::name),
                   row("strained", Kind::words, "most strain energy in",
                       [&variant](const Mode& mode) { return most_strained(variant, mode, false); },
                       {.forms = on_screen | in_summary}),
@@ -134,6 +157,7 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
                "shape",
                "shape_at_center_of_mass",
                "kinetic_energy_share",
+               "body_kinetic_energy_share",
                "principal_kinetic_energy_share",
                "element_kinetic_energy_share",
                "strain_energy_share",
@@ -163,8 +187,9 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
       .mark = [&results](std::size_t i) { return results.modes.list[i].angular_frequency ? Mark::plain : Mark::bad; }};
   std::ranges::move(kinetic_columns(variant, row), std::back_inserter(table.columns));
   if (!modal::elements_on_foundations(variant.system).empty()) {
-    const auto feet = [&system = variant.system,
-                       layout = assembly::Layout(variant.system.description())](const Mode& mode) {
+    const auto feet = [&system = variant.system, layout = assembly::Layout(variant.system.description()),
+                       number = shapes_of](const Mode& mode) {
+      if (number != 0 && mode.number != number) return json::Json();
       return json::rows(modal::foundation_feet(system, layout, mode.coordinates).transpose().eval());
     };
     table.columns.push_back(row("feet", Kind::words, "", feet, {.forms = in_json}));
@@ -173,13 +198,15 @@ Table mode_table(const project::Case& variant, const study::CaseResults& results
   return table;
 }
 
-Document modes_document(const project::Case& variant, const study::CaseResults& results) {
+}  // namespace
+
+Document modes_document(const project::Case& variant, const study::CaseResults& results, int shapes_of) {
   const Rows row(results.modes.list);
   const std::vector<std::string> coordinates = shape_coordinates(variant);
-  const Column shape = row.lists("shape", "shape", "coordinate", coordinates, &Mode::shape,
+  const Column shape = row.lists("shape", "shape", "coordinate", coordinates, wanted(shapes_of, &Mode::shape),
                                  {.unit = unit_of_the_row, .forms = for_programs});
   const Column kinetic = row.lists("kinetic_energy_share", "share", "coordinate", coordinates,
-                                   &Mode::kinetic_energy_share, {.forms = for_programs});
+                                   wanted(shapes_of, &Mode::kinetic_energy_share), {.forms = for_programs});
   Document document;
   document.add(Words{.key = "bodies", .list = names_of(variant.system.bodies())});
   document.add(Words{.key = "elements", .list = names_of(variant.system.elements())});
@@ -188,7 +215,7 @@ Document modes_document(const project::Case& variant, const study::CaseResults& 
       .parts = {"Undamped modes" +
                 (results.lowest_modes > 0 ? fmt::format(", the lowest {}", results.lowest_modes) : std::string())},
       .forms = on_screen | in_summary});
-  document.add(mode_table(variant, results, shape, kinetic));
+  document.add(mode_table(variant, results, shapes_of, shape, kinetic));
   add_shape_coordinates(variant, {"1/√kg", "rad/(m √kg)"}, document);
   document.add(Words{.axis = "element", .list = names_of(variant.system.elements())});
   document.add(
@@ -201,8 +228,6 @@ Document modes_document(const project::Case& variant, const study::CaseResults& 
   document.add(warnings_part(results));
   return document;
 }
-
-}  // namespace
 
 std::vector<std::string> shape_coordinates(const project::Case& variant) {
   std::vector<std::string> names;
@@ -228,7 +253,8 @@ void add_shape_coordinates(const project::Case& variant, const ShapeUnits& shape
 
 const ResultWriter modes_results = {
     .has_result = [](const project::Case& variant, const study::CaseResults&) { return variant.analyses.modes; },
-    .document = modes_document,
+    .document = [](const project::Case& variant,
+                   const study::CaseResults& results) { return modes_document(variant, results, 0); },
     .files = {"modes.csv"}};
 
 }  // namespace trivet::results
