@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
@@ -46,75 +48,96 @@ Json band_of_curve(const RequirementResult& result) {
   return is_curve && result.band.to > 0 ? ends(result.band) : Json();
 }
 
+using Requirements = Rows<JudgedRequirement>;
+
+/// What a column has of the requirement itself: a member, or a function of it.
+auto of(auto member) {
+  return [member](const JudgedRequirement& one) { return std::invoke(member, *one.result); };
+}
+/// Words of the requirement in the units of its case.
+auto shown(auto words) {
+  return [words](const JudgedRequirement& one) { return words(*one.result, one.in->display); };
+}
+
+/// Which requirement it is, and its level.
+std::vector<Column> subject_columns(const Requirements& row) {
+  return {
+      row("case", Kind::words, "", [](const JudgedRequirement& one) { return one.in->case_name; }, {.forms = in_csv}),
+      row("kind", Kind::words, "", of([](const RequirementResult& r) { return study::name(r.kind); })),
+      row("subject", Kind::words, "", of(&RequirementResult::subject)),
+      row("requirement", Kind::words, "", of([](const RequirementResult& r) { return r.words.text(); }),
+          {.forms = in_json | in_csv}),
+      row("requirement", Kind::words, "requirement", shown(requirement_words), {.forms = for_people}),
+      row("unit", Kind::words, "", of(&RequirementResult::unit)),
+      row("level", Kind::words, "",
+          of([](const RequirementResult& r) { return *r.level() ? Json(r.level()) : Json(); }),
+          {.forms = in_json | in_csv})};
+}
+
+/// Bound and value, where it occurs, and the margin.
+std::vector<Column> value_columns(const Requirements& row, const std::function<Kind(std::size_t)>& kind_in_row) {
+  const auto numbers = [&kind_in_row](Column column) {
+    column.kind_in_row = kind_in_row;
+    return column;
+  };
+  return {numbers(row("allowed", Kind::quantity, "", of(&RequirementResult::allowed))),
+          numbers(row("value", Kind::quantity, "", of([](const RequirementResult& r) { return or_infinite(r.value); }),
+                      {.forms = in_json | in_csv})),
+          row("value", Kind::number, "value", shown(judged_value), {.forms = for_people}),
+          row("shown_requirement", Kind::words, "", shown(requirement_words), {.forms = in_json}),
+          row("shown_value", Kind::words, "", shown(judged_value), {.forms = in_json}),
+          row("unbounded", Kind::yes_no, "",
+              of([](const RequirementResult& r) { return r.value && std::isinf(*r.value); }), {.forms = in_json}),
+          row("angular_frequency", Kind::frequency, "",
+              of([](const RequirementResult& r) { return or_infinite(r.angular_frequency); })),
+          row("time", Kind::quantity, "", of([](const RequirementResult& r) { return or_infinite(r.time); }),
+              {.unit = "s"}),
+          row("place", Kind::words, "at", shown(judged_place), {.forms = for_people}),
+          row("margin", Kind::number, "margin",
+              of([](const RequirementResult& r) { return r.value ? or_infinite(r.margin) : std::nullopt; }),
+              {.digits = 4})};
+}
+
+/// Whether it is met, and the reason.
+std::vector<Column> verdict_columns(const Requirements& row) {
+  return {row("judged", Kind::yes_no, "", of([](const RequirementResult& r) { return r.value.has_value(); }),
+              {.forms = in_json}),
+          row("met", Kind::yes_no, "", of(&RequirementResult::met), {.forms = in_json}),
+          row("met", Kind::words, "", of([](const RequirementResult& r) { return r.met() ? "true" : "false"; }),
+              {.forms = in_csv}),
+          row("verdict", Kind::words, "verdict", of(verdict_word), {.forms = for_people}),
+          row("detail", Kind::words, "", of(&RequirementResult::detail), {.forms = in_json}),
+          row("reason", Kind::words, "", of(&RequirementResult::reason))};
+}
+
+/// For programs: where it holds, under which excitations, and its number in the file.
+std::vector<Column> scope_columns(const Requirements& row) {
+  return {
+      row("band", Kind::words, "", of(band_of_curve), {.forms = in_json}),
+      row("speed", Kind::words, "", of([](const RequirementResult& r) { return ends(r.speed); }), {.forms = in_json}),
+      row("excitations", Kind::words, "", of([](const RequirementResult& r) { return Json(r.excitations); }),
+          {.forms = in_json}),
+      row("order", Kind::words, "", of([](const RequirementResult& r) { return r.order > 0 ? Json(r.order) : Json(); }),
+          {.forms = in_json}),
+      row("place", Kind::words, "", of([](const RequirementResult& r) { return Json(r.place); }), {.forms = in_json})};
+}
+
 Table requirement_table(const std::vector<const CaseVerdict*>& cases) {
   std::vector<JudgedRequirement> list;
   for (const CaseVerdict* judged : cases)
     for (const RequirementResult& result : judged->results) list.push_back({judged, &result});
   const auto kind_in_row = [list](std::size_t i) { return kind_of_numbers(*list[i].result); };
-  const Rows row(std::move(list));
-  const auto numbers = [&kind_in_row](Column column) {
-    column.kind_in_row = kind_in_row;
-    return column;
-  };
-  const auto of = [](auto member) {
-    return [member](const JudgedRequirement& one) { return std::invoke(member, *one.result); };
-  };
-  const auto shown = [](auto words) {
-    return [words](const JudgedRequirement& one) { return words(*one.result, one.in->display); };
-  };
-  return {.key = "requirements",
-          .file = "verdict.csv",
-          .rows = row.size(),
-          .columns = {row("case", Kind::words, "", [](const JudgedRequirement& one) { return one.in->case_name; },
-                          {.forms = in_csv}),
-                      row("kind", Kind::words, "", of([](const RequirementResult& r) { return study::name(r.kind); })),
-                      row("subject", Kind::words, "", of(&RequirementResult::subject)),
-                      row("requirement", Kind::words, "", of([](const RequirementResult& r) { return r.words.text(); }),
-                          {.forms = in_json | in_csv}),
-                      row("requirement", Kind::words, "requirement", shown(requirement_words), {.forms = for_people}),
-                      row("unit", Kind::words, "", of(&RequirementResult::unit)),
-                      row("level", Kind::words, "",
-                          of([](const RequirementResult& r) { return *r.level() ? Json(r.level()) : Json(); }),
-                          {.forms = in_json | in_csv}),
-                      numbers(row("allowed", Kind::quantity, "", of(&RequirementResult::allowed))),
-                      numbers(row("value", Kind::quantity, "",
-                                  of([](const RequirementResult& r) { return or_infinite(r.value); }),
-                                  {.forms = in_json | in_csv})),
-                      row("value", Kind::number, "value", shown(judged_value), {.forms = for_people}),
-                      row("shown_requirement", Kind::words, "", shown(requirement_words), {.forms = in_json}),
-                      row("shown_value", Kind::words, "", shown(judged_value), {.forms = in_json}),
-                      row("unbounded", Kind::yes_no, "",
-                          of([](const RequirementResult& r) { return r.value && std::isinf(*r.value); }),
-                          {.forms = in_json}),
-                      row("angular_frequency", Kind::frequency, "",
-                          of([](const RequirementResult& r) { return or_infinite(r.angular_frequency); })),
-                      row("time", Kind::quantity, "",
-                          of([](const RequirementResult& r) { return or_infinite(r.time); }), {.unit = "s"}),
-                      row("place", Kind::words, "at", shown(judged_place), {.forms = for_people}),
-                      row("margin", Kind::number, "margin",
-                          of([](const RequirementResult& r) { return r.value ? or_infinite(r.margin) : std::nullopt; }),
-                          {.digits = 4}),
-                      row("judged", Kind::yes_no, "",
-                          of([](const RequirementResult& r) { return r.value.has_value(); }), {.forms = in_json}),
-                      row("met", Kind::yes_no, "", of(&RequirementResult::met), {.forms = in_json}),
-                      row("met", Kind::words, "",
-                          of([](const RequirementResult& r) { return r.met() ? "true" : "false"; }), {.forms = in_csv}),
-                      row("verdict", Kind::words, "verdict", of(verdict_word), {.forms = for_people}),
-                      row("detail", Kind::words, "", of(&RequirementResult::detail), {.forms = in_json}),
-                      row("reason", Kind::words, "", of(&RequirementResult::reason)),
-                      row("band", Kind::words, "", of(band_of_curve), {.forms = in_json}),
-                      row("speed", Kind::words, "", of([](const RequirementResult& r) { return ends(r.speed); }),
-                          {.forms = in_json}),
-                      row("excitations", Kind::words, "",
-                          of([](const RequirementResult& r) { return Json(r.excitations); }), {.forms = in_json}),
-                      row("order", Kind::words, "",
-                          of([](const RequirementResult& r) { return r.order > 0 ? Json(r.order) : Json(); }),
-                          {.forms = in_json}),
-                      row("place", Kind::words, "", of([](const RequirementResult& r) { return Json(r.place); }),
-                          {.forms = in_json})},
-          .csv = {"case", "kind", "subject", "requirement", "unit", "allowed", "value", "angular_frequency [rad/s]",
-                  "time [s]", "margin", "met", "reason", "level"},
-          .forms = in_json | on_screen | on_page};
+  const Requirements row(std::move(list));
+  Table table{.key = "requirements",
+              .file = "verdict.csv",
+              .rows = row.size(),
+              .csv = {"case", "kind", "subject", "requirement", "unit", "allowed", "value", "angular_frequency [rad/s]",
+                      "time [s]", "margin", "met", "reason", "level"},
+              .forms = in_json | on_screen | on_page};
+  for (std::vector<Column>& columns :
+       std::array{subject_columns(row), value_columns(row, kind_in_row), verdict_columns(row), scope_columns(row)})
+    std::ranges::move(columns, std::back_inserter(table.columns));
+  return table;
 }
 
 /// For programs that draw: how much of its limit each element takes.
