@@ -2,6 +2,7 @@
 #include "trivet/server/opened_sessions.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace trivet::server {
@@ -19,28 +20,44 @@ PermittedFiles OpenedSessions::files(std::size_t* permission) const {
   return files_;
 }
 
-OpenedSessions::Shared OpenedSessions::kept(const std::string& text, const std::vector<std::string>& settings) {
-  const std::scoped_lock guard(lock_);
-  const auto found = std::ranges::find_if(
-      kept_, [&](const Shared& one) { return one->settings() == settings && one->text() == text; });
-  if (found == kept_.end()) return nullptr;
-  std::rotate(kept_.begin(), found, found + 1);
-  return kept_.front();
+std::vector<OpenedSessions::Kept> OpenedSessions::given_up(const std::string& client, const Shared& now) {
+  std::vector<Kept> ended;
+  if (now->settings().empty()) return ended;
+  const auto is_earlier = [&](const Kept& one) {
+    return one.session != now && !one.session->settings().empty() && one.session->text() == now->text();
+  };
+  for (Kept& one : kept_)
+    if (is_earlier(one)) one.clients.erase(client);
+  const auto left = std::stable_partition(kept_.begin(), kept_.end(),
+                                          [&](const Kept& one) { return !is_earlier(one) || !one.clients.empty(); });
+  std::move(left, kept_.end(), std::back_inserter(ended));
+  kept_.erase(left, kept_.end());
+  return ended;
 }
 
-OpenedSessions::Shared OpenedSessions::keep(engine::Session session, std::size_t permission) {
+OpenedSessions::Shared OpenedSessions::kept(const std::string& client, const std::string& text,
+                                            const std::vector<std::string>& settings) {
+  std::vector<Kept> ended;  // destroyed without the lock
+  const std::scoped_lock guard(lock_);
+  const auto found = std::ranges::find_if(
+      kept_, [&](const Kept& one) { return one.session->settings() == settings && one.session->text() == text; });
+  if (found == kept_.end()) return nullptr;
+  found->clients.insert(client);
+  std::rotate(kept_.begin(), found, found + 1);
+  Shared session = kept_.front().session;
+  ended = given_up(client, session);
+  return session;
+}
+
+OpenedSessions::Shared OpenedSessions::keep(const std::string& client, engine::Session session,
+                                            std::size_t permission) {
   auto shared = std::make_shared<const engine::Session>(std::move(session));
-  std::deque<Shared> ended;  // destroyed without the lock
+  std::vector<Kept> ended;  // destroyed without the lock
   const std::scoped_lock guard(lock_);
   if (permission != permission_) return shared;
-  // Of a text only the last settings are kept: a slider does not take the places of the sessions of other texts.
-  const auto other = [&](const Shared& one) {
-    return one->settings().empty() || shared->settings().empty() || one->text() != shared->text();
-  };
-  const auto same = std::stable_partition(kept_.begin(), kept_.end(), other);
-  ended.assign(same, kept_.end());
-  kept_.erase(same, kept_.end());
-  kept_.push_front(shared);
+  kept_.push_front({shared, {client}});
+  // Of a page only the last settings are kept: a slider does not take the places of the sessions of others.
+  ended = given_up(client, shared);
   if (kept_.size() > most_kept) {
     ended.push_back(std::move(kept_.back()));
     kept_.pop_back();
@@ -48,28 +65,29 @@ OpenedSessions::Shared OpenedSessions::keep(engine::Session session, std::size_t
   return shared;
 }
 
-foundation::Expected<OpenedSessions::Shared> OpenedSessions::opened(const std::string& text) {
-  if (Shared found = kept(text, {})) return found;
+foundation::Expected<OpenedSessions::Shared> OpenedSessions::opened(const std::string& client,
+                                                                    const std::string& text) {
+  if (Shared found = kept(client, text, {})) return found;
   std::size_t permission = 0;
   if (auto refused = files(&permission).refused_in_text(text, source_); refused.has_errors())
     return tl::make_unexpected(std::move(refused));
   auto session = engine::Session::open({.name = source_, .text = text});
   if (!session) return tl::make_unexpected(std::move(session.error()));
-  return keep(std::move(*session), permission);
+  return keep(client, std::move(*session), permission);
 }
 
-foundation::Expected<OpenedSessions::Shared> OpenedSessions::of(const std::string& text,
+foundation::Expected<OpenedSessions::Shared> OpenedSessions::of(const std::string& client, const std::string& text,
                                                                 const std::vector<std::string>& settings) {
-  if (Shared found = kept(text, settings)) return found;
+  if (Shared found = kept(client, text, settings)) return found;
   std::size_t permission = 0;
   const PermittedFiles permitted = files(&permission);  // before that of the text: it may become a newer one
-  const auto base = opened(text);
+  const auto base = opened(client, text);
   if (!base || settings.empty()) return base;
   if (auto refused = permitted.refused_in_settings(settings); refused.has_errors())
     return tl::make_unexpected(std::move(refused));
   auto session = (*base)->changed(settings);
   if (!session) return tl::make_unexpected(std::move(session.error()));
-  return keep(std::move(*session), permission);
+  return keep(client, std::move(*session), permission);
 }
 
 foundation::Expected<engine::Session> OpenedSessions::only_for(const engine::Request& request, const std::string& text,

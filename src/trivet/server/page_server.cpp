@@ -68,7 +68,9 @@ class Responder {
         return task.reply(progress_answer(results_.doing(request.client)));
       case Route::ask:
         task.client = request.client;
-        task.compute = [this, body = std::move(body)](const auto& progress) { return service_.ask(body, progress); };
+        task.compute = [this, client = request.client, body = std::move(body)](const auto& progress) {
+          return service_.ask(client, body, progress);
+        };
         return results_.put(std::move(task));
       case Route::project:
         task.compute = [this](const auto&) { return service_.project(); };
@@ -77,10 +79,14 @@ class Responder {
         task.compute = [this](const auto&) { return service_.version(); };
         break;
       case Route::text:
-        task.compute = [this, body = std::move(body)](const auto&) { return service_.text(body); };
+        task.compute = [this, client = request.client, body = std::move(body)](const auto&) {
+          return service_.text(client, body);
+        };
         break;
       case Route::save:
-        task.compute = [this, body = std::move(body)](const auto&) { return service_.save(body); };
+        task.compute = [this, client = request.client, body = std::move(body)](const auto&) {
+          return service_.save(client, body);
+        };
         task.has_left = std::make_shared<const std::atomic<bool>>(false);  // saved, even if the page is closed
         break;
     }

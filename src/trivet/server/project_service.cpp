@@ -116,7 +116,7 @@ Answer ProjectService::project() {
   Problems problems = state.problems;
   std::vector<std::string> cases{""};
   if (!state.version.empty()) {
-    const auto session = sessions_.of(state.text, {});
+    const auto session = sessions_.of("", state.text, {});
     problems = session ? engine::warnings_of(**session, "") : session.error();
     if (session) cases = (*session)->case_names();
   }
@@ -130,13 +130,13 @@ Answer ProjectService::project() {
   return {.body = documents::json::text(answer)};
 }
 
-Answer ProjectService::ask(const std::string& body, const foundation::Progress& progress) {
+Answer ProjectService::ask(const std::string& client, const std::string& body, const foundation::Progress& progress) {
   const engine::Question question = engine::read_question(body);
   const auto subject = subject_of(question);
   if (!subject) return another_version();
   const std::string& text = subject->text;
   foundation::report_progress(progress, "opening the project", 0);
-  engine::Questioned questioned{.session = sessions_.of(text, question.settings), .version = subject->version};
+  engine::Questioned questioned{.session = sessions_.of(client, text, question.settings), .version = subject->version};
   if (!questioned.session && !sessions_.refused_files(text, question.settings).has_errors())
     questioned.only_for = [&](const engine::Request& want) {
       return sessions_.only_for(want, text, question.settings);
@@ -144,12 +144,12 @@ Answer ProjectService::ask(const std::string& body, const foundation::Progress& 
   return {.body = engine::answer_json(question, questioned, progress)};
 }
 
-foundation::Expected<std::string> ProjectService::new_text(const std::string& text,
+foundation::Expected<std::string> ProjectService::new_text(const std::string& client, const std::string& text,
                                                            const std::vector<std::string>& settings) {
   if (Problems refused = sessions_.refused_files(text, settings); refused.has_errors())
     return tl::make_unexpected(std::move(refused));
   if (settings.empty()) return text;  // a wrong text may be saved, as in an editor
-  const auto session = sessions_.of(text, settings);
+  const auto session = sessions_.of(client, text, settings);
   if (!session) return tl::make_unexpected(session.error());
   return (*session)->text_with_settings();
 }
@@ -162,17 +162,17 @@ foundation::Expected<std::string> ProjectService::text_with_new_case(const std::
                                  question.settings);
 }
 
-Answer ProjectService::text(const std::string& body) {
+Answer ProjectService::text(const std::string& client, const std::string& body) {
   const engine::Question question = engine::read_question(body);
   const auto given = subject_of(question);
   if (!given) return another_version();
   const auto text =
-      question.new_case ? text_with_new_case(given->text, question) : new_text(given->text, question.settings);
+      question.new_case ? text_with_new_case(given->text, question) : new_text(client, given->text, question.settings);
   if (!text) return unprocessable("the text with these settings is wrong", text.error());
   return {.body = documents::json::text({{"text", *text}})};
 }
 
-Answer ProjectService::save(const std::string& body) {
+Answer ProjectService::save(const std::string& client, const std::string& body) {
   const engine::Question question = engine::read_question(body);
   if (read_only_) return error_answer(403, "the server was started with --read-only; nothing is saved");
   if (file_.empty()) return error_answer(409, "the page was opened without a project file; start trivet serve FILE");
@@ -183,7 +183,7 @@ Answer ProjectService::save(const std::string& body) {
             .body = documents::json::text({{"error", "the file was changed meanwhile; nothing is written"},
                                            {"version", on_disk.version},
                                            {"text", on_disk.text}})};
-  const auto text = new_text(question.text.value_or(on_disk.text), question.settings);
+  const auto text = new_text(client, question.text.value_or(on_disk.text), question.settings);
   if (!text) return unprocessable("the text with these settings is wrong", text.error());
   if (text->find_first_not_of(" \t\r\n") == std::string::npos || text->find('\0') != std::string::npos)
     return error_answer(422, "a project file has text and no NUL bytes");

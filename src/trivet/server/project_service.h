@@ -15,7 +15,7 @@
 namespace trivet::server {
 
 /// The answers of the data paths (docs/serve.md). It opens, changes, asks and saves; every number comes from the
-/// engine. Thread-safe. A wrong body throws foundation::InvalidInput.
+/// engine. Thread-safe. A wrong body throws foundation::InvalidInput. `client` is the page that asks.
 class ProjectService {
  public:
   /// @param file        the project; empty: a page that offers examples
@@ -27,11 +27,11 @@ class ProjectService {
   /// GET /version: of the file as it is on disk now; it is not opened.
   [[nodiscard]] Answer version() const;
   /// POST /ask: results of commands. Errors of the project are content, too.
-  [[nodiscard]] Answer ask(const std::string& body, const foundation::Progress& progress);
+  [[nodiscard]] Answer ask(const std::string& client, const std::string& body, const foundation::Progress& progress);
   /// POST /text: the text with settings, nothing is written.
-  [[nodiscard]] Answer text(const std::string& body);
+  [[nodiscard]] Answer text(const std::string& client, const std::string& body);
   /// POST /save: writes the text with settings, unless the file was changed meanwhile.
-  [[nodiscard]] Answer save(const std::string& body);
+  [[nodiscard]] Answer save(const std::string& client, const std::string& body);
 
  private:
   [[nodiscard]] FileState opened() const;
@@ -44,7 +44,7 @@ class ProjectService {
   };
   [[nodiscard]] std::optional<Subject> subject_of(const engine::Question& question) const;
   /// The text with settings, or why there is none.
-  [[nodiscard]] foundation::Expected<std::string> new_text(const std::string& text,
+  [[nodiscard]] foundation::Expected<std::string> new_text(const std::string& client, const std::string& text,
                                                            const std::vector<std::string>& settings);
   /// The text with a further case, or why there is none.
   [[nodiscard]] foundation::Expected<std::string> text_with_new_case(const std::string& text,
