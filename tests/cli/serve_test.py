@@ -170,6 +170,56 @@ class Answers(Served):
         status, _, text = answer(older)
         self.assertEqual(status, 409, text[:200])
 
+    def opening_slowly(self):
+        """A server, and a question about a text whose solid mount takes long to condense; the mount is kept in a cache."""
+        mount = (
+            'type = "solid_mount"\non = "cube"\nat = [0, 0, 0]\nshape = "block"\nwidth_x = "50 mm"\nwidth_y = "30 mm"\n'
+            'thickness = "20 mm"\nmesh_level = 8\nmaterial = {G = "0.7 MPa"}\n'
+        )
+        cube = 'trivet = 1\n[bodies.cube]\nmass = 6\nfree = ["z"]\n'
+        text = f"{cube}[elements.mount]\n{mount}"
+        cache = self.folder / "cache"
+        cache.mkdir()
+        server = self.serve(self.file(text), env=os.environ | {"TRIVET_CACHE": str(cache)})
+        question = json.dumps({"text": text + "# a page's\n", "wants": [{"command": "modes"}]}).encode()
+        asking = server.connect()
+        asking.sendall(server.head("POST", "/ask", len(question)) + question)
+        for _ in range(100 * slower):
+            if server.data("GET", "/progress")["task"] == "condensing the solid":
+                break
+            time.sleep(0.05)
+        else:
+            self.fail("the project is not being opened")
+        return server, asking, cache
+
+    def test_opening_ends_with_a_newer_question(self):
+        server, asking, cache = self.opening_slowly()
+        soft = PAPER.read_text()
+        began = time.monotonic()
+        self.assertTrue(server.data("POST", "/ask", {"text": soft, "wants": [{"command": "modes"}]})["ok"])
+        self.assertLess(time.monotonic() - began, 2 * slower)
+        self.assertEqual(answer(asking)[0], 409)
+        self.assertEqual(list(cache.iterdir()), [])  # it was not condensed to the end
+
+    def test_opening_ends_with_its_connection(self):
+        server, asking, cache = self.opening_slowly()
+        asking.close()
+        for _ in range(20 * slower):
+            if server.data("GET", "/progress")["task"] is None:
+                break
+            time.sleep(0.1)
+        else:
+            self.fail("the project is still being opened")
+        self.assertEqual(list(cache.iterdir()), [])
+
+    def test_interrupting_a_server_that_opens_ends_it_with_a_message(self):
+        server, _, cache = self.opening_slowly()
+        began = time.monotonic()
+        self.assertEqual(server.end(signal.SIGINT), 128 + signal.SIGINT)
+        self.assertLess(time.monotonic() - began, 2 * slower)
+        self.assertIn("interrupted", pathlib.Path(server.log_file.name).read_text())
+        self.assertEqual(list(cache.iterdir()), [])
+
     def test_a_question_ends_with_its_connection(self):
         server = self.serve(SOURCE / "examples/paper/map.toml")
         body = json.dumps({"wants": [{"command": "map", "keys": {"points": "3000"}}]}).encode()

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "trivet/foundation/thread_progress.h"
 #include "trivet/judging/design_corners.h"
 #include "trivet/judging/rest_state.h"
 #include "trivet/judging/suspicions.h"
@@ -55,6 +56,7 @@ foundation::Problems settled_and_checked(project::ReadCase& read, const project:
 
 std::optional<project::Case> checked_case(project::ReadCase read, const project::AnalysisFilter& filter,
                                           const project::Case* base, foundation::Problems& problems) {
+  foundation::report_progress(foundation::thread_progress(), "opening the project", 0);
   foundation::Problems all = read.of_text;
   all.add(settled_and_checked(read, filter));
   project::name_element_types(read.written, all);

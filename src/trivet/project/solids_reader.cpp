@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/thread_progress.h"
 #include "trivet/project/body_solids.h"
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/text/source_file.h"
@@ -130,7 +131,7 @@ bool read_solids(TableReader& body, solids::KnownMass known, model::Body& result
   const std::size_t before_mass = body.errors();
   known.whole = body.number("mass", Quantity::mass).value_or(solids::not_given);
   if (parts.empty() || body.errors() > before_mass) return false;
-  const auto solid = solids::rigid_solid(parts, known);
+  const auto solid = solids::rigid_solid(parts, known, foundation::thread_progress());
   const foundation::Problems& findings = solid ? solid->remarks : solid.error();
   for (foundation::Problem problem : findings.list()) {
     const Node* whole = problem.subject == "mass" ? body.node("mass") : nullptr;

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "trivet/foundation/thread_progress.h"
+
 namespace trivet::server {
 
 void OpenedSessions::permit(PermittedFiles files) {
@@ -77,8 +79,10 @@ foundation::Expected<OpenedSessions::Shared> OpenedSessions::opened(const std::s
 }
 
 foundation::Expected<OpenedSessions::Shared> OpenedSessions::of(const std::string& client, const std::string& text,
-                                                                const std::vector<std::string>& settings) {
+                                                                const std::vector<std::string>& settings,
+                                                                const foundation::Progress& progress) {
   if (Shared found = kept(client, text, settings)) return found;
+  const foundation::ThreadProgress of_opening(progress);
   std::size_t permission = 0;
   const PermittedFiles permitted = files(&permission);  // before that of the text: it may become a newer one
   const auto base = opened(client, text);
@@ -91,7 +95,9 @@ foundation::Expected<OpenedSessions::Shared> OpenedSessions::of(const std::strin
 }
 
 foundation::Expected<engine::Session> OpenedSessions::only_for(const engine::Request& request, const std::string& text,
-                                                               const std::vector<std::string>& settings) const {
+                                                               const std::vector<std::string>& settings,
+                                                               const foundation::Progress& progress) const {
+  const foundation::ThreadProgress of_opening(progress);
   return engine::Session::open({.name = source_, .text = text}, settings, &request);
 }
 

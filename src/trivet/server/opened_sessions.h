@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "trivet/engine/session.h"
+#include "trivet/foundation/interruption.h"
 #include "trivet/server/permitted_files.h"
 
 namespace trivet::server {
@@ -27,12 +28,15 @@ class OpenedSessions {
   /// Files that texts may name from now on.
   void permit(PermittedFiles files);
 
-  /// @param client  the page that asks. Of each text the last session with settings of each page is kept
+  /// @param client    the page that asks. Of each text the last session with settings of each page is kept
+  /// @param progress  of opening; may throw foundation::Interrupted
   [[nodiscard]] foundation::Expected<Shared> of(const std::string& client, const std::string& text,
-                                                const std::vector<std::string>& settings);
+                                                const std::vector<std::string>& settings,
+                                                const foundation::Progress& progress = {});
   /// Of a text with errors: good for this request alone, which may not look at the wrong tables.
   [[nodiscard]] foundation::Expected<engine::Session> only_for(const engine::Request& request, const std::string& text,
-                                                               const std::vector<std::string>& settings) const;
+                                                               const std::vector<std::string>& settings,
+                                                               const foundation::Progress& progress) const;
   /// Names of files in a text that the page may not name.
   [[nodiscard]] foundation::Problems refused_files(const std::string& text,
                                                    const std::vector<std::string>& settings) const;

@@ -73,7 +73,7 @@ class Responder {
         };
         return results_.put(std::move(task));
       case Route::project:
-        task.compute = [this](const auto&) { return service_.project(); };
+        task.compute = [this](const auto& progress) { return service_.project(progress); };
         break;
       case Route::version:
         task.compute = [this](const auto&) { return service_.version(); };

@@ -103,7 +103,7 @@ Answer ProjectService::version() const {
   return {.body = documents::json::text({{"version", file_.empty() ? "" : read_state(file_).version}})};
 }
 
-Answer ProjectService::project() {
+Answer ProjectService::project(const foundation::Progress& progress) {
   Json answer{
       {"name", nullptr}, {"program", engine::version()}, {"commands", commands_json()}, {"resume_key", resume_key_}};
   if (file_.empty()) {
@@ -116,7 +116,7 @@ Answer ProjectService::project() {
   Problems problems = state.problems;
   std::vector<std::string> cases{""};
   if (!state.version.empty()) {
-    const auto session = sessions_.of("", state.text, {});
+    const auto session = sessions_.of("", state.text, {}, progress);
     problems = session ? engine::warnings_of(**session, "") : session.error();
     if (session) cases = (*session)->case_names();
   }
@@ -136,10 +136,11 @@ Answer ProjectService::ask(const std::string& client, const std::string& body, c
   if (!subject) return another_version();
   const std::string& text = subject->text;
   foundation::report_progress(progress, "opening the project", 0);
-  engine::Questioned questioned{.session = sessions_.of(client, text, question.settings), .version = subject->version};
+  engine::Questioned questioned{.session = sessions_.of(client, text, question.settings, progress),
+                                .version = subject->version};
   if (!questioned.session && !sessions_.refused_files(text, question.settings).has_errors())
     questioned.only_for = [&](const engine::Request& want) {
-      return sessions_.only_for(want, text, question.settings);
+      return sessions_.only_for(want, text, question.settings, progress);
     };
   return {.body = engine::answer_json(question, questioned, progress)};
 }

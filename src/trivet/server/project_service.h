@@ -15,7 +15,8 @@
 namespace trivet::server {
 
 /// The answers of the data paths (docs/serve.md). It opens, changes, asks and saves; every number comes from the
-/// engine. Thread-safe. A wrong body throws foundation::InvalidInput. `client` is the page that asks.
+/// engine. Thread-safe. A wrong body throws foundation::InvalidInput. `client` is the page that asks; the progress may
+/// throw foundation::Interrupted.
 class ProjectService {
  public:
   /// @param file        the project; empty: a page that offers examples
@@ -23,7 +24,7 @@ class ProjectService {
   ProjectService(std::string file, bool read_only, std::string resume_key);
 
   /// GET /project: the file as it is on disk now, which questions without a text are about from now on.
-  [[nodiscard]] Answer project();
+  [[nodiscard]] Answer project(const foundation::Progress& progress);
   /// GET /version: of the file as it is on disk now; it is not opened.
   [[nodiscard]] Answer version() const;
   /// POST /ask: results of commands. Errors of the project are content, too.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "trivet/engine/request.h"
@@ -68,6 +69,13 @@ TEST(OpenedSessions, AreBounded) {
   for (int page = 1; page <= 50; ++page) all.push_back(opened(sessions, std::to_string(page), mass(page)));
   const auto kept = std::ranges::count_if(all, [](const auto& one) { return !one.expired(); });
   EXPECT_EQ(kept, OpenedSessions::most_kept - 1);  // and the one without settings
+}
+
+TEST(OpenedSessions, StopOpeningIfTheProgressIsInterrupted) {
+  OpenedSessions sessions("machine.toml");
+  const foundation::Progress interrupts = [](std::string_view, double) { throw foundation::Interrupted(); };
+  EXPECT_THROW(static_cast<void>(sessions.of("page", text, mass(7), interrupts)), foundation::Interrupted);
+  EXPECT_NE(opened(sessions, "page", mass(7)), nullptr);  // nothing of the earlier one is left
 }
 
 }  // namespace opened_sessions_test

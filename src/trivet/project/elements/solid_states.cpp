@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "trivet/foundation/thread_progress.h"
 #include "trivet/project/elements/element_cache.h"
 
 namespace trivet::project {
@@ -56,8 +57,10 @@ fem::SolidStiffness free_solid(const std::string& key, const MeshedSolid& meshed
   const std::string whole_key = key + "-free";
   if (const auto kept = cached_numbers(whole_key); kept && kept->size() == count) return solid_stiffness(*kept);
   const Solid& it = meshed();
-  fem::SolidStiffness found = it.coarse ? fem::condense(it.mesh, *it.coarse, it.refinement, it.materials, it.frame)
-                                        : fem::condense(it.mesh, it.materials, it.frame);
+  const foundation::Progress& progress = foundation::thread_progress();
+  fem::SolidStiffness found = it.coarse
+      ? fem::condense(it.mesh, *it.coarse, it.refinement, it.materials, it.frame, {}, progress)
+      : fem::condense(it.mesh, it.materials, it.frame, {}, progress);
   keep_numbers(whole_key, numbers_of(found));
   return found;
 }
@@ -68,7 +71,7 @@ std::variant<LoadedSolid, std::string> solid_under(const std::string& key, const
   if (const auto kept = cached_numbers(key); kept && kept->size() == count) return loaded_solid(*kept);
   const Solid& it = meshed();
   const fem::PreloadedStiffness found =
-      fem::preloaded_stiffness(it.mesh, it.materials, it.frame, load, {.steps = steps});
+      fem::preloaded_stiffness(it.mesh, it.materials, it.frame, load, {.steps = steps}, foundation::thread_progress());
   if (!found.converged) return found.failure_reason;
   LoadedSolid state{found.stiffness, found.preload, found.arm(2), found.motion(2), found.negative_eigenvalues};
   keep_numbers(key, numbers_of(state));

@@ -8,6 +8,7 @@
 #include "trivet/fem/step_mesh.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/thread_progress.h"
 #include "trivet/project/elements/condensed_solid.h"
 #include "trivet/project/elements/element_cache.h"
 #include "trivet/project/elements/material_reader.h"
@@ -131,7 +132,7 @@ ElementLength read_step_mount(TableReader& reader, model::Element& element) {
   const std::string key = solid_key(words_of_all, {file->string()});
   std::optional<double> distance;
   const auto make = [&] {
-    auto meshed = fem::mesh_step(*file, options);
+    auto meshed = fem::mesh_step(*file, options, foundation::thread_progress());
     if (!meshed) {
       reader.add(meshed.error(), {{"file", "step"}, {"size", "mesh_size"}});
       throw foundation::InvalidInput("the STEP file gives no mesh");
