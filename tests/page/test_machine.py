@@ -143,3 +143,26 @@ def test_the_foundation_under_the_mounts_moves_in_a_mode(serve):
     page.wait_for_timeout(300)
     assert share_changed(up, picture(page.locator('.stage'))) > 0.001
     assert_alive(page)
+
+
+def test_the_foundation_moves_in_a_damped_mode_as_in_the_undamped_one(serve):
+    served = serve('genset/genset.toml')
+    page = served.page()
+    settled(page)
+    page.get_by_label('Motion', exact=True).select_option('7')  # of the deck; it is damped by 1.5 %
+    page.get_by_role('button', name='front', exact=True).click()
+
+    def ends():
+        pictures = []
+        for phase in ('0', '180'):
+            page.get_by_role('slider', name='Phase').fill(phase)
+            page.wait_for_timeout(300)
+            pictures.append(picture(page.locator('.stage')))
+        return pictures
+
+    up, down = ends()
+    page.get_by_label('damped', exact=True).check()
+    settled(page)
+    nearest = min(share_changed(up, other) for other in ends())  # the sign of a mode is arbitrary
+    assert nearest < 0.5 * share_changed(up, down), (nearest, share_changed(up, down))
+    assert_alive(page)

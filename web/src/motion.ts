@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic rigid motions of bodies: what an animated shape is made of.
-import type {Complex, Mode, Modes, Roots, SceneBody, Shapes, SteadyMotion, Vector} from './results.ts';
+import type {Complex, Modes, Roots, SceneBody, Shapes, SteadyMotion, Vector} from './results.ts';
 
 /// Complex translation of the pole and rotation about it, in the frame of the project: x, y, z, θx, θy, θz.
 export type Amplitudes = readonly Complex[];
@@ -48,19 +48,21 @@ function ofBodies(bodies: readonly SceneBody[], shape: readonly Complex[]) {
   return found;
 }
 /// Ends on foundations, along the axes of the project.
-const ofFeet = ({feet}: Modes, mode: Mode) => new Map(feet?.map((name, i) => [name, harmonic(mode.feet![i]!.map((v): Complex => [v, 0]))]));
+const ofFeet = (feet: readonly string[] | undefined, motions: readonly Amplitudes[] | undefined) =>
+  new Map(feet?.map((name, i) => [name, harmonic(motions![i]!)]));
+const real = (values: readonly number[]) => values.map((v): Complex => [v, 0]);
 
 export function ofMode(modes: Modes, index: number, bodies: readonly SceneBody[]): Motion | null {
   const mode = modes.modes[index];
   if (!mode?.shape) return null;
   return {label: `Mode ${mode.number}`, words: mode.name, angular_frequency: mode.angular_frequency,
-          ends: ofFeet(modes, mode), bodies: ofBodies(bodies, mode.shape.map(v => [v, 0]))};
+          ends: ofFeet(modes.feet, mode.feet?.map(real)), bodies: ofBodies(bodies, real(mode.shape))};
 }
 /// The damped motion of the root nearest to a mode, without its decay: places move with different phases.
 export function ofRoot(roots: Roots, mode: number, bodies: readonly SceneBody[]): Motion | null {
   const root = roots.roots.find(r => r.nearest_mode === mode && r.eigenvalue[1] > 0);
   if (!root) return null;
-  return {label: `Damped mode ${mode}`, words: '', angular_frequency: root.eigenvalue[1], ends: new Map(),
+  return {label: `Damped mode ${mode}`, words: '', angular_frequency: root.eigenvalue[1], ends: ofFeet(roots.feet, root.feet),
           bodies: ofBodies(bodies, root.shape)};
 }
 /// The forced motion at a frequency.

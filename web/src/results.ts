@@ -116,9 +116,11 @@ export interface Root {
   damping_ratio: number;
   shape: Complex[];
   nearest_mode: number | null;
+  feet?: Complex[][];  // as in Mode
 }
 export interface Roots {
   bodies: string[];
+  feet?: string[];
   roots: Root[];
 }
 export interface Shapes {

@@ -57,6 +57,12 @@ test('ends on foundations move as modes and roots state', () => {
   close(displacement(motion.ends.get('mount.foot')!, [0, 0, 0], 0), [0, 0, 3]);
   assert.ok(Math.abs(largestDisplacement(motion, [box([0, 0, 0])]) - 3) < 1e-12);  // no body moves, and the foot is not drawn without end
 });
+test('ends on foundations lag in a damped mode as the program states', () => {
+  const root = {eigenvalue: [-1, 7] as const, kind: 'oscillating', angular_frequency: 7, damping_ratio: 0.1, nearest_mode: 1, shape: [...amplitudes(0, 0, 1, 0, 0, 0)],
+                feet: [[...amplitudes(0, 0), [0, -2] as const, ...amplitudes(0, 0, 0)]]};
+  const motion = ofRoot({bodies: ['body'], feet: ['mount.foot'], roots: [root]}, 1, [box([0, 0, 0])])!;
+  close(displacement(motion.ends.get('mount.foot')!, [0, 0, 0], Math.PI / 2), [0, 0, 2]);
+});
 test('ends that rest are no moving ground', () => {
   const shapes = {shapes: [{angular_frequency: 3, places: [{name: 'mount.foot', motion: [...amplitudes(0, 0, 0, 0, 0, 0)]}]}]};
   assert.equal(ofShape(shapes, [box([0, 0, 0])])!.ends.size, 0);

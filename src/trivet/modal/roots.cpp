@@ -10,6 +10,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/modal/foundation_feet.h"
 #include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/quadratic_roots.h"
 
@@ -148,6 +149,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
     root.shape.resize(6 * to_index(system.bodies().size()));
     for (std::size_t b = 0; b < system.bodies().size(); ++b)
       root.shape.segment<6>(6 * to_index(b)) = assembled.layout.of_body(b, raw.vectors.col(k));
+    root.feet = foundation_feet(system, assembled.layout, raw.vectors.col(k));
     root.nearest_mode = mode_like(modes, parts.col(k), (per_unit.asDiagonal() * raw.vectors.col(k)).squaredNorm(),
                                   std::abs(raw.lambda(k)), massive);
     result.list.push_back(std::move(root));

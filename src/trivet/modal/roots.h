@@ -22,6 +22,9 @@ struct Root {
   std::optional<double> damped_angular_frequency;  ///< |Im λ| [rad/s]
   std::optional<double> damping_ratio;             ///< −Re λ/|λ|
   Eigen::VectorXcd shape;                          ///< six per body at the poles, largest (mass-weighted) component 1
+  /// Motion of the ends N of elements on flexible foundations (`elements_on_foundations`), scaled as `shape`: 6 ×
+  /// elements, ground axes.
+  Eigen::Matrix<std::complex<double>, 6, Eigen::Dynamic> feet;
   /// Number of the undamped mode that contributes more than half of the shape's mass-weighted norm squared, summed over
   /// the modes. If damping couples the modes so that none does, the mode nearest in |λ|. Empty for a relaxation inside
   /// elements, which moves no mass.

@@ -221,6 +221,27 @@ TEST(Modes, KnowTheStrainEnergyOfFoundations) {
   }
 }
 
+// λ² m u + (λ c + k)(u − w) = 0 of the mass, whatever the floor is: its motion w follows from that of the mass.
+TEST(Roots, StateTheMotionOfFoundationsThatBalancesTheMass) {
+  constexpr double m = 6, k = 60, c = 7;
+  const auto project = test::project(
+      "trivet = 1\n[bodies.cube]\nmass = 6\nfree = [\"z\"]\n"
+      "[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, 60]\n"
+      "rotation = [40, 40, 90]\ndamping = {translation = [7, 7, 7]}\nfoundation = \"floor\"\n"
+      "[foundations.floor]\ntype = \"modal\"\n"
+      "modes = [{frequency = 9, modal_mass = 5, damping = 0.2, shapes = {k = [0, 0, 1]}}]\n");
+  const modal::Roots roots = modal::roots(project.base().system);
+  ASSERT_EQ(roots.list.size(), 4u);
+  for (const modal::Root& root : roots.list) {
+    const std::complex<double> force = root.eigenvalue * c + k,
+                               floor = root.shape(2) * (m * root.eigenvalue * root.eigenvalue / force + 1.0);
+    ASSERT_EQ(root.feet.cols(), 1);
+    EXPECT_GT(std::abs((floor / root.shape(2)).imag()), 0.01) << root.eigenvalue;  // the floor is not in phase with the mass
+    EXPECT_LE(std::abs(root.feet(2, 0) - floor), round_off) << root.eigenvalue;
+    EXPECT_EQ(root.feet.col(0).head<2>().norm() + root.feet.col(0).tail<3>().norm(), 0);
+  }
+}
+
 TEST(Modes, HaveNoStrainSharesIfAFoundationMovesNoMount) {
   const auto project =
       test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, "

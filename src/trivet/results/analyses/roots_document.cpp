@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/modal/foundation_feet.h"
 #include "trivet/results/format/result_writer.h"
 
 /// Damped roots.
@@ -31,7 +32,7 @@ std::string kind_words(const Root& root) {
 
 Table root_table(const project::Case& variant, const std::vector<Root>& list) {
   const Rows row(list);
-  return {
+  Table table{
       .key = "roots",
       .axis = "root",
       .plain_names = true,
@@ -61,11 +62,17 @@ Table root_table(const project::Case& variant, const std::vector<Root>& list) {
               "nearest_mode"},
       .people_rows = without_conjugates(list),
       .mark = [&list](std::size_t i) { return list[i].kind == modal::RootKind::growing ? Mark::bad : Mark::plain; }};
+  if (!modal::elements_on_foundations(variant.system).empty())
+    table.columns.push_back(row("feet", Kind::words, "",
+                                [](const Root& root) { return json::rows(root.feet.transpose().eval()); },
+                                {.forms = in_json}));
+  return table;
 }
 
 Document roots_document(const project::Case& variant, const study::CaseResults& results) {
   Document document;
   document.add(Words{.key = "bodies", .list = names_of(variant.system.bodies())});
+  add_feet(variant, document);
   document.add(root_table(variant, results.roots.list));
   add_shape_coordinates(variant, {"1", "rad/m"}, document);
   document.add(warnings_part(results));
