@@ -119,6 +119,30 @@ def test_edits_survive_a_reload(serve):
     assert page.get_by_text('Your edits are back').count() == 0
 
 
+def test_undo_and_redo_survive_a_reload(serve):
+    served = serve('genset/genset.toml')
+    page = opened(served)
+    page.on('dialog', lambda dialog: dialog.accept())
+    for mass in ('4300 kg', '4400 kg', '4500 kg', '4600 kg'):
+        set_number(page, MASS, mass)
+    settled(page)
+    undo, redo = (page.get_by_role('button', name=name) for name in ('Undo', 'Redo'))
+    undo.click()
+    settled(page)
+    page.reload()
+    page.get_by_text('Your edits are back').wait_for()
+    settled(page)
+    assert mass_of(page) == '4500 kg'
+    redo.click()
+    settled(page)
+    assert mass_of(page) == '4600 kg' and redo.is_disabled()
+    for mass in ('4500 kg', '4400 kg', '4300 kg', '4200 kg'):
+        undo.click()
+        settled(page)
+        assert mass_of(page) == mass
+    assert undo.is_disabled() and page.get_by_role('button', name='Save').is_disabled()
+
+
 def test_edits_over_a_reload_and_another_text_on_the_disk(serve):
     served = serve('genset/genset.toml')
     page = opened(served)

@@ -2,6 +2,7 @@
 // The file on the disk and the edits of this page: saving, another hand that writes the file, a program that went away.
 import type {Asker} from './asker.ts';
 import {EngineError, type Engine, type Project} from './engine.ts';
+import {historyOf, keptHistory, type KeptHistory} from './kept_history.ts';
 import type {Design, State} from './state.ts';
 
 /// Why the page and the file differ, and what the user decides about.
@@ -17,6 +18,7 @@ interface KeptEdits {
   text: string;
   settings: [string, string][];
   case: string;
+  history?: KeptHistory;
 }
 const KEPT = 'edits';
 const LOOK = 2000, LOOK_AGAIN = 1000;  // ms between looks at the file; while the program does not answer
@@ -161,11 +163,9 @@ export class ProjectFile {
   }
   private restore(kept: KeptEdits) {
     const {state, project} = this, design: Design = {text: kept.text, settings: new Map(kept.settings)};
-    if (project.name === null) {
-      state.open(kept.text, null);
-      return state.put(design, kept.case);
-    }
-    state.put(design, kept.case);
+    if (project.name === null) state.open(kept.text, null);
+    state.resume(design, kept.case, kept.history ? historyOf(kept.history) : {past: [], future: []});
+    if (project.name === null) return;
     const onDisk = this.version;
     this.version = kept.version ?? '';  // with which the edits began
     if (onDisk === '' || onDisk !== this.version) this.meet(onDisk, project.text ?? '');
@@ -182,7 +182,11 @@ export class ProjectFile {
     try {
       if (state.isSaved || !text) return sessionStorage.removeItem(KEPT);
       const kept: KeptEdits = {project: project.name, version: this.version || null, text, settings: [...settings], case: state.case};
-      sessionStorage.setItem(KEPT, JSON.stringify(kept));
+      try {
+        sessionStorage.setItem(KEPT, JSON.stringify({...kept, history: keptHistory(state.history)}));
+      } catch {  // no room for both: the edits matter more
+        sessionStorage.setItem(KEPT, JSON.stringify(kept));
+      }
     } catch {
       if (!this.keepsNothing) this.say('The file is too large for the storage of this tab: save before you reload or close it.');
       this.keepsNothing = true;

@@ -9,9 +9,14 @@ export interface Design {
   readonly settings: ReadonlyMap<string, string>;  // path → value as in the project file
 }
 /// What undo brings back. `case`: the case to show then; null: the one on the page.
-interface Step {
+export interface Step {
   design: Design;
   case: string | null;
+}
+/// The next step is the last one of each.
+export interface History {
+  past: readonly Step[];
+  future: readonly Step[];
 }
 export interface Selection {
   kind: 'body' | 'element' | 'point' | 'force';
@@ -64,6 +69,7 @@ export class State {
   get isSaved(): boolean {
     return this.design.text === this.saved.text && this.design.settings.size === 0;
   }
+  get history(): History { return {past: this.past, future: this.future}; }
   get canUndo() { return this.past.length > 0; }
   get canRedo() { return this.future.length > 0; }
 
@@ -122,6 +128,12 @@ export class State {
     this.remember(this.design, this.case);
     this.design = design;
     this.case = name;
+    this.changed(true);
+  }
+  /// A design of this page before it was loaded again, with its history; without one it is one step of undo.
+  resume(design: Design, name: string, {past, future}: History) {
+    if (!past.length) return this.put(design, name);
+    [this.past, this.future, this.design, this.case] = [[...past], [...future], design, name];
     this.changed(true);
   }
   chooseCase(name: string) {
