@@ -11,8 +11,7 @@ install(FILES ${shell_files}/trivet DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-co
 install(FILES ${shell_files}/_trivet DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
 install(FILES ${shell_files}/trivet.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 install(FILES ${PROJECT_SOURCE_DIR}/catalogues/generic.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/trivet/catalogues)
-install(FILES ${PROJECT_SOURCE_DIR}/third_party/uplot/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/trivet/licences RENAME uplot)  # in every report
-install(FILES ${PROJECT_SOURCE_DIR}/web/dist/licences.txt DESTINATION ${CMAKE_INSTALL_DATADIR}/trivet/licences RENAME page)  # of trivet serve
+install(FILES ${PROJECT_SOURCE_DIR}/web/dist/licences.txt DESTINATION ${CMAKE_INSTALL_DATADIR}/trivet/licences RENAME page)  # of trivet serve and of reports
 install(EXPORT trivet NAMESPACE trivet:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/trivet FILE trivet-targets.cmake)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trivet-config.cmake.in
   ${PROJECT_BINARY_DIR}/trivet-config.cmake

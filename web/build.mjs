@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bundles the page (page.js, page.css, index.html) and the widget of notebooks (widget.js, its styles within) into dist,
-// with licences.txt for both, or with --tests the unit tests into build.
+// Bundles the page (page.js, page.css, index.html), the widget of notebooks (widget.js) and the script of the report
+// (report.js), both with their styles, into dist, with licences.txt for all, or with --tests the unit tests into build.
 // --out FOLDER writes the page elsewhere, so that scripts/web can compare it with the committed one.
 import {build} from 'esbuild';
 import {createHash} from 'node:crypto';
@@ -35,6 +35,7 @@ async function buildPage(out) {
   const result = await build({...common, entryPoints: ['src/page.ts', 'src/page.css'], outdir: out, minify: true,
                               metafile: true, legalComments: 'none'});
   const widget = await buildWidget(out);
+  await buildReport(out);
   writeFileSync(join(out, 'licences.txt'), licences(result.metafile, widget.metafile));
   copyFileSync(join(here, 'src/index.html'), join(out, 'index.html'));
 }
@@ -46,6 +47,14 @@ async function buildWidget(out) {
     inject: ['src/own_elements.ts'], define: {WIDGET_CSS: JSON.stringify(css), WIDGET_BUILD: JSON.stringify(build_hash)}});
   const content = (await bundle('', {write: false})).outputFiles[0].contents;
   return bundle(createHash('sha256').update(content).digest('hex').slice(0, 16), {outdir: out});
+}
+
+/// A classic script within a page. Reports are mailed without licences.txt, so the licence of the chart library is in it.
+function buildReport(out) {
+  const chart = join(here, 'node_modules/uplot'), licence = readFileSync(join(chart, 'LICENSE'), 'utf8').trim();
+  const {version} = JSON.parse(readFileSync(join(chart, 'package.json'), 'utf8'));
+  return build({...common, entryPoints: ['src/report/report.js'], outdir: out, format: 'iife', minify: true, legalComments: 'none',
+                loader: {'.css': 'text'}, banner: {js: `// SPDX-License-Identifier: BSD-3-Clause\n/* uPlot ${version}\n${licence} */`}});
 }
 
 async function buildTests() {

@@ -15,7 +15,6 @@ import unittest
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ.get("TRIVET_SOURCE", pathlib.Path(__file__).parents[2]))
 BROWSER = os.environ.get("TRIVET_BROWSER") or shutil.which("chromium") or shutil.which("google-chrome")
-NODE = shutil.which("node")
 SCRIPTS = re.compile("<script.*?</script>", re.DOTALL)
 LARGEST_REPORT = 5_000_000  # bytes
 WITHIN = 1e-4  # of the program's curves
@@ -198,33 +197,10 @@ class StoredDesigns(Folder):
         text = block()
         report = self.report(self.write(text[: text.index("[analyses.map]")]))
         self.assertNotIn('id="designs"', report.read_text())
-        self.assertNotIn("readDesigns", report.read_text())
         out = self.folder / "short"
         words = [TRIVET, "run", str(self.write(text)), "-o", str(out), "--report", "short"]
         subprocess.run(words, check=True, capture_output=True, timeout=600)
         self.assertNotIn('id="designs"', (out / "report.html").read_text())
-
-
-class Script(Folder):
-    @unittest.skipUnless(NODE, "no Node")
-    def test_the_page_evaluates_the_stored_numbers(self):
-        """The function of the page, run by Node, against the same formula here."""
-        for text in (block(), block("{loss_factor = 0.1}", FORCE + '\ndelay = "20 ms"')):
-            stored = self.stored(self.report(self.write(text)))[0]
-            script = (SOURCE / "src/trivet/report/design_curves.js").read_text()
-            (self.folder / "stored.json").write_text(json.dumps(stored))
-            program = (
-                script + "const map = readDesigns(JSON.parse(require('fs').readFileSync(process.argv[1], 'utf8')));\n"
-                "const found = [0, 7, 44].map(k => [3, 40, 99].map(w => [...designAt(map.curves, k, w)]));\n"
-                "console.log(JSON.stringify(found));"
-            )
-            words = [NODE, "-e", program, str(self.folder / "stored.json")]
-            found = json.loads(subprocess.run(words, check=True, capture_output=True, text=True).stdout)
-            designs = Designs(stored)
-            for design, rows in zip((0, 7, 44), found):
-                for omega, row in zip((3, 40, 99), rows):
-                    for pair, truth in zip(zip(row[::2], row[1::2]), designs.at(design, omega)):
-                        self.assertLess(abs(complex(*pair) - truth), 1e-12 * abs(truth))
 
 
 @unittest.skipUnless(BROWSER, "no browser")

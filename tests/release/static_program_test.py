@@ -86,7 +86,7 @@ class StaticProgram(unittest.TestCase):
             sorted(one.name for one in self.unpacked.iterdir()), ["LICENSE", "example.toml", "licences", "trivet"]
         )
         licences = {one.name for one in (self.unpacked / "licences").iterdir()}
-        self.assertLessEqual({"libnlopt-dev", "libc6-dev", "uplot"}, licences)
+        self.assertLessEqual({"libnlopt-dev", "libc6-dev", "page"}, licences)
 
     def test_needs_no_loader_and_no_library(self):
         headers = subprocess.run(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers in the units that the page shows. Everything else on the page is in SI.
+import {digitsOf, suitedMultiple, type Multiple} from './shown_number.ts';
 
 const TURN = 2 * Math.PI;
 
@@ -11,16 +12,11 @@ export type FrequencyUnit = keyof typeof FREQUENCY_UNITS;
 export function number(value: number | null | undefined, digits = 4): string {
   if (value === null || value === undefined || Number.isNaN(value)) return '–';
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
-  if (value === 0) return '0';
-  const size = Math.abs(value);
-  const text = size >= 1e6 || size < 1e-4 ? value.toExponential(digits - 1) : value.toPrecision(digits);
-  const short = text.includes('e') ? text.replace(/\.?0*e\+?/, 'e') : /\./.test(text) ? text.replace(/\.?0+$/, '') : text;
-  return short.replace('-', '−');
+  return digitsOf(value, digits).replace('-', '−');
 }
 
 /// Prefixes of a unit of which engineers use multiples; others are shown as they are.
-const PREFIXES: readonly (readonly [number, string])[] =
-    [[1e6, 'M'], [1e3, 'k'], [1, ''], [1e-3, 'm'], [1e-6, 'µ'], [1e-9, 'n']];
+const PREFIXES: readonly Multiple[] = [[1e-9, 'n'], [1e-6, 'µ'], [1e-3, 'm'], [1, ''], [1e3, 'k'], [1e6, 'M']];
 const WITHOUT_LARGE = new Set(['m', 'm/s', 'm/s^2', 'm/s2', 'm/s²', 'rad', 'rad/s', 'rad/s^2', 's']);
 const PREFIXED = /^(m|N|rad|W|J|Pa|s)\b/;
 
@@ -37,11 +33,8 @@ export interface Scale {
 export function scaleOf(largest: number, unit: string): Scale {
   const shown = unit.replace('^2', '²').replace('s2', 's²');
   if (!PREFIXED.test(unit) || !(largest > 0)) return {factor: 1, unit: shown};
-  for (const [size, prefix] of PREFIXES) {
-    if (size > 1 && WITHOUT_LARGE.has(unit)) continue;
-    if (largest >= size * 0.9995) return {factor: 1 / size, unit: prefix + shown};
-  }
-  return {factor: 1e9, unit: `n${shown}`};
+  const [size, prefix] = suitedMultiple(largest, WITHOUT_LARGE.has(unit) ? PREFIXES.filter(([one]) => one <= 1) : PREFIXES);
+  return {factor: 1 / size, unit: prefix + shown};
 }
 /// The same for amplitudes: times the share of the level at which the program shows them, "mm/s rms".
 export function scaleAtLevel(largest: number, unit: string, {level, level_factor: share = 1}: {level?: string | null; level_factor?: number} = {}): Scale {

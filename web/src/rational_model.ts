@@ -44,6 +44,11 @@ export class ModelValues {
   private readonly out = new Float64Array(2 * this.wanted.length);
 }
 
+/// Angle of a value [rad], −π to π. That of a real value does not change with the sign of its round-off.
+export function angleOf(re: number, im: number): number {
+  return Math.abs(im) <= 1e-9 * Math.abs(re) ? (re < 0 ? Math.PI : 0) : Math.atan2(im, re);
+}
+
 /// A piece as arrays of numbers: v and w v of each delay and wanted result over the nodes.
 interface Part {
   to: number;

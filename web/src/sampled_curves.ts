@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import {ModelValues} from './rational_model.ts';
+import {angleOf, ModelValues} from './rational_model.ts';
 import type {Curves} from './results.ts';
 
 /// Amplitude in SI and phase in degrees, −180 to 180, of each result over ω [rad/s]; null where it is not defined.
@@ -56,10 +56,9 @@ export function sampledCurves(curves: Curves, model: number, omega: number[], wa
     const values = evaluated.at(w);
     for (let k = 0; k < wanted.length; k++) {
       const c = wanted[k]!, re = values[2 * k]!, im = values[2 * k + 1]!, size = Math.sqrt(re * re + im * im);
-      const defined = Number.isFinite(size), isReal = Math.abs(im) <= 1e-9 * Math.abs(re);
+      const defined = Number.isFinite(size);
       amplitude[c]!.push(defined ? exact[k]!.get(w) ?? size : null);
-      const angle = isReal ? (re < 0 ? Math.PI : 0) : Math.atan2(im, re);  // the sign of round-off changes at random
-      phase[c]!.push(defined && size > 0 ? angle * 180 / Math.PI : null);
+      phase[c]!.push(defined && size > 0 ? angleOf(re, im) * 180 / Math.PI : null);
     }
   }
   return {omega, amplitude, phase};

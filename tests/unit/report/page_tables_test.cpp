@@ -122,12 +122,11 @@ TEST(ReportPage, HasItsColoursInItsDataAndNotInItsScripts) {
   const std::string page = page_of(machine);
   const std::string scripts = page.substr(page.rfind("<script>"));
   EXPECT_THAT(page, HasSubstr("#D55E00"));
-  EXPECT_THAT(scripts, AllOf(HasSubstr("uPlot("), Not(HasSubstr("#D55E00")), Not(HasSubstr("7, 3"))));
+  EXPECT_THAT(scripts, AllOf(HasSubstr("uPlot"), Not(HasSubstr("#D55E00")), Not(HasSubstr("7, 3"))));
 }
 
 TEST(ReportPage, CarriesTheLicenceOfTheChartLibrary) {
-  EXPECT_THAT(page_of(machine),
-              AllOf(HasSubstr("Copyright (c) 2022 Leon Sorokin"), HasSubstr("github.com/leeoniya/uPlot (v1.6")));
+  EXPECT_THAT(page_of(machine), AllOf(HasSubstr("Copyright (c) 2022 Leon Sorokin"), HasSubstr("/* uPlot 1.6")));
 }
 
 }  // namespace page_tables_test

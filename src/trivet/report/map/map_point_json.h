@@ -19,8 +19,8 @@ using CaseMapCurves = std::vector<std::optional<study::MapCurves>>;
                                             const std::vector<study::CaseResults>& results,
                                             const foundation::Progress& progress);
 
-/// What the page needs to draw the design under the point of a map (report/map_point.js): per case null, or the stored
-/// designs with their verdicts and the numbers of their curves. Long lists are base64 of little-endian numbers.
+/// What the page needs to draw the design under the point of a map (web/src/report/map_point.js): per case null, or the
+/// stored designs with their verdicts and the numbers of their curves. Long lists are base64 of little-endian numbers.
 [[nodiscard]] std::string map_point_json(const std::vector<study::CaseResults>& results, const CaseMapCurves& curves);
 
 /// Is there any map whose point can be moved?

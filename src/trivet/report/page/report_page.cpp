@@ -24,15 +24,7 @@ namespace trivet::report {
 
 extern const char* const page_html;
 extern const char* const page_css;
-extern const char* const page_js;
-extern const char* const print_js;
-extern const char* const design_curves_js;
-extern const char* const map_point_js;
-extern const char* const charts_js;
-extern const char* const curves_js;
-extern const char* const chart_script;
-extern const char* const chart_style;
-extern const char* const chart_licence;
+extern const char* const page_script;
 
 namespace {
 
@@ -152,13 +144,7 @@ std::string report_page(const project::Project& project, const std::vector<study
   const bool has_points = has_map_point(map_curves);
   if (!has_points) page = without_parts(page, "map");
   // From the end to the start, so that inserted text that looks like a placeholder is not replaced.
-  replace(page, "{{script}}", page_js);
-  replace(page, "{{map_point}}", has_points ? std::string(design_curves_js) + map_point_js : "");
-  replace(page, "{{print}}", print_js);
-  replace(page, "{{charts}}", charts_js);
-  replace(page, "{{curves}}", curves_js);
-  replace(page, "{{chart_script}}", chart_script);
-  replace(page, "{{chart_licence}}", chart_licence);
+  replace(page, "{{script}}", page_script);
   if (has_points) replace(page, "{{designs}}", inside_script(map_point_json(case_results, map_curves)));
   replace(page, "{{drawing}}", inside_script(drawing_json(case_results, map_curves)));
   replace(page, "{{results}}", inside_script(results));
@@ -190,7 +176,6 @@ std::string report_page(const project::Project& project, const std::vector<study
   replace(page, "{{source_on_paper}}", css_string(input));
   replace(page, "{{title_on_paper}}", css_string(title));
   replace(page, "{{style}}", page_css);
-  replace(page, "{{chart_style}}", chart_style);
   replace(page, "{{title}}", escaped(title));
   return page;
 }

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page on paper: all cases below each other, each with its charts, all comparisons, nothing folded, no wide tables.
+import {caseName, cases, largestOf, number} from './report_data.ts';
+import {amplitudeWords, byId, draw, html, makeLegend, view} from './charts.js';
+import {chartsOfCase, comparedNames, comparisonOf, marksWords} from './page.js';
 
 const PAPER_WIDTH = 702;  // of the text [px]: A4 without the margins in page.css; Letter is wider
 const PAPER_CHART = {width: 344, height: 126};
@@ -228,7 +231,7 @@ function leaveOutMinorRows() {
   }
 }
 
-function layOutPages() {
+export function layOutPages() {
   if (undo.length) return;
   document.body.classList.add('paper');
   undo.push(() => document.body.classList.remove('paper'));
@@ -249,7 +252,7 @@ function layOutPages() {
   pairFoldedTables();
   divideLongTables();
 }
-function backToScreen() {
+export function backToScreen() {
   for (const chart of paperCharts) chart.plot?.destroy();
   paperCharts = [];
   while (undo.length) undo.pop()();

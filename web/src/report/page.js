@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Shows the selected case and all cases together, with the controls and the address of the page.
+import {caseName, cases, frequency, groups, largestOf, smallestOf} from './report_data.ts';
+import {bandOf, curvesOf, frequencies, landmarksOf, styled} from './case_curves.ts';
+import {allCharts, axisFactor, byId, draw, frequencyRange, frequencyUnit, html, isSpiky, makeChart, makeLegend,
+        onCase, phaseRange, shownCharts, view} from './charts.js';
+import {backToScreen, layOutPages} from './print.js';
 
 const SWITCHES = ['ylog', 'xlog', 'hz'];
 
 // ---------------------------------------------------------------- charts of a case and of all cases
 
 /// Charts of a case, and the nodes with them, one for each group of curves.
-function chartsOfCase(index, options = {}) {
+export function chartsOfCase(index, options = {}) {
   const c = cases[index], curves = curvesOf(c), band = bandOf(c), landmarks = landmarksOf(c), made = [];
   const row = (name, members) => {
     const own = members.map((member, i) => styled({...curves[member.curve], label: member.label}, i));
@@ -25,21 +30,21 @@ function chartsOfCase(index, options = {}) {
   return {nodes, charts: made};
 }
 /// What the marks in the charts of a case mean.
-const marksWords = ({peaks, modes}) => [peaks.length ? 'Circles: resonance peaks.' : '',
+export const marksWords = ({peaks, modes}) => [peaks.length ? 'Circles: resonance peaks.' : '',
   modes.length ? 'Grey ticks on the upper edge: undamped natural frequencies.' : ''].filter(Boolean).join(' ');
 function buildCharts() {
   const made = chartsOfCase(view.case);
   byId('marks').textContent = marksWords(cases[view.case]);
-  charts = made.charts;
+  shownCharts.ofCase = made.charts;
   byId('pictures').replaceChildren(...made.nodes);
   byId('characteristics').hidden = !made.nodes.length;
 }
 
 const drawable = () => cases.filter(c => frequencies(c).length > 1);
-const comparedNames = () => [...new Set(drawable().flatMap(c => c.response.results.map(r => r.name)))];
+export const comparedNames = () => [...new Set(drawable().flatMap(c => c.response.results.map(r => r.name)))];
 
 /// Chart of one curve in all cases.
-function comparisonOf(name, options = {}) {
+export function comparisonOf(name, options = {}) {
   const curves = cases.flatMap((c, i) => {
     const curve = frequencies(c).length > 1 && curvesOf(c).find(one => one.name === name);
     return curve ? [styled({...curve, key: `case ${i}`, label: caseName(i)}, i)] : [];
@@ -52,11 +57,11 @@ function comparisonOf(name, options = {}) {
 }
 function buildComparison() {
   const names = comparedNames(), has = cases.length > 1 && names.length > 0;
-  comparison = null;
+  shownCharts.comparison = null;
   byId('comparison').hidden = !has;
   if (!has) return;
   if (!names.includes(view.compare)) view.compare = names[0];
-  comparison = comparisonOf(view.compare, {height: 360});
+  const comparison = shownCharts.comparison = comparisonOf(view.compare, {height: 360});
   byId('compare').replaceChildren(...names.map(name => html('option', {}, name)));
   byId('compare').value = view.compare;
   byId('compared').replaceChildren(comparison.legend.node, comparison.holder);
@@ -79,7 +84,7 @@ function buildCase() {
 
 /// Updates controls and address to the view and redraws the charts.
 /// @param what  'all', or 'range' if only the zoom changed
-function refresh(what = 'all') {
+export function refresh(what = 'all') {
   for (const key of SWITCHES) byId(key).checked = view[key];
   const spiky = allCharts().filter(chart => !chart.phase).map(isSpiky);
   byId('ylog').checked = view.ylog ?? spiky.includes(true);
@@ -97,20 +102,20 @@ function refresh(what = 'all') {
   }
   soon('address', writeAddress);
 }
-function change(patch) {
+export function change(patch) {
   Object.assign(view, 'case' in patch ? {design: null} : {}, patch);
   if ('case' in patch) buildCase();
   refresh(Object.keys(patch).join() === 'zoom' ? 'range' : 'all');
 }
 /// Shows a range inside the bands of the charts; all of it means no zoom.
-function zoomTo(from, to) {
+export function zoomTo(from, to) {
   const bands = allCharts().map(chart => chart.band);
   const least = smallestOf(bands.map(band => band[0])), most = largestOf(bands.map(band => band[1]));
   const shown = [Math.max(from, least), Math.min(to, most)];
   if (shown[1] > shown[0]) change({zoom: shown[0] <= least && shown[1] >= most ? null : shown});
 }
 /// Moves the shown range, in a linear or logarithmic measure, up to the ends of the band.
-function moveBy(step, to, back) {
+export function moveBy(step, to, back) {
   if (!view.zoom) return;
   const ends = largestOf(allCharts().map(chart => chart.band[1]));
   const moved = view.zoom.map(w => back(to(w) + step));
@@ -119,13 +124,13 @@ function moveBy(step, to, back) {
 
 /// Calls a function after the last of several events.
 const timers = new Map();
-function soon(name, action) {
+export function soon(name, action) {
   clearTimeout(timers.get(name));
   timers.set(name, setTimeout(action, 150));
 }
 
 /// The view in the address, as in #case=1&ylog&xlog&hz&zoom=2,40&compare=pump.z&hide=pump.x
-function writeAddress() {
+export function writeAddress() {
   const parts = SWITCHES.filter(key => view[key]);
   if (view.ylog === false) parts.push('ylog=0');
   if (view.case) parts.unshift(`case=${view.case}`);
@@ -183,10 +188,13 @@ function listenToControls() {
   window.addEventListener('hashchange', readAddress);
 }
 
-if (cases.length) {
-  listenToControls();
-  readAddress();
+/// Shows the view in the address.
+export function begin() {
+  if (cases.length) {
+    listenToControls();
+    readAddress();
+  }
+  byId('controls').hidden = !cases.length;
+  byId('hz').parentNode.hidden = frequency?.unit === 'Hz';  // the axes are in it already
+  if (byId('overview')) byId('overview').hidden = !drawable().length;
 }
-byId('controls').hidden = !cases.length;
-byId('hz').parentNode.hidden = frequency?.unit === 'Hz';  // the axes are in it already
-if (byId('overview')) byId('overview').hidden = !drawable().length;

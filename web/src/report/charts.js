@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Charts of curves, drawn by uPlot: ranges, ticks, marks, pointer, keys and legends.
+import uPlot from 'uplot';
+import {logarithmicTicks} from '../chart/logarithmic_axis.ts';
+import {frequency, frequencyWords, largestOf, multiple, number, reading, smallestOf, TURN, units, withUnit} from './report_data.ts';
+import {amplitudeAt, inRange, inside, nearestIndex} from './case_curves.ts';
+import {change, moveBy, refresh, zoomTo} from './page.js';
 
 /// State chosen by the user. `ylog` is null while each chart chooses its amplitude axis. `zoom` is null or [from, to]
 /// in rad/s; `hidden` contains the names of hidden curves.
 /// `design` is null or [column, row] of the stored design under the point of the map.
-const view = {case: 0, ylog: null, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set(), design: null};
-let charts = [];        // of the selected case
-let comparison = null;  // the chart of all cases
-let designCharts = [];  // of the design under the point of a map
-const onCase = [];      // called when another case is shown
-const axisFactor = () => (view.hz ? 1 / TURN : frequency?.factor ?? 1);  // from rad/s to the unit of the frequency axes
+export const view = {case: 0, ylog: null, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set(), design: null};
+/// The charts on the page: of the selected case, of all cases together, and of the design under the point of a map.
+export const shownCharts = {ofCase: [], comparison: null, ofDesign: []};
+export const onCase = [];  // called when another case is shown
+export const axisFactor = () => (view.hz ? 1 / TURN : frequency?.factor ?? 1);  // from rad/s to the unit of the frequency axes
 const isOnPaper = chart => Boolean(chart.width);  // low: the caption names the amplitude, the last number the unit
 const FEW_POINTS = 24;  // so few points of a response are drawn as dots, because the line between them shows little
 
-const byId = id => document.getElementById(id);
+export const byId = id => document.getElementById(id);
 
-function html(tag, attributes, ...children) {
+export function html(tag, attributes, ...children) {
   const node = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes ?? {})) {
     if (name.startsWith('on')) node.addEventListener(name.slice(2), value);
@@ -28,7 +32,7 @@ function html(tag, attributes, ...children) {
 // ---------------------------------------------------------------- ranges and ticks
 
 /// The shown range of ω. A logarithmic axis cannot start at 0; it starts a decade below the lowest mode or peak.
-function frequencyRange(chart) {
+export function frequencyRange(chart) {
   let [from, to] = view.zoom ?? chart.band;
   if (!(to > from)) [from, to] = [from * 0.9, from * 1.1 + 1e-9];
   if (view.xlog && from <= 0) {
@@ -58,7 +62,7 @@ const shownCurves = chart => chart.curves.filter(c => !view.hidden.has(c.key));
 const limitsOf = chart => chart.limits ?? shownCurves(chart).flatMap(c => c.limits.map(l => ({...l, label: c.label})));
 
 /// Would a linear axis show only a spike? Then the axis is logarithmic, on the screen and on paper.
-function isSpiky(chart) {
+export function isSpiky(chart) {
   if (chart.phase) return false;
   const spiky = 10, lines = shownCurves(chart).map(curve => inRange(curve, ...frequencyRange(chart)));
   const highest = line => largestOf(line.map(p => p[1])), common = largestOf(lines.map(commonTop));
@@ -90,7 +94,7 @@ function amplitudeRange(chart) {
 }
 
 /// Phases of the curves: ±180°, or more in multiples of 90° for continuous phases.
-function phaseRange(curves) {
+export function phaseRange(curves) {
   const angles = curves.flatMap(c => c.phase).filter(v => v !== null);
   const low = Math.min(-180, Math.floor(smallestOf(angles) / 90 + 1e-9) * 90);
   return [low, Math.max(180, Math.ceil(largestOf(angles) / 90 - 1e-9) * 90)];
@@ -101,15 +105,12 @@ function phaseAxis(chart) {
   return [low - air, high + Math.max(air, chart.modes.length ? (high - low) * room / (1 - room) : 0)];
 }
 
-/// Ticks of a logarithmic axis; uPlot's own start at its lower end, which is not round after a zoom.
+/// Ticks of a logarithmic axis: those with numbers within a decade, only powers of ten on a crowded one.
 /// @param length  of the axis [px]; lines closer than 2 px within a decade would be a grey area
-function logarithmicTicks(from, to, step, length) {
-  const ticks = [], decades = Math.log10(to / from);
-  if (decades < 1) for (let k = Math.ceil(from / step); k * step <= to; k++) ticks.push(k * step);
-  else
-    for (let k = Math.floor(Math.log10(from)); k <= Math.log10(to); k++)
-      for (let digit = 1; digit <= (length / decades < 44 ? 1 : 9); digit++) ticks.push(digit * Number(`1e${k}`));
-  return ticks.filter(tick => tick >= from && tick <= to);
+function ticksOf(from, to, length) {
+  const {lines, labelled} = logarithmicTicks(from, to), decades = Math.log10(to / from);
+  if (decades < 1) return labelled;
+  return length / decades < 44 ? lines.filter(tick => tick.toExponential().startsWith('1e')) : lines;
 }
 /// Labels of powers of ten, as many as there is room for, and of 2 and 5 times them on a short axis.
 function logarithmicLabels(ticks, room) {
@@ -126,7 +127,7 @@ function logarithmicLabels(ticks, room) {
 
 // ---------------------------------------------------------------- charts
 
-const allCharts = () => [...charts, ...designCharts, ...(comparison ? [comparison] : [])];
+export const allCharts = () => [...shownCharts.ofCase, ...shownCharts.ofDesign, ...(shownCharts.comparison ? [shownCharts.comparison] : [])];
 
 /// Path of a phase within ±180°: it continues at the other edge, reached the short way.
 function wrappedPath(u, curve, first, last) {
@@ -208,13 +209,13 @@ const AXIS = {stroke: '#333', font: FONT, labelFont: FONT, gap: 4, labelSize: 18
               ticks: {show: false}, grid: {stroke: '#e2e2e2', width: 1}};
 
 /// "displacement amplitude [mm]" in the unit that suits the shown range.
-function amplitudeWords(chart, u) {
+export function amplitudeWords(chart, u) {
   const {quantity} = units[chart.unit], name = quantity.includes(' ') ? quantity : `${quantity} amplitude`;
   const top = u.scales.y.max ?? amplitudeRange(chart)[1];  // before the first drawing
   return `${name} [${multiple(top, chart.unit).unit}]`;
 }
 const frequencyLabel = () => (view.hz ? 'f [Hz]' : frequency?.label ?? 'ω [rad/s]');
-const frequencyUnit = () => (view.hz ? 'Hz' : frequency?.unit ?? 'rad/s');
+export const frequencyUnit = () => (view.hz ? 'Hz' : frequency?.unit ?? 'rad/s');
 /// Numbers of an axis, the last one with a unit: "5", "", "20 Hz".
 function withUnitAtEnd(texts, unit) {
   const last = texts.findLastIndex(Boolean);
@@ -223,8 +224,8 @@ function withUnitAtEnd(texts, unit) {
 /// Frequency axis and amplitude or phase axis.
 function axesOf(chart) {
   const logarithmic = {filter: (u, ticks) => ticks,
-                       splits: (u, axis, from, to, step) =>
-                         logarithmicTicks(from, to, step, (axis ? u.bbox.height : u.bbox.width) / uPlot.pxRatio)};
+                       splits: (u, axis, from, to) =>
+                         ticksOf(from, to, (axis ? u.bbox.height : u.bbox.width) / uPlot.pxRatio)};
   const labels = (ticks, log, room) => (log ? logarithmicLabels(ticks, room) : ticks.map(tick => number(tick, 8)));
   const ylog = isLogarithmic(chart), suited = u => multiple(u.scales.y.max, chart.unit);
   const frequencies = (u, ticks) => labels(ticks, view.xlog, u.width / 50);
@@ -269,7 +270,7 @@ function isNear({holder}) {
 }
 /// Draws a chart again, or only moves it to the shown frequencies. One outside the window waits, except on paper, where
 /// charts have a fixed width.
-function draw(chart) {
+export function draw(chart) {
   if (!chart.stale || !(chart.width || isNear(chart))) return;
   const spiky = isSpiky(chart);
   if (spiky !== chart.spiky) [chart.spiky, chart.stale] = [spiky, 'all'];
@@ -283,7 +284,7 @@ function draw(chart) {
   }
   chart.stale = '';
 }
-function makeChart(options) {
+export function makeChart(options) {
   const chart = {height: 250, phase: null, modes: [], stale: 'all', ...options};
   chart.ceiling = ceilingOf(chart);
   chart.marks = html('div', {class: 'marks'});
@@ -349,7 +350,7 @@ function moveByKey(chart, event) {
 }
 
 /// Buttons that show or hide curves, each with the value under the cursor.
-function makeLegend(curves, withPhase) {
+export function makeLegend(curves, withPhase) {
   const legend = {withPhase, frequency: html('span', {class: 'frequency'}), entries: []};
   const entries = curves.map(curve => {
     const value = html('span', {class: 'reading'}, highestWords(curve)), sample = html('span', {class: 'sample'});

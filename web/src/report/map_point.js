@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The point of a map of designs: moved by mouse, touch and keys to the nearest stored design, whose verdict and curves
 // follow. Nothing between stored designs is shown.
+import {cases, designGroups, factorOf, number, read} from './report_data.ts';
+import {bandOf, curvesOf, landmarksOf, styled} from './case_curves.ts';
+import {caseOfDesign, readDesigns} from './design_case.ts';
+import {byId, draw, html, makeChart, makeLegend, onCase, shownCharts, view} from './charts.js';
+import {soon, writeAddress} from './page.js';
 
-const maps = read('designs').map(map => map && readDesigns(map));
+const maps = byId('designs') ? read('designs').map(map => map && readDesigns(map)) : [];
 for (const map of maps.filter(Boolean))
   map.limits = map.rules.filter(rule => rule.limit !== undefined)
     .map(rule => ({...rule, limit: rule.limit * factorOf(rule.unit)}));
-const designGroups = read('drawing').design_groups;
 const STEP_WITH_SHIFT = 5;
 let shown = null;  // the parts of the page that show the point of the selected case
 
@@ -185,8 +189,8 @@ function showDesign() {
   verdict.replaceChildren(...words());
   onPaper.replaceChildren('Design at the ring: ', ...words());
   for (const part of [ring.group, onPaper]) part.classList.toggle('unmoved', !view.design);
-  for (const chart of designCharts) chart.plot?.destroy();
-  designCharts = [];
+  for (const chart of shownCharts.ofDesign) chart.plot?.destroy();
+  shownCharts.ofDesign = [];
   drawn.replaceChildren();
   if (!map.curves || !designGroups[index].length) return;
   if (!map.curves.drawn[node]) {
@@ -196,7 +200,7 @@ function showDesign() {
   }
   const {nodes, built} = chartsOfDesign(caseOfDesign(cases[index], map, node), designGroups[index][shown.group]);
   drawn.append(...nodes);
-  designCharts = built;
+  shownCharts.ofDesign = built;
   for (const chart of built) draw(chart);
 }
 let waiting = 0;
@@ -213,7 +217,7 @@ function setPlace(place) {
 const parts = new Map();
 onCase.push(() => {
   const index = view.case;
-  designCharts = [];
+  shownCharts.ofDesign = [];
   if (!maps[index]) return;
   if (!parts.has(index)) parts.set(index, partsOf(index));
   shown = parts.get(index);

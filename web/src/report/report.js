@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The script of a report (docs/decisions/report-charts.md).
+import './before_charts.js';
+import './map_point.js';
+import {begin} from './page.js';
+
+begin();
