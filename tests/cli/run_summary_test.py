@@ -65,6 +65,15 @@ class RunSummary(InTemporaryFolder):
         self.assertTrue(text.startswith("MET: 2 of 2 requirements"), text)
         self.assertRegex(text, r"(?m)^  soft +1 of 2 violated, not required ")
 
+    def test_the_rules_of_a_map_are_violated_only_where_the_design_has_to_hold(self):
+        axes = '[analyses.map]\nx = {parameter = "elements.spring.scale", from = 0.2, to = 4, points = 5}\n'
+        axes += 'y = {parameter = "elements.spring.damping.proportional", from = 0.01, to = 0.3, points = 5}\n'
+        text = MACHINE + axes + LIMITS.replace('"12 mm"', '"29 mm"') + SOFT
+        met = self.summary(text.replace('["", "soft"]', '[""]'), "--strict")
+        self.assertTrue(met.startswith("MET: 2 of 2 requirements, 1 of 1 verdict of a map\n"), met)
+        elsewhere = met[met.index("Violated in cases in which the requirements are not binding:") :].split("\n\n")[0]
+        self.assertIn("  rules of the map: machine.z reaches ", elsewhere)
+
     def test_an_analysis_that_fails_is_named_before_the_cases(self):
         free = 'gravity = [0, 0, -9.81]\n' + MACHINE.replace("[900, 900, 900]", "[900, 900, 0]")
         text = self.summary(free.replace("peaks = {}", "static = {}"), code=1)

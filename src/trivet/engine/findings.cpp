@@ -20,7 +20,7 @@ void Findings::add(const study::DesignMap& map) {
   if (map.feasible_designs == 0) ++infeasible_;
   for (const study::MapMark& mark : map.marks)
     if (!mark.judged) ++not_judged_;
-    else if (!mark.judged->governing.feasible()) ++infeasible_;
+    else if (mark.decides && !mark.judged->governing.feasible()) ++infeasible_;
 }
 
 void Findings::add(const study::CaseVerdict& judged) {

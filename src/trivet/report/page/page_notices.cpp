@@ -201,6 +201,7 @@ Cell map_cell(const ShownCase& shown, const std::vector<ShownCase>& cases) {
   if (!mark) return {"–"};
   if (!mark->judged) return missing_verdict_cell("not computed");
   const std::string whose = shown.results.map && !shown.results.case_name.empty() ? " (own map)" : "";
+  if (!mark->decides && !mark->judged->governing.feasible()) return {"violated, not binding" + whose};
   return verdict_cell(mark->judged->governing.feasible(), "met" + whose, "VIOLATED" + whose);
 }
 

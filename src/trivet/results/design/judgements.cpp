@@ -143,9 +143,12 @@ void add_map(const study::DesignMap& map, std::size_t which, const std::vector<c
                   "rules of the map",
                   without_empty(verdict_words(map, mark), "; "),
                   0,
-                  found == cases.end() ? which : static_cast<std::size_t>(found - cases.begin())};
+                  found == cases.end() ? which : static_cast<std::size_t>(found - cases.begin()),
+                  mark.decides};
     if (mark.judged) {
-      one.outcome = mark.judged->governing.feasible() ? Outcome::met : Outcome::violated;
+      one.outcome = mark.judged->governing.feasible() ? Outcome::met
+          : mark.decides                              ? Outcome::violated
+                                                      : Outcome::violated_no_need;
       one.margin = mark.judged->governing.margin;
     }
     list.push_back(std::move(one));

@@ -52,7 +52,8 @@ Table marks_table(const DesignMap& map) {
                       row("verdict", Kind::words, "verdict",
                           [](const MapMark& mark) {
                             if (!mark.judged) return "NOT COMPUTED";
-                            return mark.judged->governing.feasible() ? "met" : "VIOLATED";
+                            if (mark.judged->governing.feasible()) return "met";
+                            return mark.decides ? "VIOLATED" : "violated, not binding";
                           })},
           .forms = for_people};
 }
@@ -86,7 +87,8 @@ Group cases_on_map(const DesignMap& map) {
                               place_words(mark.y, map.request.y),
                               !mark.judged                            ? "NOT COMPUTED"
                                   : mark.judged->governing.feasible() ? "meets every rule"
-                                                                      : "VIOLATES the rules",
+                                  : mark.decides                      ? "VIOLATES the rules"
+                                                                      : "violates the rules, not binding in this case",
                               mark.of_this_model ? "" : "; its model differs by more than the two numbers")}}});
     for (const std::string& words : verdict_words(map, mark))
       group.parts.push_back({Sentence{.parts = {"    " + words}, .place = Sentence::Place::item}});

@@ -65,6 +65,7 @@ Json mark_json(const DesignMap& map, const study::MapMark& m) {
               {"y", json::optional(m.y)},
               {"of_this_model", m.of_this_model},
               {"has_own_rules", m.has_own_rules},
+              {"decides", m.decides},
               {"words", verdict_words(map, m, Readers::programs)}};
   if (!m.judged) return result;
   result["kept"] = m.judged->governing.feasible();

@@ -17,6 +17,7 @@
 #include "trivet/study/map/map_judge.h"
 #include "trivet/study/map/map_warnings.h"
 #include "trivet/study/requirements/unbounded_peaks.h"
+#include "trivet/study/requirements/verdict.h"
 
 namespace trivet::study {
 
@@ -60,6 +61,7 @@ bool has_other_rules(const project::Case& variant, const project::MapRequest& re
 
 std::vector<MapMark> map_marks(const project::Project& project, const project::MapRequest& request,
                                const MapJudge& evaluation, int threads, const foundation::Progress& progress) {
+  const std::vector<std::string> hold_in = cases_to_hold(project);
   std::vector<MapMark> all;
   std::vector<const project::Case*> cases;
   for (const project::Case& c : project.cases) {
@@ -68,6 +70,7 @@ std::vector<MapMark> map_marks(const project::Project& project, const project::M
                  ""};
     if (request.cases ? !listed : !mark.placed()) continue;
     mark.has_own_rules = has_other_rules(c, request);
+    mark.decides = !c.analyses.requirements || std::ranges::find(hold_in, c.name) != hold_in.end();
     all.push_back(std::move(mark));
     cases.push_back(&c);
   }

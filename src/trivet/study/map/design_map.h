@@ -24,6 +24,7 @@ struct MapMark {
   std::optional<design::JudgedDesign> judged;  ///< none if it could not be computed
   std::string failure;
   bool has_own_rules = false;  ///< its own map has other rules than the one on which it is shown
+  bool decides = true;         ///< the design has to hold in this case; false: requirements are not binding in it
 
   [[nodiscard]] bool placed() const { return x && y; }
 };
