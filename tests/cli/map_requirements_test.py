@@ -102,10 +102,14 @@ class MapRequirements(InTemporaryFolder):
         self.assertEqual(
             [(m["x"]["name"], m["y"]["name"]) for m in both["pairs"]][1:], [("stiffness", "mass"), ("damper", "mass")]
         )
+        shared = both["pairs"][0]["colours"]
+        self.assertEqual({c["governing"] for c in shared}, {g for m in both["pairs"] for g in m["grid"]["governing"]})
         for one in both["pairs"]:
             axes = ", ".join(f'{a} = {{parameter = "{one[a]["name"]}", points = 7}}' for a in "xy")
             alone = result_of("map", self.file(MODEL + f"[analyses]\nmap = {{{axes}}}\n" + REQUIRED))
             alone.pop("warnings")
+            alone.pop("colours")  # of all three maps they are the same
+            self.assertEqual(one.pop("colours"), shared)
             self.assertEqual(one, alone)
         text = trivet("map", self.file(MODEL + PAIRS + REQUIRED)).stdout
         self.assertIn("Maps of 3 pairs of parameters", text)

@@ -165,6 +165,21 @@ class Map(unittest.TestCase):
         ):
             self.assertIn(words, svg)
 
+    def test_the_colours_of_the_rules_are_stated_and_those_of_the_picture(self):
+        found = json.loads(run("map", self.project, "--json")[0])
+        designs = {one["governing"]: found["grid"]["governing"].count(one["governing"]) for one in found["colours"]}
+        self.assertEqual(sum(designs.values()), found["designs"])
+        self.assertGreater(len(designs), 1)
+        self.assertEqual(list(designs.values()), sorted(designs.values(), reverse=True))
+        self.assertEqual(len({one["colour"] for one in found["colours"]}), len(designs))
+        picture = self.folder / "map.svg"
+        run("map", self.project, "--picture", str(picture))
+        svg = picture.read_text()
+        for one in found["colours"]:
+            before = svg[: svg.index(">" + one["words"].replace("<", "&lt;") + "<")]
+            samples = re.findall(r'width="22.00" height="13.00" fill="(#\w{6})"', before)
+            self.assertEqual(samples[-1], one["colour"], one)
+
     def test_a_picture_is_named_svg_before_anything_is_computed(self):
         for name in ("map.png", "map", "map.svg.gz"):
             picture = self.folder / name

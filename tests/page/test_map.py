@@ -4,12 +4,13 @@ import re
 
 from conftest import settled
 from test_accessible import violations
+from test_pictures import picture
 from test_play import command, computed_frequencies, shown_frequencies
 
 STIFFNESS, DAMPING = 'elements.suspension.scale', 'elements.suspension.damping.proportional'
 
 
-def opened(served):
+def map_of(served):
     """The page with its computed map."""
     page = served.page()
     settled(page)
@@ -29,7 +30,7 @@ def design(page):
 
 def test_the_best_design_of_the_map_becomes_the_design_on_the_page(serve):
     served = serve('paper/map.toml')
-    page = opened(served)
+    page = map_of(served)
     assert design(page) == [1, 0.05]
     found = command('map', served.file)
     assert f"{found['kept']} of {found['designs']} designs" in page.locator('map-panel').inner_text()
@@ -43,7 +44,7 @@ def test_the_best_design_of_the_map_becomes_the_design_on_the_page(serve):
 
 
 def test_the_point_is_dragged_and_one_undo_brings_it_back(serve):
-    page = opened(serve('paper/map.toml'))
+    page = map_of(serve('paper/map.toml'))
     box, point = page.locator('.map').bounding_box(), page.locator('.design').bounding_box()
     at = [point['x'] + point['width'] / 2, point['y'] + point['height'] / 2]
     page.mouse.move(*at)
@@ -64,7 +65,7 @@ def test_the_point_is_dragged_and_one_undo_brings_it_back(serve):
 
 
 def test_the_point_moves_by_keyboard_and_is_read_out(serve):
-    page = opened(serve('paper/map.toml'))
+    page = map_of(serve('paper/map.toml'))
     page.locator('.map').focus()
     page.keyboard.press('ArrowRight')
     page.keyboard.press('Shift+ArrowUp')
@@ -74,5 +75,19 @@ def test_the_point_moves_by_keyboard_and_is_read_out(serve):
     assert f'δ {damping:g} s' in page.locator('map-panel [role=status]').inner_text()
 
 
+def test_the_colours_of_the_rules_are_those_of_the_program(serve):
+    served = serve('paper/map.toml')
+    page = map_of(served)
+    key = command('map', served.file)['colours']
+    shown = page.locator('.rules li:has(rect)')
+    assert shown.all_inner_texts() == [one['words'] for one in key]
+    assert [shown.nth(i).locator('rect').get_attribute('fill') for i in range(len(key))] == [
+        one['colour'] for one in key
+    ]
+    drawn = {colour: n for n, colour in picture(page.locator('.map')).getcolors(1 << 24)}
+    first = tuple(int(key[0]['colour'][i : i + 2], 16) for i in (1, 3, 5))
+    assert drawn.get(first, 0) > 1000  # it governs most designs, which violate it
+
+
 def test_the_map_has_no_violation(serve):
-    assert violations(opened(serve('paper/map.toml'))) == []
+    assert violations(map_of(serve('paper/map.toml'))) == []

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
-import {coloursOf, drawMap, plottedIn, titleOf, type Plotted} from './chart/map_picture.ts';
+import {drawMap, plottedIn, titleOf, type Plotted} from './chart/map_picture.ts';
 import {AxisNumber, partOn} from './map_axis.ts';
 import {Part} from './part.ts';
 import {number} from './quantities.ts';
@@ -25,7 +25,7 @@ export class MapPanel extends Part {
   override render() {
     const {beside} = this.app, all = this.maps, map = this.map, running = beside.isRunning('map');
     if (!map) return html`<p class="hint">${beside.failure('map') || (!beside.takesLong('map') ? 'Computing …' : this.app.engine.oneAtATime ? 'The kernel answers nothing else while it computes the map.' : 'The map takes longer than a second.')}</p>${this.computeButton()}`;
-    const point = this.point(map), axes = this.axes(map), colours = coloursOf(map.rules, this.app.display.theme), label = `Map of ${titleOf(map.x)} and ${titleOf(map.y)}`;
+    const point = this.point(map), axes = this.axes(map), label = `Map of ${titleOf(map.x)} and ${titleOf(map.y)}`;
     return html`<div class="bar">${all.length > 1 ? html`<select aria-label="Pair of numbers" @change=${(e: Event) => { this.pair = Number((e.target as HTMLSelectElement).value); }}>
           ${all.map((m, i) => html`<option value=${i} ?selected=${i === this.pair}>${m.y.name} over ${m.x.name}</option>`)}</select>` : nothing}
         <span>${map.kept} of ${map.designs} designs meet all rules</span>${beside.isOld('map') ? html`<span class="old" title="computed for other numbers">…</span>` : nothing}
@@ -34,8 +34,8 @@ export class MapPanel extends Part {
            @pointerdown=${(e: PointerEvent) => this.pressed(e, map)} @pointermove=${(e: PointerEvent) => this.moved(e, map)} @pointerup=${() => this.app.state.dropped()}>
         <canvas></canvas><span class="design" ?hidden=${!point} title="the design on the page"></span></div>
       <p class="hint">${point ? this.words(map, point) : `${axes.map(a => a.value === null ? a.paths.join(', ') : '').filter(Boolean).join(' and ')} is not in the file: click in the map to set it.`}</p>
-      <ul class="rules">${map.rules.map((r, i) => ({r, i})).filter(({r}) => r.governs_kept + r.governs_broken > 0).map(({r, i}) => html`<li><svg viewBox="0 0 12 12" aria-hidden="true"><rect width="12" height="12" fill=${colours[i]}></rect></svg>${r.words}</li>`)}
-        <li class="note">colour: the rule with the least margin; light: all are met; ★ largest margin</li></ul>
+      <ul class="rules">${map.colours.map(({colour, words}) => html`<li><svg viewBox="0 0 12 12" aria-hidden="true"><rect width="12" height="12" fill=${colour}></rect></svg>${words}</li>`)}
+        <li class="note">colour: the rule with the least margin; light: all are met; ★ largest margin${map.marks.some(m => m.kept === false) ? `; ●: cases, red if they violate a rule${map.marks.some(m => !m.decides && m.kept === false) ? ', ochre where that is not binding' : ''}` : ''}</li></ul>
       <p class="hidden" role="status" aria-live="polite">${this.spoken}</p>`;
   }
   override updated() {

@@ -234,12 +234,13 @@ export interface MapAxis {
 export interface DesignMap {
   x: MapAxis;
   y: MapAxis;
-  rules: {words: string; governs_kept: number; governs_broken: number}[];
+  rules: {words: string}[];
+  colours: {governing: number | 'none' | 'not computed'; colour: string; words: string}[];  // the key, in its order
   designs: number;
   kept: number;
   feasible: {share: number; boundary: (readonly [number, number])[][]};
   best: {x: number; y: number; margin: number | null; governing: number | 'none'; kept: boolean} | null;
-  marks: {case: string; x: number | null; y: number | null; of_this_model: boolean; kept?: boolean; margin?: number | null}[];
+  marks: {case: string; x: number | null; y: number | null; of_this_model: boolean; decides: boolean; kept?: boolean; margin?: number | null}[];
   grid: {margin: (number | null)[]; governing: (number | string)[]};  // row after row of y, x fastest
 }
 export type DesignMaps = DesignMap | {pairs: DesignMap[]};

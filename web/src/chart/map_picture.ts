@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws a map of designs: colours of the rules that govern, full where a rule is violated and light where all are met; the exact
-// boundary between both; cases, and the best design.
+// Draws a map of designs in the colours that the program states, as in the report: full where a rule is violated and light where all
+// are met; the exact boundary between both; cases, and the best design.
 import type {Theme} from '../display.ts';
 import {partOn, ticksOf} from '../map_axis.ts';
 import {number} from '../quantities.ts';
 import type {DesignMap, MapAxis} from '../results.ts';
-import {chartColours, strokeOf} from './strokes.ts';
+import {chartColours} from './strokes.ts';
 
 const LEFT = 54, RIGHT = 10, TOP = 8, BOTTOM = 34;  // px around the plot
 
@@ -28,7 +28,7 @@ export function drawMap(pen: CanvasRenderingContext2D, map: DesignMap, width: nu
   pen.clip();
   pen.imageSmoothingEnabled = false;
   const [cellX, cellY] = [area.width / (x.points - 1), area.height / (y.points - 1)];  // a design is the middle of its cell
-  pen.drawImage(cells(map, theme), area.left - cellX / 2, area.top - cellY / 2, area.width + cellX, area.height + cellY);
+  pen.drawImage(cells(map), area.left - cellX / 2, area.top - cellY / 2, area.width + cellX, area.height + cellY);
   for (const line of map.feasible.boundary) {
     pen.beginPath();
     line.forEach(([a, b], i) => (i ? pen.lineTo(across(a), up(b)) : pen.moveTo(across(a), up(b))));
@@ -39,11 +39,11 @@ export function drawMap(pen: CanvasRenderingContext2D, map: DesignMap, width: nu
   pen.restore();
   frame(pen, area, map, colours.axis, colours.text);
   const taken: [number, number][] = [];
-  for (const mark of map.marks) if (mark.x !== null && mark.y !== null && inside(x, mark.x) && inside(y, mark.y)) {
+  for (const mark of map.marks) if (mark.of_this_model && mark.x !== null && mark.y !== null && inside(x, mark.x) && inside(y, mark.y)) {
     const at: [number, number] = [across(mark.x), up(mark.y)];
     pen.beginPath();
     pen.arc(...at, 3.5, 0, 7);
-    pen.fillStyle = mark.kept ? colours.text : colours.violated;
+    pen.fillStyle = mark.kept ? colours.text : mark.decides ? colours.violated : colours.unbinding;
     pen.fill();
     pen.strokeStyle = theme === 'dark' ? '#000' : '#fff';
     pen.lineWidth = 1;
@@ -56,25 +56,22 @@ export function drawMap(pen: CanvasRenderingContext2D, map: DesignMap, width: nu
 }
 const inside = ({from, to}: MapAxis, value: number) => value >= from && value <= to;
 
+const FULL = 255, LIGHT = 71;  // opacity: a colour under the white of the report, which covers 72 % of it
+
 /// A picture with a pixel for each design.
-function cells({x, y, grid, rules}: DesignMap, theme: Theme): HTMLCanvasElement {
+function cells({x, y, grid, colours}: DesignMap): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   [canvas.width, canvas.height] = [x.points, y.points];
-  const pen = canvas.getContext('2d')!, image = pen.createImageData(x.points, y.points), colours = coloursOf(rules, theme).map(rgb);
+  const pen = canvas.getContext('2d')!, image = pen.createImageData(x.points, y.points);
+  const colourOf = new Map(colours.map(({governing, colour}) => [governing as number | string, rgb(colour)]));
   grid.governing.forEach((governing, k) => {
     const row = y.points - 1 - Math.floor(k / x.points), at = 4 * (row * x.points + k % x.points), margin = grid.margin[k] ?? null;
     const met = governing === 'none' || margin !== null && margin >= 1;
-    if (typeof governing !== 'number' && governing !== 'none') return;  // no result: nothing
-    const [r, g, b] = governing === 'none' ? [128, 128, 128] : colours[governing]!;
-    image.data.set([r!, g!, b!, met ? 56 : 190], at);
+    const [r, g, b] = colourOf.get(governing === 'no model' ? 'not computed' : governing)!;
+    image.data.set([r!, g!, b!, met ? LIGHT : FULL], at);
   });
   pen.putImageData(image, 0, 0);
   return canvas;
-}
-/// Colours of the rules; those that govern most differ most.
-export function coloursOf(rules: DesignMap['rules'], theme: Theme): string[] {
-  const governed = (i: number) => rules[i]!.governs_kept + rules[i]!.governs_broken, order = rules.map((_, i) => i).sort((a, b) => governed(b) - governed(a));
-  return rules.map((_, i) => strokeOf(order.indexOf(i), theme).colour);
 }
 const rgb = (colour: string) => [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16));
 

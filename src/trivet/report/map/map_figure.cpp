@@ -17,33 +17,34 @@
 namespace trivet::report {
 namespace {
 
-void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& regions, Key& key) {
+void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& regions,
+                     const results::MapColours& colours, Key& key) {
   const auto share = [&](std::size_t designs) {
     return fmt::format("{:.1f} % of the designs",
                        100.0 * static_cast<double>(designs) / static_cast<double>(map.outcomes.size()));
   };
   key.heading("Rule with the least margin");
   MapRegion others;
-  for (std::size_t rank = 0; rank < regions.size(); ++rank) {
-    const MapRegion& region = regions[rank];
+  for (const MapRegion& region : regions) {
     const bool infeasible = !region.infeasible.empty(), feasible = !region.feasible.empty();
     if (!region.known()) break;
-    if (rank >= different_rules) {
+    const std::string colour = colours.of(region.governing);
+    if (colour == results::MapColours::other_rules) {
       others.designs += region.designs;
       if (infeasible) others.infeasible = region.infeasible;
       if (feasible) others.feasible = region.feasible;
     } else {
-      key.region(rule_colour(rank), infeasible, feasible,
+      key.region(colour, infeasible, feasible,
                  region.governing == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(map)
                                                           : map.rules[region.governing].words,
                  share(region.designs));
     }
   }
   if (others.designs > 0)
-    key.region(other_colour, !others.infeasible.empty(), !others.feasible.empty(), "other rules",
+    key.region(results::MapColours::other_rules, !others.infeasible.empty(), !others.feasible.empty(), "other rules",
                share(others.designs));
   if (map.unknown > 0)
-    key.region(unknown_colour, true, false, "not computed: unphysical body, or no model", share(map.unknown));
+    key.region(results::MapColours::not_computed, true, false, results::not_computed_words, share(map.unknown));
 }
 
 void explain_feasible(const study::DesignMap& map, Key& key) {
@@ -143,10 +144,9 @@ Figure map_figure(const study::DesignMap& map, const std::string& title) {
   picture.canvas.text({width / 2, 22}, heading, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   Key key(picture.canvas, {picture.panel.corner.x + picture.panel.width + 22, picture.panel.corner.y});
   const std::vector<MapRegion> regions = map_regions(map);
-  draw_regions(picture, regions, heading, [](const MapRegion& region, std::size_t rank) {
-    return region.known() ? rule_colour(rank) : unknown_colour;
-  });
-  explain_regions(map, regions, key);
+  const results::MapColours colours({&map, 1});
+  draw_regions(picture, regions, heading, colours);
+  explain_regions(map, regions, colours, key);
   explain_feasible(map, key);
   draw_frame(picture.canvas, picture.panel);
   const std::vector<PlacedMark> placed = placed_marks(picture);

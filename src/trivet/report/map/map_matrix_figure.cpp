@@ -7,7 +7,6 @@
 #include <map>
 #include <utility>
 
-#include "trivet/foundation/index.h"
 #include "trivet/report/map/map_figure.h"
 #include "trivet/report/map/map_picture.h"
 #include "trivet/report/map/map_regions.h"
@@ -86,10 +85,6 @@ std::vector<Governed> governed(const std::vector<study::DesignMap>& maps,
   return list;
 }
 
-std::size_t rank_of(const std::vector<Governed>& rules, std::size_t rule) {
-  return to_size(std::ranges::find(rules, rule, &Governed::rule) - rules.begin());
-}
-
 /// Share of the map that is feasible, and the best margin.
 std::string caption(const study::DesignMap& map) {
   std::string text = fmt::format("{:.3g} % feasible", 100 * map.feasible.area);
@@ -100,7 +95,8 @@ std::string caption(const study::DesignMap& map) {
                                : fmt::format(", {} margin {:.3g}", best.feasible() ? "best" : "nearest", best.margin));
 }
 
-void explain(const std::vector<study::DesignMap>& maps, const std::vector<Governed>& rules, Key& key) {
+void explain(const std::vector<study::DesignMap>& maps, const std::vector<Governed>& rules,
+             const results::MapColours& colours, Key& key) {
   std::size_t all = 0, unknown = 0;
   for (const study::DesignMap& map : maps) all += map.outcomes.size(), unknown += map.unknown;
   const auto share = [&](std::size_t designs) {
@@ -108,10 +104,10 @@ void explain(const std::vector<study::DesignMap>& maps, const std::vector<Govern
   };
   key.heading("Rule with the least margin");
   Governed others;
-  for (std::size_t rank = 0; rank < rules.size(); ++rank) {
-    const Governed& rule = rules[rank];
-    if (rank < different_rules) {
-      key.region(rule_colour(rank), rule.infeasible, rule.feasible,
+  for (const Governed& rule : rules) {
+    const std::string colour = colours.of(rule.rule);
+    if (colour != results::MapColours::other_rules) {
+      key.region(colour, rule.infeasible, rule.feasible,
                  rule.rule == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(maps.front())
                                                    : maps.front().rules[rule.rule].words,
                  share(rule.designs));
@@ -122,9 +118,10 @@ void explain(const std::vector<study::DesignMap>& maps, const std::vector<Govern
     others.feasible = others.feasible || rule.feasible;
   }
   if (others.designs > 0)
-    key.region(other_colour, others.infeasible, others.feasible, "other rules", share(others.designs));
+    key.region(results::MapColours::other_rules, others.infeasible, others.feasible, "other rules",
+               share(others.designs));
   if (unknown > 0)
-    key.region(unknown_colour, true, false, "not computed: unphysical body, or no model", share(unknown));
+    key.region(results::MapColours::not_computed, true, false, results::not_computed_words, share(unknown));
   key.heading("Feasible region");
   key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is met (lighter)");
   key.stroke("stroke=\"#000\" stroke-width=\"2.4\"", "margin 1: value at its limit");
@@ -167,6 +164,7 @@ Figure map_matrix_figure(const std::vector<study::DesignMap>& maps, const std::s
   std::vector<std::vector<MapRegion>> regions;
   for (const study::DesignMap& map : maps) regions.push_back(map_regions(map));
   const std::vector<Governed> rules = governed(maps, regions);
+  const results::MapColours colours(maps);
   const std::vector<std::string> notes = notes_of(maps);
   constexpr double least_height = 520;  // of a complete key
   const double width = layout.right() + key_width, notes_from = std::max(layout.bottom() + 58, least_height);
@@ -177,9 +175,7 @@ Figure map_matrix_figure(const std::vector<study::DesignMap>& maps, const std::s
   std::vector<std::vector<PlacedMark>> placed;
   for (std::size_t k = 0; k < maps.size(); ++k) {
     MapPicture picture{maps[k], std::move(canvas), layout.panel(maps[k])};
-    draw_regions(picture, regions[k], fmt::format("{} {}", heading, k + 1), [&](const MapRegion& region, std::size_t) {
-      return region.known() ? rule_colour(rank_of(rules, region.governing)) : unknown_colour;
-    });
+    draw_regions(picture, regions[k], fmt::format("{} {}", heading, k + 1), colours);
     draw_frame(picture.canvas, picture.panel);
     placed.push_back(placed_marks(picture));
     for (const PlacedMark& mark : placed.back()) draw_case_mark(picture.canvas, mark.point, mark.feasible);
@@ -189,7 +185,7 @@ Figure map_matrix_figure(const std::vector<study::DesignMap>& maps, const std::s
     canvas = std::move(picture.canvas);
   }
   Key key(canvas, {layout.right() + 22, matrix_top});
-  explain(maps, rules, key);
+  explain(maps, rules, colours, key);
   explain_points(placed, maps, canvas, key);
   double at = notes_from;
   for (const std::string& note : notes) {

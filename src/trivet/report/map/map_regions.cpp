@@ -21,10 +21,6 @@ design::MapPlace middle(const design::MapPlace& a, const design::MapPlace& b) {
   return {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
 }
 
-std::uint8_t label_of(const design::DesignOutcome& outcome) {
-  return std::isinf(outcome.margin) ? MapRegion::unlimited : outcome.governing;
-}
-
 /// The part of a cell that belongs to one label: its corners, cut at the middles of the edges; with three or four
 /// labels in quarters.
 void add_parts(const std::array<design::MapPlace, 4>& corner, const Labels& label, Parts& parts) {
@@ -79,7 +75,7 @@ class Side {
   }
   [[nodiscard]] std::optional<std::uint8_t> label(int column, int row) const {
     const design::DesignOutcome& outcome = map_.outcomes[map_.grid.index(column, row)];
-    return outcome.feasible() == feasible_ ? std::optional(label_of(outcome)) : std::nullopt;
+    return outcome.feasible() == feasible_ ? std::optional(results::governing_of(outcome)) : std::nullopt;
   }
 
   /// Labels of a drawn cell; a corner beyond the boundary gets that of the nearest corner on this side. None if the
@@ -119,7 +115,8 @@ std::vector<MapRegion> map_regions(const study::DesignMap& map) {
   for (auto& [label, parts] : Side(map, false).parts()) regions[label].infeasible = std::move(parts);
   for (auto& [label, parts] : Side(map, true).parts()) regions[label].feasible = std::move(parts);
   for (const design::DesignOutcome& outcome : map.outcomes)
-    if (const auto region = regions.find(label_of(outcome)); region != regions.end()) ++region->second.designs;
+    if (const auto region = regions.find(results::governing_of(outcome)); region != regions.end())
+      ++region->second.designs;
   std::vector<MapRegion> result;
   for (auto& [governing, region] : regions) {
     region.governing = governing;
@@ -131,22 +128,14 @@ std::vector<MapRegion> map_regions(const study::DesignMap& map) {
   return result;
 }
 
-namespace {
-
-// Okabe and Ito's colours mixed with white.
-constexpr std::array<const char*, different_rules> rule_colours = {"#f2bd66", "#8cc8ee", "#e08a66", "#66c4ab",
-                                                                   "#dba6c6", "#f5ec8e", "#7aa9cf"};
-
-}  // namespace
-
-const char* rule_colour(std::size_t rank) { return rank < rule_colours.size() ? rule_colours[rank] : other_colour; }
-
 void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, const std::string& name,
-                  const std::function<const char*(const MapRegion&, std::size_t)>& colour) {
+                  const results::MapColours& colours) {
   const auto paint = [&](std::vector<design::MapLine> MapRegion::* side) {
-    for (std::size_t rank = 0; rank < regions.size(); ++rank)
-      picture.canvas.area(picture.rings(regions[rank].*side),
-                          fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour(regions[rank], rank)));
+    for (const MapRegion& region : regions)
+      picture.canvas.area(
+          picture.rings(region.*side),
+          fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"",
+                      region.known() ? colours.of(region.governing) : results::MapColours::not_computed));
   };
   paint(&MapRegion::infeasible);
   const auto outline = picture.rings(picture.map.feasible.rings);

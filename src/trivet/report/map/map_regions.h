@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "trivet/report/map/map_picture.h"
+#include "trivet/results/design/map_colours.h"
 #include "trivet/study/map/design_map.h"
 
 namespace trivet::report {
@@ -14,7 +14,7 @@ namespace trivet::report {
 /// The part of a map with one governing rule, or with designs that were not computed (see DesignOutcome), as closed
 /// outlines.
 struct MapRegion {
-  static constexpr std::uint8_t unlimited = design::DesignOutcome::not_computed - 1;
+  static constexpr std::uint8_t unlimited = results::MapColours::unlimited;
   std::uint8_t governing = 0;  ///< `unlimited` if no rule limits the designs: no motion or no peak
   std::size_t designs = 0;     ///< of the grid
   std::vector<design::MapLine> infeasible,
@@ -28,17 +28,10 @@ struct MapRegion {
 /// the rule of a design beyond: clip the feasible pieces by the outline of the feasible region.
 [[nodiscard]] std::vector<MapRegion> map_regions(const study::DesignMap& map);
 
-inline constexpr std::size_t different_rules = 7;         ///< with a colour of their own; others are grey
-inline constexpr const char* other_colour = "#d8d8d8";    ///< of these
-inline constexpr const char* unknown_colour = "#8f8f8f";  ///< of designs that were not computed
-
-/// Colour of the rule that governs most designs (rank 0), of the second …; neighbours differ in lightness too.
-[[nodiscard]] const char* rule_colour(std::size_t rank);
-
 /// Infeasible designs in full colour, feasible ones lighter and clipped at the boundary: it is exact, while the colours
 /// are those of the nearest design on the same side.
-/// @param name  of this picture, unique on its page  @param colour  of a region and its place in the list
+/// @param name  of this picture, unique on its page
 void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, const std::string& name,
-                  const std::function<const char*(const MapRegion&, std::size_t)>& colour);
+                  const results::MapColours& colours);
 
 }  // namespace trivet::report

@@ -43,9 +43,10 @@ const ResultWriter map_results = {
           return results.map ? map_document(*results.map) : map_pairs_document(results.map_pairs);
         },
     .json = [](const project::Case&, const study::CaseResults& results) -> json::Json {
-      if (results.map) return json::design_map(*results.map);
+      if (results.map) return json::design_map(*results.map, MapColours({&*results.map, 1}));
       json::Json pairs = json::Json::array();
-      for (const study::DesignMap& map : results.map_pairs) pairs.push_back(json::design_map(map));
+      const MapColours colours(results.map_pairs);
+      for (const study::DesignMap& map : results.map_pairs) pairs.push_back(json::design_map(map, colours));
       return {{"pairs", pairs}};
     },
     .tables = {{"map.csv",

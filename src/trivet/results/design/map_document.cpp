@@ -114,6 +114,21 @@ double share_of_designs(const DesignMap& map, std::size_t designs) {
   return static_cast<double>(designs) / static_cast<double>(map.outcomes.size());
 }
 
+/// The key of a picture.
+Json colours_json(const DesignMap& map, const MapColours& colours) {
+  Json list = Json::array();
+  for (const std::size_t governing : colours.order()) {
+    const bool none = governing == MapColours::unlimited;
+    list.push_back({{"governing", none ? Json("none") : Json(governing)},
+                    {"colour", colours.of(governing)},
+                    {"words", none ? "no rule limits it: " + unlimited_words(map) : map.rules[governing].words}});
+  }
+  if (map.unknown > 0)
+    list.push_back(
+        {{"governing", "not computed"}, {"colour", MapColours::not_computed}, {"words", not_computed_words}});
+  return list;
+}
+
 /// People see the rules that govern some design.
 Table rule_table(const DesignMap& map) {
   const Rows row(map.rules);
@@ -242,6 +257,10 @@ Table pairs_table(const std::vector<DesignMap>& maps) {
 }  // namespace
 
 Document map_document(const DesignMap& map, Findings findings) {
+  return map_document(map, MapColours({&map, 1}), findings);
+}
+
+Document map_document(const DesignMap& map, const MapColours& colours, Findings findings) {
   Document document;
   const auto json = [&](const char* name, Json value) {
     document.add(Single{.name = name, .value = std::move(value)});
@@ -258,6 +277,7 @@ Document map_document(const DesignMap& map, Findings findings) {
     document.add(Sentence{.parts = {doubt}, .place = Sentence::Place::note, .forms = on_page});
   document.add(rule_table(map));
   for (Sentence& sentence : rule_notes(map)) document.add(std::move(sentence));
+  json("colours", colours_json(map, colours));
   json("designs", map.outcomes.size());
   json("kept", map.feasible_designs);
   json("without_answer", map.unknown);
@@ -278,9 +298,10 @@ Document map_document(const DesignMap& map, Findings findings) {
 
 Document map_pairs_document(const std::vector<DesignMap>& maps, Findings findings) {
   Document document{{{pairs_table(maps)}}};
+  const MapColours colours(maps);
   for (const DesignMap& map : maps)
     document.add(Group{.key = "",
-                       .parts = map_document(map, findings).parts,
+                       .parts = map_document(map, colours, findings).parts,
                        .title = axis_name(map.request.x) + " and " + axis_name(map.request.y)});
   return document;
 }

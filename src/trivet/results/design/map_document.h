@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "trivet/documents/document.h"
+#include "trivet/results/design/map_colours.h"
 #include "trivet/results/format/in_documents.h"
 #include "trivet/study/map/design_map.h"
 
@@ -15,6 +16,9 @@ enum class Findings { all, governing };
 /// The feasible share of a map, the governing rules, the best design and the verdict on every case; in JSON all but the
 /// grid, which map_json.h writes.
 [[nodiscard]] Document map_document(const study::DesignMap& map, Findings findings = Findings::all);
+/// @param colours  of all maps that are shown with this one
+[[nodiscard]] Document map_document(const study::DesignMap& map, const MapColours& colours,
+                                    Findings findings = Findings::all);
 
 /// For people: maps of several pairs of parameters, side by side and one after another.
 [[nodiscard]] Document map_pairs_document(const std::vector<study::DesignMap>& maps, Findings findings = Findings::all);

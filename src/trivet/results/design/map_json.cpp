@@ -62,8 +62,8 @@ void write_grid(const study::DesignMap& map, Pieces& out) {
 
 }  // namespace
 
-Json json::design_map(const study::DesignMap& map) {
-  Json result = as_json(map_document(map));
+Json json::design_map(const study::DesignMap& map, const MapColours& colours) {
+  Json result = as_json(map_document(map, colours));
   std::string grid;
   const TextSink sink = [&](std::string_view piece) { grid += piece; };
   Pieces pieces(sink);
@@ -96,10 +96,11 @@ void write_map_json(const study::DesignMap& map, const foundation::Problems& war
 
 void write_map_pairs_json(const std::vector<study::DesignMap>& maps, const foundation::Problems& warnings,
                           const TextSink& sink) {
+  const MapColours colours(maps);
   sink("{\"pairs\":[");
   for (std::size_t k = 0; k < maps.size(); ++k) {
     if (k > 0) sink(",");
-    write_with_grid(as_json(map_document(maps[k])), maps[k], sink);
+    write_with_grid(as_json(map_document(maps[k], colours)), maps[k], sink);
   }
   sink("],\"warnings\":" + json::text(json::warnings(warnings)) + "}\n");
 }

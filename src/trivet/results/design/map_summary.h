@@ -38,6 +38,9 @@ enum class Readers { people, programs };
 /// Reason why no rule limits a design of this map: "no peak" or "no motion".
 [[nodiscard]] std::string unlimited_words(const study::DesignMap& map);
 
+/// Of designs without a result, in the key of a picture.
+inline constexpr const char* not_computed_words = "not computed: unphysical body, or no model";
+
 /// Warnings of the map, one sentence each.
 [[nodiscard]] std::vector<std::string> doubts(const study::DesignMap& map);
 

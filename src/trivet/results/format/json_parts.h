@@ -9,6 +9,10 @@
 #include "trivet/results/format/in_documents.h"
 #include "trivet/study/analyses/case_results.h"
 
+namespace trivet::results {
+class MapColours;
+}
+
 /// JSON values of Trivet's data; shared by the single results and the result file.
 namespace trivet::results::json {
 
@@ -22,7 +26,8 @@ namespace trivet::results::json {
 [[nodiscard]] Json drawn_curve(const study::ResponseResult& found, std::size_t curve);
 /// The response for drawing in a page: the curve model if there is one, instead of a long table.
 [[nodiscard]] Json drawn_response(const study::CaseResults& results);
-[[nodiscard]] Json design_map(const study::DesignMap& map);
+/// @param colours  of all maps that are shown with this one
+[[nodiscard]] Json design_map(const study::DesignMap& map, const MapColours& colours);
 [[nodiscard]] Json verdict(const study::CaseVerdict& judged);
 /// Least and largest static values over all cases.
 [[nodiscard]] Json envelope(const study::Envelope& envelope);
