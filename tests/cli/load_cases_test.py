@@ -187,6 +187,14 @@ class LoadCases(InTemporaryFolder):
             else:
                 self.assertEqual((result["margin"], result["met"]), (None, True))  # it opens: nothing limits it
 
+    def test_round_off_of_the_largest_load_or_deflection_is_0(self):
+        preloaded = result_of("check", SOURCE / "examples/bogie/loaded_frame.toml")["mounts"]
+        self.assertTrue(all(mount["compression"] > 1e4 for mount in preloaded if "spring" in mount["element"]))
+        self.assertEqual({mount["deflection"] for mount in preloaded}, {0})  # the preload bears all of it
+        self.assertEqual({mount["across"] for mount in preloaded}, {0})
+        upright = result_of("check", self.file(genset()))["mounts"]
+        self.assertTrue(all(abs(mount["deflection"]) > 1e-4 for mount in upright))
+
     def test_a_gap_closed_at_rest_has_its_overlap(self):
         path = self.file(genset(gap=1e-3))
         approaches = {case: dot(DIRECTION, moved(POINT, *loads)) for case, loads in CASES.items()}

@@ -57,6 +57,17 @@ def test_a_case_that_loads_no_mount_otherwise_has_the_loads_of_the_base_model(se
     assert '766.6 N' in row(page, 'front left').inner_text()
 
 
+def test_round_off_at_rest_is_no_load_and_no_deflection(serve):
+    page = serve('bogie/loaded_frame.toml').page()
+    settled(page)
+    page.get_by_role('tab', name='Mounts').click()
+    assert row(page, 'spring front left').inner_text().split('\t')[1:] == [
+        '29.42 kN',
+        '0 N',
+        '0 m',
+    ]  # a preload bears the load
+
+
 def test_rows_of_requirements_are_marked_until_they_are_those_of_the_numbers(serve):
     page = serve('compressor/requirements.toml').page()
     judged(page)

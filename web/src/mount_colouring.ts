@@ -55,8 +55,6 @@ export function missingValues(colouring: Colouring): string {
   }
 }
 
-const ROUND_OFF = 1e-9;  // [m, N]: what is less at rest is no deflection and no load
-
 /// Mounts of a case; it is listed only if it differs from the base model.
 function atRest(check: Check | null, ofCase: string) {
   const all = check?.mounts ?? [], own = all.filter(m => m.case === ofCase);
@@ -67,5 +65,5 @@ const shares = (title: string, values: [string, number][]): MountValues | null =
   (values.length ? {title, values: new Map(values), words: percent, top: 1, limited: true} : null);
 function sizes(title: string, unit: string, values: [string, number][]): MountValues | null {
   const top = Math.max(0, ...values.map(v => Math.abs(v[1]))), scale = scaleOf(top, unit);
-  return top > ROUND_OFF ? {title, values: new Map(values), words: value => `${number(value * scale.factor, 3)} ${scale.unit}`, top, limited: false} : null;
+  return top > 0 ? {title, values: new Map(values), words: value => `${number(value * scale.factor, 3)} ${scale.unit}`, top, limited: false} : null;
 }

@@ -33,7 +33,7 @@ test('energy is that of the shown mode, and without one there is a sentence', ()
     assert.ok(missingValues(kind).endsWith('.'));
   }
 });
-test('round-off at rest is no deflection', () => assert.equal(mountValues('deflection', {...all, check: {mounts: [mount('', 'left', 4e-18)]}}, '', null), null));
+test('mounts that do not deflect at rest are not coloured', () => assert.equal(mountValues('deflection', {...all, check: {mounts: [mount('', 'left', 0)]}}, '', null), null));
 test('lightness rises along the scale, and beyond the limit is a colour of its own', () => {
   for (let i = 1; i < STEPS.length; i++) assert.ok(lightness(STEPS[i]!) > lightness(STEPS[i - 1]!) + 20);
   const values = mountValues('limit', all, '', null)!;

@@ -123,32 +123,10 @@ std::string name_words(const MountKind& kind) {
 }
 
 /// "5.1 kN", or "5.1 kN … 7.4 kN" of mounts that differ.
-std::string spread_words(const Spread& spread, double largest, const DisplayUnit& unit) {
+std::string spread_words(const Spread& spread, const DisplayUnit& unit) {
   if (!spread.least) return "–";
-  const auto shown = [&](double value) {
-    constexpr double no_sign = 0;  // -0 + 0 is 0
-    return value_text(without_round_off(value, largest) + no_sign, unit);
-  };
-  const std::string from = shown(*spread.least), to = shown(*spread.largest);
+  const std::string from = value_text(*spread.least, unit), to = value_text(*spread.largest, unit);
   return from == to ? from : from + " … " + to;
-}
-
-double largest_of(const std::vector<MountKind>& kinds, std::initializer_list<Spread MountKind::*> spreads) {
-  double largest = 0;
-  for (const MountKind& kind : kinds)
-    for (Spread MountKind::* spread : spreads)
-      for (const auto& value : {(kind.*spread).least, (kind.*spread).largest})
-        largest = std::max(largest, std::abs(value.value_or(0)));
-  return largest;
-}
-
-/// The deflections that the loads cause, also where a preload takes them up: the scale of round-off.
-double largest_way(const std::vector<MountKind>& kinds) {
-  double largest = largest_of(kinds, {&MountKind::deflection});
-  for (const MountKind& kind : kinds)
-    for (const double stiffness : kind.stiffness)
-      if (stiffness > 0) largest = std::max(largest, largest_of({kind}, {&MountKind::load}) / stiffness);
-  return largest;
 }
 
 }  // namespace
@@ -165,8 +143,6 @@ Document mounts_document(const project::Case& variant) {
   const bool has_maker = any([](const MountKind& k) { return !k.mount.empty(); });
   const bool has_load = any([](const MountKind& k) { return k.load.least.has_value(); });
   const bool has_utilisation = any([](const MountKind& k) { return k.utilisation.least.has_value(); });
-  const double force = largest_of(kinds, {&MountKind::load, &MountKind::across});
-  const double way = largest_way(kinds);
   const DisplayUnit newton = display_unit(variant.display, "N"), metre = display_unit(variant.display, "m");
   const Rows row(std::move(kinds));
   Table table{.rows = row.size(), .one_prefix = true, .forms = for_people};
@@ -188,11 +164,11 @@ Document mounts_document(const project::Case& variant) {
           {.digits = 3}));
   if (has_load) {
     add(row("load", Kind::words, "compression at rest",
-            [=](const MountKind& k) { return spread_words(k.load, force, newton); }));
+            [=](const MountKind& k) { return spread_words(k.load, newton); }));
     add(row("across", Kind::words, "across at rest",
-            [=](const MountKind& k) { return spread_words(k.across, force, newton); }));
+            [=](const MountKind& k) { return spread_words(k.across, newton); }));
     add(row("deflection", Kind::words, "deflection at rest",
-            [=](const MountKind& k) { return spread_words(k.deflection, way, metre); }));
+            [=](const MountKind& k) { return spread_words(k.deflection, metre); }));
   }
   if (has_utilisation)
     add(row("utilisation", Kind::share, "utilisation", [](const MountKind& k) { return k.utilisation.largest; }));

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "trivet/assembly/channels.h"
+#include "trivet/elements/law.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/machine/static_machine.h"
 #include "trivet/response/machinery/load_sharing.h"
@@ -31,6 +32,27 @@ std::vector<std::size_t> mounts_and_rated(const model::System& system) {
   std::ranges::sort(found);
   found.erase(std::ranges::unique(found).begin(), found.end());
   return found;
+}
+
+double or_zero(double value, double largest) { return std::abs(value) > round_off_at_rest * largest ? value : 0; }
+
+/// Round-off of the largest force is no load, and round-off of the largest deflection no deflection. That is compared
+/// also with what the loads alone would cause: a preload may bear all of them.
+void remove_round_off(const model::System& system, const std::vector<std::size_t>& elements,
+                      std::vector<MountAtRest>& mounts) {
+  constexpr int axial = 8;  // translation of end K
+  double force = 0, way = 0;
+  for (std::size_t m = 0; m < mounts.size(); ++m) {
+    force = std::max({force, std::abs(mounts[m].compression), mounts[m].across});
+    const double stiffness = elements::stiffness(system.elements()[elements[m]].law)(axial, axial);
+    way = std::max(way, std::abs(mounts[m].deflection));
+    if (stiffness > 0) way = std::max(way, std::abs(mounts[m].compression) / stiffness);
+  }
+  for (MountAtRest& mount : mounts) {
+    mount.compression = or_zero(mount.compression, force);
+    mount.across = or_zero(mount.across, force);
+    mount.deflection = or_zero(mount.deflection, way);
+  }
 }
 
 /// Largest magnitude per unit over all cases.
@@ -89,6 +111,7 @@ std::vector<MountAtRest> mounts_at_rest(const model::System& moving, const assem
     result[m].across = force.head<2>().norm();
     result[m].deflection = rest.values[first + axial_deflection].value;
   }
+  remove_round_off(system, mounts, result);
   return result;
 }
 

@@ -25,6 +25,7 @@ struct MountAtRest {
   bool operator==(const MountAtRest&) const = default;
 };
 
+/// Values below 1e-12 of the largest of their kind are 0.
 /// @throws foundation::NotComputable for the reasons of static_response
 [[nodiscard]] std::vector<MountAtRest> mounts_at_rest(const model::System& system,
                                                       const assembly::Assembled& assembled);
