@@ -57,6 +57,21 @@ def test_a_case_that_loads_no_mount_otherwise_has_the_loads_of_the_base_model(se
     assert '766.6 N' in row(page, 'front left').inner_text()
 
 
+def test_shares_above_100_percent_and_below_0_are_explained(serve):
+    served = serve('paper/corrected.toml')
+    page = served.page()
+    settled(page)
+    page.get_by_role('tab', name='Modes').click()
+    found = command('modes', served.file)
+    beyond = [share for m in found['modes'] for share in m['kinetic_energy_share'] if not -0.005 < share < 1.005]
+    marked = page.locator('result-tables td.coupled')
+    assert marked.all_inner_texts() == [f'{round(100 * share)}' for share in beyond] and beyond
+    words = found['kinetic_energy_share_words']
+    assert (
+        marked.first.get_attribute('title') == words and words in page.locator('result-tables .hint').first.inner_text()
+    )
+
+
 def test_round_off_at_rest_is_no_load_and_no_deflection(serve):
     page = serve('bogie/loaded_frame.toml').page()
     settled(page)

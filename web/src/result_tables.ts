@@ -36,16 +36,16 @@ export class ResultTables extends Part {
   private modes() {
     const {asker, display} = this.app, modes = asker.result<Modes>('modes'), roots = asker.result<Roots>('roots');
     if (!modes) return this.missing('modes');
-    const one = modes.bodies.length === 1;
+    const one = modes.bodies.length === 1, words = modes.kinetic_energy_share_words ?? 'shares of the kinetic energy';
     return html`<table><thead><tr><th scope="col">Mode</th><th scope="col">${display.frequencyUnit}</th><th scope="col" title="damping ratio of the nearest root">ζ</th><th scope="col" class="words">motion</th>
-      ${one ? COORDINATES.map(c => html`<th scope="col" title="share of the kinetic energy">${c}</th>`) : html`<th scope="col">kinetic energy</th>`}</tr></thead><tbody>
+      ${one ? COORDINATES.map(c => html`<th scope="col" title=${words}>${c}</th>`) : html`<th scope="col">kinetic energy</th>`}</tr></thead><tbody>
       ${modes.modes.map(m => {
         const chosen = display.shown.kind === 'mode' && display.shown.number === m.number, root = roots?.roots.find(r => r.nearest_mode === m.number && r.eigenvalue[1] > 0);
         return html`<tr aria-selected=${chosen} class=${chosen ? 'chosen' : ''} @click=${() => display.set({shown: {kind: 'mode', number: m.number}})}>
           <th scope="row"><button class="link" aria-label="Show mode ${m.number}">${m.number}</button></th><td>${frequency(m.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
           <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : roots ? '–' : html`<span class="old">…</span>`}</td><td class="words cut" title=${m.name}>${brief(m.name)}</td>
-          ${one ? m.kinetic_energy_share!.map(share => html`<td class="share">${Math.abs(share) >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m)}</td>`}</tr>`;
-      })}</tbody></table>${one ? html`<p class="hint">x … θz: share of the kinetic energy in %.</p>` : nothing}${this.energies(modes)}`;
+          ${one ? m.kinetic_energy_share!.map(share => html`<td class=${isCoupled(share) ? 'share coupled' : 'share'} title=${isCoupled(share) ? words : ''}>${Math.abs(share) >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m)}</td>`}</tr>`;
+      })}</tbody></table>${one ? html`<p class="hint">x … θz in %: ${modes.modes.some(m => m.kinetic_energy_share!.some(isCoupled)) ? words : 'shares of the kinetic energy'}.</p>` : nothing}${this.energies(modes)}`;
   }
   /// In which elements the chosen mode stores its energy.
   private energies(modes: Modes) {
@@ -119,6 +119,8 @@ export class ResultTables extends Part {
     return html`<p class="hint">${this.app.asker.missing(command)}</p>`;
   }
 }
+/// Is a share of a single coordinate below 0 or above 100 %, as it is shown?
+const isCoupled = (share: number) => share <= -0.005 || share >= 1.005;
 /// "1.07 mm/s rms"
 function amplitude(value: number, result: Curves['results'][number] | undefined): string {
   const scale = scaleAtLevel(value, result?.unit ?? '', result);

@@ -108,6 +108,7 @@ export interface Modes {
   feet?: string[];  // ends on flexible foundations
   elements: string[];
   modes: Mode[];
+  kinetic_energy_share_words?: string;  // what the shares of single coordinates are, and why they may be above 1 or below 0
 }
 export interface Root {
   eigenvalue: Complex;

@@ -19,6 +19,11 @@ namespace {
 
 using modal::Mode;
 
+constexpr const char* kinetic_share_words =
+    "Shares of kinetic energy by coordinate at the poles: with those of elements and foundations they sum to 100 %; "
+    "the "
+    "inertia couples coordinates, so single ones may be above 100 % and others below 0";
+
 json::Json screws(const Mode& mode) {
   json::Json result = json::Json::array();
   for (const spatial::Screw& screw : mode.screws) {
@@ -220,10 +225,8 @@ Document modes_document(const project::Case& variant, const study::CaseResults& 
   document.add(Words{.axis = "element", .list = names_of(variant.system.elements())});
   document.add(
       coordinate_table(row, "Mode shapes at the poles: x, y, z [m], θx, θy, θz [rad], unit modal mass", shape));
-  document.add(coordinate_table(row,
-                                "Shares of kinetic energy by coordinate at the poles (with those of elements and "
-                                "foundations they sum to 1; single ones may be outside 0 … 1)",
-                                kinetic));
+  document.add(coordinate_table(row, kinetic_share_words, kinetic));
+  document.add(Single{.name = "kinetic_energy_share_words", .value = kinetic_share_words});
   document.add(Single{.name = "free_motions", .value = results.free_motions});
   document.add(warnings_part(results));
   return document;
