@@ -88,13 +88,13 @@ export class CurveChart extends Part {
   override updated() {
     const {asker, display} = this.app, curves = this.drawnCurves.of(asker);
     if (!curves || !this.amplitude) return;
-    const steady = asker.result<Steady>('steady'), compared = comparisons(this.app, this.kept);
-    const seen = [curves, steady, ...compared.flatMap(c => [c.curves, c.measured?.[0], c.key]), this.choice, display.theme, display.frequencyUnit, display.logarithmicFrequency, display.decibel, display.logarithmicAmplitude];
+    const steady = asker.result<Steady>('steady'), compared = comparisons(this.app, this.kept), binding = this.mover.areBinding;
+    const seen = [curves, steady, binding, ...compared.flatMap(c => [c.curves, c.measured?.[0], c.key]), this.choice, display.theme, display.frequencyUnit, display.logarithmicFrequency, display.decibel, display.logarithmicAmplitude];
     if (JSON.stringify(compared.map(c => [c.label, c.old, c.failure])) !== JSON.stringify(this.compared.map(c => [c.label, c.old, c.failure]))) this.requestUpdate();
     this.compared = compared;
     if (seen.length !== this.drawn.length || seen.some((value, i) => value !== this.drawn[i])) {
       this.drawn = seen;
-      this.picture = pictureOf(curves, this.choice, display, steady, compared);
+      this.picture = pictureOf(curves, this.choice, display, steady, compared, binding);
       this.limitsDrawn = this.setLimits(curves);
       display.drawn = this.picture.curves.map(c => c.name);
       this.amplitude.show(this.picture);

@@ -5,7 +5,7 @@ import type {Verdict} from './results.ts';
 
 /// What the pill says of the design.
 export interface Judgement {
-  state: 'met' | 'violated' | 'none' | 'error' | 'unknown';
+  state: 'met' | 'violated' | 'unbinding' | 'none' | 'error' | 'unknown';  // unbinding: violated, but only where nothing is binding
   words: string;
   old: boolean;
 }
@@ -30,10 +30,12 @@ export function judgement(app: App): Judgement {
     const found = verdict.cases.find(c => c.case === state.case) ?? verdict.cases[0], all = found?.requirements ?? [];
     const violated = all.filter(r => r.judged && !r.met), unjudged = all.filter(r => !r.judged), old = asker.isOld('verdict');
     const not = unjudged.length ? `${unjudged.length} of ${all.length} requirements not judged` : '';
-    if (violated.length) return {state: 'violated', words: `${violated.length} of ${all.length} requirements violated${not ? `, ${not}` : ''}${found!.decides ? '' : ' in this case, which does not decide'}`, old};
-    if (!found?.met) return {state: 'violated', words: not || 'not met', old};
+    const wrong = [...violated.length ? [`${violated.length} of ${all.length} requirements violated`] : [], ...not ? [not] : []].join(', ');
+    if (!found?.met && found?.decides !== false) return {state: 'violated', words: wrong || 'not met', old};
     const elsewhere = verdict.cases.find(c => c !== found && c.decides && !c.met);
-    if (elsewhere) return {state: 'violated', words: `met here, ${violates(elsewhere) ? 'violated' : 'not judged'} in ${nameOf(elsewhere)}`, old};
+    const there = elsewhere ? `${violates(elsewhere) ? 'violated' : 'not judged'} in ${nameOf(elsewhere)}` : '', here = `${wrong} here, not binding`;
+    if (there) return {state: 'violated', words: found.met ? `met here, ${there}` : `${there}; ${here}`, old};
+    if (!found.met) return {state: 'unbinding', words: here, old};
     const least = verdict.least_margin, where = least && least.case !== found.case ? ` in ${nameOf(least)}` : '';
     return {state: 'met', words: `all ${all.length} requirements met${least ? `, least margin ${number(least.margin, 4)}${where}` : ''}`, old};
   }

@@ -18,21 +18,27 @@ export class LimitMover implements LimitMoves {
 
   /// Those of the case on the page.
   get requirements(): readonly Requirement[] {
-    const {asker, state} = this.app;
-    return asker.result<Verdict>('verdict')?.cases.find(c => c.case === state.case)?.requirements ?? [];
+    return this.verdict?.requirements ?? [];
+  }
+  get areBinding(): boolean {
+    return this.verdict?.decides !== false;
   }
   present(limits: readonly Limit[]): PresentLimit[] {
-    const {asker, state, index} = this.app, old = asker.isOld('verdict');
+    const {asker, state, index} = this.app, old = asker.isOld('verdict'), binding = this.areBinding;
     this.known = new Map();
     return limits.map((limit, i): PresentLimit => {
       const {requirement: r} = limit, place = r.place.join('.'), found = limitNumber(r.place, state.case, state.design, index);
       if (found && this.pulled?.place === place) found.value = this.pulled.value;
       const allowed = found && this.values.allowed(r, found, !old && !this.pulled);
       if (found && allowed !== null && this.app.engine.isLive) this.known.set(`${i} ${place}`, {number: found, allowed});
-      return {limit, allowed: allowed ?? r.allowed!, written: found ? `${number(found.value)} ${found.unit}`.trim() : r.requirement, movable: allowed !== null && this.app.engine.isLive, old};
+      return {limit, allowed: allowed ?? r.allowed!, written: found ? `${number(found.value)} ${found.unit}`.trim() : r.requirement, movable: allowed !== null && this.app.engine.isLive, old, binding};
     });
   }
 
+  private get verdict() {
+    const {asker, state} = this.app;
+    return asker.result<Verdict>('verdict')?.cases.find(c => c.case === state.case);
+  }
   began = () => {};
   moved = (id: string, y: number) => {
     const at = this.known.get(id), si = this.si(y);

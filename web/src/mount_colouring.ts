@@ -32,7 +32,10 @@ export function mountValues(colouring: Colouring, {verdict, check, modes}: Mount
   const title = COLOURINGS[colouring];
   switch (colouring) {
     case 'none': return null;
-    case 'limit': return shares(title, (verdict?.cases.find(c => c.case === ofCase)?.elements ?? []).map(e => [e.element, e.share ?? Infinity]));
+    case 'limit': {
+      const found = verdict?.cases.find(c => c.case === ofCase);
+      return shares(found?.decides === false ? `${title}, not binding in this case` : title, (found?.elements ?? []).map(e => [e.element, e.share ?? Infinity]));
+    }
     case 'utilisation': return shares(title, atRest(check, ofCase).flatMap(m => (m.utilisation === null ? [] : [[m.element, m.utilisation]])));
     case 'deflection': return sizes(title, 'm', atRest(check, ofCase).map(m => [m.element, m.deflection]));
     case 'compression': return sizes(title, 'N', atRest(check, ofCase).map(m => [m.element, m.compression]));

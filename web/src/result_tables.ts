@@ -60,11 +60,11 @@ export class ResultTables extends Part {
     if (!verdict) return this.missing('verdict');
     const found = verdict.cases.find(c => c.case === state.case) ?? verdict.cases[0];
     const sorted = [...found?.requirements ?? []].sort((a, b) => (a.margin ?? Infinity) - (b.margin ?? Infinity));
-    const old = asker.isOld('verdict') ? html` <span class="old">…</span>` : nothing;
+    const old = asker.isOld('verdict') ? html` <span class="old">…</span>` : nothing, binding = found?.decides !== false;
     const several = verdict.cases.length > 1, numbers = sorted.some(r => r.place.length);
-    return html`<table class="requirements"><thead><tr><th scope="col">Requirement</th><th scope="col" class="value">value${numbers ? ', limit' : ''}</th><th scope="col" class="margin" title="1: just met; more: met with room">margin</th>${several ? html`<th scope="col" class="elsewhere" title="least margin of all other cases">elsewhere</th>` : nothing}<th scope="col" class="met">met</th></tr></thead><tbody>
-      ${sorted.map(r => html`<tr class=${!r.judged ? 'unjudged' : r.met ? '' : 'violated'}><th scope="row" class="words">${r.shown_requirement ?? r.requirement}</th><td>${r.judged ? this.judged(r) : r.reason || '–'}${this.limit(r)}</td>
-        <td>${r.margin === null ? '–' : number(r.margin, 3)}${old}</td>${several ? html`<td>${this.elsewhere(verdict, r)}</td>` : nothing}<td>${!r.judged ? '–' : r.met ? '✓' : '✗'}<span class="hidden">${r.met ? 'yes' : 'no'}</span></td></tr>`)}</tbody></table>`;
+    return html`<table class="requirements">${binding ? nothing : html`<caption>The requirements are not binding in this case.</caption>`}<thead><tr><th scope="col">Requirement</th><th scope="col" class="value">value${numbers ? ', limit' : ''}</th><th scope="col" class="margin" title="1: just met; more: met with room">margin</th>${several ? html`<th scope="col" class="elsewhere" title="least margin of all other cases">elsewhere</th>` : nothing}<th scope="col" class="met">met</th></tr></thead><tbody>
+      ${sorted.map(r => html`<tr class=${!r.judged ? 'unjudged' : r.met ? '' : binding ? 'violated' : 'unbinding'}><th scope="row" class="words">${r.shown_requirement ?? r.requirement}</th><td>${r.judged ? this.judged(r) : r.reason || '–'}${this.limit(r)}</td>
+        <td>${r.margin === null ? '–' : number(r.margin, 3)}${old}</td>${several ? html`<td>${this.elsewhere(verdict, r)}</td>` : nothing}<td>${!r.judged ? '–' : r.met ? '✓' : binding ? '✗' : '(✗)'}<span class="hidden">${r.met ? 'yes' : binding ? 'no' : 'no, not binding'}</span></td></tr>`)}</tbody></table>`;
   }
   /// The number of a limit, to be changed here too.
   private limit(r: Requirement) {
@@ -78,22 +78,23 @@ export class ResultTables extends Part {
   }
   /// The least margin of the same requirement in the other cases, with the case.
   private elsewhere({cases}: Verdict, {kind, subject, requirement}: Requirement) {
-    const others = cases.filter(c => c.case !== this.app.state.case).flatMap(c => c.requirements.filter(r => r.kind === kind && r.subject === subject && r.requirement === requirement && r.judged && r.margin !== null).map(r => ({in: c.case, r})));
+    const others = cases.filter(c => c.case !== this.app.state.case).flatMap(c => c.requirements.filter(r => r.kind === kind && r.subject === subject && r.requirement === requirement && r.judged && r.margin !== null).map(r => ({in: c.case, binding: c.decides, r})));
     const least = others.reduce<(typeof others)[number] | null>((best, one) => (!best || one.r.margin! < best.r.margin! ? one : best), null);
-    return least ? html`<span class=${least.r.met ? '' : 'bad'}>${number(least.r.margin, 3)} ${least.in || 'base model'}</span>` : '–';
+    if (!least) return '–';
+    return html`<span class=${violatedClass(least.r, least.binding)}>${number(least.r.margin, 3)} ${least.in || 'base model'}${least.r.met || least.binding ? '' : ', not binding'}</span>`;
   }
   private mounts() {
     const {asker, state} = this.app, check = asker.result<Check>('check'), all = check?.mounts ?? [], own = all.filter(m => m.case === state.case);
     const rows = own.length ? own : all.filter(m => m.case === '');  // a case is listed only if it differs from the base model
-    const judged = (asker.result<Verdict>('verdict')?.cases.find(c => c.case === state.case)?.requirements ?? []).filter(r => r.kind === 'mount_load' && r.judged);
+    const verdict = asker.result<Verdict>('verdict')?.cases.find(c => c.case === state.case), judged = (verdict?.requirements ?? []).filter(r => r.kind === 'mount_load' && r.judged);
     if (!check) return this.missing('check');
     if (!rows.length) return html`<p class="hint">No load at rest: the file has no gravity, or no mount that carries a load.</p>`;
-    return html`<table><caption>At rest under gravity</caption><thead><tr><th scope="col">Mount</th><th scope="col">compression</th><th scope="col">across</th><th scope="col">deflection</th>${judged.length ? html`<th scope="col" title="of its load range in the catalogue; 1: just met">margin of load</th>` : nothing}</tr></thead><tbody>
+    return html`<table><caption>At rest under gravity</caption><thead><tr><th scope="col">Mount</th><th scope="col">compression</th><th scope="col">across</th><th scope="col">deflection</th>${judged.length ? html`<th scope="col" title="of its load range in the catalogue; 1: just met">margin of load${verdict!.decides ? '' : ', not binding'}</th>` : nothing}</tr></thead><tbody>
       ${rows.map(m => {
         const chosen = state.selection?.kind === 'element' && state.selection.name === m.element;
         return html`<tr class=${chosen ? 'chosen' : ''} @click=${() => state.select({kind: 'element', name: m.element})}><th scope="row"><button class="link">${m.element}</button></th>
           <td>${withUnit(m.compression, 'N')}</td><td>${withUnit(m.across, 'N')}</td><td>${withUnit(m.deflection, 'm')}</td>
-          ${judged.length ? html`<td>${judged.filter(r => r.subject === m.element).map(r => html`<span class=${r.met ? '' : 'bad'}>${r.margin === null ? '–' : number(r.margin, 3)}</span>`)}</td>` : nothing}</tr>`;
+          ${judged.length ? html`<td>${judged.filter(r => r.subject === m.element).map(r => html`<span class=${violatedClass(r, verdict!.decides)}>${r.margin === null ? '–' : number(r.margin, 3)}</span>`)}</td>` : nothing}</tr>`;
       })}</tbody></table>`;
   }
   private peaks() {
@@ -121,6 +122,8 @@ export class ResultTables extends Part {
 }
 /// Is a share of a single coordinate below 0 or above 100 %, as it is shown?
 const isCoupled = (share: number) => share <= -0.005 || share >= 1.005;
+/// A violation is red only where the requirements are binding.
+const violatedClass = ({met}: Requirement, binding: boolean) => (met ? '' : binding ? 'bad' : 'minor');
 /// "1.07 mm/s rms"
 function amplitude(value: number, result: Curves['results'][number] | undefined): string {
   const scale = scaleAtLevel(value, result?.unit ?? '', result);

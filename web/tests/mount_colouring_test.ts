@@ -34,6 +34,10 @@ test('energy is that of the shown mode, and without one there is a sentence', ()
   }
 });
 test('mounts that do not deflect at rest are not coloured', () => assert.equal(mountValues('deflection', {...all, check: {mounts: [mount('', 'left', 0)]}}, '', null), null));
+test('a share of a limit that is not binding is said to be so', () => {
+  const there = {...verdict, cases: [{...verdict.cases[0]!, decides: false}]};
+  assert.equal(mountValues('limit', {...all, verdict: there}, '', null)!.title, 'share of its limit, not binding in this case');
+});
 test('lightness rises along the scale, and beyond the limit is a colour of its own', () => {
   for (let i = 1; i < STEPS.length; i++) assert.ok(lightness(STEPS[i]!) > lightness(STEPS[i - 1]!) + 20);
   const values = mountValues('limit', all, '', null)!;

@@ -12,6 +12,7 @@ export interface ShownLimit {
   words: string;  // the same as a sentence
   colour: string;
   violated: boolean;
+  binding: boolean;  // in the case on the page
   movable: boolean;
   at: {x: number; y: number} | null;  // the judged value, where no curve shows it
 }
@@ -62,7 +63,8 @@ export class LimitHandles {
     handle.hidden = outside;
     if (outside) return null;
     if (label.textContent !== limit.label) label.textContent = limit.label;
-    handle.classList.toggle('violated', limit.violated);
+    handle.classList.toggle('violated', limit.violated && limit.binding);
+    handle.classList.toggle('unbinding', limit.violated && !limit.binding);
     handle.classList.toggle('fixed', !limit.movable);
     const attributes = {'aria-label': `Limit of ${limit.result}`, 'aria-valuenow': String(limit.y), 'aria-valuetext': limit.words, 'aria-orientation': 'vertical', 'aria-disabled': String(!limit.movable), title: limit.words};
     for (const [name, value] of Object.entries(attributes)) handle.setAttribute(name, value);

@@ -5,7 +5,7 @@ import type {Curves, Measurement, Steady} from '../results.ts';
 export interface Overlay {
   name: string;
   stroke: number;
-  kind: 'compared' | 'measured' | 'limit' | 'violated' | 'stable' | 'unstable' | 'jump';
+  kind: 'compared' | 'measured' | 'limit' | 'violated' | 'unbinding' | 'stable' | 'unstable' | 'jump';
   dash?: readonly number[];  // of compared curves
   points: (readonly [number, number | null])[];  // in the units of the chart
 }

@@ -21,7 +21,8 @@ export const unitsOf = ({results, vanishing = []}: Curves) =>
   [...new Set(results.filter(r => !vanishing.includes(r.name)).map(r => r.unit))];
 
 /// Curves of one unit in the units of the page.
-export function pictureOf(curves: Curves, choice: Choice, display: Display, steady: Steady | null = null, compared: readonly Compared[] = []): Picture {
+/// @param binding  limits are, in the case on the page
+export function pictureOf(curves: Curves, choice: Choice, display: Display, steady: Steady | null = null, compared: readonly Compared[] = [], binding = true): Picture {
   const frequency = FREQUENCY_UNITS[display.frequencyUnit];
   const indices = curves.results.map((_, i) => i).filter(i => curves.results[i]!.unit === choice.unit && !curves.vanishing?.includes(curves.results[i]!.name));
   const seen = indices.filter(i => !choice.hidden.has(curves.results[i]!.name));
@@ -43,7 +44,7 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
     overlays.push({name: line.result, stroke, kind: 'limit', points: line.angular_frequency.map((w, k) => [w * frequency, shownValue(level * line.limit[k]!)])});
     const amplitude = sampled.amplitude[curves.results.findIndex(r => r.name === line.result)] ?? [];
     for (const [from, to] of line.exceeded ?? [])
-      overlays.push({name: line.result, stroke, kind: 'violated', points: omega.flatMap((w, k) => (w >= from && w <= to ? [[w * frequency, shownValue(amplitude[k] ?? null)] as const] : []))});
+      overlays.push({name: line.result, stroke, kind: binding ? 'violated' : 'unbinding', points: omega.flatMap((w, k) => (w >= from && w <= to ? [[w * frequency, shownValue(amplitude[k] ?? null)] as const] : []))});
   }
   for (const one of compared) {
     if (one.curves) overlays.push(...comparedOverlays(one.curves, one.dash, choice, display, names, shownValue));
@@ -68,16 +69,17 @@ export interface PresentLimit {
   written: string;  // "4.5 mm/s rms", as in the file
   movable: boolean;
   old: boolean;  // its margin is not that of the present numbers yet
+  binding: boolean;  // the case on the page decides
 }
 /// Limits of the curves that are seen.
 export function shownLimits(all: readonly PresentLimit[], names: readonly string[], hidden: ReadonlySet<string>, scale: Scale, display: Display): ShownLimit[] {
   const frequency = FREQUENCY_UNITS[display.frequencyUnit];
-  return all.flatMap(({limit: {requirement: r, result, from, to, atSpeed}, allowed, written, movable, old}, i): ShownLimit[] => {
+  return all.flatMap(({limit: {requirement: r, result, from, to, atSpeed}, allowed, written, movable, old, binding}, i): ShownLimit[] => {
     const stroke = names.indexOf(result), y = shownAmplitude(allowed, scale, display);
     if (stroke < 0 || hidden.has(result) || y === null) return [];
     const value = atSpeed && r.value !== null ? shownAmplitude(r.value, scale, display) : null, violated = r.judged && !r.met;
-    const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}`, label = `≤ ${atLevelOf(written, y, scale, display)} · ${margin}${old ? ' …' : ''}`;
-    return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label, violated, movable, colour: strokeOf(stroke, display.theme).colour,
+    const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}${violated && !binding ? ', not binding' : ''}`, label = `≤ ${atLevelOf(written, y, scale, display)} · ${margin}${old ? ' …' : ''}`;
+    return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label, violated, binding, movable, colour: strokeOf(stroke, display.theme).colour,
              words: `${r.shown_requirement ?? r.requirement}: ${margin}${violated ? ', violated' : ''}`, at: value !== null ? {x: (from + to) / 2 * frequency, y: value} : null}];
   });
 }

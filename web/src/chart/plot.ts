@@ -139,26 +139,26 @@ export class Plot {
     if (picture.cursor !== null) vertical(picture.cursor, colours.text, 1, []);
     ctx.restore();
   }
-  /// A limit as a dashed line, red where its curve is above it.
-  private limit(plot: uPlot, {result, from, to, y: height, at, violated}: ShownLimit) {
-    const {ctx, bbox} = plot, ratio = devicePixelRatio, colours = chartColours(this.display.theme), {x: xs, curves} = this.picture!;
+  /// A limit as a dashed line, red where its curve is above it, or of a weaker colour if it is not binding.
+  private limit(plot: uPlot, {result, from, to, y: height, at, violated, binding}: ShownLimit) {
+    const {ctx, bbox} = plot, ratio = devicePixelRatio, colours = chartColours(this.display.theme), {x: xs, curves} = this.picture!, above = binding ? colours.violated : colours.unbinding;
     const x = (value: number) => plot.valToPos(value, 'x', true), y = plot.valToPos(height, 'y', true), least = 10 * ratio;
     const ends = [Math.max(x(from), bbox.left), Number.isFinite(to) ? Math.min(x(to), bbox.left + bbox.width) : bbox.left + bbox.width] as const;
-    stroke(ctx, violated ? colours.violated : colours.limit, 1.6 * ratio, ends[1] - ends[0] > 3 * least ? [8 * ratio, 4 * ratio] : [], [[ends[0], y], [Math.max(ends[1], ends[0] + least), y]]);
+    stroke(ctx, violated ? above : colours.limit, 1.6 * ratio, ends[1] - ends[0] > 3 * least ? [8 * ratio, 4 * ratio] : [], [[ends[0], y], [Math.max(ends[1], ends[0] + least), y]]);
     if (at) {
       const [left, top] = [x(at.x), plot.valToPos(at.y, 'y', true)];
-      ctx.fillStyle = violated ? colours.violated : colours.text;
+      ctx.fillStyle = violated ? above : colours.text;
       ctx.fillRect(left - 3 * ratio, top - 3 * ratio, 6 * ratio, 6 * ratio);
       return;
     }
     const curve = curves.find(c => c.name === result), inside = xs.map(value => value >= from && value <= to);
     for (const part of curve ? partsAbove(xs, curve.amplitude.map((a, i) => (inside[i] ? a : null)), height) : [])
-      stroke(ctx, colours.violated, 3.2 * ratio, [], part.map(([a, b]) => [x(a), plot.valToPos(b, 'y', true)] as const));
+      stroke(ctx, above, 3.2 * ratio, [], part.map(([a, b]) => [x(a), plot.valToPos(b, 'y', true)] as const));
   }
   private overlay(pen: CanvasRenderingContext2D, {stroke: index, kind, points, dash}: Overlay, placed: (points: Overlay['points']) => readonly (readonly [number, number | null])[]) {
     const ratio = devicePixelRatio, {colour} = strokeOf(index, this.display.theme), at = placed(points);
     const known = at.filter((p): p is readonly [number, number] => p[1] !== null);
-    if (kind === 'violated') return stroke(pen, chartColours(this.display.theme).violated, 3.2 * ratio, [], known);
+    if (kind === 'violated' || kind === 'unbinding') return stroke(pen, chartColours(this.display.theme)[kind], 3.2 * ratio, [], known);
     if (kind === 'measured') return dots(pen, colour, known, 2 * ratio);
     pen.globalAlpha = kind === 'compared' ? 0.7 : 1;
     stroke(pen, colour, (kind === 'stable' ? 2.6 : 1.3) * ratio, (dash ?? {compared: [4, 3], limit: [8, 4], stable: [], unstable: [3, 3], jump: [1, 4]}[kind]).map(d => d * ratio), known);
