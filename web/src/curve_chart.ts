@@ -143,7 +143,13 @@ export class CurveChart extends Part {
         <svg viewBox="0 0 18 6" aria-hidden="true"><line x1="0" y1="3" x2="18" y2="3" stroke=${colour} stroke-width="3" stroke-dasharray=${strokeOf(i, display.theme).dash.join(' ')}></line></svg>
         ${r.name}${value ? html` <b>${value}</b>` : nothing}</button>`;
     })}${this.compared.map(c => html`<span class="curve" title=${c.failure}><svg viewBox="0 0 26 6" aria-hidden="true">${c.measured ? svg`<circle cx="7" cy="3" r="2.4" fill="currentColor"></circle><circle cx="18" cy="3" r="2.4" fill="currentColor"></circle>`
-        : svg`<line x1="0" y1="3" x2="26" y2="3" stroke="currentColor" stroke-width="2" stroke-dasharray=${c.dash.join(' ')}></line>`}</svg> ${c.label}${c.failure ? ': not computed' : ''}${c.old ? html` <span class="old">…</span>` : nothing}</span>`)}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak${level && level !== '0-p' ? ` at the level ${level} of a sine` : ''}; dashed: unstable; arrow: jump</span>` : nothing}${elsewhere ? html`<span class="note">${elsewhere}</span>` : nothing}${this.app.asker.notes('curves').map(note => html`<span class="note">${note}</span>`)}`;
+        : svg`<line x1="0" y1="3" x2="26" y2="3" stroke="currentColor" stroke-width="2" stroke-dasharray=${c.dash.join(' ')}></line>`}</svg> ${c.label}${c.failure ? ': not computed' : ''}${c.old ? html` <span class="old">…</span>` : nothing}</span>`)}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak${level && level !== '0-p' ? ` at the level ${level} of a sine` : ''}; dashed: unstable; arrow: jump</span>` : nothing}${elsewhere ? html`<span class="note">${elsewhere}</span>` : nothing}${this.notes()}`;
+  }
+  /// What the program notes: the first sentence, and the others on demand.
+  private notes() {
+    const [first, ...more] = this.app.asker.notes('curves');
+    return html`${first ? html`<span class="note">${first}</span>` : nothing}${more.length ? html`<details class="note"><summary>${more.length === 1 ? '1 more note' : `${more.length} more notes`}</summary>
+      <ul>${more.map(note => html`<li>${note}</li>`)}</ul></details>` : nothing}`;
   }
   /// Why the steady motions of these results are not in the chart; empty: there are none of them.
   private steadyElsewhere(all: Curves['results']): string {

@@ -62,10 +62,14 @@ export class MachineView extends Part {
           ${steady.map(s => html`<option value="steady ${s.motion}" ?selected=${chosen === `steady ${s.motion}`}>${s.words}</option>`)}
           <option value="rest" ?selected=${chosen === 'rest'}>at rest</option>
         </select>
+      </div>
+      <div class="bar">
         <span class="views" role="group" aria-label="View">${views.map(v => html`<button @click=${() => this.stage?.look(v)}>${v}</button>`)}</span>
         <button title="Save the picture as PNG" @click=${this.savePicture}>PNG</button>
         <button title=${canRecord() ? 'Save a video of exactly one period (WebM)' : 'This browser cannot encode videos (WebCodecs)'} ?disabled=${!canRecord() || !this.motion || this.recording}
           @click=${this.saveVideo}>Video</button>
+        <label><input type="checkbox" .checked=${display.damped} @change=${(e: Event) => { display.set({damped: (e.target as HTMLInputElement).checked}); asker.again(); }}> damped</label>
+        <label><input type="checkbox" .checked=${display.traces} @change=${(e: Event) => display.set({traces: (e.target as HTMLInputElement).checked})}> trace</label>
       </div>
       <div class="bar">
         ${this.slider('Size', 0.01, 0.2, 0.005, display.share, share => display.set({share}))}
@@ -73,8 +77,6 @@ export class MachineView extends Part {
         ${this.slider('Phase', 0, 360, 1, display.phase * 180 / Math.PI, degrees => display.set({phase: degrees * Math.PI / 180, playing: false}))}
       </div>
       <div class="bar">
-        <label><input type="checkbox" .checked=${display.damped} @change=${(e: Event) => { display.set({damped: (e.target as HTMLInputElement).checked}); asker.again(); }}> damped</label>
-        <label><input type="checkbox" .checked=${display.traces} @change=${(e: Event) => display.set({traces: (e.target as HTMLInputElement).checked})}> trace</label>
         <label class="chosen">against <select aria-label="Motion against" @change=${(e: Event) => display.set({ghost: (e.target as HTMLSelectElement).value as Ghost})}>
           ${Object.entries(GHOSTS).map(([key, words]) => html`<option value=${key} ?selected=${key === display.ghost}>${words}</option>`)}</select></label>
         <label class="chosen">mounts <select aria-label="Colour of mounts" @change=${(e: Event) => display.set({colouring: (e.target as HTMLSelectElement).value as Colouring})}>
