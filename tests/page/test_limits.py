@@ -140,3 +140,24 @@ def test_a_curve_is_red_where_it_exceeds_a_limit_line_of_its_quantity(serve):
     choose_quantity(page, 'velocity')
     assert red() > 20
     assert page.locator('.readings summary').count() == 0
+
+
+def test_a_limit_of_steady_motions_is_a_line_with_the_judged_value(serve):
+    served = serve('snubber/genset.toml')
+    page = served.page()
+    judged(page)
+    line = page.get_by_role('slider', name='Limit of genset.z', exact=True)
+    line.wait_for()
+    assert line.inner_text().startswith('steady ≤ 1.2 mm')
+    assert margin_on(line) == float(f"{requirement(served.file, 'genset.z')['margin']:.3g}")
+    assert 'the largest deviation of the steady motions from rest' in line.get_attribute('aria-valuetext')
+
+
+def test_a_limit_at_rest_of_a_shown_curve_is_stated_at_the_chart(serve):
+    served = serve('compressor/requirements.toml')
+    page = served.page()
+    judged(page)
+    page.locator('.readings summary').click()
+    at_rest = next(r for r in command('verdict', served.file)['cases'][0]['requirements'] if r['kind'] == 'static')
+    words = f"{at_rest['shown_requirement']} (margin {at_rest['margin']:.3g}): it limits the value at rest"
+    assert words in page.locator('.readings').inner_text()

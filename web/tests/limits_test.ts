@@ -62,18 +62,25 @@ test('a bare number stays one, and a limit in a new unit has no SI value before 
 test('a limit is drawn beside a curve of its quantity under its excitations alone', () => {
   const curves = {results: [{name: 'm.z', unit: 'm'}], models: [{excitations: ['push', 'pull']}]} as unknown as Curves;
   const why = (more: Partial<Requirement>) => limitsOf(curves, 0, [limited(more)]).not.map(n => n.why);
-  assert.deepEqual(limitsOf(curves, 0, [limited({})]).drawn.map(l => [l.result, l.from, l.to, l.atSpeed]), [['m.z', 5, 20, false]]);
+  assert.deepEqual(limitsOf(curves, 0, [limited({})]).drawn.map(l => [l.result, l.from, l.to, l.isOfCurve]), [['m.z', 5, 20, true]]);
   assert.equal(limitsOf(curves, 0, [limited({band: [5, null]})]).drawn[0]!.to, Infinity);
   assert.deepEqual(why({unit: 'm/s'}), ['it limits the velocity, the curve is the displacement']);
   assert.deepEqual(why({excitations: ['push']}), ['it holds under push alone']);
   assert.deepEqual(why({excitations: ['pull', 'push']}), []);
   assert.deepEqual(why({order: 2}), ['it holds for order 2 of the shaft alone']);
   assert.deepEqual(why({subject: 'm.x'}), ['no curve of m.x is drawn']);
-  assert.deepEqual(limitsOf(curves, 0, [limited({kind: 'static'}), limited({place: []})]), {drawn: [], not: []});
+  assert.deepEqual(limitsOf(curves, 0, [limited({kind: 'mount_load'}), limited({place: []})]), {drawn: [], not: []});
   const lined = {...curves, lines: [{name: 'severity', result: 'm.z', unit: 'm/s'}]} as unknown as Curves;
   assert.deepEqual(limitsOf(lined, 0, []).not, [{words: 'm.z within "severity"', why: 'it limits the velocity, the curve is the displacement'}]);
   const [speed] = limitsOf(curves, 0, [limited({kind: 'operation', speed: [60, 60], band: null})]).drawn;
-  assert.deepEqual([speed!.from, speed!.to, speed!.atSpeed], [60, 60, true]);
+  assert.deepEqual([speed!.from, speed!.to, speed!.isOfCurve], [60, 60, false]);
+});
+test('a limit of steady motions is a line that no curve judges, and of other numbers there are words with the margin', () => {
+  const curves = {results: [{name: 'm.z', unit: 'm'}], models: [{excitations: ['push']}]} as unknown as Curves, one = {shown_requirement: 'm.z ≤ 2 mm', judged: true, margin: 1.25};
+  const {drawn, not} = limitsOf(curves, 0, [limited({kind: 'steady', excitations: []}), limited({...one, kind: 'rms'}), limited({...one, kind: 'static', judged: false}), limited({...one, kind: 'rms', subject: 'm.x'})]);
+  assert.deepEqual(drawn.map(l => [l.result, l.from, l.to, l.isOfCurve]), [['m.z', 5, 20, false]]);
+  assert.deepEqual(not, [{words: 'm.z ≤ 2 mm (margin 1.25)', why: 'it limits the root mean square under the random excitations'},
+                         {words: 'm.z ≤ 2 mm (not judged)', why: 'it limits the value at rest'}]);  // m.x has no curve
 });
 test('a height of the chart is the amplitude that is drawn there', () => {
   for (const decibel of [false, true]) {

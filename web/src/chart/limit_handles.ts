@@ -14,6 +14,7 @@ export interface ShownLimit {
   violated: boolean;
   binding: boolean;  // in the case on the page
   movable: boolean;
+  isOfCurve: boolean;
   at: {x: number; y: number} | null;  // the judged value, where no curve shows it
 }
 /// What the user does with limits.

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which limits of the file belong to the drawn curves, and where. Their values and margins are those of the verdict.
-import {quantityName} from '../quantities.ts';
+import {number, quantityName} from '../quantities.ts';
 import type {Curves, Requirement} from '../results.ts';
 
-/// A limit beside a curve of its quantity, under the same excitations.
+/// A limit beside a curve of its quantity, under the same excitations; or of the steady motions of a nonlinear machine.
 export interface Limit {
   requirement: Requirement;
   result: string;
   from: number;  // ω [rad/s]; of a speed that of the shaft
   to: number;  // infinite without an upper end
-  atSpeed: boolean;  // the judged value is that of all orders together, not of the curve
+  isOfCurve: boolean;  // else the judged value is another one: of all orders together at a speed, or of steady motions
 }
+/// What other limits of a result bound, which no curve over the frequency of one excitation shows.
+const OTHER_NUMBERS: Record<string, string> = {rms: 'the root mean square under the random excitations', largest: 'the largest value over time', static: 'the value at rest'};
+
 export interface NotDrawn {
   words: string;
   why: string;
@@ -21,14 +24,16 @@ export function limitsOf(curves: Curves, model: number, requirements: readonly R
   const drawn: Limit[] = [], not: NotDrawn[] = [];
   for (const requirement of requirements) {
     const {kind, subject, unit, speed, band, place, order, excitations} = requirement;
-    if (!place.length || kind !== 'amplitude' && kind !== 'operation') continue;
-    const curve = curves.results.find(r => r.name === subject), drives = curves.models[model]?.excitations ?? [];
+    const curve = curves.results.find(r => r.name === subject), other = OTHER_NUMBERS[kind];
+    if (curve && other) not.push({words: withMargin(requirement), why: `it limits ${other}`});
+    if (!place.length || kind !== 'amplitude' && kind !== 'operation' && kind !== 'steady') continue;
+    const drives = curves.models[model]?.excitations ?? [];
     const why = !curve ? `no curve of ${subject} is drawn`
       : curve.unit !== unit ? otherQuantity(unit, curve.unit)
       : order !== null ? `it holds for order ${order} of the shaft alone`
       : kind === 'amplitude' && excitations.length && !sameNames(excitations, drives) ? `it holds under ${excitations.join(', ')} alone` : '';
     if (why) not.push({words: requirement.requirement, why});
-    else drawn.push({requirement, result: subject, from: (speed ?? band)?.[0] ?? 0, to: (speed ?? band)?.[1] ?? Infinity, atSpeed: speed !== null});
+    else drawn.push({requirement, result: subject, from: (speed ?? band)?.[0] ?? 0, to: (speed ?? band)?.[1] ?? Infinity, isOfCurve: speed === null && kind !== 'steady'});
   }
   for (const line of curves.lines ?? []) {
     const curve = curves.results.find(r => r.name === line.result);
@@ -36,5 +41,6 @@ export function limitsOf(curves: Curves, model: number, requirements: readonly R
   }
   return {drawn, not};
 }
+const withMargin = (r: Requirement) => `${r.shown_requirement ?? r.requirement} (${!r.judged ? 'not judged' : `margin ${number(r.margin ?? Infinity, 3)}`})`;
 const otherQuantity = (limited: string, drawn: string) => `it limits the ${quantityName(limited)}, the curve is the ${quantityName(drawn)}`;
 const sameNames = (a: readonly string[], b: readonly string[]) => a.length === b.length && a.every(name => b.includes(name));

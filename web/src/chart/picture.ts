@@ -74,13 +74,14 @@ export interface PresentLimit {
 /// Limits of the curves that are seen.
 export function shownLimits(all: readonly PresentLimit[], names: readonly string[], hidden: ReadonlySet<string>, scale: Scale, display: Display): ShownLimit[] {
   const frequency = FREQUENCY_UNITS[display.frequencyUnit];
-  return all.flatMap(({limit: {requirement: r, result, from, to, atSpeed}, allowed, written, movable, old, binding}, i): ShownLimit[] => {
+  return all.flatMap(({limit: {requirement: r, result, from, to, isOfCurve}, allowed, written, movable, old, binding}, i): ShownLimit[] => {
     const stroke = names.indexOf(result), y = shownAmplitude(allowed, scale, display);
     if (stroke < 0 || hidden.has(result) || y === null) return [];
-    const value = atSpeed && r.value !== null ? shownAmplitude(r.value, scale, display) : null, violated = r.judged && !r.met;
-    const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}${violated && !binding ? ', not binding' : ''}`, label = `≤ ${atLevelOf(written, y, scale, display)} · ${margin}${old ? ' …' : ''}`;
+    const value = !isOfCurve && r.value !== null ? shownAmplitude(r.value, scale, display) : null, violated = r.judged && !r.met, steady = r.kind === 'steady';
+    const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}${violated && !binding ? ', not binding' : ''}`, label = `${steady ? 'steady ' : ''}≤ ${atLevelOf(written, y, scale, display)} · ${margin}${old ? ' …' : ''}`;
     return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label, violated, binding, movable, colour: strokeOf(stroke, display.theme).colour,
-             words: `${r.shown_requirement ?? r.requirement}: ${margin}${violated ? ', violated' : ''}`, at: value !== null ? {x: (from + to) / 2 * frequency, y: value} : null}];
+             words: `${r.shown_requirement ?? r.requirement}: ${margin}${violated ? ', violated' : ''}${steady ? '; square: the largest deviation of the steady motions from rest' : ''}`, isOfCurve,
+             at: value !== null ? {x: (steady ? r.angular_frequency ?? from : (from + to) / 2) * frequency, y: value} : null}];
   });
 }
 

@@ -140,7 +140,7 @@ export class Plot {
     ctx.restore();
   }
   /// A limit as a dashed line, red where its curve is above it, or of a weaker colour if it is not binding.
-  private limit(plot: uPlot, {result, from, to, y: height, at, violated, binding}: ShownLimit) {
+  private limit(plot: uPlot, {result, from, to, y: height, isOfCurve, at, violated, binding}: ShownLimit) {
     const {ctx, bbox} = plot, ratio = devicePixelRatio, colours = chartColours(this.display.theme), {x: xs, curves} = this.picture!, above = binding ? colours.violated : colours.unbinding;
     const x = (value: number) => plot.valToPos(value, 'x', true), y = plot.valToPos(height, 'y', true), least = 10 * ratio;
     const ends = [Math.max(x(from), bbox.left), Number.isFinite(to) ? Math.min(x(to), bbox.left + bbox.width) : bbox.left + bbox.width] as const;
@@ -149,8 +149,8 @@ export class Plot {
       const [left, top] = [x(at.x), plot.valToPos(at.y, 'y', true)];
       ctx.fillStyle = violated ? above : colours.text;
       ctx.fillRect(left - 3 * ratio, top - 3 * ratio, 6 * ratio, 6 * ratio);
-      return;
     }
+    if (!isOfCurve) return;
     const curve = curves.find(c => c.name === result), inside = xs.map(value => value >= from && value <= to);
     for (const part of curve ? partsAbove(xs, curve.amplitude.map((a, i) => (inside[i] ? a : null)), height) : [])
       stroke(ctx, above, 3.2 * ratio, [], part.map(([a, b]) => [x(a), plot.valToPos(b, 'y', true)] as const));

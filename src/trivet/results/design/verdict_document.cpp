@@ -41,10 +41,10 @@ Json ends(const std::optional<assembly::Band>& band) {
   return band ? Json{json::number(band->from), json::number(band->to)} : Json();
 }
 
-/// Frequencies in which the amplitude of a curve is judged.
+/// Frequencies in which a curve is judged.
 Json band_of_curve(const RequirementResult& result) {
-  const bool is_curve =
-      result.kind == study::RequirementKind::amplitude || result.kind == study::RequirementKind::limit_line;
+  using enum study::RequirementKind;
+  const bool is_curve = result.kind == amplitude || result.kind == limit_line || result.kind == steady;
   return is_curve && result.band.to > 0 ? ends(result.band) : Json();
 }
 

@@ -225,6 +225,7 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
       result.value = largest;
       result.margin = margin_of(result.allowed, largest);
       result.quantity = required.steady[i].quantity;
+      if (request.band) result.band = *request.band;
     }
     for (std::size_t i = first; i < list.size(); ++i) add_limits(branch, doubts, list[i]);
   });
