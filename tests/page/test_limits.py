@@ -106,7 +106,6 @@ def test_limits_of_speeds_and_of_lists_are_lines_too(serve):
     served = serve('fan/fan.toml')
     page = served.page()
     settled(page)
-    choose_quantity(page, 'velocity')
     line = limit_of(page, 'fan.bearing.z', '4.5 mm/s rms')
     line.wait_for()
     assert margin_on(line) == float(f"{requirement(served.file, 'fan.bearing.z')['margin']:.3g}")
@@ -125,6 +124,7 @@ def test_limits_of_speeds_and_of_lists_are_lines_too(serve):
 def test_a_curve_is_red_where_it_exceeds_a_limit_line_of_its_quantity(serve):
     page = serve('genset/genset.toml').page()
     settled(page)
+    choose_quantity(page, 'displacement')
     violated = (198, 26, 26)  # the colour of violated limits in light colours
 
     def red():
@@ -140,6 +140,17 @@ def test_a_curve_is_red_where_it_exceeds_a_limit_line_of_its_quantity(serve):
     choose_quantity(page, 'velocity')
     assert red() > 20
     assert page.locator('.readings summary').count() == 0
+
+
+def test_the_page_begins_with_the_quantity_of_the_first_limit_that_decides(serve):
+    for example, words in (
+        ('fan/fan.toml', 'velocity'),
+        ('genset/genset.toml', 'velocity'),
+        ('compressor/requirements.toml', 'displacement'),
+    ):
+        page = serve(example).page()
+        settled(page)
+        assert page.get_by_label('Quantity', exact=True).locator('option:checked').inner_text() == words, example
 
 
 def test_a_limit_of_steady_motions_is_a_line_with_the_judged_value(serve):

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing, svg} from 'lit';
-import {limitsOf, type NotDrawn} from './chart/limits.ts';
+import {limitsOf, unitOfFirstLimit, type NotDrawn} from './chart/limits.ts';
 import {amplitudeAt, pictureOf, shownLimits, unitsOf, type Choice} from './chart/picture.ts';
 import type {Compared} from './chart/overlays.ts';
 import {Plot, type Picture} from './chart/plot.ts';
 import {strokeOf} from './chart/strokes.ts';
 import {comparable, comparisons, isCompared, wordsOf} from './comparisons.ts';
 import {DrawnCurves} from './drawn_curves.ts';
+import {hasSomethingToJudge} from './judgement.ts';
 import {LimitMover} from './limit_mover.ts';
 import {Part} from './part.ts';
 import {FREQUENCY_UNITS, number, quantityName, type FrequencyUnit} from './quantities.ts';
-import type {Curves, Steady} from './results.ts';
+import type {Curves, Steady, Verdict} from './results.ts';
 
 /// Amplitude and phase of the characteristics. A click, or Enter at the cursor, makes the machine swing at that frequency.
 export class CurveChart extends Part {
@@ -29,6 +30,7 @@ export class CurveChart extends Part {
   private mover!: LimitMover;
   private compared: Compared[] = [];
   private wanted = '';  // unit that the user chose
+  private hasBegun = false;  // with the quantity of the first limit
   private watcher: ResizeObserver | null = null;
 
   constructor() {
@@ -42,11 +44,12 @@ export class CurveChart extends Part {
     const {display, asker} = this.app, curves = this.drawnCurves.of(asker), units = curves ? unitsOf(curves) : [];
     const unit = [this.wanted, this.choice.unit].find(u => units.includes(u)) ?? units[0] ?? '';
     if (curves && unit !== this.choice.unit) this.chooseUnit(curves, unit);
+    const waits = this.isFirstQuantityAwaited(units);
     const check = (label: string, on: boolean, set: (on: boolean) => void) => html`<label title=${HINTS[label] ?? ''}><input type="checkbox" .checked=${on}
       @change=${(e: Event) => set((e.target as HTMLInputElement).checked)}> ${label}</label>`;
     return html`
       <div class="bar">
-        <h2 class="hidden">Characteristics</h2>${asker.isOld('curves') ? html`<span class="old">…</span>` : nothing}
+        <h2 class="hidden">Characteristics</h2>${asker.isOld('curves') || waits ? html`<span class="old">…</span>` : nothing}
         ${units.length ? html`<select aria-label="Quantity" @change=${(e: Event) => this.chooseQuantity(curves!, (e.target as HTMLSelectElement).value)}>
           ${(this.app.engine.isLive ? offeredUnits(units) : units).map(u => html`<option value=${u} ?selected=${u === unit}>${quantityName(u)}</option>`)}</select>` : nothing}
         ${curves && curves.models.length > 1 ? html`<select aria-label="Excitation" @change=${(e: Event) => { this.choice = {...this.choice, model: Number((e.target as HTMLSelectElement).value)}; }}>
@@ -88,6 +91,7 @@ export class CurveChart extends Part {
   override updated() {
     const {asker, display} = this.app, curves = this.drawnCurves.of(asker);
     if (!curves || !this.amplitude) return;
+    this.beginWithFirstLimit(curves);
     const steady = asker.result<Steady>('steady'), compared = comparisons(this.app, this.kept), binding = this.mover.areBinding;
     const seen = [curves, steady, binding, ...compared.flatMap(c => [c.curves, c.measured?.[0], c.key]), this.choice, display.theme, display.frequencyUnit, display.logarithmicFrequency, display.decibel, display.logarithmicAmplitude];
     if (JSON.stringify(compared.map(c => [c.label, c.old, c.failure])) !== JSON.stringify(this.compared.map(c => [c.label, c.old, c.failure]))) this.requestUpdate();
@@ -163,6 +167,20 @@ export class CurveChart extends Part {
     const order = [...names].sort((a, b) => first(a) - first(b));
     this.choice = {...this.choice, unit, hidden: new Set(order.slice(MOST_AT_FIRST))};
   }
+  /// The page begins with the quantity of the first limit that decides, once.
+  private beginWithFirstLimit(curves: Curves) {
+    const {asker} = this.app, verdict = asker.result<Verdict>('verdict');
+    if (this.wanted || this.hasBegun || !verdict) return;
+    this.hasBegun = true;
+    const unit = unitOfFirstLimit(verdict, curves);
+    if (unit !== null && unit !== this.choice.unit && offeredUnits(unitsOf(curves)).includes(unit)) this.chooseQuantity(curves, unit);
+  }
+  /// Is the quantity with which the page begins not known, or not there yet?
+  private isFirstQuantityAwaited(units: readonly string[]): boolean {
+    const {app} = this;
+    if (!app.engine.isLive || app.asker.failure('verdict') || app.asker.failure('curves')) return false;
+    return this.wanted ? units.some(u => isSameMotion(u, this.wanted)) && !units.includes(this.wanted) : !this.hasBegun && hasSomethingToJudge(app) && !app.asker.problems.some(p => p.severity === 'error');
+  }
   /// Motions are drawn in the quantity of the chosen unit, which the program computes.
   private chooseQuantity(curves: Curves, unit: string) {
     const {display, asker, beside} = this.app, quantity = MOTIONS.findIndex(([a, b]) => a === unit || b === unit);
@@ -237,6 +255,8 @@ export class CurveChart extends Part {
 const MOST_AT_FIRST = 6;
 /// Units of the motions in each quantity: of a translation and of a rotation.
 const MOTIONS = [['m', 'rad'], ['m/s', 'rad/s'], ['m/s²', 'rad/s²']] as const, QUANTITIES = ['displacement', 'velocity', 'acceleration'];
+/// Are both units of a translation, or both of a rotation?
+const isSameMotion = (a: string, b: string) => [0, 1].some(kind => [a, b].every(u => MOTIONS.some(m => m[kind] === u)));
 /// Units that can be drawn: those of the curves, and their motions in the other quantities.
 const offeredUnits = (units: readonly string[]) => [
   ...[0, 1].flatMap(kind => (units.some(u => MOTIONS.some(m => m[kind] === u)) ? MOTIONS.map(m => m[kind]!) : [])), ...units.filter(u => !MOTIONS.some(m => (m as readonly string[]).includes(u)))];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {limitsOf} from '../src/chart/limits.ts';
+import {limitsOf, unitOfFirstLimit} from '../src/chart/limits.ts';
 import {amplitudeAt, shownAmplitude} from '../src/chart/picture.ts';
 import type {Display} from '../src/display.ts';
 import {limitNumber, PresentLimits, rounded, setLimit} from '../src/limit_number.ts';
 import {indexOf} from '../src/numbers_of_text.ts';
-import type {Curves, Requirement} from '../src/results.ts';
+import type {Curves, Requirement, Verdict} from '../src/results.ts';
 import {State} from '../src/state.ts';
 
 const TEXT = `trivet = 1
@@ -81,6 +81,13 @@ test('a limit of steady motions is a line that no curve judges, and of other num
   assert.deepEqual(drawn.map(l => [l.result, l.from, l.to, l.isOfCurve]), [['m.z', 5, 20, false]]);
   assert.deepEqual(not, [{words: 'm.z ≤ 2 mm (margin 1.25)', why: 'it limits the root mean square under the random excitations'},
                          {words: 'm.z ≤ 2 mm (not judged)', why: 'it limits the value at rest'}]);  // m.x has no curve
+});
+test('the first limit that decides names the quantity to begin with', () => {
+  const of = (kind: string, unit: string, subject = 'm.z') => ({kind, unit, subject}), curves = {lines: [{result: 'm.y', unit: 'm/s'}]} as unknown as Curves;
+  const unit = (...cases: [boolean, ReturnType<typeof of>[]][]) => unitOfFirstLimit({cases: cases.map(([decides, requirements]) => ({decides, requirements}))} as unknown as Verdict, curves);
+  assert.equal(unit([false, [of('amplitude', 'm')]], [true, [of('mount_load', 'N'), of('amplitude', 'm/s'), of('amplitude', 'm')]]), 'm/s');
+  assert.equal(unit([true, [of('limit_line', '1', 'm.y')]]), 'm/s');  // a ratio to its line, which has the unit
+  assert.equal(unit([false, [of('amplitude', 'm')]]), null);
 });
 test('a height of the chart is the amplitude that is drawn there', () => {
   for (const decibel of [false, true]) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which limits of the file belong to the drawn curves, and where. Their values and margins are those of the verdict.
 import {number, quantityName} from '../quantities.ts';
-import type {Curves, Requirement} from '../results.ts';
+import type {Curves, Requirement, Verdict} from '../results.ts';
 
 /// A limit beside a curve of its quantity, under the same excitations; or of the steady motions of a nonlinear machine.
 export interface Limit {
@@ -40,6 +40,11 @@ export function limitsOf(curves: Curves, model: number, requirements: readonly R
     if (curve && curve.unit !== line.unit) not.push({words: `${line.result} within "${line.name}"`, why: otherQuantity(line.unit, curve.unit)});
   }
   return {drawn, not};
+}
+/// Unit of the first limit of a motion or a force that decides: the quantity that one wants to see first. Null: there is none.
+export function unitOfFirstLimit({cases}: Verdict, {lines = []}: Curves): string | null {
+  const first = (cases.find(c => c.decides)?.requirements ?? []).find(r => ['amplitude', 'operation', 'steady', 'limit_line', 'rms', 'largest'].includes(r.kind));
+  return first?.kind === 'limit_line' ? lines.find(l => l.result === first.subject)?.unit ?? null : first?.unit ?? null;
 }
 const withMargin = (r: Requirement) => `${r.shown_requirement ?? r.requirement} (${!r.judged ? 'not judged' : `margin ${number(r.margin ?? Infinity, 3)}`})`;
 const otherQuantity = (limited: string, drawn: string) => `it limits the ${quantityName(limited)}, the curve is the ${quantityName(drawn)}`;
