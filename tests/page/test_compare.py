@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What is drawn beside the curves: other cases, three springs, measurements, kept curves."""
 import json
+import math
+import re
 
 from conftest import settled
 from test_pictures import picture, share_changed
-from test_play import set_number
+from test_play import command, set_number
 
 
 def watched(page):
@@ -36,6 +38,25 @@ def test_another_case_is_drawn_beside_the_shown_one_and_follows_the_sliders(serv
     assert cold[0]['settings'] == [] and cold[-1]['settings'] == ['bodies.compressor.mass = "300 kg"']
     compare(page, 'case cold', False)
     assert 'case cold' not in page.locator('.readings').inner_text()
+
+
+def test_what_is_compared_has_its_values_at_the_cursor_in_the_readings_and_in_words(serve):
+    served = serve('compressor/requirements.toml')
+    page = served.page()
+    settled(page)
+    compare(page, 'case cold')
+    page.locator('.plots').focus()
+    page.keyboard.press('Home')
+    page.keyboard.press('Shift+ArrowRight')
+    reading = page.locator('.readings .curve', has_text='case cold')
+    page.wait_for_function("() => [...document.querySelectorAll('.readings .curve b')].length > 6")
+    at = float(page.locator('.readings .cursor').inner_text().split()[0])
+    name, shown = re.search(r'case cold: (\S+) ([\d.]+), .* µm 0-p$', reading.inner_text()).groups()
+    found = command('response', served.file, '--case', 'cold', '--at', f'{at} Hz')
+    amplitude = math.hypot(*next(c for c in found['results'] if c['name'] == name)['complex'][0])
+    assert abs(1e6 * amplitude / float(shown) - 1) < 0.02
+    spoken = page.locator('curve-chart [role=status]').inner_text()
+    assert f'; case cold: {name} {shown} µm 0-p' in spoken
 
 
 def test_the_machine_on_three_springs_is_drawn_beside_it(serve):

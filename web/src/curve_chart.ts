@@ -2,7 +2,7 @@
 import {html, nothing, svg} from 'lit';
 import {limitsOf, unitOfFirstLimit, type NotDrawn} from './chart/limits.ts';
 import {amplitudeAt, pictureOf, shownLimits, unitsOf, type Choice} from './chart/picture.ts';
-import type {Compared} from './chart/overlays.ts';
+import {readingAt, type Compared} from './chart/overlays.ts';
 import {Plot, type Picture} from './chart/plot.ts';
 import {strokeOf} from './chart/strokes.ts';
 import {comparable, comparisons, isCompared, wordsOf} from './comparisons.ts';
@@ -139,7 +139,7 @@ export class CurveChart extends Part {
     if (!curves || !this.picture) return nothing;
     const steady = this.picture.overlays.some(o => o.kind === 'stable'), elsewhere = steady ? '' : this.steadyElsewhere(this.drawable(curves));
     const {display} = this.app, all = this.drawable(curves), at = this.indexAtCursor(), level = all[0]?.level;
-    return html`${at === null ? nothing : html`<span class="cursor">${number(this.picture.x[at], 4)} ${display.frequencyUnit} [${display.decibel ? 'dB' : this.picture.scale.unit}]</span>`}${this.notDrawn.length ? html`<details class="note"><summary>${this.notDrawn.length === 1 ? '1 limit is' : `${this.notDrawn.length} limits are`} not drawn</summary>
+    return html`${at === null ? nothing : html`<span class="cursor">${number(this.picture.x[at], 4)} ${display.frequencyUnit} [${this.unit}]</span>`}${this.notDrawn.length ? html`<details class="note"><summary>${this.notDrawn.length === 1 ? '1 limit is' : `${this.notDrawn.length} limits are`} not drawn</summary>
       <ul>${this.notDrawn.map(({words, why}) => html`<li>${words}: ${why}</li>`)}</ul></details>` : nothing}${all.map((r, i) => {
       const curve = this.picture!.curves.find(c => c.name === r.name), {colour} = strokeOf(i, display.theme);
       const value = at !== null && curve ? number(curve.amplitude[at], 3) : '';
@@ -147,7 +147,7 @@ export class CurveChart extends Part {
         <svg viewBox="0 0 18 6" aria-hidden="true"><line x1="0" y1="3" x2="18" y2="3" stroke=${colour} stroke-width="3" stroke-dasharray=${strokeOf(i, display.theme).dash.join(' ')}></line></svg>
         ${r.name}${value ? html` <b>${value}</b>` : nothing}</button>`;
     })}${this.compared.map(c => html`<span class="curve" title=${c.failure}><svg viewBox="0 0 26 6" aria-hidden="true">${c.measured ? svg`<circle cx="7" cy="3" r="2.4" fill="currentColor"></circle><circle cx="18" cy="3" r="2.4" fill="currentColor"></circle>`
-        : svg`<line x1="0" y1="3" x2="26" y2="3" stroke="currentColor" stroke-width="2" stroke-dasharray=${c.dash.join(' ')}></line>`}</svg> ${c.label}${c.failure ? ': not computed' : ''}${c.old ? html` <span class="old">…</span>` : nothing}</span>`)}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak${level && level !== '0-p' ? ` at the level ${level} of a sine` : ''}; dashed: unstable; arrow: jump</span>` : nothing}${elsewhere ? html`<span class="note">${elsewhere}</span>` : nothing}${this.notes()}`;
+        : svg`<line x1="0" y1="3" x2="26" y2="3" stroke="currentColor" stroke-width="2" stroke-dasharray=${c.dash.join(' ')}></line>`}</svg> ${c.label}${c.failure ? ': not computed' : ''}${this.readings(c).map((r, i, all) => html`${i ? ', ' : ': '}${r.name}${r.at} <b>${r.value}</b>${i < all.length - 1 ? nothing : ` ${this.unit}`}`)}${c.old ? html` <span class="old">…</span>` : nothing}</span>`)}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak${level && level !== '0-p' ? ` at the level ${level} of a sine` : ''}; dashed: unstable; arrow: jump</span>` : nothing}${elsewhere ? html`<span class="note">${elsewhere}</span>` : nothing}${this.notes()}`;
   }
   /// What the program notes: the first sentence, and the others on demand.
   private notes() {
@@ -243,11 +243,24 @@ export class CurveChart extends Part {
   private speak() {
     const at = this.indexAtCursor(), {picture} = this;
     if (at === null || !picture) return;
-    const unit = this.app.display.decibel ? 'dB' : picture.scale.unit;
-    this.spoken = `${number(picture.x[at], 4)} ${this.app.display.frequencyUnit}: ${picture.curves.map(c => `${c.name} ${number(c.amplitude[at], 3)} ${unit}`).join(', ')}`;
+    const all = [picture.curves.map(c => `${c.name} ${number(c.amplitude[at], 3)} ${this.unit}`), ...this.compared.map(c => this.readings(c).map((r, i) => `${i ? '' : `${c.label}: `}${r.name}${r.at} ${r.value} ${this.unit}`))];
+    this.spoken = `${number(picture.x[at], 4)} ${this.app.display.frequencyUnit}: ${all.filter(one => one.length).map(one => one.join(', ')).join('; ')}`;
   }
-  private table({x, curves, scale}: Picture) {
-    const rows = x.map((_, i) => i).filter(i => i % Math.ceil(x.length / 60) === 0), unit = this.app.display.decibel ? 'dB' : scale.unit;
+  private get unit() {
+    return this.app.display.decibel ? 'dB' : this.picture!.scale.unit;
+  }
+  /// Values of what is compared at the cursor. `at`: the frequency of a measured point, if it is another one.
+  private readings({key}: Compared): {name: string; at: string; value: string}[] {
+    const {picture} = this, index = this.indexAtCursor();
+    if (index === null || !picture) return [];
+    const shown = (x: number) => `${number(x, 4)} ${this.app.display.frequencyUnit}`, here = shown(picture.x[index]!);
+    return picture.overlays.filter(o => o.of === key).flatMap(overlay => {
+      const found = readingAt(overlay, picture.x[index]!);
+      return found ? [{name: overlay.name, at: shown(found.x) === here ? '' : ` at ${shown(found.x)}`, value: number(found.y, 3)}] : [];
+    });
+  }
+  private table({x, curves}: Picture) {
+    const rows = x.map((_, i) => i).filter(i => i % Math.ceil(x.length / 60) === 0), unit = this.unit;
     return html`<div class="scroll table" tabindex="0"><table><caption>Amplitudes [${unit}]</caption><thead><tr><th scope="col">${this.app.display.frequencyUnit}</th>${curves.map(c => html`<th scope="col">${c.name}</th>`)}</tr></thead>
       <tbody>${rows.map(i => html`<tr><th scope="row">${number(x[i], 4)}</th>${curves.map(c => html`<td>${number(c.amplitude[i], 3)}</td>`)}</tr>`)}</tbody></table></div>`;
   }

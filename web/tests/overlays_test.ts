@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {largestSteady, measuredOverlays, partsByStability, steadyOverlays} from '../src/chart/overlays.ts';
+import {largestSteady, measuredOverlays, partsByStability, readingAt, steadyOverlays} from '../src/chart/overlays.ts';
 
 const point = (angular_frequency: number, largest: number, stable = true) => ({angular_frequency, stable, results: [{largest, smallest: -largest}]});
 
@@ -19,10 +19,16 @@ test('steady motions have half their peak-to-peak value, and folds jump to where
 });
 test('measured amplitudes belong to the drawn result of their unit', () => {
   const measured = [{name: 'impact', excitation: 'hammer', channels: [{result: 'm.z', unit: 'm/s²', angular_frequency: [1, 2], measured: [[3, 4], [0, 2]] as [number, number][]}]}];
-  assert.deepEqual(measuredOverlays(measured, 'm/s²', ['m.x', 'm.z'], 10, v => 2 * v).map(o => [o.stroke, o.points]), [[1, [[10, 10], [20, 4]]]]);
-  assert.deepEqual(measuredOverlays(measured, 'm', ['m.z'], 1, v => v), []);
+  assert.deepEqual(measuredOverlays(measured, 'measured', 'm/s²', ['m.x', 'm.z'], 10, v => 2 * v).map(o => [o.stroke, o.points]), [[1, [[10, 10], [20, 4]]]]);
+  assert.deepEqual(measuredOverlays(measured, 'measured', 'm', ['m.z'], 1, v => v), []);
 });
 test('the largest steady motion of a result is that of its stable parts', () => {
   const of = (kind: 'stable' | 'unstable', points: [number, number | null][]) => ({name: 'm.z', stroke: 1, kind, points});
   assert.deepEqual(largestSteady([of('stable', [[1, 2], [2, null], [3, 5]]), of('unstable', [[4, 9]]), of('stable', [[5, 4]])]), [{x: 3, y: 5, stroke: 1}]);
+});
+test('a compared curve is read between its points, and a measured one at the nearest of them', () => {
+  const of = (kind: 'compared' | 'measured') => ({name: 'm.z', stroke: 0, kind, points: [[1, 10], [2, 20], [4, null], [5, 7]] as [number, number | null][]});
+  assert.deepEqual([1, 1.25, 2, 3, 5].map(x => readingAt(of('compared'), x)?.y ?? null), [10, 12.5, 20, null, 7]);
+  assert.deepEqual([0.9, 5.1].map(x => readingAt(of('compared'), x)), [null, null]);
+  assert.deepEqual([1.2, 1.8].map(x => readingAt(of('measured'), x)), [{x: 1, y: 10}, {x: 2, y: 20}]);
 });

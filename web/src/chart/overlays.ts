@@ -7,6 +7,7 @@ export interface Overlay {
   stroke: number;
   kind: 'compared' | 'measured' | 'limit' | 'violated' | 'unbinding' | 'stable' | 'unstable' | 'jump';
   dash?: readonly number[];  // of compared curves
+  of?: string;  // what is compared: its key
   points: (readonly [number, number | null])[];  // in the units of the chart
 }
 type Value = (amplitude: number) => number | null;
@@ -22,12 +23,26 @@ export interface Compared {
   dash: readonly number[];
 }
 /// Amplitudes that were measured, of the drawn results in their unit.
-export function measuredOverlays(measured: readonly Measurement[], unit: string, results: readonly string[], frequency: number, value: Value): Overlay[] {
+export function measuredOverlays(measured: readonly Measurement[], of: string, unit: string, results: readonly string[], frequency: number, value: Value): Overlay[] {
   return measured.flatMap(({channels}) => channels.flatMap((channel): Overlay[] => {
     const stroke = results.indexOf(channel.result);
     if (stroke < 0 || channel.unit !== unit) return [];
-    return [{name: channel.result, stroke, kind: 'measured', points: channel.angular_frequency.map((w, i) => [w * frequency, value(Math.hypot(...channel.measured[i]!))])}];
+    return [{name: channel.result, stroke, kind: 'measured', of, points: channel.angular_frequency.map((w, i) => [w * frequency, value(Math.hypot(...channel.measured[i]!))])}];
   }));
+}
+
+/// What is compared with a curve, at a place of the axis of frequencies: between the two nearest points of a curve, or the nearest measured
+/// point, which may be at another place. Null outside.
+export function readingAt({kind, points}: Overlay, x: number): {x: number; y: number} | null {
+  const after = points.findIndex(p => p[0] >= x), b = points[after], a = points[after - 1] ?? b;
+  if (!a || !b || (after === 0 && b[0] > x)) return null;
+  const part = b[0] > a[0] ? (x - a[0]) / (b[0] - a[0]) : 0;
+  if (kind === 'measured') {
+    const [at, y] = part < 0.5 ? a : b;
+    return y === null ? null : {x: at, y};
+  }
+  const y = part === 0 ? a[1] : part === 1 ? b[1] : a[1] === null || b[1] === null ? null : a[1] + part * (b[1] - a[1]);
+  return y === null ? null : {x, y};
 }
 
 /// Half the peak-to-peak values of the periodic motions over frequency, in parts that are stable or unstable, and the

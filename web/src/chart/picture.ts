@@ -47,8 +47,8 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
       overlays.push({name: line.result, stroke, kind: binding ? 'violated' : 'unbinding', points: omega.flatMap((w, k) => (w >= from && w <= to ? [[w * frequency, shownValue(amplitude[k] ?? null)] as const] : []))});
   }
   for (const one of compared) {
-    if (one.curves) overlays.push(...comparedOverlays(one.curves, one.dash, choice, display, names, shownValue));
-    if (one.measured) overlays.push(...measuredOverlays(one.measured, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)));
+    if (one.curves) overlays.push(...comparedOverlays(one.curves, one, choice, display, names, shownValue));
+    if (one.measured) overlays.push(...measuredOverlays(one.measured, one.key, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)));
   }
   return {overlays, limits: [], x: omega.map(w => w * frequency), curves: shown, natural: curves.natural.map(w => w * frequency), scale,
           cursor: display.cursor === null ? null : display.cursor * frequency};
@@ -92,12 +92,12 @@ function atLevelOf(written: string, y: number, {unit}: Scale, {decibel}: Display
 }
 
 /// Curves of another machine, or as they were when the user kept them.
-function comparedOverlays(other: Curves, dash: readonly number[], choice: Choice, display: Display, names: readonly string[], shownValue: (v: number | null) => number | null): Overlay[] {
+function comparedOverlays(other: Curves, {key: of, dash}: Compared, choice: Choice, display: Display, names: readonly string[], shownValue: (v: number | null) => number | null): Overlay[] {
   const omega = drawnFrequencies(other, POINTS, display.logarithmicFrequency);
   const wanted = other.results.map((_, i) => i).filter(i => other.results[i]!.unit === choice.unit && names.includes(other.results[i]!.name) && !choice.hidden.has(other.results[i]!.name));
   const sampled = sampledCurves(other, choice.model, omega, wanted);
   return wanted.map((i): Overlay => {
     const {name} = other.results[i]!;
-    return {name, stroke: names.indexOf(name), kind: 'compared', dash, points: omega.map((w, k) => [w * FREQUENCY_UNITS[display.frequencyUnit], shownValue(sampled.amplitude[i]![k]!)])};
+    return {name, stroke: names.indexOf(name), kind: 'compared', of, dash, points: omega.map((w, k) => [w * FREQUENCY_UNITS[display.frequencyUnit], shownValue(sampled.amplitude[i]![k]!)])};
   });
 }
