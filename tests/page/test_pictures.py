@@ -109,6 +109,9 @@ def test_the_saved_picture_is_what_is_seen(serve, tmp_path):
     download.value.save_as(tmp_path / 'machine.png')
     saved = Image.open(tmp_path / 'machine.png')
     assert colours(saved.convert('RGB')) > 200
+    ink = (36, 50, 59)  # of the text; nothing of the machine is at the top of this picture
+    title = saved.convert('RGB').crop((0, 0, saved.width, 60)).getcolors(1 << 24)
+    assert sum(n for n, colour in title if colour == ink) > 300
     assert saved.width / saved.height == pytest.approx(
         page.evaluate(
             "() => { const c = document.querySelector('canvas.machine'); return c.clientWidth / c.clientHeight; }"

@@ -5,6 +5,7 @@ import {download} from './download.ts';
 import {hasSomethingToJudge} from './judgement.ts';
 import {DARK, LIGHT} from './machine/colours.ts';
 import {GHOSTS, type Ghost} from './machine/ghosts.ts';
+import {labelledPicture} from './machine/labelled_picture.ts';
 import {MachineScene} from './machine/machine_scene.ts';
 import {Stage, type View} from './machine/stage.ts';
 import type {Motion} from './motion.ts';
@@ -40,9 +41,7 @@ export class MachineView extends Part {
     const {display, asker, state} = this.app, modes = asker.result<Modes>('modes');
     const {shown} = display, steady = steadyChoices(asker.result<Steady>('steady'), display);
     const chosen = shown.kind === 'mode' ? `${shown.number}` : shown.kind === 'steady' ? `steady ${shown.motion}` : shown.kind;
-    const label = this.motion ? `${this.motion.label}, ${frequency(this.motion.angular_frequency, display.frequencyUnit)}${this.motion.words ? `: ${this.motion.words}` : ''}`
-                              : shown.kind === 'steady' ? missingSteady(asker, shown.omega) : 'at rest';
-    const [screw, body] = this.screw(), command = shown.kind === 'steady' ? 'steady' : shown.kind === 'frequency' ? 'shapes' : 'modes';
+    const label = this.label(), [screw, body] = this.screw(), command = shown.kind === 'steady' ? 'steady' : shown.kind === 'frequency' ? 'shapes' : 'modes';
     const views: View[] = ['oblique', 'front', 'side', 'top'];
     return html`
       <div class="stage" tabindex="0" role="application" aria-label="Machine in 3D: ${label}. Arrow keys turn it, plus and minus zoom, space plays or stops, n and p show the next and the previous mode, s selects the next part."
@@ -82,6 +81,12 @@ export class MachineView extends Part {
         <label class="chosen">mounts <select aria-label="Colour of mounts" @change=${(e: Event) => display.set({colouring: (e.target as HTMLSelectElement).value as Colouring})}>
           ${Object.entries(COLOURINGS).map(([key, words]) => html`<option value=${key} ?selected=${key === display.colouring}>${words}</option>`)}</select></label>
       </div>`;
+  }
+  /// What is shown: the motion with its frequency.
+  private label(): string {
+    const {display: {shown, frequencyUnit}, asker} = this.app, {motion} = this;
+    if (!motion) return shown.kind === 'steady' ? missingSteady(asker, shown.omega) : 'at rest';
+    return `${motion.label}, ${frequency(motion.angular_frequency, frequencyUnit)}${motion.words ? `: ${motion.words}` : ''}`;
   }
   override firstUpdated() {
     const canvas = this.querySelector('canvas')!;
@@ -216,8 +221,10 @@ export class MachineView extends Part {
     return this.stage!.pick(2 * (event.clientX - left) / width - 1, 1 - 2 * (event.clientY - top) / height);
   }
   private savePicture() {
+    const {state, display, asker} = this.app, title = asker.result<Scene>('scene')?.title ?? '', name = state.case ? `case ${state.case}` : '';
     this.stage!.drawNow();
-    this.querySelector('canvas')!.toBlob(blob => download('machine.png', blob!));
+    const drawing = this.querySelector('canvas')!, lines = [[title, name].filter(Boolean).join(' · '), this.label()].filter(Boolean);
+    labelledPicture(drawing, lines, display.theme === 'dark' ? DARK : LIGHT, drawing.width / drawing.clientWidth).toBlob(blob => download('machine.png', blob!));
   }
   /// Exactly one period, as fast as the machine moves on the page.
   private async saveVideo() {
