@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {BoxGeometry, BufferAttribute, BufferGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh,
-        MeshStandardMaterial, SphereGeometry, type Material, type Object3D} from 'three';
+        MeshStandardMaterial, SphereGeometry, type Material, type Object3D, type Vector3} from 'three';
 import {valuesAt, type RigidMotion} from '../motion.ts';
 import type {SceneBody, Vector} from '../results.ts';
 import type {Colours} from './colours.ts';
@@ -13,11 +13,16 @@ export class BodyObject {
   readonly rest: Matrix4;
   private readonly materials: MeshStandardMaterial[] = [];
 
-  constructor(readonly body: SceneBody, size: number, colours: Colours) {
+  /// @param arms  lines to its places outside it, in the frame of the project
+  constructor(readonly body: SceneBody, size: number, colours: Colours, arms: readonly (readonly [Vector3, Vector3])[] = []) {
     this.object.matrixAutoUpdate = this.atRest.matrixAutoUpdate = false;
     if (body.solids.length) for (const solid of body.solids) this.add(meshOf(solid.vertices, solid.triangles, body.pole), colours, 0.75);
     else if (body.box) this.add(boxOf(body), colours, 0.55);
     else if (body.node) this.add(new SphereGeometry(0.006 * size, 12, 8), colours);
+    if (arms.length) {
+      const ends = new BufferGeometry().setFromPoints(arms.flat()).translate(...body.pole.map(v => -v) as [number, number, number]);
+      this.object.add(new LineSegments(ends, new LineBasicMaterial({color: colours.rest})));
+    }
     this.rest = rigidMatrix(body.pole, null, 0, 0);
     this.atRest.matrix.copy(this.rest);
     this.move(null, 0, 0);

@@ -5,6 +5,7 @@ import type {Scene, SceneBody, Vector} from '../results.ts';
 import type {MountValues} from '../mount_colouring.ts';
 import type {PlacedScrew} from '../screws.ts';
 import type {Selection} from '../state.ts';
+import {armsOf} from './arms.ts';
 import {BodyObject, disposeAll} from './body_object.ts';
 import {colourOf} from './colour_scale.ts';
 import type {Colours} from './colours.ts';
@@ -37,7 +38,7 @@ export class MachineScene {
   constructor(readonly scene: Scene, private readonly colours: Colours) {
     const up = scene.gravity && Math.hypot(...scene.gravity) > 0 ? new Vector3(...scene.gravity).negate().normalize() : new Vector3(0, 0, 1);
     this.byName = new Map(scene.bodies.map(b => [b.name, b]));
-    this.bodies = scene.bodies.map(b => new BodyObject(b, scene.size, colours));
+    this.bodies = scene.bodies.map(b => new BodyObject(b, scene.size, colours, armsOf(b, scene)));
     this.elements = scene.elements.map(e => new ElementObject(e, this.byName, scene.size, up, colours));
     this.ghosts = new Ghosts(this.bodies, this.elements, colours);
     for (const {object, atRest} of this.bodies) {
