@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "trivet/foundation/constants.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/plausibility/body_picture.h"
 #include "trivet/plausibility/suspicion.h"
 
@@ -10,8 +10,7 @@ namespace trivet::plausibility {
 
 using Suspicions = std::vector<Suspicion>;
 
-/// [Hz] of ω [rad/s].
-inline double hertz(double omega) { return omega / foundation::two_pi; }
+using foundation::hertz;
 
 /// True if `scale` of an element is probably meant in percent.
 [[nodiscard]] bool is_scale_in_percent(double scale);

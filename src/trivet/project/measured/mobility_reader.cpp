@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/identification/passive_sections.h"
 #include "trivet/numerics/linalg/decompositions.h"
@@ -26,7 +27,7 @@ foundation::Origin origin(const GroundMobility& mobility, std::size_t row) {
   return {mobility.source, mobility.lines.empty() ? 0 : mobility.lines[row]};
 }
 
-double hertz(const GroundMobility& mobility, std::size_t row) { return mobility.knots[row] / foundation::two_pi; }
+double hertz(const GroundMobility& mobility, std::size_t row) { return foundation::hertz(mobility.knots[row]); }
 
 Eigen::VectorXcd driving_point(const GroundMobility& mobility, std::size_t direction) {
   Eigen::VectorXcd values(to_index(mobility.rows.size()));

@@ -9,7 +9,7 @@
 
 #include "trivet/documents/document.h"
 #include "trivet/documents/labelled_arrays.h"
-#include "trivet/foundation/constants.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/project/analyses/analysis_table.h"
 #include "trivet/results/format/json_parts.h"
 #include "trivet/results/format/written_results.h"
@@ -67,7 +67,7 @@ TRIVET_ANALYSES(TRIVET_WRITER)
 /// All of them with their names, in the order of the result file.
 [[nodiscard]] const std::vector<ResultWriter>& result_writers();
 
-[[nodiscard]] inline double hertz(double omega) { return omega / foundation::two_pi; }
+using foundation::hertz;
 /// Units of the translations and rotations in a shape: those of a mass-normalized mode, or of a root, whose largest
 /// translation is 1.
 struct ShapeUnits {
