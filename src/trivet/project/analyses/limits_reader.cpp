@@ -22,6 +22,7 @@ namespace trivet::project {
 
 namespace {
 
+constexpr std::array motion_words = {"displacement", "velocity", "acceleration"};
 constexpr std::array motion_quantities = {assembly::MotionQuantity::displacement, assembly::MotionQuantity::velocity,
                                           assembly::MotionQuantity::acceleration};
 
@@ -166,9 +167,9 @@ std::vector<std::string> read_no_peak(TableReader& owner, const ResultNames& nam
 }
 
 std::optional<assembly::MotionQuantity> read_quantity(TableReader& reader) {
-  const auto word = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
+  const auto word = reader.choice("quantity", {motion_words.begin(), motion_words.end()});
   if (!word) return std::nullopt;
-  return motion_quantities[*word == "velocity" ? 1 : *word == "acceleration" ? 2 : 0];
+  return motion_quantities[static_cast<std::size_t>(std::ranges::find(motion_words, *word) - motion_words.begin())];
 }
 
 namespace {
@@ -245,72 +246,99 @@ void add_line(LimitLineRequest request, const SymbolTable& symbols, Analyses& re
   if (!request.bands || !symbols.random_excitations.empty()) result.limit_lines.push_back(std::move(request));
 }
 
+/// SI unit of the limits of a line.
+std::string unit_of_limits(const std::string& of, Quantity measured, assembly::MotionQuantity quantity) {
+  static constexpr std::array<const char*, 3> units = {"m", "m/s", "m/s²"}, turning = {"rad", "rad/s", "rad/s²"};
+  if (measured == Quantity::force) return "N";
+  if (measured == Quantity::moment) return "N m";
+  const bool turns = of.size() > 3 && of[of.size() - 2] == 'r';
+  return (turns ? turning : units)[static_cast<std::size_t>(quantity)];
+}
+
+/// `rows` of a line, or those of its file. @returns false if there are none without an error
+bool read_points_of_line(TableReader& reader, Quantity measured, LimitLineRequest& request) {
+  const Levels levels = request.bands ? Levels::of_random : Levels::of_harmonic;
+  const ColumnQuantity level = read_bare_unit(
+      reader, ColumnQuantity(measured).at_levels(levels, request.line.rms ? Level::rms : Level::amplitude));
+  const auto rows = reader.has("rows") ? read_pairs(reader, "rows", in_hertz(), level)
+                                       : read_pairs_of_file(reader, "frequency_hz", "limit", in_hertz(), level);
+  reader.finish();
+  if (!rows) return false;
+  for (const double hertz : rows->col(0)) request.line.angular_frequency.push_back(2 * std::numbers::pi * hertz);
+  for (const double limit : rows->col(1)) request.line.limit.push_back(level.bare * limit);
+  const foundation::Problems findings = assembly::check(request.line, reader.has("rows") ? "rows" : "file");
+  reader.add(findings);
+  return !findings.has_errors();
+}
+
+/// The component that a line bounds, by its quantity; none with an error.
+std::optional<Quantity> read_component_of_line(TableReader& reader, const ResultNames& names, const std::string& of,
+                                               assembly::MotionQuantity quantity) {
+  const auto measured = names.component(of, quantity);
+  if (reader.has("of") && !measured) {
+    const std::string guess = foundation::nearest_name(of, names.components());
+    reader.error("of", foundation::quoted(of),
+                 "a limit line belongs to one component: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"",
+                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+  }
+  return measured;
+}
+
+/// One line. None if it has an error.
+std::optional<LimitLineRequest> read_limit_line(TableReader& root, TableReader& reader, const std::string& name,
+                                                const ResultNames& names, const SymbolTable& symbols,
+                                                const Analyses& analyses) {
+  LimitLineRequest request;
+  request.of = reader.required_text("of");
+  const bool named = reader.has("line");
+  const bool bands_missing = !read_bands_of_line(root, reader, symbols, analyses, named, request);
+  const auto quantity = read_quantity(reader).value_or(assembly::MotionQuantity::velocity);
+  const auto measured = read_component_of_line(reader, names, request.of, quantity);
+  if (!measured || bands_missing) return std::nullopt;  // the unit of its rows is not known
+  request.line.name = name;
+  request.line.rms = read_level_of_line(reader, request.bands.has_value()) == Level::rms;
+  if (request.bands && !request.line.rms) {
+    reader.error("level", "\"zero_to_peak\"", "the level of a band is a root mean square",
+                 "convert the limits to rms and remove the key");
+    return std::nullopt;
+  }
+  if (reader.has("quantity") && names.is_force(request.of))
+    warn_at_key(reader, "quantity",
+                foundation::quoted(motion_words[static_cast<std::size_t>(quantity)]) + " of a force",
+                "it applies to motions only", "remove it");
+  request.line.unit = unit_of_limits(request.of, *measured, quantity);
+  const bool complete =
+      named ? read_named_line(reader, *measured, request) : read_points_of_line(reader, *measured, request);
+  return complete ? std::optional(std::move(request)) : std::nullopt;
+}
+
+/// Lines over frequency compare the response of the file, or that in the band of the requirements that name them.
+void require_response(TableReader& root, const Node& table, const Analyses& analyses) {
+  const Node* requirements = root.has("requirements") ? root.node("requirements") : nullptr;
+  const auto over_response = [&](const std::string& name) {
+    const Node* line = table.find(name);
+    return !line || line->kind != Node::Kind::table || !(line->find("bands") || line->find("line"));
+  };
+  if (!analyses.response && !(requirements && requirements->find("limit_lines") && requirements->find("band")) &&
+      std::ranges::any_of(table.keys, over_response))
+    root.error("limit_lines", "no response to compare with",
+               "limit lines apply to the band of analyses.response, or to that of the requirements that name them",
+               "add response = {…} to [analyses]");
+}
+
 }  // namespace
 
 void read_limit_lines(TableReader& root, const ResultNames& names, const SymbolTable& symbols, Analyses& result) {
   const Node* table = root.table("limit_lines");
   if (!table) return;
-  const Node* requirements = root.has("requirements") ? root.node("requirements") : nullptr;
-  const auto over_response = [&](const std::string& name) {
-    const Node* line = table->find(name);
-    return !line || line->kind != Node::Kind::table || !(line->find("bands") || line->find("line"));
-  };
-  if (!result.response && !(requirements && requirements->find("limit_lines") && requirements->find("band")) &&
-      std::ranges::any_of(table->keys, over_response))
-    root.error("limit_lines", "no response to compare with",
-               "limit lines apply to the band of analyses.response, or to that of the requirements that name them",
-               "add response = {…} to [analyses]");
+  require_response(root, *table, result);
   TableReader all(*table, "limit_lines", root.problems());
   for (const std::string& name : table->keys) {
     const Node* node = all.table(name);
     if (!node) continue;
     TableReader reader(*node, "limit_lines." + name, root.problems());
-    LimitLineRequest request;
-    request.of = reader.required_text("of");
-    const bool named = reader.has("line");
-    const bool bands_missing = !read_bands_of_line(root, reader, symbols, result, named, request);
-    const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"}).value_or("velocity");
-    const auto motion_quantity = quantity == "velocity" ? assembly::MotionQuantity::velocity
-        : quantity == "acceleration"                    ? assembly::MotionQuantity::acceleration
-                                                        : assembly::MotionQuantity::displacement;
-    const auto measured = names.component(request.of, motion_quantity);
-    if (reader.has("of") && !measured) {
-      const std::string guess = foundation::nearest_name(request.of, names.components());
-      reader.error("of", foundation::quoted(request.of),
-                   "a limit line belongs to one component: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"",
-                   guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
-    }
-    if (!measured || bands_missing) continue;  // the unit of its rows is not known
-    request.line.name = name;
-    request.line.rms = read_level_of_line(reader, request.bands.has_value()) == Level::rms;
-    if (request.bands && !request.line.rms) {
-      reader.error("level", "\"zero_to_peak\"", "the level of a band is a root mean square",
-                   "convert the limits to rms and remove the key");
-      continue;
-    }
-    static constexpr std::array<const char*, 3> units = {"m", "m/s", "m/s²"}, turning = {"rad", "rad/s", "rad/s²"};
-    if (reader.has("quantity") && names.is_force(request.of))
-      warn_at_key(reader, "quantity", "\"" + quantity + "\" of a force", "it applies to motions only", "remove it");
-    const bool force = *measured == Quantity::force || *measured == Quantity::moment;
-    const bool turns = request.of.size() > 3 && request.of[request.of.size() - 2] == 'r';
-    request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")
-                              : (turns ? turning : units)[static_cast<std::size_t>(motion_quantity)];
-    if (named) {
-      if (read_named_line(reader, *measured, request)) add_line(std::move(request), symbols, result);
-      continue;
-    }
-    const Levels levels = request.bands ? Levels::of_random : Levels::of_harmonic;
-    const ColumnQuantity level = read_bare_unit(
-        reader, ColumnQuantity(*measured).at_levels(levels, request.line.rms ? Level::rms : Level::amplitude));
-    const auto rows = reader.has("rows") ? read_pairs(reader, "rows", in_hertz(), level)
-                                         : read_pairs_of_file(reader, "frequency_hz", "limit", in_hertz(), level);
-    reader.finish();
-    if (!rows) continue;
-    for (const double hertz : rows->col(0)) request.line.angular_frequency.push_back(2 * std::numbers::pi * hertz);
-    for (const double limit : rows->col(1)) request.line.limit.push_back(level.bare * limit);
-    const foundation::Problems findings = assembly::check(request.line, reader.has("rows") ? "rows" : "file");
-    reader.add(findings);
-    if (!findings.has_errors()) add_line(std::move(request), symbols, result);
+    if (auto line = read_limit_line(root, reader, name, names, symbols, result))
+      add_line(std::move(*line), symbols, result);
   }
 }
 
