@@ -66,6 +66,29 @@ LargestOfKind largest_on(const SteadyBranch& branch) {
   return largest;
 }
 
+/// Amplitude and phase of one result.
+void add_columns_of(std::size_t c, const SteadyBranch& branch, const LargestOfKind& largest,
+                    const Rows<HarmonicOf>& row, Table& table) {
+  const std::string &name = branch.results[c], &unit = branch.units[c];
+  const std::string amplitude = name + " amplitude", phase = name + " phase", unit_of = "unit of " + name;
+  table.columns.push_back(row(unit_of, Kind::words, "", [unit](std::size_t) { return unit; }));
+  table.columns.push_back(row(amplitude, Kind::amplitude, name,
+                              [c](const HarmonicOf& one) { return std::abs(one.amplitude(c)); },
+                              {.unit = "@" + unit_of, .digits = 4}));
+  table.columns.push_back(row(phase, Kind::number, "",
+                              [c](const HarmonicOf& one) { return std::arg(one.amplitude(c)); }, {.forms = in_csv}));
+  table.columns.push_back(row(phase, Kind::number, "phase",
+                              [c, unit, largest](const HarmonicOf& one) -> Json {
+                                const std::complex<double> value = one.amplitude(c);
+                                if (largest.shown(unit, std::abs(value)) == 0) return nullptr;
+                                return fmt::format("{:.1f}°", 360 / foundation::two_pi * std::arg(value));
+                              },
+                              {.forms = for_people}));
+  table.csv.emplace_back(fmt::format("{} [{}]", amplitude, unit), amplitude);
+  table.csv.emplace_back(phase + " [rad]", phase);
+  for (const std::string& column : {amplitude, phase}) table.people.emplace_back(column, column);
+}
+
 /// A line for each harmonic, the mean included, SI and rad; for people those that are not small.
 Table harmonic_table(const SteadyBranch& branch, std::vector<HarmonicOf> harmonics) {
   const Rows row(std::move(harmonics));
@@ -98,26 +121,7 @@ Table harmonic_table(const SteadyBranch& branch, std::vector<HarmonicOf> harmoni
       .together = 2,
       .forms = in_csv};
   const LargestOfKind largest = largest_on(branch);
-  for (std::size_t c = 0; c < branch.results.size(); ++c) {
-    const std::string &name = branch.results[c], &unit = branch.units[c];
-    const std::string amplitude = name + " amplitude", phase = name + " phase", unit_of = "unit of " + name;
-    table.columns.push_back(row(unit_of, Kind::words, "", [unit](std::size_t) { return unit; }));
-    table.columns.push_back(row(amplitude, Kind::amplitude, name,
-                                [c](const HarmonicOf& one) { return std::abs(one.amplitude(c)); },
-                                {.unit = "@" + unit_of, .digits = 4}));
-    table.columns.push_back(row(phase, Kind::number, "",
-                                [c](const HarmonicOf& one) { return std::arg(one.amplitude(c)); }, {.forms = in_csv}));
-    table.columns.push_back(row(phase, Kind::number, "phase",
-                                [c, unit, largest](const HarmonicOf& one) -> Json {
-                                  const std::complex<double> value = one.amplitude(c);
-                                  if (largest.shown(unit, std::abs(value)) == 0) return nullptr;
-                                  return fmt::format("{:.1f}°", 360 / foundation::two_pi * std::arg(value));
-                                },
-                                {.forms = for_people}));
-    table.csv.emplace_back(fmt::format("{} [{}]", amplitude, unit), amplitude);
-    table.csv.emplace_back(phase + " [rad]", phase);
-    for (const std::string& column : {amplitude, phase}) table.people.emplace_back(column, column);
-  }
+  for (std::size_t c = 0; c < branch.results.size(); ++c) add_columns_of(c, branch, largest, row, table);
   for (const char* column : {"order", "at"}) table.people.emplace_back(column);
   return table;
 }

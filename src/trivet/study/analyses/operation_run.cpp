@@ -219,13 +219,15 @@ OperationResult operation_result(const CaseContext& c, const project::OperationA
   }
   const OperatingChannels channels = operating_channels(c, request);
   std::optional<foundation::NotComputable> first_reason;
-  for (const assembly::Band& speed : request.speeds) try {
+  for (const assembly::Band& speed : request.speeds) {
+    try {
       add_speed(c, at_speed(request, speed), loads, channels, result, warnings);
     } catch (const foundation::NotComputable& reason) {
       if (!first_reason) first_reason = reason;
       warnings.warning("operation", speed_words(speed) + " is not computed", reason.what(),
                        "the other speeds are computed; remove this one, or extend the data of the element");
     }
+  }
   if (result.speeds.empty()) throw *first_reason;
   return result;
 }
