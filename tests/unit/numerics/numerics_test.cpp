@@ -156,6 +156,22 @@ TEST(QuadraticRoots, RefinementRecoversALightDampingRatio) {
   EXPECT_THAT(roots.lambda(nearest).real(), test::RelativelyNear(-1e-7, last_digit));
 }
 
+TEST(QuadraticRoots, RefinementOfLossySystemsIsOfThoseThatAreMotions) {
+  // λ² + 1 + iη = 0: λ = ±i√(1 + iη); with η in K only that with Im λ > 0 is a motion.
+  constexpr double eta = 0.1, off = 1e-9;
+  DynamicMatrices m{Eigen::MatrixXd::Identity(1, 1), Eigen::MatrixXd::Zero(1, 1), Eigen::MatrixXd::Identity(1, 1),
+                    Eigen::MatrixXd::Constant(1, 1, eta), true};
+  QuadraticRoots roots = roots_from_states(m);
+  roots.lambda += Eigen::VectorXcd::Constant(2, Complex(off, 0));
+  const Eigen::VectorXcd starts = roots.lambda;
+  refine_roots(m, roots);
+  const Complex exact = Complex(0, 1) * std::sqrt(Complex(1, eta));
+  constexpr double few_roundings = 1e-15;
+  for (Eigen::Index k = 0; k < 2; ++k)
+    if (starts(k).imag() > 0) EXPECT_LT(std::abs(roots.lambda(k) - exact), few_roundings);
+    else EXPECT_EQ(roots.lambda(k), starts(k));
+}
+
 TEST(GeneralizedModes, ASoftModeAmongStiffOnesKeepsItsDigits) {
   const Eigen::Matrix3d K = Eigen::Vector3d(1e-6, 1e6, 1e8).asDiagonal();
   const auto modes = generalized_modes(K, Eigen::Matrix3d::Identity(), true);

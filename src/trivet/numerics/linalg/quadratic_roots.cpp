@@ -205,6 +205,8 @@ void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
   const Eigen::VectorXcd starts = roots.lambda;
   for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
     if (std::abs(roots.lambda(k)) == 0) continue;
+    // With loss factors these are no motions, and as poles of a response farther from every ω > 0 than ω itself.
+    if (matrices.lossy() && starts(k).imag() < 0) continue;
     if (k > 0 && !matrices.lossy() && starts(k).imag() < 0 &&
         starts(k) == std::conj(starts(k - 1))) {  // the conjugate of the previous root
       roots.lambda(k) = std::conj(roots.lambda(k - 1));
