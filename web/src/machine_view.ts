@@ -29,7 +29,7 @@ export class MachineView extends Part {
   private traced: unknown[] = [];
   private marked: unknown[] = [];
   private pictured: {hand: unknown[]; numbers: unknown[]} = {hand: [], numbers: []};
-  private fitted = '';  // title of the machine that the camera was set for
+  private fitted: string | null = null;  // title of the machine that the camera was set for
   private motion: Motion | null = null;
   private scale = 0;
   private last = 0;
