@@ -34,7 +34,7 @@ struct File {
 };
 
 std::string version_on_disk(ProjectService& service) {
-  return json::parse(service.project().body)["version"].get<std::string>();
+  return json::parse(service.project({}).body)["version"].get<std::string>();
 }
 
 struct Answered {
@@ -42,7 +42,7 @@ struct Answered {
 };
 
 Answered answered(ProjectService& service, const trivet::foundation::Progress& progress = {}) {
-  const json found = json::parse(service.ask(question, progress).body);
+  const json found = json::parse(service.ask("page", question, progress).body);
   EXPECT_TRUE(found["ok"].get<bool>()) << found["problems"];
   return {found["version"].get<std::string>(), found["results"][0]["json"].dump()};
 }
