@@ -166,6 +166,38 @@ class Inputs(Folder):
         self.assertIn("Damping of the system: only that of the elements and of the flexible foundations.", page)
 
 
+class NamedFiles(Folder):
+    """Files that a project names are part of its input."""
+
+    def page(self):
+        out = self.folder / "out"
+        command = [TRIVET, "run", str(self.folder / "microscope.toml"), "-o", str(out)]
+        subprocess.run(command, check=True, capture_output=True, timeout=300)
+        self.results = json.loads((out / "results.json").read_text())
+        return SCRIPTS.sub("", (out / "report.html").read_text())
+
+    def copy(self):
+        for name in ("microscope.toml", "floor.csv"):
+            (self.folder / name).write_bytes((SOURCE / "examples/microscope" / name).read_bytes())
+
+    def test_the_hash_is_that_of_the_project_and_of_the_files_that_it_names(self):
+        self.copy()
+        page = self.page()
+        project, floor = (
+            hashlib.sha256((self.folder / name).read_bytes()).hexdigest() for name in ("microscope.toml", "floor.csv")
+        )
+        whole = hashlib.sha256(f"{project}\n{floor}\n".encode()).hexdigest()
+        self.assertEqual(parts(page)["SHA-256"], whole)
+        self.assertEqual(parts(page)["Input"], "microscope.toml with 1 file that it names")
+        self.assertIn(f"<td>floor.csv</td><td>{floor}</td>", page)
+        self.assertEqual(
+            self.results["input"],
+            {"file": "microscope.toml", "sha256": whole, "files": [{"file": "floor.csv", "sha256": floor}]},
+        )
+        floor_file = self.folder / "floor.csv"
+        floor_file.write_text(floor_file.read_text().replace("7.2", "7.3"))
+        self.assertNotEqual(parts(self.page())["SHA-256"], whole)
+
 class Mounts(Folder):
     def rows(self, example):
         out = self.folder / "out"

@@ -12,6 +12,7 @@
 
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/unique_names.h"
+#include "trivet/project/input_files.h"
 #include "trivet/project/text/document.h"
 
 /// HDF5: a group for each result, a dataset for each array, dimension scales with the names of the axes, the attribute
@@ -161,7 +162,7 @@ std::string file_in_memory(const Content& content, std::vector<std::string>& los
   require(H5Pset_fapl_core(access, step, 0));
   const Handle file(H5Fcreate("export", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose);
   add_attribute(file, "source", content.words());
-  add_attribute(file, "sha256", content.project.sha256);
+  add_attribute(file, "sha256", project::input_hash(content.project));
   add_attribute(file, "title", content.project.title);
   std::string input;
   for (const std::string& setting : project::setting_words({content.variant.written})) input += setting + "\n";

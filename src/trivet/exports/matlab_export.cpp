@@ -14,6 +14,7 @@
 #include "trivet/exports/unique_names.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
+#include "trivet/project/input_files.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/study/explain/linear_system.h"
 
@@ -97,7 +98,7 @@ MatBytes group_variables(const Content& content, std::vector<std::string>& notes
   }
   Fields about;
   about.emplace_back("source", mat_text("", content.words()));
-  about.emplace_back("sha256", mat_text("", content.project.sha256));
+  about.emplace_back("sha256", mat_text("", project::input_hash(content.project)));
   about.emplace_back("field", mat_texts("", fields));
   about.emplace_back("name", mat_texts("", names));
   about.emplace_back("unit", mat_texts("", units));

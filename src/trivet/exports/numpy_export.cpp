@@ -8,6 +8,7 @@
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/unique_names.h"
 #include "trivet/exports/zip_archive.h"
+#include "trivet/project/input_files.h"
 
 /// Archives of NumPy: an array "response/machine.z" for each array, and "about", JSON with its unit and axes.
 namespace trivet::exports {
@@ -69,7 +70,7 @@ std::string entry_name(const std::string& name) {
 
 std::vector<std::string> write_numpy(const Content& content, const Target& target, const foundation::Progress&) {
   ZipArchive archive;
-  nlohmann::ordered_json about{{"source", content.words()}, {"sha256", content.project.sha256}};
+  nlohmann::ordered_json about{{"source", content.words()}, {"sha256", project::input_hash(content.project)}};
   UniqueNames used;
   std::vector<std::string> lost;
   for (const Group& group : content.groups)

@@ -10,8 +10,10 @@
 #include "trivet/documents/html_table.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/foundation/version.h"
+#include "trivet/project/input_files.h"
 #include "trivet/project/report_settings.h"
 #include "trivet/report/drawing/in_documents.h"
+#include "trivet/results/design/judgements.h"
 
 namespace trivet::report {
 namespace {
@@ -55,18 +57,36 @@ std::string title_block(const project::Project& project) {
   add("Author", settings.author);
   add("Date", settings.date.empty() ? date() : settings.date);
   add("Program", fmt::format("trivet {}", foundation::version()));
-  add("Input", file_name(project));
-  add("SHA-256", project.sha256, " class=\"hash\"");
+  const std::vector<project::InputFile> files = project::input_files(project);
+  add("Input",
+      file_name(project) +
+          (files.empty() ? "" : " with " + results::count_words(files.size(), "file") + " that it names"));
+  add("SHA-256", project::input_hash(project, files), " class=\"hash\"");
   return "<dl class=\"title-block\">\n" + html + "</dl>";
 }
+
+namespace {
+
+/// Files that the project names, which are not in the appendix, with their hashes.
+std::string named_files(const project::Project& project, const std::vector<project::InputFile>& files) {
+  if (files.empty()) return "";
+  std::vector<std::vector<Cell>> rows = {{{file_name(project)}, {project.sha256}}};
+  for (const project::InputFile& file : files) rows.push_back({{file.name}, {file.sha256}});
+  return html_table({{"file"}, {"SHA-256"}}, rows) +
+      hint("The hash of the input is that of these hashes, one per line. That of the project file includes its --set.");
+}
+
+}  // namespace
 
 std::string input_file(const project::Project& project) {
   if (!project.parsed) return "";
   std::vector<std::string> cases;
   for (const project::Case& variant : project.cases)
     if (!variant.name.empty()) cases.push_back(variant.name);
-  std::string html = hint(file_name(project) + ", SHA-256 " + project.sha256 + "." +
-                          (cases.empty() ? "" : " Cases: " + foundation::comma_separated(cases) + "."));
+  const std::vector<project::InputFile> files = project::input_files(project);
+  std::string html = hint(file_name(project) + ", SHA-256 " + project::input_hash(project, files) + "." +
+                          (cases.empty() ? "" : " Cases: " + foundation::comma_separated(cases) + ".")) +
+      named_files(project, files);
   if (!project.settings.empty()) {
     html += "<p>Read with</p><ul>";
     for (const std::string& setting : project.settings) html += "<li><code>--set " + escaped(setting) + "</code></li>";

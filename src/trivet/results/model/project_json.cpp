@@ -10,6 +10,7 @@
 
 #include "trivet/foundation/message_list.h"
 #include "trivet/foundation/version.h"
+#include "trivet/project/input_files.h"
 #include "trivet/results/format/json_parts.h"
 #include "trivet/results/format/result_writer.h"
 #include "trivet/results/model/model_words.h"
@@ -192,14 +193,23 @@ Json drawn_case(const project::Case& variant, const study::CaseResults& results)
 
 namespace {
 
+/// The project file, and the files that it names.
+Json input_json(const project::Project& project) {
+  const std::vector<project::InputFile> files = project::input_files(project);
+  Json named = Json::array();
+  for (const project::InputFile& file : files) named.push_back({{"file", file.name}, {"sha256", file.sha256}});
+  return {{"file", std::filesystem::path(project.source).filename().string()},
+          {"sha256", project::input_hash(project, files)},
+          {"files", named}};
+}
+
 Json head_of_results(const project::Project& project) {
-  return Json{
-      {"format", "trivet-results"},
-      {"format_version", 1},
-      {"program", {{"name", "trivet"}, {"version", foundation::version()}}},
-      {"input", {{"file", std::filesystem::path(project.source).filename().string()}, {"sha256", project.sha256}}},
-      {"title", project.title},
-      {"cases", Json::array()}};
+  return Json{{"format", "trivet-results"},
+              {"format_version", 1},
+              {"program", {{"name", "trivet"}, {"version", foundation::version()}}},
+              {"input", input_json(project)},
+              {"title", project.title},
+              {"cases", Json::array()}};
 }
 
 }  // namespace
