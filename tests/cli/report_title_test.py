@@ -198,6 +198,13 @@ class NamedFiles(Folder):
         floor_file.write_text(floor_file.read_text().replace("7.2", "7.3"))
         self.assertNotEqual(parts(self.page())["SHA-256"], whole)
 
+    def test_the_report_lists_measured_levels_as_they_were_given(self):
+        self.copy()
+        page = html.unescape(self.page())
+        self.assertIn("<td>third-octave band of 10 Hz</td><td>7.2 µm/s rms</td>", page)
+        self.assertIn("<td>third-octave band of 1.25 Hz</td><td>450 nm/s rms</td>", page)  # of the floor along y
+
+
 class Mounts(Folder):
     def rows(self, example):
         out = self.folder / "out"

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
+#include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
+#include "trivet/excitation/frequency_bands.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/results/format/in_documents.h"
 #include "trivet/results/model/model_words.h"
@@ -40,6 +44,48 @@ const char* course_unit(const model::Action& action) {
   return turns ? angles[order] : ways[order];
 }
 
+/// The band of IEC 61260-1 with the ends of a piece, if there is one.
+std::optional<excitation::FrequencyBand> band_of_piece(const excitation::SpectrumPiece& piece) {
+  const auto is_close = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };
+  const double middle = std::sqrt(piece.from * piece.to) / foundation::two_pi;
+  if (!(middle > 0) || piece.linear) return std::nullopt;
+  for (const auto width : {excitation::BandWidth::third_octave, excitation::BandWidth::octave})
+    if (const excitation::FrequencyBand band = excitation::nearest_band(width, middle);
+        is_close(piece.from, band.from()) && is_close(piece.to, band.to()))
+      return band;
+  return std::nullopt;
+}
+
+/// How often levels of bands were differentiated: they were given in the quantity whose density is constant in each.
+std::optional<int> derivatives_of_levels(const excitation::Spectrum& spectrum) {
+  std::optional<int> times;
+  for (const excitation::SpectrumPiece& piece : spectrum.pieces) {
+    if (!band_of_piece(piece)) return std::nullopt;
+    const double slope = piece.exponent() / 2;
+    const int rounded = static_cast<int>(std::lround(slope));
+    if (std::abs(slope - rounded) > 1e-6 || times.value_or(rounded) != rounded) return std::nullopt;
+    times = rounded;
+  }
+  return times;
+}
+
+/// Measured levels of bands as they were given, or the root mean square of each piece of the spectrum.
+std::vector<model::Fact> piece_facts(const excitation::Spectrum& spectrum, model::Action action) {
+  constexpr std::size_t most = 60;  // more are the lines of a record
+  std::vector<model::Fact> facts;
+  if (spectrum.pieces.size() > most) return facts;
+  const std::optional<int> times = derivatives_of_levels(spectrum);
+  action.derivative -= times.value_or(0);
+  for (const excitation::SpectrumPiece& piece : excitation::differentiated(spectrum, -times.value_or(0)).pieces) {
+    const std::string where = times ? fmt::format("{} band of {:.5g} Hz", excitation::name(band_of_piece(piece)->width),
+                                                  band_of_piece(piece)->nominal_hz())
+                                    : fmt::format("{} … {} Hz", course_number(piece.from / foundation::two_pi),
+                                                  course_number(piece.to / foundation::two_pi));
+    facts.push_back({where, value_text(excitation::rms({{piece}}), display_unit({}, course_unit(action))) + " rms"});
+  }
+  return facts;
+}
+
 struct CourseFacts {
   const model::Excitation& excitation;
 
@@ -67,6 +113,7 @@ struct CourseFacts {
                      course_number(spectrum.to() / foundation::two_pi), spectrum.pieces.size(),
                      spectrum.pieces.size() == 1 ? "piece" : "pieces")},
         {"rms", course_number(excitation::rms(spectrum)) + " " + course_unit(excitation.action)}};
+    for (model::Fact& fact : piece_facts(spectrum, excitation.action)) facts.push_back(std::move(fact));
     for (const model::Random::Partner& partner : random.partners)
       facts.push_back(
           {"coherent with " + partner.other, fmt::format("γ² = {:.6g} at ω = 0", partner.coherence.at_zero)});
