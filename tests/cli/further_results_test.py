@@ -41,6 +41,16 @@ def model(folder, text):
 
 
 class FurtherResults(unittest.TestCase):
+    def test_deflections_of_preloaded_springs_name_what_they_are_measured_from(self):
+        words = "from their preloaded state: 0 where the preload carries the load"
+        self.assertIn(words, trivet("static", EXAMPLES / "bogie/loaded_frame.toml").stdout)
+        with tempfile.TemporaryDirectory() as folder:
+            trivet("run", EXAMPLES / "bogie/loaded_frame.toml", "-o", folder)
+            page = (pathlib.Path(folder) / "report.html").read_text()
+            machine = page[page.index('<section class="machine">') :]
+            self.assertIn(words, machine[: machine.index("</section>")])
+        self.assertNotIn("preloaded state", trivet("static", EXAMPLES / "fan/fan.toml").stdout)
+
     def test_a_curve_of_motions_that_ends_early_is_shown_with_exit_code_1(self):
         with tempfile.TemporaryDirectory() as folder:
             path = model(

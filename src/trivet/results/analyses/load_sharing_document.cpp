@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/format/result_writer.h"
+#include "trivet/results/model/model_words.h"
 
 /// The load on each mount at rest.
 namespace trivet::results {
@@ -37,20 +38,21 @@ Table load_table(const study::CaseResults& results) {
       .forms = for_programs | on_screen | on_page};
 }
 
-Sentence load_note(const study::CaseResults& results) {
+Sentence load_note(const project::Case& variant, const study::CaseResults& results) {
   return {.parts = {"In total ", Quantity{results.load_sharing->bearing_in_total, "N"},
                     "; a mount with a negative share pulls down. Deflections of end K relative to N in the element's "
-                    "axes."},
+                    "axes." +
+                        preload_words(variant.system)},
           .place = Sentence::Place::note,
           .forms = on_screen | on_page};
 }
 
-Document load_sharing_document(const project::Case&, const study::CaseResults& results) {
+Document load_sharing_document(const project::Case& variant, const study::CaseResults& results) {
   Document document;
   document.add(Words{.axis = "direction", .list = {"x", "y", "z"}});
   add_motion_coordinates(document);
   document.add(load_table(results));
-  document.add(load_note(results));
+  document.add(load_note(variant, results));
   document.add(Single{.name = "bearing_in_total",
                       .value = results.load_sharing->bearing_in_total,
                       .unit = "N",
@@ -60,10 +62,10 @@ Document load_sharing_document(const project::Case&, const study::CaseResults& r
 
 }  // namespace
 
-void add_load_sharing(const study::CaseResults& results, Document& document) {
+void add_load_sharing(const project::Case& variant, const study::CaseResults& results, Document& document) {
   if (!results.load_sharing) return;
   document.add(load_table(results)).forms = on_screen | in_summary;
-  document.add(load_note(results)).forms = on_screen | in_summary;
+  document.add(load_note(variant, results)).forms = on_screen | in_summary;
 }
 
 const ResultWriter load_sharing_results = {

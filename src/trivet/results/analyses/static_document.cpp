@@ -134,7 +134,7 @@ void add_states(const std::vector<RestState>& states, Document& document) {
   }
 }
 
-Document static_document(const project::Case&, const study::CaseResults& results) {
+Document static_document(const project::Case& variant, const study::CaseResults& results) {
   const response::StaticResponse& found = *results.statics;
   Document document;
   document.add(value_table(found.values));
@@ -146,7 +146,7 @@ Document static_document(const project::Case&, const study::CaseResults& results
                                      found.backward_error)},
                .place = Sentence::Place::note,
                .forms = on_screen | on_page});
-  add_load_sharing(results, document);
+  add_load_sharing(variant, results, document);
   document.add(warnings_part(results));
   add_states(results.rest_states, document);
   return document;

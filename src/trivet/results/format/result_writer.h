@@ -89,7 +89,7 @@ void add_motion_coordinates(Document& document);
 /// The limit lines, also part of the response.
 [[nodiscard]] Table limit_line_table(const study::CaseResults& results, const project::DisplayUnits& display);
 /// The table of loads, as part of the static results on the screen, if it was requested.
-void add_load_sharing(const study::CaseResults& results, Document& document);
+void add_load_sharing(const project::Case& variant, const study::CaseResults& results, Document& document);
 /// Unit of the numbers on an axis; "1" if they have none, or if it is not known.
 [[nodiscard]] std::string array_unit(const project::DesignAxis& axis);
 /// @param before  begins the name of every array and axis: "pair1."

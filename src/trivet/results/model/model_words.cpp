@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -140,6 +141,16 @@ std::vector<model::Fact> law_facts(const model::Element& element) {
   for (const model::RubbingPart& part : element.rubbing_parts)
     facts.push_back({"across its axis", friction_words(part.law)});
   return facts;
+}
+
+std::string preload_words(const model::System& system) {
+  const bool any = std::ranges::any_of(system.elements(), [](const model::Element& element) {
+    return element.law.preload && !element.law.preload->isZero(0);
+  });
+  return any
+      ? " Deflections of elements with a preload are from their preloaded state: 0 where the preload carries the "
+        "load."
+      : "";
 }
 
 std::string damping_words(const elements::Damping& damping) {

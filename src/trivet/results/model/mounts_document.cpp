@@ -176,6 +176,7 @@ Document mounts_document(const project::Case& variant) {
   document.add(Sentence{.parts = {"k: static stiffness against displacement of end K along its axes, end N held",
                                   is_dynamic ? "; at 10 Hz the real part of the dynamic stiffness. " : ". ",
                                   has_load ? "Compression is along the axis of the mount, negative in tension. " : "",
+                                  has_load ? preload_words(variant.system) : "",
                                   has_utilisation ? "Utilisation: largest static load over the maker's limit." : ""},
                         .place = Sentence::Place::note});
   if (!not_at_rest.empty())
