@@ -57,6 +57,36 @@ class Messages(InTemporaryFolder):
         said = self.said(MACHINE + '[analyses.response]\nof = ["m"]\nband = [1, 2]\nexcitation = ["f"]\n')
         self.assertIn('did you mean "excitations"?', said)
 
+    def test_a_speed_in_quotes_needs_its_unit_and_a_misspelt_unit_has_its_spelling(self):
+        drive = MACHINE + '[operation]\nspeeds = ["980", "980 rmp", "980 xyz"]\n'
+        bare, misspelt, unknown = [line for line in self.said(drive).splitlines() if "error:" in line]
+        self.assertIn("the unit is missing; a speed is in rpm, 1/min, Hz or rad/s", bare)
+        self.assertIn('did you mean "980 rpm"?', misspelt)
+        self.assertIn("a speed is in rpm, 1/min, Hz or rad/s", unknown)
+        self.assertIn('speeds = ["980 rpm"', unknown)
+        self.assertIn('did you mean "40 kg"?', self.said(MACHINE.replace("mass = 40", 'mass = "40 kgg"')))
+        self.assertIn(
+            'did you mean "1.5 mm"?', self.said(MACHINE.replace("at = [0, 0, 0]", 'at = ["1.5 nmm", 0, 0]', 1))
+        )
+
+    def test_a_motion_of_another_quantity_names_the_key_that_helps(self):
+        floor = MACHINE + '[excitations.floor]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\n'
+        record = ", ".join(f"[{i / 100}, {(-1) ** i}]" for i in range(200))
+        for psd in (
+            f'{{history = {{rows = [{record}], unit = "mm/s"}}, resolution = "1 Hz"}}',
+            '{flat = "1 (mm/s)2/Hz", band = ["1 Hz", "2 Hz"]}',
+            '{rows = [["1 Hz", "1 (mm/s)2/Hz"], ["2 Hz", "1 (mm/s)2/Hz"]]}',
+        ):
+            with self.subTest(psd=psd[:20]):
+                self.assertIn('add quantity = "velocity" if velocities are meant', self.said(floor + f"psd = {psd}\n"))
+                self.said(floor + f'quantity = "velocity"\npsd = {psd}\n', code=0)
+        base = MACHINE + '[excitations.floor]\ntype = "base"\ntranslation = ["0 m", "0 m", "1 mm/s"]\n'
+        self.assertIn('add quantity = "velocity" if velocities are meant', self.said(base))
+        limit = MACHINE + '[analyses]\nresponse = {band = [1, 2]}\n[limits]\n"m.z" = "0.5 mm/s rms"\n'
+        self.assertIn('add quantity = "velocity" to response', self.said(limit))
+        # A place is no motion of the ground.
+        self.assertNotIn("add quantity", self.said(MACHINE.replace("at = [0, 0, 0]", 'at = ["1 mm/s", 0, 0]', 1)))
+
     def test_one_cylinder_fires_alone(self):
         for strokes in (2, 4):
             self.assertEqual(self.said(MACHINE + ENGINE + f"strokes = {strokes}\n", 0), "")

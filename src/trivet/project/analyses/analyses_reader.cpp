@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "trivet/project/analyses/analysis_reader.h"
 #include "trivet/project/analyses/design_axis_reader.h"
@@ -72,6 +74,30 @@ PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Symbol
   return request;
 }
 
+/// The limit of another motion than that of the response: "0.5 mm/s rms" of a displacement.
+bool refuse_other_motion(TableReader& reader, const ResultNames& names, const std::string& name,
+                         assembly::MotionQuantity of_response) {
+  const Node* value = reader.node(name);
+  if (value->kind != Node::Kind::text ||
+      to_si_at_level(value->text, *names.component(name, of_response), Levels::of_harmonic))
+    return false;
+  constexpr std::array quantities = {std::pair{assembly::MotionQuantity::displacement, "displacement"},
+                                     std::pair{assembly::MotionQuantity::velocity, "velocity"},
+                                     std::pair{assembly::MotionQuantity::acceleration, "acceleration"}};
+  for (const auto& [quantity, word] : quantities)
+    if (to_si_at_level(value->text, *names.component(name, quantity), Levels::of_harmonic)) {
+      const auto own = std::ranges::find(quantities, of_response, [](const auto& one) { return one.first; });
+      reader.error(
+          name, value_text(*value),
+          fmt::format("[limits] bounds the curves of analyses.response, which has quantity = \"{}\"", own->second),
+          fmt::format("add quantity = \"{}\" to response, or give it in limits of [requirements], which may "
+                      "be of any motion",
+                      word));
+      return true;
+    }
+  return false;
+}
+
 std::vector<Limit> read_limits(TableReader& root, const ResultNames& names,
                                const std::optional<ResponseRequest>& response, bool quantity_is_clear, bool judged) {
   std::vector<Limit> limits;
@@ -95,6 +121,9 @@ std::vector<Limit> read_limits(TableReader& root, const ResultNames& names,
                    "several limits of one result belong to [analyses.map.limits]");
       continue;
     }
+    if (refuse_other_motion(reader, names, name,
+                            response ? response->selection.quantity : assembly::MotionQuantity::displacement))
+      continue;
     const auto amplitude = reader.number(name, *measured, Levels::of_harmonic);
     if (amplitude && !(*amplitude > 0))
       reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*measured)), "a limit is > 0", "change it");

@@ -13,6 +13,7 @@
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/bands_reader.h"
 #include "trivet/project/text/shared_keys.h"
+#include "trivet/project/text/unit_slips.h"
 
 namespace trivet::project {
 namespace {
@@ -26,6 +27,13 @@ std::optional<double> read_speed(TableReader& reader, const Node& value) {
     reader.error("speeds", value_text(value), "a speed needs its unit: rpm, 1/min, Hz or rad/s", speeds_example);
     return std::nullopt;
   }
+  if (value.kind == Node::Kind::text)
+    if (const auto given = to_si(value.text, Quantity::angular_frequency); !given) {
+      const std::string remedy = unit_remedy(value.text, Quantity::angular_frequency, reader.path());
+      reader.error("speeds", value_text(value), given.error() + "; a speed is in rpm, 1/min, Hz or rad/s",
+                   remedy.starts_with("did you mean") ? remedy : speeds_example);
+      return std::nullopt;
+    }
   return reader.scalar(value, reader.path() + ".speeds", Quantity::angular_frequency);
 }
 

@@ -13,6 +13,7 @@
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/pairs_reader.h"
 #include "trivet/project/text/shared_keys.h"
+#include "trivet/project/text/unit_slips.h"
 #include "trivet/project/text/units.h"
 
 namespace trivet::project {
@@ -78,7 +79,10 @@ std::optional<excitation::Spectrum> read_flat(TableReader& psd, const ColumnQuan
   double density = 0;
   if (given->kind != Node::Kind::text) density = unit.bare * psd.required_number("flat", Quantity::pure);
   else if (const auto value = to_density(given->text, unit.quantity)) density = *value, warn_of_idle_unit(psd);
-  else psd.error("flat", value_text(*given), value.error(), "give a number in " + unit.unit() + ", or one with a unit");
+  else
+    psd.error("flat", value_text(*given), value.error(),
+              other_motion_advice(given->text, unit.quantity, psd.path(), true) + "give a number in " + unit.unit() +
+                  ", or one with a unit");
   const bool is_number = psd.errors() == before;
   const std::optional<assembly::Band> band = read_band(psd, "band");
   if (!psd.has("band")) psd.missing("band", "give the band: band = [\"5 Hz\", \"500 Hz\"]");

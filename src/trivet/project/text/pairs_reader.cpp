@@ -11,6 +11,7 @@
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/shared_keys.h"
 #include "trivet/project/text/source_file.h"
+#include "trivet/project/text/unit_slips.h"
 #include "trivet/project/text/units.h"
 
 namespace trivet::project {
@@ -29,7 +30,8 @@ std::optional<double> read_cell(TableReader& reader, const Node& cell, const std
   if (!in_range)
     reader.problems()
         .error(where, value_text(cell), value ? *outside_range(*value, Quantity::pure) : value.error(),
-               fmt::format("give a number in {0}, or a text with a unit that converts to {0}", column.unit()))
+               other_motion_advice(split_level(cell.text).number, column.quantity, where, column.density) +
+                   fmt::format("give a number in {0}, or a text with a unit that converts to {0}", column.unit()))
         .origin = cell.origin;
   return in_range ? std::optional(*value) : std::nullopt;
 }
@@ -90,12 +92,9 @@ ColumnQuantity read_bare_unit(TableReader& reader, ColumnQuantity column) {
   if (!unit || *unit == "SI") return column;
   const auto one = in_column_unit("1 " + *unit, column);
   if (!one) {
-    const ColumnQuantity acceleration(Quantity::acceleration, 1, "", column.density);
-    const bool is_of_acceleration = in_column_unit("1 " + *unit, acceleration).has_value();
-    reader.error(
-        "unit", foundation::quoted(*unit), one.error(),
-        std::string(is_of_acceleration ? "add quantity = \"acceleration\" if accelerations are meant, or " : "") +
-            "name a unit that converts to " + column.unit() + ", or leave it out for SI");
+    reader.error("unit", foundation::quoted(*unit), one.error(),
+                 other_motion_advice("1 " + split_level(*unit).number, column.quantity, reader.path(), column.density) +
+                     "name a unit that converts to " + column.unit() + ", or leave it out for SI");
     return column;
   }
   column.bare *= *one;

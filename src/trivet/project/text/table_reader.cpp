@@ -11,6 +11,7 @@
 #include "trivet/project/text/accepting_tables.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/level_slips.h"
+#include "trivet/project/text/unit_slips.h"
 #include "trivet/project/text/unsupported_keys.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -129,7 +130,8 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
     const auto converted = to_si_at_level(value.text, quantity, levels);
     if (!converted) {
       const auto slip = levels == Levels::none ? std::nullopt : level_slip(value.text, quantity);
-      error_at(value, where, value_text(value), slip ? slip->rule : converted.error(), slip ? slip->remedy : remedy);
+      error_at(value, where, value_text(value), slip ? slip->rule : converted.error(),
+               slip ? slip->remedy : unit_remedy(split_level(value.text).number, quantity, where));
       return std::nullopt;
     }
     number = *converted;
