@@ -14,6 +14,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/message_list.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/nonlinear/laws/deflections.h"
 #include "trivet/nonlinear/rest/load_path.h"
 #include "trivet/numerics/linalg/decompositions.h"
@@ -22,6 +23,7 @@ namespace trivet::nonlinear {
 
 using Eigen::Index;
 using Eigen::VectorXd;
+using foundation::prefixed;
 
 namespace {
 
@@ -32,8 +34,8 @@ std::string stops_words(const model::NonlinearPart& part) {
     if (const auto* stop = std::get_if<elements::GapStop>(&law)) {
       for (const double closed_from : {stop->upper(), stop->lower()})
         if (std::isfinite(closed_from))
-          words += fmt::format(", {} from {:.4g} {}", words.empty() ? "closed" : "and", closed_from,
-                               part.is_rotation() ? "rad" : "m");
+          words += fmt::format(", {} from {}", words.empty() ? "closed" : "and",
+                               prefixed(closed_from, part.is_rotation() ? "rad" : "m"));
       if (part.at_rest > stop->upper() || part.at_rest < stop->lower()) words += ": it bears";
       else if (part.at_rest == stop->upper() || part.at_rest == stop->lower()) words += ": it is just touched";
     }
@@ -57,24 +59,26 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
       for (const elements::HystereticForce& law : elements::only<elements::HystereticForce>(part.laws))
         if (const auto* friction = std::get_if<elements::CoulombFriction>(&law))
           notes.push_back(
-              fmt::format("{}: friction without a stiffness is left out of all but steady: forces below {:.4g} {} do "
-                          "not move it at all",
-                          element.name, friction->limit(), turns ? "N m" : "N"));
+              fmt::format("{}: friction without a stiffness is left out of all but steady: forces below {} do not move "
+                          "it at all",
+                          element.name, prefixed(friction->limit(), turns ? "N m" : "N")));
       if (element.over_deflection && &part == &element.nonlinear_parts.front()) {
         const Index along_k = 6 + part.axis;
         const bool is_bush = part.axis < 2;
-        notes.push_back(fmt::format(
-            "{}: {:.5g} N/m along {} at rest, {} by {:.4g} m; its 12×12 is the one there", element.name,
-            element.law.nominal_stiffness(along_k, along_k) + elements::small_motion(part.laws, part.at_rest).stiffness,
-            "xyz"[part.axis], is_bush ? "displaced" : (part.at_rest > 0 ? "stretched" : "compressed"),
-            is_bush ? part.at_rest : std::abs(part.at_rest)));
+        notes.push_back(fmt::format("{}: {} along {} at rest, {} by {}; its 12×12 is the one there", element.name,
+                                    prefixed(element.law.nominal_stiffness(along_k, along_k) +
+                                                 elements::small_motion(part.laws, part.at_rest).stiffness,
+                                             "N/m"),
+                                    "xyz"[part.axis],
+                                    is_bush ? "displaced" : (part.at_rest > 0 ? "stretched" : "compressed"),
+                                    prefixed(is_bush ? part.at_rest : std::abs(part.at_rest), "m")));
         continue;
       }
-      notes.push_back(fmt::format("{}: tangent stiffness {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}{}",
-                                  element.name, elements::small_motion(part.laws, part.at_rest).stiffness,
-                                  turns ? "N m/rad" : "N/m", turns ? "about" : "along", "xyz"[part.axis % 3],
-                                  std::abs(part.at_rest) > round_off ? part.at_rest : 0.0, turns ? "rad" : "m",
-                                  stops_words(part)));
+      notes.push_back(fmt::format(
+          "{}: tangent stiffness {} {} {} at rest, at a deflection of {}{}", element.name,
+          prefixed(elements::small_motion(part.laws, part.at_rest).stiffness, turns ? "N m/rad" : "N/m"),
+          turns ? "about" : "along", "xyz"[part.axis % 3],
+          prefixed(std::abs(part.at_rest) > round_off ? part.at_rest : 0.0, turns ? "rad" : "m"), stops_words(part)));
     }
   for (const model::Element& element : system.elements())
     for (const model::RubbingPart& part : element.rubbing_parts) {
@@ -82,9 +86,8 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
                                                               element.nonlinear_parts[part.pressed_by].at_rest)
                                           .force);
       if (pressed > 0)
-        notes.push_back(
-            fmt::format("{}: pressed with {:.4g} N at rest, where it bears no friction and sticks with {:.4g} N/m",
-                        element.name, pressed, part.law.stiffness));
+        notes.push_back(fmt::format("{}: pressed with {} at rest, where it bears no friction and sticks with {}",
+                                    element.name, prefixed(pressed, "N"), prefixed(part.law.stiffness, "N/m")));
     }
   for (const model::Element& element : system.elements())
     for (const model::DistancePart& part : element.distance_parts) {
@@ -93,14 +96,13 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
       const elements::SpatialForce there = elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero());
       if (there.force.norm() == 0) continue;
       notes.push_back(fmt::format(
-          "{}: a force of {:.4g} N at rest, over a distance of {:.4g} m{}", element.name, there.force.norm(),
-          part.law.distance(part.at_rest),
+          "{}: a force of {} at rest, over a distance of {}{}", element.name, prefixed(there.force.norm(), "N"),
+          prefixed(part.law.distance(part.at_rest), "m"),
           assembly::has_second_order(system) ? "" : "; its lever changes as bodies rotate, which is left out"));
       if (part.friction)
         notes.push_back(
-            fmt::format("{}: pressed at rest, where it bears no friction and sticks with {:.4g} N/m around and along "
-                        "its wall",
-                        element.name, part.friction->stiffness));
+            fmt::format("{}: pressed at rest, where it bears no friction and sticks with {} around and along its wall",
+                        element.name, prefixed(part.friction->stiffness, "N/m")));
     }
   return foundation::grouped(notes);
 }

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
+#include "trivet/foundation/unit_prefix.h"
 
 namespace trivet::project {
 
-/// A factor 10^(3n) that brings `largest` near 1 … 1000, and the resulting unit: 0.01 m → 1000, "mm". Only newtons and
-/// watts get larger units. A number that is 0 chooses no prefix.
-struct UnitPrefix {
-  double factor = 1;
-  std::string unit;
-};
-[[nodiscard]] UnitPrefix unit_prefix(double largest, const std::string& unit);
+using foundation::unit_prefix;
+using foundation::UnitPrefix;
 
 }  // namespace trivet::project

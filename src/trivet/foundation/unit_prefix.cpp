@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/unit_prefix.h"
+#include "trivet/foundation/unit_prefix.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace trivet::project {
+namespace trivet::foundation {
 
 UnitPrefix unit_prefix(double largest, const std::string& unit) {
   static const char* const names[] = {"n", "µ", "m", "", "k", "M"};
@@ -15,4 +17,9 @@ UnitPrefix unit_prefix(double largest, const std::string& unit) {
   return {std::pow(10.0, -3 * n), names[n + 3] + unit};
 }
 
-}  // namespace trivet::project
+std::string prefixed(double value, const std::string& unit) {
+  const UnitPrefix prefix = unit_prefix(std::abs(value), unit);
+  return fmt::format("{:.4g} {}", value * prefix.factor, prefix.unit);
+}
+
+}  // namespace trivet::foundation
