@@ -96,6 +96,11 @@ class RunSummary(InTemporaryFolder):
         end = short.index("Report: ")
         self.assertEqual(full[:end], short[:end])
 
+    def test_equal_mounts_have_one_warning(self):
+        done = trivet("run", SOURCE / "examples/track/bogie.toml", "-o", self.folder / "out")
+        [warning] = re.findall("(?m)^.*massless, but its own.*$", done.stdout)
+        self.assertIn("elements.front left, front right, rear left, rear right: ", warning)
+
     def test_units_are_those_of_display(self):
         text = self.summary(MACHINE + '[display]\nlength = "in"\nfrequency = "rpm"\n')
         self.assertRegex(text, r"modes \[rpm\]")

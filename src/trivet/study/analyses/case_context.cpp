@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string_view>
 #include <utility>
 
 #include "trivet/foundation/index.h"
@@ -167,6 +168,23 @@ void warn_of_frequency_dependence(const CaseContext& c, foundation::Problems& wa
   }
 }
 
+/// One warning for elements of which the same is said, with all their names: equal mounts.
+foundation::Problems of_equal_elements_together(const foundation::Problems& warnings) {
+  constexpr std::string_view elements = "elements.";
+  foundation::Problems together;
+  for (const foundation::Problem& warning : warnings.list()) {
+    const auto equal = std::ranges::find_if(together.list(), [&](const foundation::Problem& known) {
+      return known.subject.starts_with(elements) && known.origin.line == 0 && known.finding == warning.finding &&
+          known.rule == warning.rule && known.remedy == warning.remedy;
+    });
+    const bool is_of_element = warning.subject.starts_with(elements) && warning.origin.line == 0;
+    if (is_of_element && equal != together.list().end())
+      equal->subject += ", " + warning.subject.substr(elements.size());
+    else together.add(warning);
+  }
+  return together;
+}
+
 /// Warns of massless springs: they are valid only well below their own first natural frequency.
 void warn_of_massless_springs(const CaseContext& c, double search_to, foundation::Problems& warnings) {
   constexpr double safe = 0.3;
@@ -215,7 +233,7 @@ foundation::Problems case_warnings(const CaseContext& c, const project::Analyses
   warn_of_guided_motions(c, analyses, warnings);
   warn_of_vanishing_load(c, analyses, warnings);
   warn_of_massless_springs(c, search_to, warnings);
-  return warnings;
+  return of_equal_elements_together(warnings);
 }
 
 assembly::MotionQuantity quantity_of(const assembly::LimitLine& line) {
