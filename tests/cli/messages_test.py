@@ -87,6 +87,11 @@ class Messages(InTemporaryFolder):
         # A place is no motion of the ground.
         self.assertNotIn("add quantity", self.said(MACHINE.replace("at = [0, 0, 0]", 'at = ["1 mm/s", 0, 0]', 1)))
 
+    def test_each_wrong_constant_of_a_mount_is_named(self):
+        said = self.said(MACHINE.replace("[1, 1, 2.5e5]", '["144 N", 1, "-180 N/mm"]'))
+        self.assertIn('"N" measures another quantity', said)
+        self.assertIn('"-180 N/mm"; each constant must be ≥ 0', said)
+
     def test_one_cylinder_fires_alone(self):
         for strokes in (2, 4):
             self.assertEqual(self.said(MACHINE + ENGINE + f"strokes = {strokes}\n", 0), "")

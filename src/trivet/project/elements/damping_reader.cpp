@@ -78,6 +78,21 @@ Quantity matrix_entry(bool damping, int i, int j) {
   return angle ? Quantity::force_per_angle : Quantity::force_per_length;
 }
 
+/// Reports negative constants, also beside one that cannot be read.
+void refuse_negative(TableReader& reader, const std::string& key, Quantity quantity) {
+  const Node* list = reader.node(key);
+  if (!list || list->kind != Node::Kind::array) return;
+  for (const Node& item : list->items) {
+    const bool is_bare = item.kind == Node::Kind::integer || item.kind == Node::Kind::real;
+    const double value = is_bare        ? item.number
+        : item.kind == Node::Kind::text ? to_si(item.text, quantity).value_or(0)
+                                        : 0;
+    if (value < 0)
+      reader.error(key, is_bare ? fmt::format("{:.6g}", value) : value_text(item), "each constant must be ≥ 0",
+                   "a negative one would be a source of energy");
+  }
+}
+
 elements::Vector6 read_constants(TableReader& reader, Quantity translation, Quantity rotation, bool with_rotation) {
   elements::Vector6 k = elements::Vector6::Zero();
   if (!reader.has("translation"))
@@ -87,10 +102,8 @@ elements::Vector6 read_constants(TableReader& reader, Quantity translation, Quan
   if (const auto t = reader.vector("translation", translation)) k.head<3>() = *t;
   if (with_rotation)
     if (const auto r = reader.vector("rotation", rotation)) k.tail<3>() = *r;
-  for (int i = 0; i < 6; ++i)
-    if (k(i) < 0)
-      reader.error(i < 3 ? "translation" : "rotation", fmt::format("{:.6g}", k(i)), "each constant must be ≥ 0",
-                   "a negative one would be a source of energy");
+  refuse_negative(reader, "translation", translation);
+  if (with_rotation) refuse_negative(reader, "rotation", rotation);
   return k;
 }
 
