@@ -41,6 +41,24 @@ void refuse_command(CLI::App& app, const std::string& word) {
                            (guess.empty() ? "trivet --help lists them" : "did you mean \"" + guess + "\"?") + "\n");
 }
 
+/// Reports words that look like options of a command and are not; false if it has none.
+bool refuse_options(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  bool is_refused = false;
+  for (const std::string& given : command.remaining()) {
+    if (!given.starts_with("--") || given == "--") continue;
+    const std::string word = given.substr(0, given.find('=')), guess = trivet::foundation::nearest_name(word, names);
+    trivet::cli::write_error(
+        "error: " + trivet::engine::quoted(word) + " is not an option of " + command.get_name() + "; " +
+        (guess.empty() ? "trivet help " + command.get_name() + " lists them" : "did you mean \"" + guess + "\"?") +
+        "\n");
+    is_refused = true;
+  }
+  return is_refused;
+}
+
 int print_help(CLI::App& app, const std::string& command) {
   const auto found = app.get_subcommands([&](const CLI::App* one) { return one->get_name() == command; });
   if (found.empty() && !command.empty()) {
@@ -150,6 +168,9 @@ int run_program(int argc, char** argv) {
     if (!app.get_subcommands().empty() || argc < 2 || argv[1][0] == '-') return said_by_parser(app, error);
     refuse_command(app, argv[1]);
     return wrong_input;
+  } catch (const CLI::ExtrasError& error) {
+    const auto commands = app.get_subcommands();
+    return !commands.empty() && refuse_options(*commands.front()) ? wrong_input : said_by_parser(app, error);
   } catch (const CLI::ParseError& error) {
     return said_by_parser(app, error);
   }

@@ -92,6 +92,14 @@ class Messages(InTemporaryFolder):
         self.assertIn('"N" measures another quantity', said)
         self.assertIn('"-180 N/mm"; each constant must be ≥ 0', said)
 
+    def test_a_misspelt_option_has_its_spelling(self):
+        project = self.file(MACHINE)
+        done = trivet("modes", "--cas", "x", project)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr, 'error: "--cas" is not an option of modes; did you mean "--case"?\n')
+        done = trivet("modes", project, "--wholly=1")
+        self.assertEqual(done.stderr, 'error: "--wholly" is not an option of modes; trivet help modes lists them\n')
+
     def test_one_cylinder_fires_alone(self):
         for strokes in (2, 4):
             self.assertEqual(self.said(MACHINE + ENGINE + f"strokes = {strokes}\n", 0), "")
