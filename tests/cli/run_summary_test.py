@@ -96,6 +96,11 @@ class RunSummary(InTemporaryFolder):
         end = short.index("Report: ")
         self.assertEqual(full[:end], short[:end])
 
+    def test_the_farthest_motion_of_a_nonlinear_machine_has_its_level(self):
+        done = trivet("run", SOURCE / "examples/isolator/hardening.toml", "-o", self.folder / "out")
+        self.assertRegex(done.stdout, r"base model .* mm 0-p machine\.z at ")
+        self.assertRegex(done.stdout, r"tangent stiffness 243\.7 kN/m along z at rest, at a deflection of -2\.85 mm")
+
     def test_equal_mounts_have_one_warning(self):
         done = trivet("run", SOURCE / "examples/track/bogie.toml", "-o", self.folder / "out")
         [warning] = re.findall("(?m)^.*massless, but its own.*$", done.stdout)

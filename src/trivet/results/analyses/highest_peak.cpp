@@ -60,7 +60,9 @@ std::string farthest_motion(const study::CaseResults& results, const nonlinear::
     if (branch.units[r] == branch.units.front())
       keep_higher(highest, std::fmax(std::abs(extremes[r].largest), std::abs(extremes[r].smallest)), branch.results[r],
                   shown_quantity(varied_quantity(branch, branch.parameter(*extremes[r].at), 5), results.display));
-  return peak_text(highest, display_unit(results.display, branch.units.front()));
+  DisplayUnit unit = display_unit(results.display, branch.units.front());
+  unit.level = " 0-p";  // the farthest from rest, to either side
+  return peak_text(highest, unit);
 }
 
 }  // namespace

@@ -66,7 +66,11 @@ DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayU
   const Kind kind = kind_of_numbers(r);
   if (r.kind == RequirementKind::rms) return root_mean_square_unit(display, r.unit);
   if (kind == Kind::frequency) return {frequency_unit(display), "", shown_frequency(display, 1), false};
-  return kind == Kind::amplitude ? amplitude_unit(display, r.unit) : display_unit(display, r.unit);
+  if (kind == Kind::amplitude) return amplitude_unit(display, r.unit);
+  DisplayUnit unit = display_unit(display, r.unit);
+  // The largest magnitude of a motion, from rest: of a periodic one, or of one in time.
+  if ((r.kind == RequirementKind::steady || r.kind == RequirementKind::largest) && r.unit != "1") unit.level = " 0-p";
+  return unit;
 }
 
 std::string bound_words(const RequirementResult& r, const project::DisplayUnits& display) {
