@@ -96,6 +96,19 @@ class RunSummary(InTemporaryFolder):
         end = short.index("Report: ")
         self.assertEqual(full[:end], short[:end])
 
+    def test_a_file_without_requirements_is_not_judged(self):
+        text = self.summary(MACHINE + SOFT)
+        self.assertTrue(text.startswith("Not judged: the file has no requirements, limits, clearances or map.\n"), text)
+
+    def test_the_largest_results_of_other_analyses_are_in_the_table(self):
+        for example, words in (
+            ("transport_shock/device", r"largest in time .*largest of the shock spectra\n.* m/s² 0-p .* at .* s "),
+            ("optical_table/table", r"largest rms of random\n.* rms \S+"),
+        ):
+            done = trivet("run", SOURCE / f"examples/{example}.toml", "-o", self.folder / example.replace("/", "-"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stdout, words)
+
     def test_the_farthest_motion_of_a_nonlinear_machine_has_its_level(self):
         done = trivet("run", SOURCE / "examples/isolator/hardening.toml", "-o", self.folder / "out")
         self.assertRegex(done.stdout, r"base model .* mm 0-p machine\.z at ")

@@ -83,7 +83,7 @@ std::string judgement_box(const std::vector<ShownCase>& cases, bool linked) {
     html += bad_data ? judgement_part("doubt", "? " + title + "; but checks of the data failed, see below", governing)
                      : judgement_part("calm", "✓ " + title, governing);
   }
-  if (list.empty()) html += paragraph("Not judged: the file has no requirements, limits, clearances or map.", "note");
+  if (list.empty()) html += paragraph(results::nothing_judged, "note");
   if (!beside.empty()) html += "<div class=\"note\" role=\"note\">" + beside + "</div>\n";
   return html;
 }

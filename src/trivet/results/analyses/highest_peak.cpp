@@ -11,6 +11,7 @@
 #include "trivet/nonlinear/branch/stable_motions.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/results/analyses/steady_parts.h"
+#include "trivet/study/analyses/analysis_results.h"
 
 namespace trivet::results {
 namespace {
@@ -73,6 +74,42 @@ std::string highest_peak(const study::CaseResults& results) {
   if (results.peaks && !results.peaks->peaks.curves.empty()) return highest_resonance(results, results.peaks->peaks);
   const bool has_curves = results.response && results.response->model && !results.response->curves.curves.empty();
   return has_curves ? highest_maximum(results, *results.response) : "";
+}
+
+std::string largest_random(const study::CaseResults& results) {
+  if (!results.random || results.random->response.channels.empty()) return "";
+  const auto& channels = results.random->response.channels;
+  const response::RandomChannel* largest = nullptr;
+  for (const response::RandomChannel& one : channels)
+    if (one.unit == channels.front().unit && one.rms && (!largest || *one.rms > *largest->rms)) largest = &one;
+  if (!largest) return channels.front().infinite_rms ? "∞ " + channels.front().name : "";
+  return value_text(*largest->rms, root_mean_square_unit(results.display, largest->unit)) + " " + largest->name;
+}
+
+std::string largest_in_time(const study::CaseResults& results) {
+  if (!results.transient || results.transient->response.curves.empty()) return "";
+  const auto& curves = results.transient->response.curves;
+  const response::TimeCurve* farthest = nullptr;
+  response::Extreme extreme;
+  for (const response::TimeCurve& one : curves)
+    for (const response::Extreme& end : {one.largest, one.smallest})
+      if (one.unit == curves.front().unit && (!farthest || std::abs(end.value) > std::abs(extreme.value)))
+        farthest = &one, extreme = end;
+  DisplayUnit unit = display_unit(results.display, farthest->unit);
+  unit.level = " 0-p";
+  return fmt::format("{} {} at {:.4g} s", value_text(std::abs(extreme.value), unit), farthest->name, extreme.time);
+}
+
+std::string largest_of_shocks(const study::CaseResults& results) {
+  if (!results.shock_spectrum) return "";
+  std::optional<HighestPeak> highest;
+  std::string unit;
+  for (const study::ShockSpectrumResult& one : *results.shock_spectrum)
+    for (const excitation::ShockResponse& response : one.spectrum) {
+      keep_higher(highest, response.maximax(), one.excitation, peak_frequency(results, response.angular_frequency));
+      unit = one.unit;
+    }
+  return highest ? peak_text(highest, display_unit(results.display, unit)) : "";
 }
 
 }  // namespace trivet::results

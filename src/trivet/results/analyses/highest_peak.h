@@ -12,4 +12,13 @@ namespace trivet::results {
 /// beside translations, forces) are not compared with it. Empty if the case has none of these.
 [[nodiscard]] std::string highest_peak(const study::CaseResults& results);
 
+// In the same way the largest of further analyses; empty if the case does not have them.
+
+/// "12.3 µm/s rms table.z": of random vibration.
+[[nodiscard]] std::string largest_random(const study::CaseResults& results);
+/// "231 m/s² 0-p device.z at 0.012 s": the farthest from rest in time, to either side.
+[[nodiscard]] std::string largest_in_time(const study::CaseResults& results);
+/// "98 m/s² drop at 80 Hz": the maximax, and the natural frequency that has it.
+[[nodiscard]] std::string largest_of_shocks(const study::CaseResults& results);
+
 }  // namespace trivet::results

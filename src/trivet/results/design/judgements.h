@@ -61,6 +61,9 @@ struct JudgementSentence {
                                                      const study::CaseResults& results);
 
 /// "1 warning", "2 warnings"
+/// Where a study has nothing to judge by.
+inline constexpr const char* nothing_judged = "Not judged: the file has no requirements, limits, clearances or map.";
+
 [[nodiscard]] std::string count_words(std::size_t count, const std::string& one);
 
 }  // namespace trivet::results

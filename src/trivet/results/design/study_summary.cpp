@@ -144,6 +144,7 @@ std::string wrong_text(const project::Project& project, const std::vector<Judgem
       outcome_text("NOT JUDGED: ", judged, Outcome::not_judged, cases) + missing_text(project, list, cases);
   const std::string elsewhere = outcome_text("Violated in cases in which the requirements are not binding:", judged,
                                              Outcome::violated_no_need, cases);
+  if (list.empty()) return text + nothing_judged + "\n\n" + elsewhere;
   const std::size_t wrong = number_with(judged, Outcome::violated) + number_with(judged, Outcome::not_judged);
   if (wrong > 0 || number_with(judged, Outcome::met) == 0) return text + elsewhere;
   text += "MET: " + shares_words(judged, Outcome::met) + "\n";
@@ -197,13 +198,15 @@ std::string cases_text(const project::Project& project, const std::vector<Judgem
                        std::size_t width) {
   const project::DisplayUnits& display = project.base().display;
   std::vector<std::vector<std::string>> rows = {
-      {"case", "verdict", "warnings", "modes [" + frequency_unit(display) + "]", "highest peak"}};
+      {"case", "verdict", "warnings", "modes [" + frequency_unit(display) + "]", "highest peak",
+       "largest rms of random", "largest in time", "largest of the shock spectra"}};
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const study::CaseResults& results = cases[i];
     const auto& warnings = results.warnings.list();
     const auto count = std::ranges::count_if(warnings, [&](const auto& w) { return !is_not_computed(results, w); });
     rows.push_back({case_name_words(results), verdict_cell(list, i), count == 0 ? "none" : std::to_string(count),
-                    frequencies_cell(project.cases[i], results), highest_peak(results)});
+                    frequencies_cell(project.cases[i], results), highest_peak(results), largest_random(results),
+                    largest_in_time(results), largest_of_shocks(results)});
   }
   for (std::size_t c = rows.front().size(); c-- > 0;)
     if (std::all_of(rows.begin() + 1, rows.end(), [&](const auto& row) { return row[c].empty() || row[c] == "–"; }))
