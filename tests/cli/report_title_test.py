@@ -205,6 +205,22 @@ class NamedFiles(Folder):
         self.assertIn("<td>third-octave band of 1.25 Hz</td><td>450 nm/s rms</td>", page)  # of the floor along y
 
 
+class FirstPage(Folder):
+    def test_cases_on_a_map_have_their_first_findings_there_and_all_of_them_with_the_map(self):
+        out = self.folder / "out"
+        command = [TRIVET, "run", str(SOURCE / "examples/paper/map.toml"), "-o", str(out)]
+        self.assertEqual(subprocess.run(command, capture_output=True, timeout=600).returncode, 0)
+        page = html.unescape(SCRIPTS.sub("", (out / "report.html").read_text()))
+        first = page[: page.index('<section class="machine">')]
+        bullets = re.findall("<li>(?:Case .*?|The .*?)</li>", first)
+        self.assertTrue(bullets)
+        for bullet in bullets:
+            self.assertLess(len(re.sub("<.*?>", "", bullet)), 400, bullet)
+        self.assertRegex(first, r"and \d+ more, listed with the map")
+        self.assertNotRegex(page, r"e\+\d+ %")
+        for allowed in re.findall(r"reaches \S+ \S+ .*?, allowed ([^;<,]*)", page):
+            self.assertRegex(allowed, r"^\S+ (m|rad)\b", page)
+
 class Mounts(Folder):
     def rows(self, example):
         out = self.folder / "out"

@@ -20,7 +20,7 @@ TEST(MapVerdicts, StateWhereACaseExceedsItsLimits) {
     const study::DesignMap map = study::design_map(changed, changed.base(), *changed.base().analyses.map);
     return results::verdict_words(map, map.marks.at(0)).at(0);
   };
-  EXPECT_THAT(words({}), testing::MatchesRegex("machine.z reaches 0.02066 m 0-p at 1.489 Hz, allowed 0.015"));
+  EXPECT_THAT(words({}), testing::MatchesRegex("machine.z reaches 0.02066 m 0-p at 1.489 Hz, allowed 0.015 m 0-p"));
   EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"5 mm\"}", "analyses.map.band=[0, 1]"}),
               testing::HasSubstr(" at 0.1592 Hz, allowed 0.005"));
   EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"0.9 m/s2\"}", "elements.spring.damping.proportional=0.3"}),

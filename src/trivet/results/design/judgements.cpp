@@ -130,6 +130,17 @@ void add_operating_lines(const study::CaseResults& case_results, std::size_t whi
   }
 }
 
+/// The first findings of a map, which has many rules; all are listed with it.
+std::string first_findings(std::vector<std::string> words) {
+  constexpr std::size_t most = 3;
+  if (words.size() > most + 1) {
+    const std::size_t more = words.size() - most;
+    words.resize(most);
+    words.push_back(fmt::format("and {} more, listed with the map", more));
+  }
+  return without_empty(words, "; ");
+}
+
 /// @param cases  in which the marks of the map are found by their names
 void add_map(const study::DesignMap& map, std::size_t which, const std::vector<const study::CaseResults*>& cases,
              std::vector<Judgement>& list) {
@@ -141,7 +152,7 @@ void add_map(const study::DesignMap& map, std::size_t which, const std::vector<c
     Judgement one{Outcome::not_judged,
                   "map",
                   "rules of the map",
-                  without_empty(verdict_words(map, mark), "; "),
+                  first_findings(verdict_words(map, mark)),
                   0,
                   found == cases.end() ? which : static_cast<std::size_t>(found - cases.begin()),
                   mark.decides};

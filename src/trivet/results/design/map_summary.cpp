@@ -26,6 +26,15 @@ std::string peak_words(bool counted, double tallest) {
   return counted ? "peaks" : tallest <= slight ? "rises within the tolerance" : "has a peak within the tolerance";
 }
 
+/// "8.25 %", "1010 %": how far a peak rises above the adjacent minimum.
+std::string height_words(double prominence) {
+  constexpr double whole = 100;  // from 100 % on without decimals, and never with a power of ten
+  const double share = 100 * prominence;
+  return std::isinf(share) ? "unbounded"
+      : share < whole      ? fmt::format("{:.3g} %", share)
+                           : fmt::format("{:.0f} %", share);
+}
+
 std::string requirement_value(const design::MapRule& rule, double value, const project::DisplayUnits& display) {
   if (std::isinf(value)) return "unbounded";
   if (rule.unit == "rad/s") return shown_quantity({.value = value, .kind = Kind::frequency}, display);
@@ -98,7 +107,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
                       requirement_value(rule, value, display), level_after(rule, value, readers), judged.margins[r]));
     if (rule.kind == design::DesignRule::Kind::no_peak && judged.margins[r] < 1 && !lists_peaks(map, mark, rule))
       add(fmt::format("{}{} peaks at {} ({})", rule.channel, rule.case_words(), frequency_words(display, at),
-                      std::isinf(value) ? "unbounded" : fmt::format("{:.3g} %", 100 * value)));
+                      height_words(value)));
     if (rule.kind != design::DesignRule::Kind::amplitude || judged.margins[r] >= 1) continue;
     const std::string of_case = rule.in_case == mark.name ? "" : rule.case_words(),
                       where = std::isinf(at) ? "towards ω = ∞" : "at " + frequency_words(display, at);
@@ -109,7 +118,8 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
       continue;
     }
     const auto [reached, allowed] = distinct_texts(value * unit.factor, rule.allowed * unit.factor, 4);
-    add(fmt::format("{}{} reaches {} {} {}, allowed {}", rule.channel, of_case, reached, unit.label(), where, allowed));
+    add(fmt::format("{}{} reaches {} {} {}, allowed {} {}", rule.channel, of_case, reached, unit.label(), where,
+                    allowed, unit.label()));
   }
   const design::DesignRule no_peak{design::DesignRule::Kind::no_peak, 0, map.request.peak_tolerance};
   for (const bool counted : {true, false})
@@ -126,7 +136,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
         if (!ruled || peak.curve != c || (design::margin(no_peak, prominence) < 1) != counted) continue;
         tallest = std::max(tallest, prominence);
         list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", frequency_words(display, peak.angular_frequency),
-                            std::isinf(prominence) ? "unbounded" : fmt::format("{:.3g} %", 100 * prominence));
+                            height_words(prominence));
       }
       if (!list.empty()) words.push_back(fmt::format("{} {} at {}", name, peak_words(counted, tallest), list));
     }
