@@ -221,6 +221,11 @@ class FirstPage(Folder):
         for allowed in re.findall(r"reaches \S+ \S+ .*?, allowed ([^;<,]*)", page):
             self.assertRegex(allowed, r"^\S+ (m|rad)\b", page)
 
+    def test_the_requirements_do_not_scroll_in_a_box(self):
+        style = (SOURCE / "src/trivet/report/page.css").read_text()
+        self.assertRegex(style, r"\.judgements \.scroll\.tall[^{]*\{ max-height: none")
+
+
 class Mounts(Folder):
     def rows(self, example):
         out = self.folder / "out"
