@@ -3,6 +3,7 @@
 import hashlib
 import html
 import json
+import math
 import os
 import re
 import subprocess
@@ -18,6 +19,14 @@ machine = "Fan & base"
 revision = "B"
 author = "M. Jensen"
 """
+ORDERS = """
+[excitations.rotor]
+type = "orders"
+on = "mass"
+at = [0, 0, 0]
+table = [{order = 1, force = [0, 0, 5]}, {order = 2, force = [0, 0, 3]}]
+"""
+RUN_UP = 'orders = {speed = ["60 rpm", "600 rpm"]}'
 
 
 def parts(page):
@@ -203,6 +212,22 @@ class NamedFiles(Folder):
         page = html.unescape(self.page())
         self.assertIn("<td>third-octave band of 10 Hz</td><td>7.2 µm/s rms</td>", page)
         self.assertIn("<td>third-octave band of 1.25 Hz</td><td>450 nm/s rms</td>", page)  # of the floor along y
+
+
+class Levels(Folder):
+    def test_all_of_a_run_up_is_rms(self):
+        text = MACHINE.replace("LIMIT", "1 m").replace("[analyses]", ORDERS + "[analyses]\n" + RUN_UP, 1)
+        project, out = self.folder / "machine.toml", self.folder / "out"
+        project.write_text(text)
+        subprocess.run([TRIVET, "run", str(project), "-o", str(out)], check=True, capture_output=True, timeout=300)
+        page = html.unescape(SCRIPTS.sub("", (out / "report.html").read_text())).replace("\u00a0", " ")
+        section = re.search('<section class="answer orders">.*?</section>', page, re.DOTALL).group()
+        self.assertNotIn("0-p", section)
+        self.assertNotIn("zero-to-peak", section)
+        self.assertIn(">displacement [mm rms]<", section)
+        orders = json.loads((out / "results.json").read_text())["cases"][0]["orders"]
+        highest = max(c["amplitude"] for c in orders["critical_speeds"])
+        self.assertIn(f"{1e3 * highest / math.sqrt(2):.3f} mm", section)
 
 
 class FirstPage(Folder):

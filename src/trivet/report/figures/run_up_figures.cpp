@@ -68,14 +68,13 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
                        const std::vector<std::size_t>& shown, const project::DisplayUnits& display) {
   const response::Overall& overall = run_up.overall[curve];
   const UnitPrefix unit = unit_prefix(highest_finite(overall.rms), results::display_unit(display, overall.unit));
-  const project::Level shown_at = project::shown_level(display, overall.unit);
-  const double to_level = project::level_factor(shown_at);
-  const std::string level = results::level_words(shown_at);
+  // The sum of orders has no other level than rms, so the orders have it too: none can be above the sum.
+  const double to_level = project::level_factor(project::Level::rms);
   std::vector<double> rpm;
   for (const double speed : run_up.speed) rpm.push_back(speed * rpm_per_rad_s);
   PanelRow row;
-  row.title = name + ", orders " + level;
-  PanelCurve all{{"all orders, rms"}, rpm, {}, "stroke=\"#000000\" stroke-width=\"2.2\" stroke-linejoin=\"round\""};
+  row.title = name;
+  PanelCurve all{{"all orders"}, rpm, {}, "stroke=\"#000000\" stroke-width=\"2.2\" stroke-linejoin=\"round\""};
   for (const double rms : overall.rms) all.y.push_back(rms * unit.factor);
   row.curves.push_back(std::move(all));
   for (std::size_t i = 0; i < shown.size(); ++i) {
@@ -91,7 +90,7 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
              critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * rpm_per_rad_s) : ""});
   }
   row.x = {rpm.front(), rpm.back(), false, "shaft speed [rpm]"};
-  row.y = amplitude_axis(row.curves, fmt::format("{} [{}]", quantity_name(overall.unit), unit.unit));
+  row.y = amplitude_axis(row.curves, fmt::format("{} [{} rms]", quantity_name(overall.unit), unit.unit));
   return row;
 }
 

@@ -119,7 +119,9 @@ std::vector<Figure> waterfall_figures(const study::CaseResults& results) {
   std::vector<double> orders;
   for (const auto& [order, amplitude] : by_order)
     if (amplitude > 1e-3 * largest) orders.push_back(order);
-  const UnitPrefix unit = unit_prefix(largest, results::amplitude_unit(results.display, run_up.overall[*curve].unit));
+  project::DisplayUnits rms = results.display;
+  rms.level = project::Level::rms;  // as everywhere in a run-up
+  const UnitPrefix unit = unit_prefix(largest, results::amplitude_unit(rms, run_up.overall[*curve].unit));
   Space space;
   space.rpm_from = run_up.speed.front() * rpm_per_rad_s;
   space.rpm_to = run_up.speed.back() * rpm_per_rad_s;

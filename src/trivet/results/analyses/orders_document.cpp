@@ -81,13 +81,18 @@ Table critical_speeds(const RunUp& run) {
                       row("order", Kind::number, "order", &CriticalSpeed::order),
                       row("speed", Kind::speed, "speed", &CriticalSpeed::speed, {.digits = 5}),
                       row("angular_frequency", Kind::frequency, "f", &CriticalSpeed::angular_frequency),
-                      row("amplitude", Kind::amplitude, "amplitude", &CriticalSpeed::amplitude, {.digits = 4}),
+                      row("amplitude", Kind::amplitude, "", &CriticalSpeed::amplitude),
+                      row("rms", Kind::quantity, "rms",
+                          [](const CriticalSpeed& c) {
+                            return c.amplitude * project::level_factor(project::Level::rms);  // as all orders together
+                          },
+                          {.digits = 4, .forms = for_people}),
                       row("prominence", Kind::amplitude, "", &CriticalSpeed::prominence),
                       row("relative_height", Kind::share, "of its highest", &CriticalSpeed::relative_height),
                       row("nearest_mode", Kind::number, "nearest mode", &CriticalSpeed::nearest_mode)},
           .csv = {"name", "order", "speed [rad/s]", "speed [rpm]", "angular_frequency [rad/s]", "amplitude", "unit",
                   "relative_height", "nearest_mode"},
-          .people = {"speed", "order", "angular_frequency", "name", "amplitude", "relative_height", "nearest_mode"},
+          .people = {"speed", "order", "angular_frequency", "name", "rms", "relative_height", "nearest_mode"},
           .people_rows = tall_peaks(run),
           .most_rows = 40,
           .height = [&run](std::size_t i) { return run.critical[i].relative_height; },
@@ -138,8 +143,8 @@ Table orders_at(const std::vector<std::vector<study::OperatingValue>>& at) {
           .columns = {row("speed", Kind::speed, "speed", &OperatingValue::at),
                       row("name", Kind::words, "result", &OperatingValue::name),
                       row("unit", Kind::words, "", &OperatingValue::unit),
-                      row("amplitude", Kind::amplitude, "amplitude", &OperatingValue::amplitude),
-                      row("rms", Kind::quantity, "", &OperatingValue::rms),
+                      row("amplitude", Kind::amplitude, "", &OperatingValue::amplitude),
+                      row("rms", Kind::quantity, "rms", &OperatingValue::rms),
                       row("bound", Kind::quantity, "", &OperatingValue::bound),
                       row("order", Kind::number, "most in order", &OperatingValue::order)}};
 }
