@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What `trivet run` prints: first what is wrong, then one line per case, each warning once, all tables only with --full."""
+import math
 import os
 import re
 import unittest
@@ -118,6 +119,13 @@ class RunSummary(InTemporaryFolder):
         done = trivet("run", SOURCE / "examples/track/bogie.toml", "-o", self.folder / "out")
         [warning] = re.findall("(?m)^.*massless, but its own.*$", done.stdout)
         self.assertIn("elements.front left, front right, rear left, rear right: ", warning)
+
+    def test_a_limit_line_has_the_value_and_the_limit_where_they_are_nearest(self):
+        done = trivet("run", SOURCE / "examples/genset/genset.toml", "-o", self.folder / "out")
+        found = re.search(r"“vibration severity”: (\S+) mm/s rms of (\S+) mm/s rms, least margin (\S+) dB", done.stdout)
+        self.assertIsNotNone(found, done.stdout)
+        value, limit, level = map(float, found.groups())
+        self.assertAlmostEqual(20 * math.log10(limit / value), level, delta=0.01)
 
     def test_units_are_those_of_display(self):
         text = self.summary(MACHINE + '[display]\nlength = "in"\nfrequency = "rpm"\n')

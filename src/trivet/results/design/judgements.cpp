@@ -12,6 +12,7 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
 #include "trivet/nonlinear/modes/backbone.h"
+#include "trivet/response/machinery/limit_line.h"
 #include "trivet/results/design/map_summary.h"
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/study/optimize/optimization.h"
@@ -66,6 +67,17 @@ void add_requirements(const study::CaseVerdict& verdict, std::size_t which, std:
   }
 }
 
+/// "5.316 mm/s rms of 3.2 mm/s rms" where a curve is nearest to its line; empty if it is unbounded there.
+std::string value_on_line(const study::LimitLineResult& found, const project::DisplayUnits& display) {
+  const double margin = found.comparison.least_margin, at = found.comparison.least_margin_at;
+  if (!(margin > 0) || !std::isfinite(margin) || !std::isfinite(at)) return "";
+  DisplayUnit unit = display_unit(display, found.line.unit);
+  unit.level = found.line.rms ? " rms" : " 0-p";
+  const double limit = response::zero_to_peak_limit(found.line, at) *
+      project::level_factor(found.line.rms ? project::Level::rms : project::Level::amplitude);
+  return value_text(limit / margin, unit) + " of " + value_text(limit, unit);
+}
+
 void add_limits(const study::CaseResults& case_results, std::size_t which, std::vector<Judgement>& list) {
   for (const study::LimitResult* alone : limits_alone(case_results)) {
     const study::LimitResult& limit = *alone;
@@ -86,9 +98,10 @@ void add_limits(const study::CaseResults& case_results, std::size_t which, std::
   }
   for (const study::LimitLineResult* alone : limit_lines_alone(case_results)) {
     const study::LimitLineResult& line = *alone;
+    const std::string value = value_on_line(line, case_results.display);
     list.push_back({line.comparison.met() ? Outcome::met : Outcome::violated, "limit line",
                     fmt::format("{} within “{}”", line.of, line.line.name),
-                    fmt::format("least margin {} dB {}",
+                    fmt::format("{}{}least margin {} dB {}", value, value.empty() ? "" : ", ",
                                 documents::number_text(response::margin_level(line.comparison.least_margin), 4),
                                 at_frequency(line.comparison.least_margin_at, case_results.display)),
                     line.comparison.least_margin, which});
@@ -96,8 +109,9 @@ void add_limits(const study::CaseResults& case_results, std::size_t which, std::
     const double level = response::margin_level(line.comparison.least_margin);
     one.subject = line.of;
     one.bound = "within “" + line.line.name + "”";
-    one.value =
+    const std::string distance =
         fmt::format("{} dB {} the line", documents::number_text(std::abs(level), 4), level < 0 ? "above" : "below");
+    one.value = value.empty() ? distance : value + ", " + distance;
     one.place =
         shown_quantity({.value = line.comparison.least_margin_at, .kind = Kind::frequency}, case_results.display);
     one.is_at = std::isfinite(line.comparison.least_margin_at);
