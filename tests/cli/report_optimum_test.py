@@ -91,6 +91,15 @@ class ReportOptimum(InTemporaryFolder):
         self.assertNotIn("given design", page)
         self.assertFalse((self.folder / "out/00-base/best_design.svg").exists())
 
+    def test_the_short_report_has_the_parameters_and_the_drawing_of_the_optimum(self):
+        done = trivet("run", self.file(MOVED_SPRING), "-o", self.folder / "out", "--report", "short")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = (self.folder / "out/report.html").read_text()
+        self.assertRegex(page, "(?s)>Best design</h2>.*<svg.*>given design</text>.*</section>")
+        best = json.loads((self.folder / "out/results.json").read_text())["cases"][0]["optimize"]["parameters"][0]
+        shown = [float(number) for number in re.findall(r"<td[^>]*>([\d.]+)", page[page.index(">Best design</h2>") :])]
+        self.assertTrue(any(abs(number - best["optimum"]) < 1e-3 * best["optimum"] for number in shown), best)
+
     def assert_page_has_words_of(self, screen, page):
         """Every number of the result on the screen is in its section of the page, perhaps with an SI prefix."""
         text = screen[re.search(r"^\S.* → .*\n  minimised", screen, re.M).start() :]

@@ -13,6 +13,7 @@
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/report/page/result_sections.h"
 #include "trivet/results/analyses/operation_words.h"
+#include "trivet/results/design/optimization_results.h"
 #include "trivet/results/format/written_results.h"
 #include "trivet/results/model/mounts_document.h"
 
@@ -107,7 +108,10 @@ std::string short_results(const std::vector<ShownCase>& cases) {
   const auto html = [&](const Document& shown) { return as_html(shown, base.variant.display); };
   const std::string of_base = cases.size() > 1 ? " of the base model" : "";
   const std::string speeds = base.results.operation ? html(without_sentences(document("operation"))) : "";
-  return modes_part(base, "Undamped modes" + of_base, false) +
+  const std::string best = base.results.optimization ? html(results::optimum_in_short(*base.results.optimization)) +
+          figures_html(best_design_figures(base.variant, base.results))
+                                                     : "";
+  return section("answer", "Best design", best) + modes_part(base, "Undamped modes" + of_base, false) +
       section("answer", "Operating shapes" + of_base, figures_html(shape_figures(base.variant, base.results))) +
       section("answer", "At the operating speed" + std::string(of_base.empty() ? "" : ", base model"), opened(speeds));
 }

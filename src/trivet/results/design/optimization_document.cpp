@@ -254,6 +254,16 @@ Document optimization_document(const Optimization& found) {
   return document;
 }
 
+Document optimum_in_short(const Optimization& found) {
+  Document document;
+  document.add(Sentence{.parts = {optimization_headline(found) + "."}});
+  document.add(minimized_table(found));
+  document.add(optimized_parameters(found));
+  for (const std::string& line : mounts_lines(found))
+    document.add(Sentence{.parts = {line}, .place = Sentence::Place::note});
+  return document;
+}
+
 namespace {
 
 Document optimize_document(const project::Case&, const study::CaseResults& results) {

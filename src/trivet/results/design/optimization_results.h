@@ -15,6 +15,8 @@
 namespace trivet::results {
 
 [[nodiscard]] Document optimization_document(const study::Optimization& found);
+/// What was found: the objective, the parameters and the chosen mounts, without comparisons and the search.
+[[nodiscard]] Document optimum_in_short(const study::Optimization& found);
 [[nodiscard]] Document front_document(const study::DesignFront& front);
 
 /// The best design, or the front, with the warnings of the command.
