@@ -403,6 +403,12 @@ class Operation(unittest.TestCase):
         alone = self.trivet(MACHINE + floor + '[operation]\nspeeds = ["980 rpm"]\n', "operation", code=2).stderr
         self.assertIn('write excitations = ["floor"]', alone)
 
+    def test_the_largest_displacement_of_a_range_has_its_own_speed(self):
+        text = MACHINE + ROTOR + '[operation]\nspeeds = [["100 rpm", "2000 rpm"]]\n'
+        done = self.trivet(text, "operation")
+        head = next(line for line in done.stdout.splitlines() if "velocity at" in line)
+        self.assertRegex(head, "velocity at.*displacement at")
+
     def test_a_speed_named_twice_is_refused(self):
         text = MACHINE + ROTOR + '[operation]\nspeeds = ["980 rpm", ["600 rpm", "900 rpm"], "980 1/min"]\n'
         said = self.trivet(text, "operation", code=2).stderr

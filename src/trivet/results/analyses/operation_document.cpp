@@ -212,7 +212,7 @@ Table shown_motions(const OperatingSpeed& at, bool several_orders) {
   const Rows row(at.motions);
   std::vector<Use> columns = {"name", "velocity", "displacement"};
   if (several_orders) columns.emplace_back("order");
-  if (at.is_range()) columns.emplace_back("at");
+  if (at.is_range()) columns.insert(columns.end(), {"at", "displacement_at"});
   return {.title = at.is_range() ? "Largest motion" : "Motion",
           .rows = row.size(),
           .columns = {row("name", Kind::words, "result", [](const OperatingMotion& m) { return m.displacement.name; }),
@@ -225,7 +225,9 @@ Table shown_motions(const OperatingSpeed& at, bool several_orders) {
                           [](const OperatingMotion& m) { return m.displacement.amplitude(); }, {.digits = 4}),
                       row("order", Kind::number, "most in order",
                           [](const OperatingMotion& m) { return m.velocity.order; }),
-                      row("at", Kind::speed, "velocity at", [](const OperatingMotion& m) { return m.velocity.at; })},
+                      row("at", Kind::speed, "velocity at", [](const OperatingMotion& m) { return m.velocity.at; }),
+                      row("displacement_at", Kind::speed, "displacement at",
+                          [](const OperatingMotion& m) { return m.displacement.at; })},
           .people = std::move(columns),
           .most_rows = 60,
           .height = [&at](std::size_t i) { return at.motions[i].velocity.rms; },
