@@ -23,6 +23,15 @@ def run(*arguments, code=0):
 
 
 class Explain(unittest.TestCase):
+    def test_shares_above_100_percent_are_explained_at_the_number(self):
+        with tempfile.TemporaryDirectory() as folder:
+            starter = pathlib.Path(folder) / "machine.toml"
+            starter.write_text(run("new")[0])
+            verdict = run("verdict", str(starter))[0]
+            self.assertRegex(verdict, r"contributes 10\d % of it \(above 100 %: others move against it\)")
+            shown = run("explain", str(starter))[0]
+            self.assertIn("therefore add up to more than 100 %", " ".join(shown.split()))
+
     def test_shares_and_sensitivities_of_the_paper_agree_with_a_changed_model(self):
         peak = json.loads(run("explain", PAPER, "--of", "aggregate.x", "--most", "1", "--json")[0])["peaks"][0]
         shares = peak["shares"]

@@ -51,6 +51,14 @@ class FurtherResults(unittest.TestCase):
             self.assertIn(words, machine[: machine.index("</section>")])
         self.assertNotIn("preloaded state", trivet("static", EXAMPLES / "fan/fan.toml").stdout)
 
+    def test_shares_of_the_variance_beyond_0_and_100_percent_are_explained(self):
+        words = "Excitations are coherent: one that cancels a part of another has a share"
+        found = result_of(self, "random", EXAMPLES / "optical_table/table.toml")
+        shares = [share for one in found["results"] for share in one["variance_share"]]
+        self.assertLess(min(shares), 0)
+        self.assertIn(words, trivet("random", EXAMPLES / "optical_table/table.toml").stdout)
+        self.assertNotIn(words, trivet("random", EXAMPLES / "microscope/microscope.toml").stdout)
+
     def test_a_curve_of_motions_that_ends_early_is_shown_with_exit_code_1(self):
         with tempfile.TemporaryDirectory() as folder:
             path = model(

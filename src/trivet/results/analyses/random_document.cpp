@@ -211,6 +211,13 @@ Document random_document(const project::Case&, const study::CaseResults& results
   Document document;
   document.add(Sentence{.parts = {"Random response, ", frequency(found.from), " to ", frequency(found.to)}});
   document.add(random_table(random));
+  const bool is_coherent = std::ranges::any_of(found.channels, [](const RandomChannel& a) {
+    return std::ranges::any_of(a.variance_share, [](double share) { return share < 0 || share > 1; });
+  });
+  if (is_coherent)
+    document.add(Sentence{.parts = {"Excitations are coherent: one that cancels a part of another has a share of the "
+                                    "variance below 0 %, and others have more than 100 % together."},
+                          .place = Sentence::Place::note});
   if (random.bands) document.add(band_table(random));
   document.add(Sentence{.parts = {accuracy_words(found)}, .place = Sentence::Place::note});
   document.add(Single{.name = "method", .value = response::name(found.method)});

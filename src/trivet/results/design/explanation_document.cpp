@@ -157,9 +157,11 @@ Table lever_table(std::vector<Lever> levers) {
 Group share_group(const project::Case& variant, const Explanation& explanation, const PeakShares& shares) {
   Group group{.key = "shares", .parts = {{mode_shares(explanation, shares)}}};
   const auto add = [&](const char* name, double share) { group.parts.push_back({Single{name, json::number(share)}}); };
-  if (std::ranges::any_of(shares.modes, [](const auto& mode) { return mode.share <= -worth_a_row; }))
-    group.parts.push_back({Sentence{.parts = {"a mode below 0 % moves against the others at the peak, which therefore "
-                                              "add up to more than 100 %"},
+  constexpr double shown_above_all = 1.0005;
+  if (std::ranges::any_of(shares.modes,
+                          [](const auto& mode) { return mode.share <= -worth_a_row || mode.share > shown_above_all; }))
+    group.parts.push_back({Sentence{.parts = {"a mode below 0 %, also one too small for a row, moves against the "
+                                              "others at the peak, which therefore add up to more than 100 %"},
                                     .place = Sentence::Place::note}});
   if (std::abs(shares.beyond_modes) >= worth_a_row)
     group.parts.push_back(
