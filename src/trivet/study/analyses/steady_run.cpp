@@ -227,7 +227,7 @@ void warn_of_motions(const CaseContext& c, const project::SteadyAnalysis& reques
     warnings.warning(
         "analyses.steady",
         foundation::comma_separated(branch.sticking) + ": friction sticks all the time at some frequencies",
-        "the mean of its force then depends on what happened before; here a slider has stuck since rest, and "
+        "the mean of its force is then undetermined; here a slider has stuck since rest, and "
         "a stop that rubs where it is farthest from slip",
         "take such means as one of many");
   if (!branch.ended.empty())
