@@ -104,7 +104,7 @@ void add_jumps(const SteadyBranch& branch, std::size_t result, const project::Di
     if (!fold.lands) continue;
     const double to = unit.factor * fold.lands->results[result].half_of_range();
     PanelCurve jump{{}, {at, at}, {from, to}, "stroke=\"#D55E00\" stroke-width=\"1.2\" stroke-dasharray=\"1,3\""};
-    if (key) jump.key = {std::string("jumps: ▶ as the ") + results::varied_word(branch), "rises, ◀ as it falls"};
+    if (key) jump.key = {std::string("jumps: ▶ as the ") + results::varied_word(branch) + " rises", "◀ as it falls"};
     key = false;
     row.curves.push_back(std::move(jump));
   }
