@@ -140,7 +140,7 @@ scale = {scale * factor}
         starter.write_text(trivet("new").stdout)
         refused = trivet("check", starter, "--set", "element_types.mount.translation.z=-2")
         self.assertIn(
-            "--set element_types.mount.translation.z=-2:1: error: element_types.mount.translation: -2", refused.stderr
+            "--set element_types.mount.translation.z=-2: error: element_types.mount.translation: -2", refused.stderr
         )
 
     def test_a_map_varies_a_type_as_one_number(self):

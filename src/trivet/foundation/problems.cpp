@@ -32,7 +32,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string place(const Origin& origin) {
-  return origin.line > 0 && !origin.source.empty() ? origin.source + ":" + std::to_string(origin.line) : origin.source;
+  const bool has_lines = !origin.source.starts_with("--set ");  // a setting is one line
+  return has_lines && origin.line > 0 && !origin.source.empty() ? origin.source + ":" + std::to_string(origin.line)
+                                                                : origin.source;
 }
 
 std::string message(const Problem& problem) {
