@@ -236,7 +236,8 @@ TEST(Roots, StateTheMotionOfFoundationsThatBalancesTheMass) {
     const std::complex<double> force = root.eigenvalue * c + k,
                                floor = root.shape(2) * (m * root.eigenvalue * root.eigenvalue / force + 1.0);
     ASSERT_EQ(root.feet.cols(), 1);
-    EXPECT_GT(std::abs((floor / root.shape(2)).imag()), 0.01) << root.eigenvalue;  // the floor is not in phase with the mass
+    // the floor is not in phase with the mass
+    EXPECT_GT(std::abs((floor / root.shape(2)).imag()), 0.01) << root.eigenvalue;
     EXPECT_LE(std::abs(root.feet(2, 0) - floor), round_off) << root.eigenvalue;
     EXPECT_EQ(root.feet.col(0).head<2>().norm() + root.feet.col(0).tail<3>().norm(), 0);
   }
