@@ -2,7 +2,6 @@
 """`trivet modes --shapes-of N`: what follows a slider of several bodies is small, and the same numbers as without it."""
 import csv
 import io
-import json
 import unittest
 
 from trivet_test import SOURCE, result_of, trivet

@@ -243,7 +243,9 @@ class FirstPage(Folder):
             self.assertLess(len(re.sub("<.*?>", "", bullet)), 400, bullet)
         self.assertRegex(first, r"and \d+ more, listed with the map")
         self.assertNotRegex(page, r"e\+\d+ %")
-        for allowed in re.findall(r"reaches \S+ \S+ .*?, allowed ([^;<,]*)", page):
+        bounds = re.findall(r"reaches \S+ \S+ .*?, allowed ([^;<,]*)", page)
+        self.assertTrue(bounds)
+        for allowed in bounds:
             self.assertRegex(allowed, r"^\S+ (m|rad)\b", page)
 
     def test_the_requirements_do_not_scroll_in_a_box(self):

@@ -2,7 +2,9 @@
 """The server of the page, spoken to through raw sockets: its answers and files."""
 import json
 import os
+import pathlib
 import select
+import signal
 import stat
 import time
 import unittest

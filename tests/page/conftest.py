@@ -105,10 +105,12 @@ def unanswered(page):
     """Holds every question of the page to the program until the end of the block, then lets them and all later ones pass."""
     held, ended = [], []
     page.route('**/ask', lambda route: route.continue_() if ended else held.append(route))
-    yield
-    ended.append(True)
-    for route in held:
-        route.continue_()
+    try:
+        yield
+    finally:
+        ended.append(True)
+        for route in held:
+            route.continue_()
 
 
 def settled(page):

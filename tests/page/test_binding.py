@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A violation where the requirements are not binding is said to be so, and is not red."""
-from conftest import settled
 from test_limits import choose_quantity, judged
 from test_map import map_of
 from test_pictures import picture

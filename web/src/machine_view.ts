@@ -146,7 +146,7 @@ export class MachineView extends Part {
     if (byHand || isBehind && !this.numbersMove) stage.draw();
     else if (isBehind) stage.drawWhenFree();
   }
-  private get numbersMove() { return this.app.asker.isOld('curves'); }
+  private get numbersMove() { return this.app.asker.isOld('curves') && !this.app.asker.problems.some(p => p.severity === 'error'); }
   private mountValues() {
     const {asker, display: {colouring, shown}, state} = this.app;
     const results = {verdict: asker.result<Verdict>('verdict'), check: asker.result<Check>('check'), modes: asker.result<Modes>('modes')};

@@ -37,7 +37,7 @@ std::vector<InputFile> input_files(const Project& project) {
   std::vector<InputFile> files;
   if (!project.parsed) return files;
   const fs::path folder = folder_of_files(project);
-  for (FileName& named : files_named_in_text(project.parsed->text, project.source)) {
+  for (FileName& named : files_named_in_tables(project.parsed->text, project.source)) {
     if (!project.folder.empty()) named.file = folder / named.text;  // an absolute name replaces the folder
     add_named_file(named, files);
   }

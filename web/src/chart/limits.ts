@@ -43,7 +43,7 @@ export function limitsOf(curves: Curves, model: number, requirements: readonly R
 }
 /// Unit of the first limit of a motion or a force that decides: the quantity that one wants to see first. Null: there is none.
 export function unitOfFirstLimit({cases}: Verdict, {lines = []}: Curves): string | null {
-  const first = (cases.find(c => c.decides)?.requirements ?? []).find(r => ['amplitude', 'operation', 'steady', 'limit_line', 'rms', 'largest'].includes(r.kind));
+  const first = cases.filter(c => c.decides).flatMap(c => c.requirements).find(r => ['amplitude', 'operation', 'steady', 'limit_line', 'rms', 'largest'].includes(r.kind));
   return first?.kind === 'limit_line' ? lines.find(l => l.result === first.subject)?.unit ?? null : first?.unit ?? null;
 }
 const withMargin = (r: Requirement) => `${r.shown_requirement ?? r.requirement} (${!r.judged ? 'not judged' : `margin ${number(r.margin ?? Infinity, 3)}`})`;

@@ -43,7 +43,7 @@ export function drawMap(pen: CanvasRenderingContext2D, map: DesignMap, width: nu
     const at: [number, number] = [across(mark.x), up(mark.y)];
     pen.beginPath();
     pen.arc(...at, 3.5, 0, 7);
-    pen.fillStyle = mark.kept ? colours.text : mark.decides ? colours.violated : colours.unbinding;
+    pen.fillStyle = mark.kept === undefined ? colours.axis : mark.kept ? colours.text : mark.decides ? colours.violated : colours.unbinding;
     pen.fill();
     pen.strokeStyle = theme === 'dark' ? '#000' : '#fff';
     pen.lineWidth = 1;

@@ -27,7 +27,8 @@ export class Stage {
   private wanted = false;
   private later: ReturnType<typeof setTimeout> | undefined;
   isBehind = false;  // what is drawn, of the present numbers
-  private isMeasured = false;  // the time that the last picture takes
+  private isMeasuring = false;  // how long the last picture takes
+  private isDisposed = false;
   private freeAt = 0;  // time from which the next one may be drawn [ms]
 
   constructor(canvas: HTMLCanvasElement, background: number, private readonly beforeFrame: () => void) {
@@ -94,18 +95,18 @@ export class Stage {
     this.wanted = true;
     requestAnimationFrame(() => {
       this.wanted = false;
-      this.drawNow();
+      if (!this.isDisposed) this.drawNow();
     });
   }
   /// Draws as soon as slow pictures have taken little of the time: while a slider moves, curves do not wait for them.
   drawWhenFree() {
     this.isBehind = true;
-    if (this.isMeasured || this.later !== undefined) return;
+    if (this.isMeasuring || this.later !== undefined) return;
     this.later = setTimeout(() => {
       this.later = undefined;
       this.draw();
-      this.isMeasured = true;
-      requestAnimationFrame(() => this.measure(performance.now()));
+      this.isMeasuring = true;
+      requestAnimationFrame(() => this.isDisposed || this.measure(performance.now()));
     }, Math.max(0, this.freeAt - performance.now()));
   }
   /// Waits for the picture that was begun at this time: only the graphics processor knows how long it takes.
@@ -113,11 +114,12 @@ export class Stage {
     const gl = this.renderer.getContext() as WebGL2RenderingContext, fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
     const look = () => {
+      if (this.isDisposed) return;
       if (fence && !gl.isContextLost() && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) return void setTimeout(look, POLL);
       gl.deleteSync(fence);
       const now = performance.now();
       this.freeAt = now - begun < QUICK ? now : now + (now - begun) / SHARE;
-      this.isMeasured = false;
+      this.isMeasuring = false;
       if (this.isBehind) this.drawWhenFree();
     };
     look();
@@ -150,6 +152,7 @@ export class Stage {
     return hit ? hit.object.userData as Selection : null;
   }
   dispose() {
+    this.isDisposed = true;
     clearTimeout(this.later);
     this.machine?.dispose();
     this.controls.dispose();

@@ -201,7 +201,8 @@ void check_isolation(const std::vector<Isolation>& isolation, const model::Syste
       if (const std::string reason = model::reason_without_transmission(system, force); !reason.empty())
         problems.error(place, foundation::quoted(force), reason, "name forces that have one: force = [\"EXCITATION\"]");
       else if (isolated_at(one, system, force).empty())
-        problems.error(place, "neither at nor band", foundation::quoted(force) + " has no service_speed either",
+        problems.error(place, "neither at nor band",
+                       foundation::quoted(force) + " has no service_speed either, and there is no [operation]",
                        std::string("give a speed: ") + isolation_example);
     }
   }

@@ -32,7 +32,7 @@ struct Isolation {
   std::vector<std::string> forces;  ///< harmonic ones on bodies; empty without `of`: all
   std::vector<std::string> of;      ///< bodies and points that a motion of the ground reaches; empty: forces
   model::Direction base;            ///< of that motion
-  std::vector<assembly::Band> at;   ///< [rad/s]; from = to: one frequency; empty: the service speeds of the forces
+  std::vector<assembly::Band> at;   ///< [rad/s]; from = to: one frequency; empty: see isolated_at
   double transmitted = 1;           ///< largest allowed transmissibility, > 0
   bool in_decibels = false;         ///< it was given as a level
 

@@ -158,8 +158,9 @@ Group share_group(const project::Case& variant, const Explanation& explanation, 
   Group group{.key = "shares", .parts = {{mode_shares(explanation, shares)}}};
   const auto add = [&](const char* name, double share) { group.parts.push_back({Single{name, json::number(share)}}); };
   constexpr double shown_above_all = 1.0005;
-  if (std::ranges::any_of(shares.modes,
-                          [](const auto& mode) { return mode.share <= -worth_a_row || mode.share > shown_above_all; }))
+  const auto moves_against = [](const auto& mode) { return mode.share < 0; };
+  const auto is_outside = [](const auto& mode) { return mode.share <= -worth_a_row || mode.share > shown_above_all; };
+  if (std::ranges::any_of(shares.modes, is_outside) && std::ranges::any_of(shares.modes, moves_against))
     group.parts.push_back({Sentence{.parts = {"a mode below 0 %, also one too small for a row, moves against the "
                                               "others at the peak, which therefore add up to more than 100 %"},
                                     .place = Sentence::Place::note}});

@@ -68,8 +68,7 @@ DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayU
   if (kind == Kind::frequency) return {frequency_unit(display), "", shown_frequency(display, 1), false};
   if (kind == Kind::amplitude) return amplitude_unit(display, r.unit);
   DisplayUnit unit = display_unit(display, r.unit);
-  // The largest magnitude of a motion, from rest: of a periodic one, or of one in time.
-  if ((r.kind == RequirementKind::steady || r.kind == RequirementKind::largest) && r.unit != "1") unit.level = " 0-p";
+  if (*r.level()) unit.level = std::string(" ") + r.level();
   return unit;
 }
 

@@ -74,8 +74,11 @@ std::vector<model::Fact> piece_facts(const excitation::Spectrum& spectrum, model
   constexpr std::size_t most = 60;  // more are the lines of a record
   std::vector<model::Fact> facts;
   if (spectrum.pieces.size() > most) return facts;
-  const std::optional<int> times = derivatives_of_levels(spectrum);
-  action.derivative -= times.value_or(0);
+  std::optional<int> times = derivatives_of_levels(spectrum);
+  // A slope that no differentiation of levels gives: it is a density as it was given.
+  const int given = action.derivative - times.value_or(0);
+  if (times && (action.body ? *times != 0 : given < 0 || given > 2)) times.reset();
+  if (times) action.derivative = given;
   for (const excitation::SpectrumPiece& piece : excitation::differentiated(spectrum, -times.value_or(0)).pieces) {
     const std::string where = times ? fmt::format("{} band of {:.5g} Hz", excitation::name(band_of_piece(piece)->width),
                                                   band_of_piece(piece)->nominal_hz())

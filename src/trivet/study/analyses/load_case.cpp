@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 
 #include "trivet/assembly/channels.h"
 #include "trivet/elements/law.h"
@@ -22,8 +23,8 @@ using assembly::MotionQuantity;
 constexpr double round_off_at_rest = 1e-12;
 /// Cases differ from this share on.
 constexpr double differs = 1e-9;
-/// Of smaller differences nobody asks in which case they are.
-constexpr double is_told = 1e-6;
+/// Share of a value by which a later case must exceed it to be named instead.
+constexpr double worth_naming = 1e-6;
 
 std::vector<std::size_t> mounts_and_rated(const model::System& system) {
   std::vector<std::size_t> found = response::mounts(system);
@@ -63,13 +64,18 @@ std::map<std::string, double> largest_by_unit(const std::vector<EnvelopeRow>& ro
   return largest;
 }
 
-/// Of cases that do not differ the first one is named.
-void widen(EnvelopeRow& row, double value, const std::string& in) {
-  const double same = is_told * std::max(std::abs(row.least), std::abs(row.largest));
-  if (value < row.least - same) row.least_in = in;
-  if (value > row.largest + same) row.largest_in = in;
-  row.least = std::min(row.least, value);
-  row.largest = std::max(row.largest, value);
+double size_of(const EnvelopeRow& row) { return std::max(std::abs(row.least), std::abs(row.largest)); }
+
+/// Names the first case with the least and with the largest value; others that differ by little are not told from it.
+void name_cases(const std::vector<const LoadCase*>& cases, const std::map<std::string, std::size_t>& place,
+                std::vector<EnvelopeRow>& rows) {
+  for (const LoadCase* one : cases | std::views::reverse)
+    for (const response::StaticValue& value : one->values) {
+      EnvelopeRow& row = rows[place.at(value.name)];
+      const double same = worth_naming * size_of(row);
+      if (value.value <= row.least + same) row.least_in = one->case_name;
+      if (value.value >= row.largest - same) row.largest_in = one->case_name;
+    }
 }
 
 }  // namespace
@@ -144,15 +150,17 @@ Envelope envelope(const std::vector<const LoadCase*>& cases) {
       const auto [at, added] = place.try_emplace(value.name, result.rows.size());
       if (added)
         result.rows.push_back({value.name, value.unit, value.value, value.value, one->case_name, one->case_name});
-      else widen(result.rows[at->second], value.value, one->case_name);
+      EnvelopeRow& row = result.rows[at->second];
+      row.least = std::min(row.least, value.value);
+      row.largest = std::max(row.largest, value.value);
     }
   }
+  name_cases(cases, place, result.rows);
   const std::map<std::string, double> largest = largest_by_unit(result.rows);
-  const auto size = [](const EnvelopeRow& row) { return std::max(std::abs(row.least), std::abs(row.largest)); };
   std::erase_if(result.rows,
-                [&](const EnvelopeRow& row) { return size(row) <= round_off_at_rest * largest.at(row.unit); });
+                [&](const EnvelopeRow& row) { return size_of(row) <= round_off_at_rest * largest.at(row.unit); });
   const bool differ = std::ranges::any_of(
-      result.rows, [&](const EnvelopeRow& row) { return row.largest - row.least > differs * size(row); });
+      result.rows, [&](const EnvelopeRow& row) { return row.largest - row.least > differs * size_of(row); });
   if (cases.size() < 2 || !differ) result.rows.clear();
   return result;
 }

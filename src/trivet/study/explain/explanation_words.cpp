@@ -36,7 +36,9 @@ std::string modes_words(const Explanation& explanation, const ExplainedPeak& pea
   std::string words = fmt::format("Mode {}, {}, contributes {} of it", modes[0].mode,
                                   mode_of(explanation, modes[0].mode).name, percent(modes[0].share));
   constexpr double shown_above_all = 1.0005;
-  if (modes[0].share > shown_above_all) words += " (above 100 %: others move against it)";
+  const auto moves_against = [](const auto& mode) { return mode.share < 0; };
+  if (modes[0].share > shown_above_all && std::ranges::any_of(modes, moves_against))
+    words += " (above 100 %: others move against it)";
   if (std::abs(modes[0].share - 1) <= 1 - one_makes_it) return words;
   for (std::size_t i = 1; i < std::min<std::size_t>(modes.size(), 3); ++i)
     if (std::abs(modes[i].share) > worth_a_word)

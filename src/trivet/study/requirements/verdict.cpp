@@ -159,7 +159,9 @@ const char* RequirementResult::level() const {
   if (kind == RequirementKind::rms) return "rms";
   const bool harmonic = kind == RequirementKind::amplitude || kind == RequirementKind::operation ||
       kind == RequirementKind::mount_dynamic_deflection;
-  return harmonic && unit != "1" ? "0-p" : "";
+  // The largest magnitude of a motion, from rest: of a periodic one, or of one in time.
+  const bool largest = kind == RequirementKind::steady || kind == RequirementKind::largest;
+  return (harmonic || largest) && unit != "1" ? "0-p" : "";
 }
 
 bool RequirementResult::has_bound_in_units() const { return words.bound == "≤ " + value_words(allowed, unit); }
