@@ -7,7 +7,7 @@ import {DARK, LIGHT} from './machine/colours.ts';
 import {GHOSTS, type Ghost} from './machine/ghosts.ts';
 import {labelledPicture} from './machine/labelled_picture.ts';
 import {MachineScene} from './machine/machine_scene.ts';
-import {Stage, type View} from './machine/stage.ts';
+import {ALONE, BESIDE_NUMBERS, Stage, type View} from './machine/stage.ts';
 import type {Motion} from './motion.ts';
 import {COLOURINGS, mountValues, type Colouring} from './mount_colouring.ts';
 import {Part} from './part.ts';
@@ -144,7 +144,7 @@ export class MachineView extends Part {
     const byHand = differ(hand, this.pictured.hand), isBehind = stage.isBehind || differ(numbers, this.pictured.numbers);
     this.pictured = {hand, numbers};
     if (byHand || isBehind && !this.numbersMove) stage.draw();
-    else if (isBehind) stage.drawWhenFree();
+    else if (isBehind) stage.drawWhenFree(BESIDE_NUMBERS);
   }
   private get numbersMove() { return this.app.asker.isOld('curves') && !this.app.asker.problems.some(p => p.severity === 'error'); }
   private mountValues() {
@@ -164,8 +164,7 @@ export class MachineView extends Part {
     this.last = now;
     if (display.playing && this.motion) {
       display.phase = (display.phase + 2 * Math.PI * display.speed * step) % (2 * Math.PI);
-      if (this.numbersMove) this.stage!.drawWhenFree();
-      else this.stage!.draw();
+      this.stage!.drawWhenFree(this.numbersMove ? BESIDE_NUMBERS : ALONE);
     }
     this.size();
     this.trace();

@@ -11,7 +11,8 @@ export type View = 'oblique' | 'front' | 'side' | 'top';
 const DIRECTIONS: Record<View, [number, number, number]> = {oblique: [0.75, -1, 0.55], front: [0, -1, 0], side: [1, 0, 0], top: [0, 0, 1]};
 
 const QUICK = 8;  // ms that every picture may take; without a graphics processor one takes 20 … 30
-const SHARE = 0.05;  // of the time that others may take while numbers move
+/// Share of the time that slower ones may take, while numbers move and while the machine moves alone.
+export const BESIDE_NUMBERS = 0.05, ALONE = 0.5;
 const POLL = 4;  // ms between two looks at whether a picture is finished
 
 /// Camera, light and renderer. It draws only when something changed.
@@ -29,7 +30,8 @@ export class Stage {
   isBehind = false;  // what is drawn, of the present numbers
   private isMeasuring = false;  // how long the last picture takes
   private isDisposed = false;
-  private freeAt = 0;  // time from which the next one may be drawn [ms]
+  private share = ALONE;
+  private taken = {until: 0, time: 0};  // when the last one was finished, and how long it took [ms]
 
   constructor(canvas: HTMLCanvasElement, background: number, private readonly beforeFrame: () => void) {
     this.renderer = new WebGLRenderer({canvas, antialias: true});
@@ -98,16 +100,17 @@ export class Stage {
       if (!this.isDisposed) this.drawNow();
     });
   }
-  /// Draws as soon as slow pictures have taken little of the time: while a slider moves, curves do not wait for them.
-  drawWhenFree() {
+  /// Draws as soon as slow pictures have taken no more than this share of the time: curves and hands do not wait for them.
+  drawWhenFree(share: number) {
     this.isBehind = true;
+    this.share = share;
     if (this.isMeasuring || this.later !== undefined) return;
     this.later = setTimeout(() => {
       this.later = undefined;
       this.draw();
       this.isMeasuring = true;
       requestAnimationFrame(() => this.isDisposed || this.measure(performance.now()));
-    }, Math.max(0, this.freeAt - performance.now()));
+    }, Math.max(0, this.taken.until + this.taken.time * (1 / share - 1) - performance.now()));
   }
   /// Waits for the picture that was begun at this time: only the graphics processor knows how long it takes.
   private measure(begun: number) {
@@ -117,10 +120,10 @@ export class Stage {
       if (this.isDisposed) return;
       if (fence && !gl.isContextLost() && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) return void setTimeout(look, POLL);
       gl.deleteSync(fence);
-      const now = performance.now();
-      this.freeAt = now - begun < QUICK ? now : now + (now - begun) / SHARE;
+      const until = performance.now(), time = until - begun;
+      this.taken = {until, time: time < QUICK ? 0 : time};
       this.isMeasuring = false;
-      if (this.isBehind) this.drawWhenFree();
+      if (this.isBehind) this.drawWhenFree(this.share);
     };
     look();
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/format/preload_words.h"
 #include "trivet/results/format/result_writer.h"
-#include "trivet/results/model/model_words.h"
 
 /// The load on each mount at rest.
 namespace trivet::results {

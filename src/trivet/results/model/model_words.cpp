@@ -143,16 +143,6 @@ std::vector<model::Fact> law_facts(const model::Element& element) {
   return facts;
 }
 
-std::string preload_words(const model::System& system) {
-  const bool any = std::ranges::any_of(system.elements(), [](const model::Element& element) {
-    return element.law.preload && !element.law.preload->isZero(0);
-  });
-  return any
-      ? " Deflections of elements with a preload are from their preloaded state: 0 where the preload carries the "
-        "load."
-      : "";
-}
-
 std::string damping_words(const elements::Damping& damping) {
   if (const auto* p = std::get_if<elements::ProportionalDamping>(&damping))
     return fmt::format("B = {:.6g} s × {} K", p->factor, p->of_nominal ? "nominal" : "scaled");

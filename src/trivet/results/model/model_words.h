@@ -15,9 +15,6 @@ namespace trivet::results {
 [[nodiscard]] std::string damping_words(const elements::Damping& damping);
 [[nodiscard]] std::string damping_words(const model::SystemDamping& damping);
 
-/// " Deflections of preloaded elements …": what their deflection at rest is measured from; empty without preloads.
-[[nodiscard]] std::string preload_words(const model::System& system);
-
 /// An excitation in plain numbers: real amplitudes keep their signs, complex ones are split into magnitude and phase.
 struct ExcitationNumbers {
   std::string type;                 ///< "harmonic", "unbalance", "base", "orders", "random", "time"

@@ -14,6 +14,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/results/format/in_documents.h"
+#include "trivet/results/format/preload_words.h"
 #include "trivet/results/model/model_words.h"
 #include "trivet/study/analyses/load_case.h"
 
