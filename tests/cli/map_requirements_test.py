@@ -251,6 +251,16 @@ class MapRequirements(InTemporaryFolder):
         self.assertEqual(len(set(soft["words"])), len(soft["words"]))
         self.assertNotIn("in case", str(soft["words"]))
 
+    def test_a_case_is_not_charged_with_the_rules_of_another_case_on_the_map(self):
+        required = (
+            '[requirements]\nstatic = {"m.z" = "5 mm"}\nhold_in = ["", "heavy"]\n[cases.heavy]\nbodies.m.mass = 80\n'
+        )
+        ran = trivet("run", self.file(MODEL + ONE + required), "-o", self.folder / "out", "--strict")
+        self.assertEqual(ran.returncode, 3, ran.stderr)
+        self.assertRegex(ran.stdout, r"\n  base model +2 of 2 met ")
+        self.assertRegex(ran.stdout, r"\n  heavy +2 of 2 VIOLATED ")
+        self.assertIn("VIOLATED: 1 of 2 requirements, 1 of 2 verdicts of a map", ran.stdout)
+
     def test_case_whose_own_map_is_wrong_is_still_judged(self):
         heavy = '[cases.heavy]\nbodies.m.mass = 80\nanalyses.map.x.points = 1.5\n'
         found = result_of("map", self.file(MODEL + ONE + REQUIRED + 'hold_in = ["", "heavy"]\n' + heavy))

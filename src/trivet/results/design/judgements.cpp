@@ -156,6 +156,19 @@ std::string first_findings(std::vector<std::string> words) {
   return without_empty(words, "; ");
 }
 
+/// The least margin of the rules that a case on the map is charged with: a rule of another case on it counts there.
+double own_margin(const study::DesignMap& map, const study::MapMark& mark) {
+  double least =
+      mark.judged->governing.known() ? std::numeric_limits<double>::infinity() : mark.judged->governing.margin;
+  for (std::size_t r = 0; r < map.rules.size(); ++r) {
+    const std::string& of_case = map.rules[r].in_case;
+    const bool counts_there = !of_case.empty() && of_case != mark.name &&
+        std::ranges::any_of(map.marks, [&](const study::MapMark& one) { return one.name == of_case && one.judged; });
+    if (!counts_there) least = std::min(least, mark.judged->margins[r]);
+  }
+  return least;
+}
+
 /// @param cases  in which the marks of the map are found by their names
 void add_map(const study::DesignMap& map, std::size_t which, const std::vector<const study::CaseResults*>& cases,
              std::vector<Judgement>& list) {
@@ -172,10 +185,10 @@ void add_map(const study::DesignMap& map, std::size_t which, const std::vector<c
                   found == cases.end() ? which : static_cast<std::size_t>(found - cases.begin()),
                   mark.decides};
     if (mark.judged) {
-      one.outcome = mark.judged->governing.feasible() ? Outcome::met
-          : mark.decides                              ? Outcome::violated
-                                                      : Outcome::violated_no_need;
-      one.margin = mark.judged->governing.margin;
+      const bool feasible = mark.judged->governing.feasible();
+      one.margin = feasible ? mark.judged->governing.margin : own_margin(map, mark);
+      one.outcome = one.margin >= 1 ? Outcome::met : mark.decides ? Outcome::violated : Outcome::violated_no_need;
+      if (!feasible && one.outcome == Outcome::met) one.finding = "meets its rules";
     }
     list.push_back(std::move(one));
   }
