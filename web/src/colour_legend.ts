@@ -17,6 +17,6 @@ export function colourLegend(colouring: Colouring, shown: MountValues | null, is
       <rect width=${limited ? 128 : 150} height="10" fill="url(#mount-colours)"></rect>
       ${limited ? svg`<rect x="134" width="16" height="10" fill=${css(BEYOND)}></rect>` : nothing}
     </svg>
-    <span class="ticks"><span>0</span><span>${words(top)}</span>${limited ? html`<span>over</span>` : nothing}</span>
+    <span class=${limited ? 'ticks limited' : 'ticks'}><span>0</span><span>${words(top)}</span>${limited ? html`<span>over</span>` : nothing}</span>
     <span>most: ${largest[0]}, ${words(largest[1])}</span></div>`;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type {App} from './part.ts';
 
-/// A text that is no number changes nothing: the field shows the number that holds, and the page says so.
-export function refuse(input: HTMLInputElement, {display}: App, valid: string) {
-  display.set({notice: `"${input.value}" is not a number, perhaps with a unit; it stays ${valid}.`});
+/// A text that is no such number changes nothing: the field shows the number that holds, and the page says so.
+export function refuse(input: HTMLInputElement, {display}: App, valid: string, wanted = 'a number') {
+  display.set({notice: `"${input.value}" is not ${wanted}, perhaps with a unit; it stays ${valid}.`});
   input.value = valid;
 }

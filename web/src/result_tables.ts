@@ -5,6 +5,7 @@ import type {Table} from './display.ts';
 import './map_panel.ts';
 import {Part, type App} from './part.ts';
 import {limitNumber, setLimit} from './limit_number.ts';
+import {refuse} from './refused_number.ts';
 import {frequency, number, quantity, scaleAtLevel, withUnit} from './quantities.ts';
 import type {Check, Curves, Mode, Modes, Peak, Requirement, Roots, Verdict} from './results.ts';
 
@@ -70,16 +71,18 @@ export class ResultTables extends Part {
   private limit(r: Requirement) {
     const {state, index} = this.app, found = r.place.length ? limitNumber(r.place, state.case, state.design, index) : null;
     if (!found) return '';
-    return html`<input class="number" aria-label="Limit: ${r.shown_requirement ?? r.requirement}" .value=${`${number(found.value, 6)} ${found.unit}`.trim()} @change=${(e: Event) => {
-      const typed = quantity((e.target as HTMLInputElement).value.replaceAll('−', '-'));
+    const valid = `${number(found.value, 6)} ${found.unit}`.trim();
+    return html`<input class="number" aria-label="Limit: ${r.shown_requirement ?? r.requirement}" .value=${valid} @change=${(e: Event) => {
+      const input = e.target as HTMLInputElement, typed = quantity(input.value.replaceAll('−', '-').replace(',', '.'));
       if (typed && typed.value > 0) setLimit(state, {...found, unit: typed.unit || found.unit}, typed.value);
-      else this.requestUpdate();
+      else refuse(input, this.app, valid, 'a number above 0');
     }}>`;
   }
-  /// The least margin of the same requirement in the other cases, with the case.
+  /// The least margin of the same requirement in the other cases, with the case; first of those that violate it and are binding.
   private elsewhere({cases}: Verdict, {kind, subject, requirement}: Requirement) {
     const others = cases.filter(c => c.case !== this.app.state.case).flatMap(c => c.requirements.filter(r => r.kind === kind && r.subject === subject && r.requirement === requirement && r.judged && r.margin !== null).map(r => ({in: c.case, binding: c.decides, r})));
-    const least = others.reduce<(typeof others)[number] | null>((best, one) => (!best || one.r.margin! < best.r.margin! ? one : best), null);
+    const decide = others.filter(o => o.binding && !o.r.met), told = [...decide.length ? decide : others].sort((a, b) => a.r.margin! - b.r.margin! || Number(b.binding) - Number(a.binding));
+    const least = told[0];
     if (!least) return '–';
     return html`<span class=${violatedClass(least.r, least.binding)}>${number(least.r.margin, 3)} ${least.in || 'base model'}${least.r.met || least.binding ? '' : ', not binding'}</span>`;
   }

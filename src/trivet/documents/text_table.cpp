@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "trivet/foundation/index.h"
 
@@ -118,7 +119,9 @@ FittedTable TextTable::fitted(const std::vector<bool>& kept) const {
   FittedTable found;
   add_part(shown, found.text);
   const std::vector<std::vector<bool>> others = parts_without(shown);
-  if (others.size() * (rows_.size() + 1) <= most_further_lines) {
+  if (!others.empty() && !is_named_by_first_column() && columns * (rows_.size() - 1) <= most_further_lines)
+    return {blocks(), {}};  // rows below each other could not be told apart
+  if (is_named_by_first_column() && others.size() * (rows_.size() + 1) <= most_further_lines) {
     for (const std::vector<bool>& part : others) add_part(part, found.text += "\n");
     return found;
   }
@@ -126,6 +129,12 @@ FittedTable TextTable::fitted(const std::vector<bool>& kept) const {
     if (!shown[c] && std::ranges::find(found.left_out, rows_.front()[c]) == found.left_out.end())
       found.left_out.push_back(rows_.front()[c]);
   return found;
+}
+
+/// Has each row another entry there?
+bool TextTable::is_named_by_first_column() const {
+  std::set<std::string> names;
+  return std::ranges::all_of(rows_, [&](const auto& row) { return names.insert(row.front()).second; });
 }
 
 /// The first column with the others that are not shown, as many as fit at a time.

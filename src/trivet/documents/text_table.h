@@ -28,8 +28,9 @@ class TextTable {
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   [[nodiscard]] std::string text() const;
   /// Columns that do not fit beside each other, from the right but for the first, those to keep, and the last if it has
-  /// words: a verdict or a remark. They follow below with the first column if that takes few lines, otherwise they are
-  /// left out. If even those to keep do not fit, each row is a block with a line for each column.
+  /// words: a verdict or a remark. They follow below with the first column, which must name each row, if that takes few
+  /// lines; otherwise they are left out. If even those to keep do not fit, each row is a block with a line for each
+  /// column.
   /// @param kept  columns to keep, if none are together
   [[nodiscard]] FittedTable fitted(const std::vector<bool>& kept) const;
 
@@ -41,6 +42,7 @@ class TextTable {
   [[nodiscard]] Layout layout() const;
   [[nodiscard]] std::string blocks() const;
   [[nodiscard]] std::vector<std::vector<bool>> parts_without(const std::vector<bool>& shown) const;
+  [[nodiscard]] bool is_named_by_first_column() const;
   void add_part(const std::vector<bool>& shown, std::string& text) const;
 
   std::vector<std::vector<std::string>> rows_;

@@ -34,6 +34,14 @@ TEST(FittedTable, ShowsOtherColumnsBelowIfThatTakesFewLines) {
   EXPECT_THAT(found.left_out, IsEmpty());
 }
 
+TEST(FittedTable, IsABlockForEachRowIfTheFirstColumnDoesNotNameIt) {
+  TextTable table({"force", "along", "isolation"}, 1, 18);
+  table.add({"rotor", "y", "0.9"});
+  table.add({"rotor", "z", "0.8"});
+  EXPECT_EQ(table.fitted({false, false, false}).text,
+            "  force: rotor\n    along: y\n    isolation: 0.9\n  force: rotor\n    along: z\n    isolation: 0.8\n");
+}
+
 TEST(FittedTable, LeavesOutColumnsFromTheRightAndNamesThem) {
   const FittedTable found = fitted(9, {"a", "b", "c"}, {"1", "2", "3"}, 1, many);
   EXPECT_THAT(found.text, StartsWith("  a   b\n  1   2\n"));
