@@ -34,7 +34,7 @@ std::string meant_unit(const std::string& unit, Quantity quantity) {
   return foundation::nearest_name(unit, candidates);
 }
 
-constexpr std::array<std::array<Quantity, 3>, 2> motions = {
+constexpr std::array<std::array<Quantity, 3>, 2> motions_in_si = {
     {{Quantity::length, Quantity::velocity, Quantity::acceleration},
      {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration}}};
 constexpr std::array names = {"displacement", "velocity", "acceleration"};
@@ -44,7 +44,7 @@ constexpr std::array plurals = {"displacements", "velocities", "accelerations"};
 
 std::string other_motion_advice(std::string_view text, Quantity quantity, std::string_view where, bool density) {
   if (!where.starts_with("excitations.") && !where.starts_with("limit_lines.")) return "";
-  for (const auto& kinds : motions) {
+  for (const auto& kinds : motions_in_si) {
     if (std::ranges::find(kinds, quantity) == kinds.end()) continue;
     for (std::size_t k = 0; k < kinds.size(); ++k)
       if (kinds[k] != quantity && (density ? to_density(text, kinds[k]) : to_si(text, kinds[k])))
