@@ -158,13 +158,15 @@ std::string first_findings(std::vector<std::string> words) {
 
 /// The least margin of the rules that a case on the map is charged with: a rule of another case on it counts there.
 double own_margin(const study::DesignMap& map, const study::MapMark& mark) {
-  double least =
-      mark.judged->governing.known() ? std::numeric_limits<double>::infinity() : mark.judged->governing.margin;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const std::string& of_case = map.rules[r].in_case;
     const bool counts_there = !of_case.empty() && of_case != mark.name &&
         std::ranges::any_of(map.marks, [&](const study::MapMark& one) { return one.name == of_case && one.judged; });
-    if (!counts_there) least = std::min(least, mark.judged->margins[r]);
+    if (counts_there) continue;
+    const double margin = mark.judged->margins[r];
+    if (std::isnan(margin)) return margin;  // unknown
+    least = std::min(least, margin);
   }
   return least;
 }
