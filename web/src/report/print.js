@@ -155,7 +155,7 @@ function divideLongTables() {
     const columns = Math.min(most, Math.max(2, Math.floor(PAPER_WIDTH / (widths[k] + COLUMN_GAP))));
     parentNode.style.columnCount = columns;
     // A short one does not continue on the next page, where its headings might be missing.
-    if (table.rows.length <= columns * FEW_ROWS) parentNode.style.breakInside = 'avoid';
+    if (table.rows.length <= 1.5 * columns * FEW_ROWS) parentNode.style.breakInside = 'avoid';
     undo.push(() => {
       parentNode.classList.remove('side-by-side');
       parentNode.style.columnCount = parentNode.style.breakInside = '';
