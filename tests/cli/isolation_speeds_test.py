@@ -53,4 +53,4 @@ class IsolationSpeeds(InTemporaryFolder):
         (one,) = self.requirements(orders)
         self.assertAlmostEqual(one["value"] / derived, 1, delta=1e-9)
         self.assertTrue(one["met"])
-        self.assertIn(f"√2 rms of the orders; {100 * bound / limit:.4g} % of the limit if in phase", one["detail"])
+        self.assertIn(f"√2 rms of all orders; in phase {100 * bound / limit:.4g} % of the limit", one["detail"])

@@ -22,7 +22,7 @@ void set_operating_value(const OperatingValue& found, const assembly::Band& spee
   if (speed.from < speed.to) result.detail = fmt::format("{:.5g} rpm", found.at * foundation::rpm_per_rad_s);
   constexpr double several = 1 + 1e-9;
   if (found.bound > several * found.amplitude() && result.allowed > 0)
-    result.detail += fmt::format("{}√2 rms of the orders; {:.4g} % of the limit if in phase",
+    result.detail += fmt::format("{}√2 rms of all orders; in phase {:.4g} % of the limit",
                                  result.detail.empty() ? "" : ", ", 100 * found.bound / result.allowed);
   if (!found.reason.empty()) result.detail += (result.detail.empty() ? "" : ", ") + found.reason;
 }
