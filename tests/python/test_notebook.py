@@ -42,7 +42,8 @@ def new_page(browser, still=True):
         viewport={"width": 1000, "height": 900}, reduced_motion="reduce" if still else "no-preference"
     )
     page, said = context.new_page(), []
-    page.on("console", lambda message: said.append(message.text))
+    # Chromium itself says that it draws in software.
+    page.on("console", lambda message: "GPU stall" in message.text or said.append(message.text))
     page.on("pageerror", lambda error: said.append(str(error)))
     return page, said
 
@@ -140,7 +141,8 @@ def test_a_still_has_the_whole_page_at_rest_and_nothing_compared(shown):
     page.wait_for_timeout(1500)
     heavier, kept = trivet.open(GENSET, {"bodies.genset.mass": "5000 kg"}), kept_in(widget)
     for command in ("scene", "modes", "curves", "roots", "check", "verdict"):
-        assert kept[command] == json.loads(heavier._inner.ask(command, "").json())
+        keys = {"quantity": "velocity"} if command == "curves" else {}  # that of the limit, which is shown first
+        assert kept[command] == json.loads(heavier._inner.ask(command, "", keys).json())
 
 
 def test_a_map_is_computed_when_the_user_asks_for_it(shown):

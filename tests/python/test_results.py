@@ -182,7 +182,7 @@ def test_json_is_that_of_the_documents(machine):
         ("genset/load_cases.toml", "verdict", "in"),
         ("genset/load_cases.toml", "check", "lbf"),
         ("track/bogie.toml", "random", "in/s²"),
-        ("genset/genset.toml", "orders", "in/s p-p"),
+        ("genset/genset.toml", "orders", "in/s"),
     ],
 )
 def test_print_follows_the_units(path, analysis, words):
