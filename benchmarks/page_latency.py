@@ -51,7 +51,10 @@ OBJECTS = """() => {
   const {memory, programs} = document.querySelector('machine-view').stage.renderer.info;
   return {heap: performance.memory.usedJSHeapSize, geometries: memory.geometries, textures: memory.textures, programs: programs.length};
 }"""
-SLIDER = "() => { const {app} = document.querySelector('curve-chart'); return {settings: app.state.change.settings, drawn: app.display.drawn ?? []}; }"
+SLIDER = """() => {
+  const {app} = document.querySelector('curve-chart');
+  return {settings: app.state.change.settings, drawn: app.display.drawn ?? [], bodies: app.asker.result('modes').bodies.length};
+}"""
 
 
 def spread(times):
@@ -59,12 +62,13 @@ def spread(times):
     return f'median {statistics.median(ordered):.1f} ms, 95 % {ordered[int(0.95 * len(ordered))]:.1f} ms'
 
 
-def answer_times(address, settings, drawn, count=200):
+def answer_times(address, settings, drawn, bodies, count=200):
     """Of questions like those of a moving slider, by a client that does nothing else; and their size in bytes."""
     place, token = address.removeprefix('http://').split('/#token=')
     path, value = settings[0].split(' = ')
     number, *unit = value.strip('"').split()
     curves = {'command': 'curves', 'keys': {'draft': True, **({'of': drawn} if drawn else {})}}
+    modes = {'command': 'modes', **({'keys': {'shapes-of': 1}} if bodies > 1 else {})}
     connection, times, size = http.client.HTTPConnection(place), [], 0
     for step in range(count):
         moved = f'{float(number) * (0.8 + 0.4 * (step * 37 % 101) / 101)!r} {" ".join(unit)}'.strip()
@@ -73,7 +77,7 @@ def answer_times(address, settings, drawn, count=200):
             'revision': step,
             'settings': [setting],
             'case': '',
-            'wants': [{'command': 'scene'}, {'command': 'modes'}, curves],
+            'wants': [{'command': 'scene'}, modes, curves],
         }
         headers = {
             'Content-Type': 'application/json',
