@@ -60,7 +60,7 @@ void add_attribute(hid_t object, const char* name, const std::string& text) {
   const Handle type(text_type(), H5Tclose), space(H5Screate(H5S_SCALAR), H5Sclose);
   const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   const char* const words = text.c_str();
-  require(H5Awrite(attribute, type, &words));
+  require(H5Awrite(attribute, type, static_cast<const void*>(&words)));
 }
 
 hid_t space_of(const std::vector<std::size_t>& shape) {
@@ -85,7 +85,7 @@ hid_t dataset(hid_t group, const std::string& name, const LabelledArray& array) 
     const Handle type(text_type(), H5Tclose);
     std::vector<const char*> words;
     for (const std::string& text : array.texts()) words.push_back(text.c_str());
-    return written_set(group, name, array.shape, type, words.data());
+    return written_set(group, name, array.shape, type, static_cast<const void*>(words.data()));
   }
   if (array.is_complex()) {
     const Handle type(complex_type(), H5Tclose);
