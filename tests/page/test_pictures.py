@@ -132,6 +132,9 @@ def test_the_picture_is_that_of_the_last_step_of_a_slider(serve):
     for step in range(12):
         slider.fill(str(500 + 40 * step))
     settled(page)
+    page.wait_for_function(
+        "() => { const {stage} = document.querySelector('machine-view'); return !stage.isBehind && !stage.wanted; }"
+    )
     page.wait_for_timeout(200)
     shown = picture(stage)
     page.evaluate("() => document.querySelector('machine-view').stage.drawNow()")

@@ -10,10 +10,11 @@
 namespace trivet::server {
 
 void OpenedSessions::permit(PermittedFiles files) {
+  decltype(kept_) ended;  // destroyed without the lock
   const std::scoped_lock guard(lock_);
   files_ = std::move(files);
   ++permission_;
-  kept_.clear();
+  ended.swap(kept_);
 }
 
 PermittedFiles OpenedSessions::files(std::size_t* permission) const {

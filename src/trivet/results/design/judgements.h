@@ -60,10 +60,10 @@ struct JudgementSentence {
 [[nodiscard]] std::vector<std::string> failed_checks(const std::vector<study::CheckLine>& checks,
                                                      const study::CaseResults& results);
 
-/// "1 warning", "2 warnings"
-/// Where a study has nothing to judge by.
+/// Said of a study that has nothing to judge by.
 inline constexpr const char* nothing_judged = "Not judged: the file has no requirements, limits, clearances or map.";
 
+/// "1 warning", "2 warnings"
 [[nodiscard]] std::string count_words(std::size_t count, const std::string& one);
 
 }  // namespace trivet::results
