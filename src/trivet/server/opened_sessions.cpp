@@ -86,7 +86,7 @@ foundation::Expected<OpenedSessions::Shared> OpenedSessions::of(const std::strin
   const foundation::ThreadProgress of_opening(progress);
   std::size_t permission = 0;
   const PermittedFiles permitted = files(&permission);  // before that of the text: it may become a newer one
-  const auto base = opened(client, text);
+  auto base = opened(client, text);
   if (!base || settings.empty()) return base;
   if (auto refused = permitted.refused_in_settings(settings); refused.has_errors())
     return tl::make_unexpected(std::move(refused));
