@@ -279,7 +279,9 @@ class Curves(unittest.TestCase):
             draft, whole = result("curves", file, "--draft"), result("curves", file)
             self.assertEqual((draft["peaks"], draft["limits"]), ([], []))
             self.assertTrue(all(one["extrema"] == [] for one in draft["results"]))
-            self.assertEqual((draft["band"], draft["natural"]), (whole["band"], whole["natural"]))
+            self.assertEqual(draft["natural"], whole["natural"])
+            for a, b in zip(draft["band"], whole["band"]):  # a root may be the highest, and a draft does not refine it
+                self.assertAlmostEqual(a, b, delta=1e-9 * b)
             first, second = Model(draft["models"][0]), Model(whole["models"][0])
             low, high = draft["band"]
             chance = random.Random(54)

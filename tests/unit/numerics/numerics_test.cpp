@@ -140,6 +140,22 @@ TEST(QuadraticRoots, ModalBasisAndCompanionAgree) {
   }
 }
 
+TEST(QuadraticRoots, ValuesAloneAreThoseThatHaveVectors) {
+  constexpr double relative = 1e-7;  // of the largest: a double root of a free body splits to √ε
+  for (unsigned seed = 1; seed < 12; ++seed)
+    for (const auto damping : {test::RandomDamping::none, test::RandomDamping::viscous, test::RandomDamping::loss}) {
+      const bool supported = seed % 3 > 0;
+      const DynamicMatrices m =
+          assembly::assemble(test::checked(test::RandomSystem(seed).description(2, damping, supported))).matrices;
+      const SystemRoots both = system_roots(m), alone = system_roots(m, RootParts::values);
+      EXPECT_EQ(alone.roots.vectors.cols(), 0);
+      ASSERT_EQ(alone.roots.lambda.size(), both.roots.lambda.size()) << "seed " << seed;
+      const double scale = both.roots.lambda.cwiseAbs().maxCoeff();
+      for (const Complex& root : both.roots.lambda)
+        EXPECT_LE((alone.roots.lambda.array() - root).abs().minCoeff(), relative * scale) << "seed " << seed;
+    }
+}
+
 TEST(QuadraticRoots, RefinementRecoversALightDampingRatio) {
   // ζ = 1e-7 and a second, stiff, well-damped coordinate: a double eigensolver gives few digits of Re λ.
   DynamicMatrices m{Eigen::MatrixXd::Identity(2, 2),

@@ -55,9 +55,12 @@ StateForm state_form(const DynamicMatrices& given, const Eigen::MatrixXcd& given
   return form;
 }
 
-GeneralEigen eigen_of_states(const StateForm& form) {
+GeneralEigen eigen_of_states(const StateForm& form, RootParts parts) {
   assert(form.state.rows() == form.state.cols());
-  GeneralEigen found = form.real ? general_eigen(Eigen::MatrixXd(form.state.real())) : general_eigen(form.state);
+  const auto solve = [&](const auto& state) {
+    return parts == RootParts::values ? general_eigenvalues(state) : general_eigen(state);
+  };
+  GeneralEigen found = form.real ? solve(Eigen::MatrixXd(form.state.real())) : solve(form.state);
   if (!found.converged) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
   return found;
 }
@@ -77,7 +80,7 @@ void normalise_by_largest(Eigen::Ref<Eigen::VectorXcd> v, const Eigen::VectorXd&
 }  // namespace
 
 QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::MatrixXd& B,
-                                    const Eigen::MatrixXd& K_loss) {
+                                    const Eigen::MatrixXd& K_loss, RootParts parts) {
   const Eigen::Index n = omega.size();
   assert((omega.array() >= 0).all() && B.rows() == n && B.cols() == n && (K_loss.size() == 0 || K_loss.rows() == n));
   const double damping_scale = B.size() > 0 ? B.cwiseAbs().maxCoeff() : 0;
@@ -107,12 +110,13 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
   }
   QuadraticRoots result;
   GeneralEigen found;
-  if (s + m > 0) found = eigen_of_states({state, {}, {}, K_loss.size() == 0});
+  if (s + m > 0) found = eigen_of_states({state, {}, {}, K_loss.size() == 0}, parts);
   const Eigen::Index drifting = n - s;  // each coordinate without stiffness has one zero root (constant displacement) …
   const auto resting_count = to_index(resting.size());  // … and, undamped, a second one (constant velocity)
   result.lambda = Eigen::VectorXcd::Zero(s + m + drifting + resting_count);
-  result.vectors = Eigen::MatrixXcd::Zero(n, result.lambda.size());
+  result.vectors = Eigen::MatrixXcd::Zero(n, parts == RootParts::values ? 0 : result.lambda.size());
   result.lambda.head(s + m) = found.values;
+  if (parts == RootParts::values) return result;
   const Eigen::VectorXd weight = Eigen::VectorXd::Ones(n);
   for (Eigen::Index k = 0; k < s + m; ++k) {
     for (Eigen::Index i = 0; i < m; ++i) result.vectors(moving[i], k) = found.vectors(s + i, k);
@@ -126,11 +130,12 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
   return result;
 }
 
-QuadraticRoots roots_from_states(const DynamicMatrices& matrices) {
+QuadraticRoots roots_from_states(const DynamicMatrices& matrices, RootParts parts) {
   const StateForm form = state_form(matrices, Eigen::MatrixXcd::Zero(matrices.size(), 0));
   if (!form.state.allFinite())
     throw foundation::NotComputable("a coordinate without mass is not supported by stiffness or damping");
-  const GeneralEigen found = eigen_of_states(form);
+  const GeneralEigen found = eigen_of_states(form, parts);
+  if (parts == RootParts::values) return {found.values, Eigen::MatrixXcd(matrices.size(), 0)};
   QuadraticRoots result{found.values, form.output * found.vectors};
   const Eigen::VectorXd weight = unit_scale(matrices).cwiseInverse();
   for (Eigen::Index k = 0; k < result.lambda.size(); ++k) normalise_by_largest(result.vectors.col(k), weight);

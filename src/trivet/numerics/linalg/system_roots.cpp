@@ -21,15 +21,16 @@ using foundation::epsilon;
 /// Extended-precision refinement costs n³ per root; larger systems use the double eigensolver alone.
 constexpr Eigen::Index largest_refined = 60;
 
-QuadraticRoots undamped_roots(const GeneralizedModes& modes) {
+QuadraticRoots undamped_roots(const GeneralizedModes& modes, RootParts parts) {
   const Eigen::Index n = modes.lambda.size();
   QuadraticRoots result;
   result.lambda.resize(2 * n);
-  result.vectors.resize(modes.shapes.rows(), 2 * n);
+  result.vectors.resize(modes.shapes.rows(), parts == RootParts::values ? 0 : 2 * n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Complex root = std::sqrt(Complex(-modes.lambda(i), 0));
     result.lambda(2 * i) = root;
     result.lambda(2 * i + 1) = -root;
+    if (parts == RootParts::values) continue;
     result.vectors.col(2 * i) = result.vectors.col(2 * i + 1) = modes.shapes.col(i).cast<Complex>();
   }
   return result;
@@ -76,14 +77,14 @@ void part_free_motions(const DynamicMatrices& m, const std::vector<Eigen::Index>
 
 }  // namespace
 
-SystemRoots system_roots(const DynamicMatrices& m) {
+SystemRoots system_roots(const DynamicMatrices& m, RootParts parts) {
   if (const PartedSystem parted = parted_system(m); parted.any) {
-    SystemRoots result = system_roots(parted.matrices);
+    SystemRoots result = system_roots(parted.matrices, parts);
     result.roots.vectors = (parted.basis * result.roots.vectors).eval();
     return result;
   }
   if (const ReducedSystem reduced = reduced_system(m); reduced.any) {
-    SystemRoots result = system_roots(reduced.matrices);
+    SystemRoots result = system_roots(reduced.matrices, parts);
     result.roots.vectors = (reduced.recovery * result.roots.vectors).eval();
     return result;
   }
@@ -91,7 +92,7 @@ SystemRoots system_roots(const DynamicMatrices& m) {
   const bool massless = massive.A.rows() < m.size();
   const GeneralizedModes modes = generalized_modes(massive.K, massive.A, m.symmetric);
   const bool complete = modes.complex_pairs == 0 && modes.lambda.size() == m.size();
-  if (complete && m.B.cwiseAbs().maxCoeff() == 0 && !m.lossy()) return {undamped_roots(modes), 0};
+  if (complete && m.B.cwiseAbs().maxCoeff() == 0 && !m.lossy()) return {undamped_roots(modes, parts), 0};
   QuadraticRoots result;
   const bool basis_is_orthonormal =
       !massless && modes.route == ModeRoute::definite_mass && modes.lambda.minCoeff() >= 0;
@@ -105,12 +106,12 @@ SystemRoots system_roots(const DynamicMatrices& m) {
     const Eigen::MatrixXd damping = without_round_off(phi, m.B, free);
     Eigen::MatrixXd loss;
     if (m.lossy()) loss = without_round_off(phi, m.K_loss, free);
-    result = roots_in_modal_basis(modes.lambda.cwiseSqrt(), damping, loss);
+    result = roots_in_modal_basis(modes.lambda.cwiseSqrt(), damping, loss, parts);
     result.vectors = (phi * result.vectors).eval();
   } else {
-    result = roots_from_states(m);
+    result = roots_from_states(m, parts);
   }
-  if (m.size() <= largest_refined) refine_roots(m, result);
+  if (parts != RootParts::values && m.size() <= largest_refined) refine_roots(m, result);
   return {result, basis_is_orthonormal ? 0 : rest_limit(result, 2 * (modes.lambda.array() == 0).count())};
 }
 

@@ -43,10 +43,12 @@ Eigen::VectorXcd CaseContext::resonances() const {
   return natural;
 }
 
-assembly::Band default_band(const CaseContext& c) {
+assembly::Band default_band(const CaseContext& c) { return default_band(c, c.roots().poles); }
+
+assembly::Band default_band(const CaseContext& c, const Eigen::VectorXcd& poles) {
   double highest = 0;
   for (const modal::Mode& mode : c.modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
-  for (const modal::Root& root : c.roots().list) highest = std::max(highest, root.damped_angular_frequency.value_or(0));
+  if (poles.size() > 0) highest = std::max(highest, poles.imag().maxCoeff());
   assembly::Band band{0, highest > 0 ? default_band_factor * highest : 1.0};
   for (const assembly::ElementMap& map : c.assembled.elements)
     band = {std::max(band.from, map.defined_from), std::min(band.to, map.defined_to)};

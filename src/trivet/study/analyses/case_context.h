@@ -29,13 +29,16 @@ class CaseContext {
   const modal::Modes& modes;
 
   [[nodiscard]] const modal::Roots& roots() const { return solved_->roots(); }
+  [[nodiscard]] const Eigen::VectorXcd& rough_poles() const { return solved_->rough_poles(); }
   /// Poles near which a response is checked: the damped roots, or the natural frequencies iω of a large model, whose
   /// roots would take longer than its response.
   [[nodiscard]] Eigen::VectorXcd resonances() const;
 };
 
-/// Band from 0 to 1.3 times the highest natural frequency, within the tables of the elements.
+/// Band from 0 to 1.3 times the highest natural frequency, damped or not, within the tables of the elements.
 [[nodiscard]] assembly::Band default_band(const CaseContext& context);
+/// The same with these poles instead of the refined ones.
+[[nodiscard]] assembly::Band default_band(const CaseContext& context, const Eigen::VectorXcd& poles);
 
 /// True if the damped roots of so large a model are not computed, because only its lowest modes are requested.
 [[nodiscard]] bool is_too_large_for_roots(const assembly::Assembled& assembled);

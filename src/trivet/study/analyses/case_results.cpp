@@ -210,6 +210,11 @@ class CaseStudy {
     return result;
   }
 
+  /// A model that is only drawn, without extrema, needs few digits of the poles: it states its own error.
+  [[nodiscard]] const Eigen::VectorXcd& poles() const {
+    return extent_ == Extent::model && !with_extrema_ ? c_.rough_poles() : c_.roots().poles;
+  }
+
   ResponseResult response_of(const project::ResponseRequest& request) {
     const DrivenChannels driven = driven_channels(c_.system, c_.assembled, request.selection);
     ResponseResult result;
@@ -220,14 +225,14 @@ class CaseStudy {
     const response::Peaks peaks = needs_peaks ? peaks_of(request.selection) : response::Peaks{};
     std::vector<double> grid = request.at;
     if (grid.empty()) {
-      result.band = request.band ? *request.band : default_band(c_);
+      result.band = request.band ? *request.band : default_band(c_, poles());
       if (!(result.band.from < result.band.to))
         throw foundation::NotComputable(
             "response: the tables of the elements and the natural frequencies have no band in common; give a band");
       if (request.spacing == project::Spacing::linear) grid = response::linear_grid(result.band, request.points);
       else if (request.spacing == project::Spacing::automatic) {
-        result.model = response::curve_model(c_.assembled, driven.channels, driven.load, c_.roots().poles, peaks,
-                                             result.band, {}, c_.progress);
+        result.model = response::curve_model(c_.assembled, driven.channels, driven.load, poles(), peaks, result.band,
+                                             {}, c_.progress);
         result.extrema = response::extrema(peaks, result.band);
         result.extrema.resize(driven.channels.size());  // without peaks there are none
         if (extent_ == Extent::model) return drawn_alone(driven, peaks, std::move(result));

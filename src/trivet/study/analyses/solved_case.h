@@ -23,9 +23,14 @@ class SolvedCase {
   /// Damped roots, computed when they are first needed.
   [[nodiscard]] const modal::Roots& roots() const;
 
+  /// The poles of all responses, as a drawing needs them: without refinement, so that light damping has few digits;
+  /// those of `roots` if elements depend on frequency. Computed when they are first needed.
+  [[nodiscard]] const Eigen::VectorXcd& rough_poles() const;
+
  private:
-  mutable std::once_flag roots_once_;
+  mutable std::once_flag roots_once_, rough_poles_once_;
   mutable modal::Roots roots_;
+  mutable Eigen::VectorXcd rough_poles_;
 };
 
 }  // namespace trivet::study
