@@ -198,6 +198,7 @@ export interface Requirement {
   shown_requirement?: string;  // as the table of the program has it, at its levels
   shown_value?: string;
   unit: string;
+  level?: string | null;  // of `allowed` and `value`: "0-p", "rms", "p-p"
   allowed: number | null;
   value: number | null;
   margin: number | null;

@@ -95,3 +95,9 @@ test('a height of the chart is the amplitude that is drawn there', () => {
     assert.ok(Math.abs(amplitudeAt(shownAmplitude(2e-3, scale, display)!, scale, display) - 2e-3) < 1e-15);
   }
 });
+test('a limit at a speed is drawn zero-to-peak, whatever its level in the file', () => {
+  const curves = {results: [{name: 'm.z', unit: 'm'}], models: [{excitations: []}]} as unknown as Curves;
+  const speed = (level: string) => limited({kind: 'operation', level, speed: [40, 40], band: null, allowed: 1e-3, value: 2e-3});
+  const drawn = limitsOf(curves, 0, ['rms', '0-p', 'p-p'].map(speed)).drawn.map(({requirement: {allowed, value}}) => [allowed! * 1e3, value! * 1e3]);
+  assert.deepEqual(drawn, [[Math.SQRT2, 2 * Math.SQRT2], [1, 2], [0.5, 1]]);
+});

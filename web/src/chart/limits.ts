@@ -33,7 +33,7 @@ export function limitsOf(curves: Curves, model: number, requirements: readonly R
       : order !== null ? `it holds for order ${order} of the shaft alone`
       : kind === 'amplitude' && excitations.length && !sameNames(excitations, drives) ? `it holds under ${excitations.join(', ')} alone` : '';
     if (why) not.push({words: requirement.requirement, why});
-    else drawn.push({requirement, result: subject, from: (speed ?? band)?.[0] ?? 0, to: (speed ?? band)?.[1] ?? Infinity, isOfCurve: speed === null && kind !== 'steady'});
+    else drawn.push({requirement: atZeroToPeak(requirement), result: subject, from: (speed ?? band)?.[0] ?? 0, to: (speed ?? band)?.[1] ?? Infinity, isOfCurve: speed === null && kind !== 'steady'});
   }
   for (const line of curves.lines ?? []) {
     const curve = curves.results.find(r => r.name === line.result);
@@ -45,6 +45,11 @@ export function limitsOf(curves: Curves, model: number, requirements: readonly R
 export function unitOfFirstLimit({cases}: Verdict, {lines = []}: Curves): string | null {
   const first = cases.filter(c => c.decides).flatMap(c => c.requirements).find(r => ['amplitude', 'operation', 'steady', 'limit_line', 'rms', 'largest'].includes(r.kind));
   return first?.kind === 'limit_line' ? lines.find(l => l.result === first.subject)?.unit ?? null : first?.unit ?? null;
+}
+/// Its numbers as the curves have theirs, zero-to-peak: at a speed of the machine they are at the level of the file.
+function atZeroToPeak(r: Requirement): Requirement {
+  const factor = ({rms: Math.SQRT2, 'p-p': 0.5} as Record<string, number>)[r.level ?? ''] ?? 1, times = (value: number | null) => value === null ? null : value * factor;
+  return factor === 1 ? r : {...r, allowed: times(r.allowed), value: times(r.value)};
 }
 const withMargin = (r: Requirement) => `${r.shown_requirement ?? r.requirement} (${!r.judged ? 'not judged' : `margin ${number(r.margin ?? Infinity, 3)}`})`;
 const otherQuantity = (limited: string, drawn: string) => `it limits the ${quantityName(limited)}, the curve is the ${quantityName(drawn)}`;

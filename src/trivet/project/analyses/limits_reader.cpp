@@ -41,7 +41,8 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
       const auto si = to_si_at_level(value.text, *names.component(name, quantity), levels);
       if (!si) continue;
       if (!(*si > 0)) reader.error(key, value_text(value), "a limit is > 0", "change it");
-      limits.push_back({name, quantity, *si, {}, {}, {}});
+      const Level level = split_level(value.text).level.value_or(Level::amplitude);
+      limits.push_back({name, quantity, *si, {}, {}, {}, {}, level});
       return;
     }
   if (value.kind == Node::Kind::text && levels != Levels::none)
@@ -95,14 +96,14 @@ void read_scoped_limit(TableReader& reader, const std::string& name, const Node&
   }
 }
 
-/// Reports two limits of one quantity: the larger one has no effect.
-void check_limits_differ(TableReader& reader, const std::string& name, const Node& list,
+/// Reports two limits of one quantity: the larger one has no effect. Of several orders each level is another number.
+void check_limits_differ(TableReader& reader, const std::string& name, const Node& list, Levels levels,
                          const std::vector<AmplitudeLimit>& limits) {
   for (std::size_t i = 0; i < limits.size(); ++i)
     for (std::size_t j = i + 1; j < limits.size(); ++j)
       if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity &&
           limits[i].band == limits[j].band && limits[i].excitations == limits[j].excitations &&
-          limits[i].speed == limits[j].speed)
+          limits[i].speed == limits[j].speed && (levels != Levels::of_orders || limits[i].level == limits[j].level))
         return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()),
                                               "the larger of two limits of one quantity has no effect",
                                               "keep the smaller"));
@@ -141,7 +142,7 @@ std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std:
       reader.error(name, "an empty list", "a list of limits has at least one", "write one, or remove the line");
     } else if (value.kind == Node::Kind::array) {
       for (std::size_t item = 0; item < value.items.size(); ++item) read_one(name, value.items[item], item);
-      check_limits_differ(reader, name, value, limits);
+      check_limits_differ(reader, name, value, levels, limits);
     } else {
       read_one(name, value);
     }

@@ -105,7 +105,7 @@ OperationAnalysis read_operation(TableReader& reader, const ResultNames& names, 
     if (std::ranges::find(known, name) == known.end()) known.push_back(name);
   request.selection.excitations = read_selected(reader, known, "harmonic or order");
   request.limits =
-      read_amplitude_limits(reader, "limits", names, assembly::MotionQuantity::displacement, Levels::of_harmonic);
+      read_amplitude_limits(reader, "limits", names, assembly::MotionQuantity::displacement, Levels::of_orders);
   request.bands = read_bands(reader, "bands");
   return request;
 }
@@ -144,7 +144,7 @@ const AnalysisReader operation_analysis = read_into<&Analyses::operation, read_o
    "excitations": {"$ref": "#/$defs/selected_excitations",
      "description": "that run; default: orders, unbalances and harmonic forces on bodies"},
    "limits": {"$ref": "#/$defs/amplitude_limits",
-     "description": "\"BODY.x\" = largest amplitude at each of the speeds, all orders together"},
+     "description": "\"BODY.x\" = largest value at each of the speeds, all orders together, at its level (rms, 0-p, p-p; without one 0-p)"},
    "bands": {"$ref": "#/$defs/bands",
      "description": "also the root mean square of the orders in each band, judged by limit lines over such bands"}},
   "required": ["speeds"]})json"});

@@ -8,6 +8,7 @@
 #include "trivet/model/harmonic_force.h"
 #include "trivet/model/system.h"
 #include "trivet/project/analyses/analysis.h"
+#include "trivet/project/text/level.h"
 
 namespace trivet::project {
 
@@ -21,6 +22,7 @@ struct AmplitudeLimit {
   std::optional<assembly::Band> speed;                  ///< of a shaft, whose orders then drive it one by one
   /// Keys that lead to its number in the file; an item of a list by its place from 0: {"limits", "machine.z"}.
   std::vector<std::string> place = {};
+  Level level = Level::amplitude;  ///< at which the file gives it; `amplitude` is that of one harmonic at this level
 
   /// True if it is judged in the band and under the excitations of all limits.
   [[nodiscard]] bool has_common_scope() const { return !band && !excitations && !speed; }

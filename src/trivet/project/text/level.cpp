@@ -56,7 +56,7 @@ tl::expected<double, std::string> to_si_at_level(std::string_view text, Quantity
   if (!split.level) return to_si(text, quantity);
   if (const auto reason = reason_against(levels, *split.level)) return tl::make_unexpected(*reason);
   auto value = to_si(split.number, quantity);
-  if (value && levels == Levels::of_harmonic && *split.level != wanted)
+  if (value && (levels == Levels::of_harmonic || levels == Levels::of_orders) && *split.level != wanted)
     *value *= level_factor(wanted) / level_factor(*split.level);
   return value;
 }

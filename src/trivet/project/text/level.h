@@ -25,6 +25,7 @@ enum class Level { amplitude, peak_to_peak, rms };
 enum class Levels {
   none,         ///< no vibration, or one without a level
   of_harmonic,  ///< an amplitude: it is converted from every level
+  of_orders,    ///< the same of several orders together, whose levels are not shares of one another: each is judged
   of_random,    ///< the root mean square of a random vibration or of a band: only "rms"
   of_largest    ///< the largest magnitude over time: only "0-p"
 };

@@ -80,10 +80,13 @@ Table operating_values(const OperationResult& found) {
            row("amplitude", Kind::amplitude, "", [](const ValueRow& one) { return one.what->amplitude(); }),
            row("rms", Kind::quantity, "", [](const ValueRow& one) { return one.what->rms; }),
            row("bound", Kind::quantity, "", [](const ValueRow& one) { return one.what->bound; }),
+           row("peak", Kind::quantity, "", [](const ValueRow& one) { return one.what->peak; }),
+           row("span", Kind::quantity, "", [](const ValueRow& one) { return one.what->span; }),
            row("at", Kind::speed, "", [](const ValueRow& one) { return one.what->at; }),
            row("order", Kind::number, "", [](const ValueRow& one) { return one.what->order; }),
            row("reason", Kind::words, "", [](const ValueRow& one) { return one.what->reason; }, {.forms = in_json})}),
-      .csv = {"from [rpm]", "to [rpm]", "name", "quantity", "unit", "amplitude", "rms", "bound", "at [rpm]", "order"},
+      .csv = {"from [rpm]", "to [rpm]", "name", "quantity", "unit", "amplitude", "rms", "bound", "peak", "span",
+              "at [rpm]", "order"},
       .forms = for_programs};
 }
 
@@ -208,21 +211,29 @@ Table shown_isolation(const OperatingSpeed& at, bool several_orders) {
           .forms = for_people};
 }
 
+/// What people see of a value: of one order its amplitude, at the level of [display]; of several their root mean
+/// square, because their peak is another number than √2 times it.
+std::pair<Kind, double (*)(const OperatingValue&)> shown_values(bool several_orders) {
+  if (several_orders) return {Kind::quantity, [](const OperatingValue& value) { return value.rms; }};
+  return {Kind::amplitude, [](const OperatingValue& value) { return value.amplitude(); }};
+}
+
 Table shown_motions(const OperatingSpeed& at, bool several_orders) {
   const Rows row(at.motions);
   std::vector<Use> columns = {"name", "velocity", "displacement"};
   if (several_orders) columns.emplace_back("order");
   if (at.is_range()) columns.insert(columns.end(), {"at", "displacement_at"});
+  const auto [kind, shown] = shown_values(several_orders);
   return {.title = at.is_range() ? "Largest motion" : "Motion",
           .rows = row.size(),
           .columns = {row("name", Kind::words, "result", [](const OperatingMotion& m) { return m.displacement.name; }),
                       row("unit", Kind::words, "", [](const OperatingMotion& m) { return m.displacement.unit; }),
                       row("velocity_unit", Kind::words, "", [](const OperatingMotion& m) { return m.velocity.unit; }),
-                      row("velocity", Kind::amplitude, "velocity",
-                          [](const OperatingMotion& m) { return m.velocity.amplitude(); },
+                      row("velocity", kind, several_orders ? "velocity, rms" : "velocity",
+                          [shown](const OperatingMotion& m) { return shown(m.velocity); },
                           {.unit = "@velocity_unit", .digits = 4}),
-                      row("displacement", Kind::amplitude, "displacement",
-                          [](const OperatingMotion& m) { return m.displacement.amplitude(); }, {.digits = 4}),
+                      row("displacement", kind, several_orders ? "displacement, rms" : "displacement",
+                          [shown](const OperatingMotion& m) { return shown(m.displacement); }, {.digits = 4}),
                       row("order", Kind::number, "most in order",
                           [](const OperatingMotion& m) { return m.velocity.order; }),
                       row("at", Kind::speed, "velocity at", [](const OperatingMotion& m) { return m.velocity.at; }),
@@ -253,22 +264,23 @@ std::vector<ForceOfPlace> forces_of_places(const OperatingSpeed& at) {
   return list;
 }
 
-Table shown_forces(const OperatingSpeed& at) {
+Table shown_forces(const OperatingSpeed& at, bool several_orders) {
   const Rows row(forces_of_places(at));
-  const auto along = [&row](int axis, const char* name, const char* heading) {
+  const auto [kind, shown] = shown_values(several_orders);
+  const auto along = [&row, kind, shown](int axis, const char* name, const char* heading) {
     return row(
-        name, Kind::amplitude, heading,
-        [axis](const ForceOfPlace& one) { return one.along[axis] ? Json(one.along[axis]->amplitude()) : Json(); },
+        name, kind, heading,
+        [axis, shown](const ForceOfPlace& one) { return one.along[axis] ? Json(shown(*one.along[axis])) : Json(); },
         {.unit = "N", .digits = 4});
   };
-  return {
-      .title = std::string(at.is_range() ? "Largest forces" : "Forces") + " on the ground, in total and of each mount",
-      .rows = row.size(),
-      .columns = {row("place", Kind::words, "on the ground by", &ForceOfPlace::place), along(0, "x", "x"),
-                  along(1, "y", "y"), along(2, "z", "z")},
-      .most_rows = 40,
-      .one_prefix = true,
-      .forms = for_people};
+  return {.title = std::string(at.is_range() ? "Largest forces" : "Forces") +
+              " on the ground, in total and of each mount" + (several_orders ? ", rms" : ""),
+          .rows = row.size(),
+          .columns = {row("place", Kind::words, "on the ground by", &ForceOfPlace::place), along(0, "x", "x"),
+                      along(1, "y", "y"), along(2, "z", "z")},
+          .most_rows = 40,
+          .one_prefix = true,
+          .forms = for_people};
 }
 
 Table shown_modes(const OperatingSpeed& at) {
@@ -293,15 +305,30 @@ struct LimitRow {
   const OperatingLimit* what;
 };
 
-std::vector<Column> limit_columns(const Rows<LimitRow>& row) {
+/// A number of a limit with its unit and its level.
+std::string at_its_level(const OperatingLimit& limit, double number, const project::DisplayUnits& display) {
+  DisplayUnit unit = display_unit(display, limit.value.unit);
+  if (unit.unit != "1") unit.level = std::string(" ") + project::level_ending(limit.level);
+  return std::isfinite(number) ? value_text(number, unit) : "∞";
+}
+
+std::vector<Column> limit_columns(const Rows<LimitRow>& row, const project::DisplayUnits& display = {}) {
   const auto of_value = [](auto member) { return [member](const LimitRow& one) { return one.what->value.*member; }; };
   return {
       row("name", Kind::words, "result", of_value(&OperatingValue::name)),
       row("quantity", Kind::words, "", [](const LimitRow& one) { return study::motion_name(one.what->quantity); }),
       row("unit", Kind::words, "", of_value(&OperatingValue::unit)),
-      row("value", Kind::amplitude, "value", [](const LimitRow& one) { return one.what->value.amplitude(); },
-          {.digits = 4}),
-      row("allowed", Kind::amplitude, "limit", [](const LimitRow& one) { return one.what->allowed; }, {.digits = 4}),
+      row("level", Kind::words, "", [](const LimitRow& one) { return project::level_ending(one.what->level); },
+          {.forms = for_programs}),
+      row("value", Kind::quantity, "", [](const LimitRow& one) { return one.what->judged(); }, {.forms = for_programs}),
+      row("value", Kind::number, "value",
+          [display](const LimitRow& one) { return at_its_level(*one.what, one.what->judged(), display); },
+          {.forms = for_people}),
+      row("allowed", Kind::quantity, "", [](const LimitRow& one) { return one.what->allowed; },
+          {.forms = for_programs}),
+      row("allowed", Kind::number, "limit",
+          [display](const LimitRow& one) { return at_its_level(*one.what, one.what->allowed, display); },
+          {.forms = for_people}),
       row("share", Kind::share, "of the limit", [](const LimitRow& one) { return one.what->share(); }),
       row("at", Kind::speed, "at", of_value(&OperatingValue::at)),
       row("met", Kind::yes_no, "", [](const LimitRow& one) { return one.what->met(); }, {.forms = for_programs}),
@@ -322,7 +349,7 @@ Table limits_of_all_speeds(const OperationResult& found) {
           .forms = in_json};
 }
 
-Table shown_limits(const OperatingSpeed& at) {
+Table shown_limits(const OperatingSpeed& at, const project::DisplayUnits& display) {
   std::vector<LimitRow> list;
   for (const OperatingLimit& one : at.limits) list.push_back({&at, &one});
   const Rows row(std::move(list));
@@ -331,7 +358,7 @@ Table shown_limits(const OperatingSpeed& at) {
   columns.emplace_back("verdict");
   return {.title = "Limits, all orders together",
           .rows = row.size(),
-          .columns = limit_columns(row),
+          .columns = limit_columns(row, display),
           .people = std::move(columns),
           .mark = [&at](std::size_t i) { return at.limits[i].met() ? Mark::plain : Mark::bad; },
           .forms = for_people};
@@ -357,15 +384,15 @@ std::string undefined_isolation(const OperatingSpeed& at) {
   return reasons.empty() ? std::string() : fmt::format("Isolation not defined: {}", fmt::join(reasons, "; "));
 }
 
-Group shown_speed(const OperatingSpeed& at, bool several_orders) {
+Group shown_speed(const OperatingSpeed& at, bool several_orders, const project::DisplayUnits& display) {
   Group group{.key = "", .parts = {}, .title = "At " + study::speed_words(at.speed)};
   constexpr unsigned details = on_screen | on_page;
-  if (!at.limits.empty()) group.parts.push_back({shown_limits(at)});
+  if (!at.limits.empty()) group.parts.push_back({shown_limits(at, display)});
   group.parts.push_back({shown_isolation(at, several_orders)});
   group.parts.push_back(
       {Sentence{.parts = {undefined_isolation(at)}, .place = Sentence::Place::note, .forms = details}});
   group.parts.push_back({shown_motions(at, several_orders)});
-  group.parts.push_back({shown_forces(at)});
+  group.parts.push_back({shown_forces(at, several_orders)});
   group.parts.push_back({Sentence{.parts = {unbounded_words(at)}, .place = Sentence::Place::note, .forms = details}});
   group.parts.push_back({shown_modes(at)});
   for (Part& part : group.parts)
@@ -373,7 +400,7 @@ Group shown_speed(const OperatingSpeed& at, bool several_orders) {
   return group;
 }
 
-Document operation_document(const project::Case&, const study::CaseResults& results) {
+Document operation_document(const project::Case& variant, const study::CaseResults& results) {
   const OperationResult& found = *results.operation;
   const bool several_orders = found.orders.size() > 1;
   Document document;
@@ -391,7 +418,7 @@ Document operation_document(const project::Case&, const study::CaseResults& resu
   document.add(limits_of_all_speeds(found));
   if (!found.levels.empty()) document.add(operating_levels(found));
   for (const OperatingSpeed& at : found.speeds) {
-    document.add(shown_speed(at, several_orders));
+    document.add(shown_speed(at, several_orders, variant.display));
     if (!found.levels.empty()) document.add(shown_levels(found, at.speed));
   }
   document.add(warnings_part(results));

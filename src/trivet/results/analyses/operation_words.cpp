@@ -51,9 +51,12 @@ void add_speed(const OperatingSpeed& at, double speed, Sentence& sentence) {
 void add_largest_value(const OperatingSpeed& at, const OperatingValue* value, const char* words, Sentence& sentence) {
   if (!value) return;
   sentence.parts.emplace_back(words);
-  sentence.parts.emplace_back(
-      Quantity{.value = value->amplitude(), .unit = value->unit, .kind = Kind::amplitude, .digits = sentence_digits});
-  sentence.parts.emplace_back(" (" + value->name + ")");
+  const bool several = value->has_several_orders();
+  sentence.parts.emplace_back(Quantity{.value = several ? value->rms : value->amplitude(),
+                                       .unit = value->unit,
+                                       .kind = several ? Kind::quantity : Kind::amplitude,
+                                       .digits = sentence_digits});
+  sentence.parts.emplace_back((several ? " rms (" : " (") + value->name + ")");
   if (value->reason.empty()) add_speed(at, value->at, sentence);
   else sentence.parts.emplace_back(": " + value->reason);
 }

@@ -57,8 +57,7 @@ std::string with_shown_band(const std::string& words, const RequirementResult& r
 
 Kind kind_of_numbers(const RequirementResult& r) {
   if (r.kind == RequirementKind::avoided_frequencies) return Kind::frequency;
-  const bool harmonic = r.kind == RequirementKind::amplitude || r.kind == RequirementKind::operation ||
-      r.kind == RequirementKind::mount_dynamic_deflection;
+  const bool harmonic = r.kind == RequirementKind::amplitude || r.kind == RequirementKind::mount_dynamic_deflection;
   return harmonic ? Kind::amplitude : Kind::quantity;
 }
 

@@ -8,7 +8,7 @@
 
 namespace trivet::study {
 
-bool OperatingLimit::met() const { return design::meets_limit(value.amplitude(), allowed); }
+bool OperatingLimit::met() const { return design::meets_limit(judged(), allowed); }
 
 const char* motion_name(assembly::MotionQuantity quantity) {
   switch (quantity) {
@@ -43,9 +43,11 @@ std::vector<std::vector<OperatingLimit>> operating_limits(const CaseContext& con
     channels.push_back(assembly::channels(context.system, context.assembled, {limit.name}, limit.quantity).front());
   const SummedOrders summed(context, channels, loads, fastest_range(request.speeds));
   for (std::size_t s = 0; s < request.speeds.size(); ++s) {
-    const std::vector<OperatingValue> values = summed.largest(request.speeds[s]);
-    for (std::size_t i = 0; i < request.limits.size(); ++i)
-      result[s].push_back({request.limits[i].quantity, request.limits[i].amplitude, values[i]});
+    for (std::size_t i = 0; i < request.limits.size(); ++i) {
+      const project::AmplitudeLimit& limit = request.limits[i];
+      result[s].push_back({limit.quantity, limit.level, limit.amplitude * project::level_factor(limit.level),
+                           summed.largest(i, request.speeds[s], limit.level)});
+    }
   }
   return result;
 }

@@ -10,7 +10,9 @@
 
 namespace trivet::study {
 
-/// The limits of [operation] with the amplitudes of all orders together: for each speed, in the order of the file.
+/// The limits of [operation] with all orders together: for each speed, in the order of the file. A limit in rms bounds
+/// the root mean square, one zero-to-peak the largest |y(t)|, one peak-to-peak the difference of the largest and the
+/// least y(t).
 /// @param loads  the excitations that run, at least one
 [[nodiscard]] std::vector<std::vector<OperatingLimit>> operating_limits(
     const CaseContext& context, const project::OperationAnalysis& request,

@@ -11,6 +11,7 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/limit_line.h"
 #include "trivet/excitation/frequency_bands.h"
+#include "trivet/project/text/level.h"
 
 /// What happens at the speeds at which a machine runs. All excitations run with it: its orders, and at order 1
 /// unbalances and harmonic forces. Formulas: docs/analyses.md.
@@ -24,18 +25,28 @@ struct OperatingValue {
   double at = 0;           ///< Ω [rad/s]
   double order = 0;        ///< that with the largest part
   std::string reason;      ///< why it is infinite
+  double peak = 0;         ///< there, largest |y(t)| of all orders with their phases
+  double span = 0;         ///< there, largest minus least y(t)
 
-  /// Zero-to-peak: of one order its amplitude, of several √2 times their root mean square.
+  /// Of one order its amplitude, of several √2 times their root mean square, which is not their peak.
   [[nodiscard]] double amplitude() const { return std::numbers::sqrt2 * rms; }
+  /// Several orders take part, so that its levels are not shares of one another.
+  [[nodiscard]] bool has_several_orders() const { return bound > (1 + 1e-9) * amplitude(); }
+  /// The root mean square, the peak or the span.
+  [[nodiscard]] double at_level(project::Level level) const {
+    return level == project::Level::rms ? rms : level == project::Level::amplitude ? peak : span;
+  }
 };
 
 /// A limit on a result at a speed, or over a range of speeds.
 struct OperatingLimit {
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
-  double allowed = 0;  ///< zero-to-peak
-  OperatingValue value;
+  project::Level level = project::Level::amplitude;  ///< of the file: what is judged
+  double allowed = 0;                                ///< at this level
+  OperatingValue value;                              ///< where its number at this level is largest
 
-  [[nodiscard]] double share() const { return value.amplitude() / allowed; }
+  [[nodiscard]] double judged() const { return value.at_level(level); }
+  [[nodiscard]] double share() const { return judged() / allowed; }
   [[nodiscard]] bool met() const;
 };
 

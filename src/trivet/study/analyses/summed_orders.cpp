@@ -18,16 +18,27 @@ namespace {
 
 constexpr const char* undamped = "an undamped resonance";
 
+std::vector<double> orders_of(const std::vector<response::OrderLoading>& loads) {
+  std::vector<double> orders;
+  for (const response::OrderLoading& load : loads) orders.push_back(load.order);
+  return orders;
+}
+
 }  // namespace
 
-void SummedOrders::Place::set(Eigen::Index order, double square) {
-  squares(order) = std::isnan(square) ? foundation::infinity : square;
-  if (std::isnan(square)) reason = undamped;
+void SummedOrders::Place::set(Eigen::Index order, std::complex<double> value) {
+  const bool unbounded = std::isnan(std::norm(value));
+  values(order) = unbounded ? foundation::infinity : value;
+  if (unbounded) reason = undamped;
+}
+
+SummedOrders::Place SummedOrders::nothing_at(double speed) const {
+  return {speed, Eigen::VectorXcd::Zero(to_index(loads_.size()))};
 }
 
 SummedOrders::SummedOrders(const CaseContext& context, std::vector<assembly::Channel> channels,
                            const std::vector<response::OrderLoading>& loads, double fastest)
-    : c_(context), channels_(std::move(channels)), loads_(loads) {
+    : c_(context), channels_(std::move(channels)), loads_(loads), in_time_(orders_of(loads)) {
   if (!(fastest > 0) || channels_.empty()) return;
   for (const response::OrderLoading& load : loads_)
     peaks_.push_back(response::peaks(c_.assembled, channels_, load.loading, c_.modes, c_.roots(),
@@ -44,14 +55,14 @@ std::vector<SummedOrders::Place> SummedOrders::places(const std::vector<assembly
                                                       std::size_t channel, const std::vector<double>& speeds,
                                                       const Counted& orders) const {
   std::vector<Place> result;
-  for (const double speed : speeds) result.push_back({speed, Eigen::VectorXd::Zero(to_index(loads_.size()))});
+  for (const double speed : speeds) result.push_back(nothing_at(speed));
   for (const std::size_t k : orders) {
     std::vector<double> omega;
     for (const double speed : speeds) omega.push_back(loads_[k].order * speed);
     const response::FrequencyResponse found =
         response::frequency_response(c_.assembled, channels, loads_[k].loading, omega);
     for (std::size_t i = 0; i < speeds.size(); ++i)
-      result[i].set(to_index(k), std::norm(found.curves[channel].value(to_index(i))));
+      result[i].set(to_index(k), found.curves[channel].value(to_index(i)));
   }
   return result;
 }
@@ -71,16 +82,16 @@ double SummedOrders::round_off(std::size_t channel, std::size_t load, double ome
 
 SummedOrders::Place SummedOrders::at_rest(std::size_t channel, double near, const Counted& orders) const {
   constexpr double nearer = 0.25, growth = 1.5;  // a curve ∝ ω⁻¹ grows by 4
-  Place place{0, Eigen::VectorXd::Zero(to_index(loads_.size()))};
+  Place place = nothing_at(0);
   for (const std::size_t k : orders) {
     const double omega = loads_[k].order * near;
     const response::FrequencyResponse found =
         response::frequency_response(c_.assembled, {channels_[channel]}, loads_[k].loading, {0, nearer * omega, omega});
     const Eigen::VectorXd size = found.curves[0].value.cwiseAbs();
-    const double limit = std::isfinite(size(0)) ? size(0) : size(1);
-    const bool grows = !std::isfinite(limit) ||
+    const std::complex<double> limit = found.curves[0].value(std::isfinite(size(0)) ? 0 : 1);
+    const bool grows = !std::isfinite(std::abs(limit)) ||
         (!std::isfinite(size(0)) && size(1) > growth * size(2) && size(1) > round_off(channel, k, nearer * omega));
-    place.squares(to_index(k)) = grows ? foundation::infinity : limit * limit;
+    place.values(to_index(k)) = grows ? foundation::infinity : limit;
     if (!grows || !place.reason.empty()) continue;
     place.reason = loads_[k].loading.lowest_power() < 0
         ? "towards rest the ground, whose velocity or acceleration is given, moves without bound"
@@ -102,14 +113,18 @@ double SummedOrders::begin(const assembly::Band& speed, const Counted& orders) c
 }
 
 OperatingValue SummedOrders::value_at(std::size_t channel, const Place& place, const Counted& orders) const {
-  const auto most = std::ranges::max_element(orders, {}, [&](std::size_t k) { return place.squares(to_index(k)); });
+  const Eigen::VectorXd amplitudes = place.amplitudes();
+  const response::RangeInTime in_time = in_time_.range(place.values);
+  const auto most = std::ranges::max_element(orders, {}, [&](std::size_t k) { return amplitudes(to_index(k)); });
   return {channels_[channel].name,
           channels_[channel].unit,
           std::sqrt(0.5 * place.sum()),
-          place.squares.cwiseSqrt().sum(),
+          amplitudes.sum(),
           place.speed,
           most == orders.end() ? 0 : loads_[*most].order,
-          place.reason};
+          place.reason,
+          in_time.peak(),
+          in_time.span()};
 }
 
 std::vector<OperatingValue> SummedOrders::largest(const assembly::Band& speed) const {
@@ -119,13 +134,20 @@ std::vector<OperatingValue> SummedOrders::largest(const assembly::Band& speed) c
   return result;
 }
 
+OperatingValue SummedOrders::largest(std::size_t channel, const assembly::Band& speed, project::Level level) const {
+  if (!(speed.from < speed.to))
+    return value_at(channel, places({channels_[channel]}, 0, {speed.from}, all()).front(), all());
+  const bool in_time = level != project::Level::rms && loads_.size() > 1;  // of one order all levels are shares
+  return in_time ? largest_in_time(channel, speed, level) : largest_of(channel, speed, all());
+}
+
 std::vector<OperatingValue> SummedOrders::at_speed(double speed, const Counted& orders) const {
   std::vector<OperatingValue> result;
-  std::vector<Place> at(channels_.size(), {speed, Eigen::VectorXd::Zero(to_index(loads_.size()))});
+  std::vector<Place> at(channels_.size(), nothing_at(speed));
   for (const std::size_t k : orders) {
     const response::FrequencyResponse found =
         response::frequency_response(c_.assembled, channels_, loads_[k].loading, {loads_[k].order * speed});
-    for (std::size_t c = 0; c < channels_.size(); ++c) at[c].set(to_index(k), std::norm(found.curves[c].value(0)));
+    for (std::size_t c = 0; c < channels_.size(); ++c) at[c].set(to_index(k), found.curves[c].value(0));
   }
   for (std::size_t c = 0; c < channels_.size(); ++c) result.push_back(value_at(c, at[c], orders));
   return result;
@@ -154,30 +176,36 @@ std::vector<double> SummedOrders::turning_speeds(std::size_t channel, const asse
   return speeds;
 }
 
-OperatingValue SummedOrders::largest_of(std::size_t channel, const assembly::Band& speed, const Counted& orders) const {
-  constexpr double proven = 1e-4;  // of the square
-  constexpr std::size_t most_places = 20'000;
+std::vector<SummedOrders::Place> SummedOrders::turning_places(std::size_t channel, const assembly::Band& speed,
+                                                              const Counted& orders) const {
   const std::vector<assembly::Channel> alone = {channels_[channel]};
   std::vector<Resonance> unbounded;
   const std::vector<double> turning = turning_speeds(channel, speed, orders, unbounded);
   if (!unbounded.empty()) {
     Place at = places(alone, 0, {unbounded.front().speed}, orders).front();
     at.set(to_index(unbounded.front().order), std::numeric_limits<double>::quiet_NaN());
-    return value_at(channel, at, orders);
+    return {at};
   }
-  const auto lower = [](const Place& a, const Place& b) { return a.sum() < b.sum(); };
   std::vector<Place> known = places(alone, 0, turning, orders);
-  if (begin(speed, orders) == 0) {
-    constexpr double close = 1e-6;  // of the range
-    const double from = searched_from(orders);
-    known.insert(known.begin(), at_rest(channel, from > 0 ? from : close * speed.to, orders));
-    if (std::isinf(known.front().sum())) return value_at(channel, known.front(), orders);
-  }
+  if (begin(speed, orders) > 0) return known;
+  constexpr double close = 1e-6;  // of the range
+  const double from = searched_from(orders);
+  known.insert(known.begin(), at_rest(channel, from > 0 ? from : close * speed.to, orders));
+  return known;
+}
+
+OperatingValue SummedOrders::largest_of(std::size_t channel, const assembly::Band& speed, const Counted& orders) const {
+  constexpr double proven = 1e-4;  // of the square
+  constexpr std::size_t most_places = 20'000;
+  const std::vector<assembly::Channel> alone = {channels_[channel]};
+  const auto lower = [](const Place& a, const Place& b) { return a.sum() < b.sum(); };
+  std::vector<Place> known = turning_places(channel, speed, orders);
+  if (std::isinf(known.front().sum())) return value_at(channel, known.front(), orders);
   while (orders.size() > 1 && known.size() < most_places) {
     const double enough = (1 + proven) * std::ranges::max_element(known, lower)->sum();
     std::vector<double> between;
     for (std::size_t i = 1; i < known.size(); ++i)
-      if (known[i].squares.cwiseMax(known[i - 1].squares).sum() > enough)
+      if (known[i].squares().cwiseMax(known[i - 1].squares()).sum() > enough)
         between.push_back(0.5 * (known[i - 1].speed + known[i].speed));
     if (between.empty() || !std::isfinite(enough)) break;
     std::ranges::move(places(alone, 0, between, orders), std::back_inserter(known));

@@ -15,16 +15,19 @@
 namespace trivet::study {
 namespace {
 
-void set_operating_value(const OperatingValue& found, const assembly::Band& speed, RequirementResult& result) {
-  result.value = found.amplitude();
-  result.margin = design::margin({design::DesignRule::Kind::amplitude, 0, result.allowed}, found.amplitude());
+void set_operating_value(const OperatingLimit& limit, const assembly::Band& speed, RequirementResult& result) {
+  const OperatingValue& found = limit.value;
+  result.value = limit.judged();
+  result.margin = design::margin({design::DesignRule::Kind::amplitude, 0, limit.allowed}, limit.judged());
   result.angular_frequency = found.order * found.at;
   if (speed.from < speed.to) result.detail = fmt::format("{:.5g} rpm", found.at * foundation::rpm_per_rad_s);
-  constexpr double several = 1 + 1e-9;
-  if (found.bound > several * found.amplitude() && result.allowed > 0)
-    result.detail += fmt::format("{}√2 rms of all orders; in phase {:.4g} % of the limit",
-                                 result.detail.empty() ? "" : ", ", 100 * found.bound / result.allowed);
   if (!found.reason.empty()) result.detail += (result.detail.empty() ? "" : ", ") + found.reason;
+}
+
+/// The limits with their numbers at the level of the file instead of zero-to-peak.
+std::vector<project::AmplitudeLimit> at_their_levels(std::vector<project::AmplitudeLimit> limits) {
+  for (project::AmplitudeLimit& limit : limits) limit.amplitude *= project::level_factor(limit.level);
+  return limits;
 }
 
 }  // namespace
@@ -38,9 +41,10 @@ void add_operation_requirements(const CaseContext& c, const project::Analyses& a
   const project::OperationAnalysis& request = *analyses.operation;
   for (const assembly::Band& speed : request.speeds) {
     const std::size_t of_speed = list.size(), limits = request.limits.size();
-    list.add_bounds(c, RequirementKind::operation, request.limits, "");
+    list.add_bounds(c, RequirementKind::operation, at_their_levels(request.limits), "");
     for (std::size_t i = 0; i < limits; ++i) {
       RequirementResult& result = list[of_speed + i];
+      result.level_of_limit = request.limits[i].level;
       result.words.scope += (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
       result.quantity = request.limits[i].quantity;
       result.excitations = request.selection.excitations;
@@ -50,7 +54,7 @@ void add_operation_requirements(const CaseContext& c, const project::Analyses& a
       const auto loads = response::operating_loads(c.system, c.assembled, request.selection.excitations);
       if (loads.empty()) throw without_excitation("operation");
       const std::vector<OperatingLimit> judged = operating_limits(c, at_speed(request, speed), loads).front();
-      for (std::size_t i = 0; i < limits; ++i) set_operating_value(judged[i].value, speed, list[of_speed + i]);
+      for (std::size_t i = 0; i < limits; ++i) set_operating_value(judged[i], speed, list[of_speed + i]);
     });
   }
 }

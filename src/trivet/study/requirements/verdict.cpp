@@ -157,8 +157,8 @@ const char* name(RequirementKind kind) {
 
 const char* RequirementResult::level() const {
   if (kind == RequirementKind::rms) return "rms";
-  const bool harmonic = kind == RequirementKind::amplitude || kind == RequirementKind::operation ||
-      kind == RequirementKind::mount_dynamic_deflection;
+  if (kind == RequirementKind::operation) return unit == "1" ? "" : project::level_ending(level_of_limit);
+  const bool harmonic = kind == RequirementKind::amplitude || kind == RequirementKind::mount_dynamic_deflection;
   // The largest magnitude of a motion, from rest: of a periodic one, or of one in time.
   const bool largest = kind == RequirementKind::steady || kind == RequirementKind::largest;
   return (harmonic || largest) && unit != "1" ? "0-p" : "";

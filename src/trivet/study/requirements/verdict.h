@@ -84,6 +84,7 @@ struct RequirementResult {
   std::vector<std::string>
       place;  ///< of a limit: keys that lead to its number in the file, see project::AmplitudeLimit
   std::optional<assembly::Band> speed;  ///< of the machine at which it holds [rad/s]; from = to: a single speed
+  project::Level level_of_limit = project::Level::amplitude;  ///< of `operation`: which number of all orders is judged
 
   /// A place that may decide the margin: a maximum of the curve or an end of its band, a mode, two neighbouring modes.
   struct Candidate {
@@ -109,7 +110,8 @@ struct RequirementResult {
   std::optional<Transmitted> transmitted;  ///< none: the curve is that of `subject` under `excitations`
 
   [[nodiscard]] bool met() const { return value && margin >= 1; }
-  /// Level of `allowed` and `value`: "0-p" of harmonic amplitudes, "rms" of root mean squares; else empty.
+  /// Level of `allowed` and `value`: "0-p" of harmonic amplitudes, "rms" of root mean squares, that of the file of
+  /// limits at a speed; else empty.
   [[nodiscard]] const char* level() const;
   /// Its bound is the text of `allowed`, not another number or a name.
   [[nodiscard]] bool has_bound_in_units() const;

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Limits at the speeds of a machine under several orders: rms by the rms, 0-p and p-p by the vibration in time, against
+closed forms and a scan over time and speed."""
+import cmath
+import json
+import math
+
+from trivet_test import InTemporaryFolder, trivet
+
+RPM = math.pi / 30
+MASS, STIFFNESS, DASHPOT = 40.0, 36000.0, 120.0
+MACHINE = f"""trivet = 1
+[bodies.m]
+mass = {MASS}
+free = ["z"]
+[elements.s]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, {STIFFNESS}]
+damping = {{translation = [0, 0, {DASHPOT}]}}
+"""
+
+
+def stiffness(omega):
+    return complex(STIFFNESS - MASS * omega**2, DASHPOT * omega)
+
+
+def shaft(forces):
+    """Orders with constant forces along z, given as complex numbers."""
+    rows = ", ".join(
+        f"{{order = {k!r}, force = [0, 0, {abs(f)!r}], phase = {cmath.phase(f)!r}}}" for k, f in forces.items()
+    )
+    return f'[excitations.shaft]\ntype = "orders"\non = "m"\nat = [0, 0, 0]\ntable = [{rows}]\n'
+
+
+def amplitudes(forces, speed):
+    return {k: f / stiffness(k * speed) for k, f in forces.items()}
+
+
+def forces_for(motions, speed):
+    """Forces that make these amplitudes at the speed."""
+    return {k: y * stiffness(k * speed) for k, y in motions.items()}
+
+
+def wave(motions, steps, turns=1):
+    """y(t) over some turns of the shaft."""
+    for n in range(steps):
+        phase = 2 * math.pi * turns * n / steps
+        yield sum((y * cmath.exp(1j * k * phase)).real for k, y in motions.items())
+
+
+class OperatingPeaks(InTemporaryFolder):
+    def judged(self, text, code=None):
+        done = trivet("verdict", self.file(text), "--json")
+        self.assertTrue(done.stdout, done.stderr)
+        return json.loads(done.stdout)["cases"][0]["requirements"]
+
+    def test_a_limit_is_judged_at_its_level(self):
+        """cos φ + cos 2φ has the rms 1, the peak 2 and the span 25/8."""
+        speed = 400 * RPM
+        unit = 1e-3
+        forces = forces_for({1: unit, 2: unit}, speed)
+        limits = ["1.01 mm rms", "1.5 mm 0-p", "3.2 mm p-p", "1.99 mm", "2.01 mm", "0.99 mm rms", "3.1 mm p-p"]
+        expected = [1, 2, 25 / 8, 2, 2, 1, 25 / 8]
+        levels = ["rms", "0-p", "p-p", "0-p", "0-p", "rms", "p-p"]
+        for limit, value, level in zip(limits, expected, levels):
+            text = MACHINE + shaft(forces) + f'[operation]\nspeeds = ["400 rpm"]\nlimits = {{"m.z" = "{limit}"}}\n'
+            (one,) = self.judged(text)
+            allowed = float(limit.split()[0])
+            self.assertEqual(one["level"], level)
+            self.assertAlmostEqual(one["allowed"] / unit, allowed, 12)
+            self.assertAlmostEqual(one["value"] / unit, value, 8, limit)
+            self.assertAlmostEqual(one["margin"], allowed / value, 8)
+            self.assertEqual(one["met"], value <= allowed, limit)
+            self.assertEqual(one["detail"], "")
+            self.assertIn(f"{level}", one["shown_requirement"])
+            self.assertTrue(one["shown_value"].endswith(level), one["shown_value"])
+            own = json.loads(trivet("operation", self.file(text), "--json").stdout)["limits"][0]
+            for key in ("value", "allowed", "met", "level"):
+                self.assertEqual(own[key], one[key])
+            strict = trivet("operation", self.file(text), "--strict")
+            self.assertIn("VIOLATED" if value > allowed else "met", strict.stdout)
+
+    def test_a_limit_that_the_rms_would_meet_is_violated(self):
+        """Three orders in phase: √2 rms is √3, the peak 3."""
+        speed = 400 * RPM
+        forces = forces_for({1: 1e-3, 2: 1e-3, 3: 1e-3}, speed)
+        text = MACHINE + shaft(forces) + '[operation]\nspeeds = ["400 rpm"]\nlimits = {"m.z" = "LIMIT mm"}\n'
+        (below,) = self.judged(text.replace("LIMIT", "2.4"))
+        self.assertFalse(below["met"])
+        self.assertAlmostEqual(below["value"], 3e-3, 11)
+        run = trivet("run", self.file(text.replace("LIMIT", "2.4")), "-o", self.folder / "out")
+        self.assertIn("VIOLATED: 1 of 1", run.stdout)
+        (above,) = self.judged(text.replace("LIMIT", "3.001"))
+        self.assertTrue(above["met"])
+
+    def test_two_limits_of_different_levels_both_count(self):
+        forces = forces_for({1: 1e-3, 2: 1e-3}, 400 * RPM)
+        text = MACHINE + shaft(forces)
+        text += '[operation]\nspeeds = ["400 rpm"]\nlimits = {"m.z" = ["1.1 mm rms", "1.6 mm 0-p"]}\n'
+        rms, peak = self.judged(text)
+        self.assertTrue(rms["met"])
+        self.assertFalse(peak["met"])
+        self.assertIn("has no effect", trivet("check", self.file(text.replace("rms", "0-p"))).stderr)
+
+    def test_orders_without_a_common_period_reach_their_sum(self):
+        speed = 300 * RPM
+        forces = forces_for({1: 1e-3, math.sqrt(2): -2e-3}, speed)
+        text = MACHINE + shaft(forces) + '[operation]\nspeeds = ["300 rpm"]\nlimits = {"m.z" = "2.9 mm"}\n'
+        (one,) = self.judged(text)
+        self.assertAlmostEqual(one["value"], 3e-3, 11)
+
+    def test_over_a_range_it_is_that_of_a_scan_over_speed_and_time(self):
+        forces = {0.5: 60, 1: 40j, 2: 50 - 30j, 3: -45}
+        limits = 'limits = {"m.z" = ["9 m", "9 m p-p"]}\n'
+        for dashpot in (DASHPOT, 1500.0):
+            machine = MACHINE.replace(f"0, {DASHPOT}", f"0, {dashpot}")
+
+            def at(speed):
+                return {
+                    k: f / complex(STIFFNESS - MASS * (k * speed) ** 2, dashpot * k * speed) for k, f in forces.items()
+                }
+
+            peak, span = 0, 0
+            for n in range(2001):
+                values = list(wave(at((80 + 320 * n / 2000) * RPM), 200, 2))
+                peak = max(peak, max(values), -min(values))
+                span = max(span, max(values) - min(values))
+            text = machine + shaft(forces) + '[operation]\nspeeds = [["80 rpm", "400 rpm"]]\n' + limits
+            of_peak, of_span = json.loads(trivet("operation", self.file(text), "--json").stdout)["limits"]
+            for found, scanned in ((of_peak, peak), (of_span, span)):
+                self.assertGreaterEqual(found["value"], scanned * (1 - 1e-9))
+                self.assertLess(found["value"], scanned * (1 + 2e-3))  # what the scan misses between its times
+            values = list(wave(at(of_peak["at"]), 40_000, 2))
+            self.assertAlmostEqual(of_peak["value"] / max(max(values), -min(values)), 1, 6)
+            values = list(wave(at(of_span["at"]), 40_000, 2))
+            self.assertAlmostEqual(of_span["value"] / (max(values) - min(values)), 1, 6)
+
+    def test_tables_state_root_mean_squares_of_several_orders(self):
+        text = MACHINE + shaft({1: 50, 2: 50}) + '[operation]\nspeeds = ["400 rpm"]\n[display]\nlevel = "amplitude"\n'
+        said = trivet("operation", self.file(text)).stdout
+        self.assertIn("displacement, rms", said)
+        self.assertNotIn("0-p", said.split("Distance from resonance")[0].split("isolation")[0])
+
+
+if __name__ == "__main__":
+    import unittest
+
+    unittest.main()
