@@ -213,6 +213,17 @@ def test_warnings_are_python_warnings():
     assert str(result.warnings[0].subject) in result._repr_html_()
 
 
+def test_a_warning_comes_once_for_a_project_and_what_it_is_changed_to():
+    light = {**MACHINE, "bodies": {"machine": {**MACHINE["bodies"]["machine"], "mass": 1.2e7}}}
+    project = trivet.Project(**light)
+    with pytest.warns(trivet.ModelWarning, match="mass"):
+        project.modes()
+    again = project.modes()  # a warning would be an error of this test
+    assert project.changed({"title": "again"}).modes().warnings and again.warnings
+    with pytest.warns(trivet.ModelWarning, match="mass"):
+        trivet.Project(**light).modes()
+
+
 def test_import_is_quick():
     """Beyond NumPy at most 30 ms, the median of several starts."""
     program = "import numpy, time; t = time.perf_counter(); import trivet; print(time.perf_counter() - t)"
