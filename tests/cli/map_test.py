@@ -161,7 +161,7 @@ class Map(unittest.TestCase):
             "every rule is met",
             "margin = limit / value",
             "good",
-            "mass.z ≤ 0.03 m",
+            "mass.z ≤ 30 mm 0-p",
         ):
             self.assertIn(words, svg)
 

@@ -85,7 +85,7 @@ export class MapPanel extends Part {
     const axes = this.axes(map), [i, j] = [Math.round(a * (map.x.points - 1)), Math.round(b * (map.y.points - 1))], k = j * map.x.points + i;
     const numbers = (x: number | null, y: number | null) => `${map.x.name} ${`${number(x, 4)} ${map.x.unit}`.trim()}, ${map.y.name} ${`${number(y, 4)} ${map.y.unit}`.trim()}`;
     const margin = map.grid.margin[k], governing = map.grid.governing[k];
-    const said = typeof governing === 'number' ? `margin ${number(margin, 4)}, by ${map.rules[governing]!.words}` : governing === 'none' ? 'nothing limits it' : 'no result';
+    const said = typeof governing === 'number' ? `margin ${number(margin, 4)}, by ${map.colours.find(c => c.governing === governing)!.words}` : governing === 'none' ? 'nothing limits it' : 'no result';
     return `${numbers(axes[0].value, axes[1].value)}. Nearest design of the map, ${numbers(axes[0].at(i / (map.x.points - 1)), axes[1].at(j / (map.y.points - 1)))}: ${said}`;
   }
   private set(map: DesignMap, x: number, y: number, drag = false) {

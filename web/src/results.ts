@@ -237,7 +237,7 @@ export interface DesignMap {
   x: MapAxis;
   y: MapAxis;
   rules: {words: string}[];
-  colours: {governing: number | 'none' | 'not computed'; colour: string; words: string}[];  // the key, in its order
+  colours: {governing: number | 'none' | 'not computed'; colour: string; words: string}[];  // the key, in its order, with rules at their levels
   designs: number;
   kept: number;
   feasible: {share: number; boundary: (readonly [number, number])[][]};

@@ -36,7 +36,7 @@ void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& 
     } else {
       key.region(colour, infeasible, feasible,
                  region.governing == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(map)
-                                                          : map.rules[region.governing].words,
+                                                          : results::rule_words(map, map.rules[region.governing]),
                  share(region.designs));
     }
   }

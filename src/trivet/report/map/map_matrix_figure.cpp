@@ -109,7 +109,7 @@ void explain(const std::vector<study::DesignMap>& maps, const std::vector<Govern
     if (colour != results::MapColours::other_rules) {
       key.region(colour, rule.infeasible, rule.feasible,
                  rule.rule == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(maps.front())
-                                                   : maps.front().rules[rule.rule].words,
+                                                   : results::rule_words(maps.front(), maps.front().rules[rule.rule]),
                  share(rule.designs));
       continue;
     }

@@ -10,6 +10,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/report/map/map_picture.h"
+#include "trivet/results/design/map_summary.h"
 #include "trivet/results/format/axis_words.h"
 
 namespace trivet::report {
@@ -78,7 +79,7 @@ Json rules_json(const study::DesignMap& map) {
   Json list = Json::array();
   for (const design::MapRule& rule : map.rules) {
     const bool limits_curve = rule.kind == design::DesignRule::Kind::amplitude && rule.in_case.empty();
-    list.push_back({{"words", rule.words}});
+    list.push_back({{"words", results::rule_words(map, rule)}});
     if (limits_curve) list.back().update({{"name", rule.channel}, {"unit", rule.unit}, {"limit", rule.allowed}});
   }
   return list;

@@ -119,9 +119,10 @@ Json colours_json(const DesignMap& map, const MapColours& colours) {
   Json list = Json::array();
   for (const std::size_t governing : colours.order()) {
     const bool none = governing == MapColours::unlimited;
-    list.push_back({{"governing", none ? Json("none") : Json(governing)},
-                    {"colour", colours.of(governing)},
-                    {"words", none ? "no rule limits it: " + unlimited_words(map) : map.rules[governing].words}});
+    list.push_back(
+        {{"governing", none ? Json("none") : Json(governing)},
+         {"colour", colours.of(governing)},
+         {"words", none ? "no rule limits it: " + unlimited_words(map) : rule_words(map, map.rules[governing])}});
   }
   if (map.unknown > 0)
     list.push_back(
