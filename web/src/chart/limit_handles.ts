@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type uPlot from 'uplot';
+import {labelPlaces, type Box, type Labelled, type LabelPlace} from './label_places.ts';
 
 /// A limit in the units of the chart.
 export interface ShownLimit {
@@ -8,7 +9,8 @@ export interface ShownLimit {
   from: number;  // on the axis of frequencies
   to: number;
   y: number;
-  label: string;  // "≤ 4.5 mm/s · margin 0.87"
+  label: string;  // "≤ 4.5 mm/s rms · margin 0.87"
+  short: string;  // the same without what the axis says: "≤ 4.5 · margin 0.87"
   words: string;  // the same as a sentence
   colour: string;
   violated: boolean;
@@ -24,25 +26,27 @@ export interface LimitMoves {
   dropped(id: string): void;
   stepped(id: string, factor: number): void;
 }
-export type Box = [number, number, number, number];
-
 const HALF = 5;  // px around the line that can be seized
-const HEIGHT = 15;  // px of a label
+const FEW = 3;  // limits, whose labels may be long
+const ROWS = 4;  // of short labels above and below a line, if many limits are close together
 const STEPS: Record<string, number> = {ArrowUp: 1.01, ArrowDown: 1 / 1.01, PageUp: 1.1, PageDown: 1 / 1.1};
 
 /// The limits of a chart as sliders: lines that the mouse and the keyboard move, with their margins.
 export class LimitHandles {
   private readonly layer = document.createElement('div');
   private readonly handles = new Map<string, HTMLElement>();
-  private readonly sizes = new WeakMap<HTMLElement, {form: string; size: number}>();
+  private readonly sizes = new Map<string, number>();  // of labels, by their form
+  private before = new Map<string, number>();  // places of the labels at the last drawing
   private plot: uPlot | null = null;
 
   constructor(parent: HTMLElement, private readonly moves: LimitMoves) {
     this.layer.className = 'limits';
     parent.append(this.layer);
   }
-  /// Puts the handles onto their lines. @returns places of the labels in pixels of the plot
-  place(plot: uPlot, limits: readonly ShownLimit[]): Box[] {
+  /// Puts the handles onto their lines. Each label is near its line; if they have no room there, all are short and may be farther away;
+  /// one without any room is seen when its line is pointed at or has the focus.
+  /// @param isOnCurve  is a curve in this part of the plot [px]?  @returns places of the labels in pixels of the plot
+  place(plot: uPlot, limits: readonly ShownLimit[], isOnCurve: (box: Box) => boolean): Box[] {
     this.plot = plot;
     const known = new Set(limits.map(l => l.id)), {left, top, width, height} = boxOf(plot);
     for (const [id, handle] of this.handles) if (!known.has(id)) {
@@ -50,20 +54,25 @@ export class LimitHandles {
       this.handles.delete(id);
     }
     Object.assign(this.layer.style, {left: `${left}px`, top: `${top}px`, width: `${width}px`, height: `${height}px`});
-    const boxes: Box[] = [];
-    for (const limit of [...limits].sort((a, b) => a.y - b.y)) {
-      const handle = this.handles.get(limit.id) ?? this.made(limit.id), box = this.put(handle, limit, boxes);
-      if (box) boxes.push(box);
-    }
-    return boxes;
+    const lines = [...limits].sort((a, b) => a.y - b.y).flatMap(limit => {
+      const handle = this.handles.get(limit.id) ?? this.made(limit.id), line = this.put(handle, limit);
+      return line ? [{limit, handle, ...line}] : [];
+    });
+    const labelled = (words: 'label' | 'short') => lines.map(({limit, handle, ...line}): Labelled =>
+      ({...line, size: this.sizeOf(handle, limit[words], limit.violated), before: this.before.get(`${limit.id} ${words}`)}));
+    let words: 'label' | 'short' = 'label', places = labelPlaces(labelled(words), {width, height}, isOnCurve, lines.length > FEW ? 1 : 2);
+    if (places.includes(null)) places = labelPlaces(labelled(words = 'short'), {width, height}, isOnCurve, ROWS);
+    this.before = new Map(lines.flatMap(({limit}, i) => (places[i] ? [[`${limit.id} ${words}`, places[i].number]] : [])));
+    lines.forEach(({limit, handle, ...line}, i) => this.label(handle, limit[words], line, places[i]!));
+    return places.flatMap(place => (place ? [place.box] : []));
   }
-  private put(handle: HTMLElement, limit: ShownLimit, taken: readonly Box[]): Box | null {
+  /// @returns the line in pixels of the plot; null: it is outside
+  private put(handle: HTMLElement, limit: ShownLimit) {
     const plot = this.plot!, {width, height} = boxOf(plot), x = (value: number) => Math.min(Math.max(plot.valToPos(value, 'x'), 0), width);
-    const left = x(limit.from), right = Number.isFinite(limit.to) ? x(limit.to) : width, top = plot.valToPos(limit.y, 'y'), label = handle.firstElementChild as HTMLElement;
+    const left = x(limit.from), right = Number.isFinite(limit.to) ? x(limit.to) : width, top = plot.valToPos(limit.y, 'y');
     const seen = plot.valToPos(limit.from, 'x') <= width && !(plot.valToPos(limit.to, 'x') < 0), outside = !(seen && top >= 0 && top <= height);
     handle.hidden = outside;
     if (outside) return null;
-    if (label.textContent !== limit.label) label.textContent = limit.label;
     handle.classList.toggle('violated', limit.violated && limit.binding);
     handle.classList.toggle('unbinding', limit.violated && !limit.binding);
     handle.classList.toggle('fixed', !limit.movable);
@@ -71,19 +80,25 @@ export class LimitHandles {
     for (const [name, value] of Object.entries(attributes)) handle.setAttribute(name, value);
     Object.assign(handle.style, {left: `${left}px`, width: `${Math.max(right - left, 2 * HALF)}px`, top: `${top - HALF}px`, height: `${2 * HALF}px`});
     handle.style.setProperty('--stroke', limit.colour);
-    const size = this.sizeOf(label, limit), end = labelEnd(left, right, size, width);
-    const places = [0, 1, 2, 3].flatMap(k => [top - (k + 1) * HEIGHT, top + k * HEIGHT + 2]).filter(y => y >= -HEIGHT / 2 && y + HEIGHT <= height);
-    const free = places.find(y => !taken.some(b => b[0] < end && b[2] > end - size && b[1] < y + HEIGHT && b[3] > y)) ?? places[0] ?? top;
-    Object.assign(label.style, {left: `${end - size - left}px`, top: `${free - top + HALF}px`});
-    return [end - size, free, end, free + HEIGHT];
+    return {left, right, top};
+  }
+  private label(handle: HTMLElement, words: string, {left, right, top}: {left: number; right: number; top: number}, place: LabelPlace | null) {
+    const label = handle.firstElementChild as HTMLElement;
+    if (label.textContent !== words) label.textContent = words;
+    label.classList.toggle('unseen', !place);
+    const [x, y] = place?.box ?? [Math.max(left, right - 120), Math.max(top - 15, 0)];
+    Object.assign(label.style, {left: `${x - left}px`, top: `${y - top + HALF}px`});
   }
   /// Width of a label [px]. Its digits are equally wide, so it is measured only when its form changes: to measure it at each step of a slider
   /// would lay out the whole page each time.
-  private sizeOf(label: HTMLElement, {label: text, violated}: ShownLimit): number {
-    const form = `${violated} ${text.replace(/\d/g, '0')}`, known = this.sizes.get(label);
-    if (known?.form === form) return known.size;
+  private sizeOf(handle: HTMLElement, words: string, violated: boolean): number {
+    const form = `${violated} ${words.replace(/\d/g, '0')}`, known = this.sizes.get(form);
+    if (known !== undefined) return known;
+    const label = handle.firstElementChild as HTMLElement;
+    label.textContent = words;
+    label.classList.remove('unseen');
     const size = label.offsetWidth;
-    if (size > 0) this.sizes.set(label, {form, size});
+    if (size > 0) this.sizes.set(form, size);
     return size;
   }
   private made(id: string): HTMLElement {
@@ -124,10 +139,4 @@ export class LimitHandles {
 function boxOf({bbox}: uPlot) {
   const ratio = devicePixelRatio;
   return {left: bbox.left / ratio, top: bbox.top / ratio, width: bbox.width / ratio, height: bbox.height / ratio};
-}
-/// Right end of a label: within its line, or beside a short one.
-function labelEnd(left: number, right: number, size: number, width: number): number {
-  if (right - left >= size) return right;
-  if (right + 4 + size <= width) return right + 4 + size;
-  return left - 4 >= size ? left - 4 : Math.max(right, Math.min(size, width));
 }

@@ -113,7 +113,7 @@ function written(pen: CanvasRenderingContext2D, words: string, [x, y]: readonly 
   const right = x + 6 + pen.measureText(words).width < area.left + area.width;
   pen.textAlign = right ? 'left' : 'right';
   pen.lineWidth = 3;
-  pen.strokeStyle = theme === 'dark' ? '#14191d' : '#ffffff';
+  pen.strokeStyle = chartColours(theme).back;
   pen.fillStyle = chartColours(theme).text;
   pen.strokeText(words, x + (right ? 6 : -6), y - 5);
   pen.fillText(words, x + (right ? 6 : -6), y - 5);

@@ -78,8 +78,9 @@ export function shownLimits(all: readonly PresentLimit[], names: readonly string
     const stroke = names.indexOf(result), y = shownAmplitude(allowed, scale, display);
     if (stroke < 0 || hidden.has(result) || y === null) return [];
     const value = !isOfCurve && r.value !== null ? shownAmplitude(r.value, scale, display) : null, violated = r.judged && !r.met, steady = r.kind === 'steady';
-    const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}${violated && !binding ? ', not binding' : ''}`, label = `${steady ? 'steady ' : ''}≤ ${atLevelOf(written, y, scale, display)} · ${margin}${old ? ' …' : ''}`;
-    return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label, violated, binding, movable, colour: strokeOf(stroke, display.theme).colour,
+    const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}${violated && !binding ? ', not binding' : ''}`;
+    const label = (amplitude: string) => `${steady ? 'steady ' : ''}≤ ${amplitude} · ${margin}${old ? ' …' : ''}`;
+    return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label: label(atLevelOf(written, y, scale, display)), short: label(display.decibel ? written : number(y)), violated, binding, movable, colour: strokeOf(stroke, display.theme).colour,
              words: `${r.shown_requirement ?? r.requirement}: ${margin}${violated ? ', violated' : ''}${steady ? '; square: the largest deviation of the steady motions from rest' : ''}`, isOfCurve,
              at: value !== null ? {x: (steady ? r.angular_frequency ?? from : (from + to) / 2) * frequency, y: value} : null}];
   });

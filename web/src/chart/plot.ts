@@ -2,7 +2,8 @@
 import uPlot from 'uplot';
 import type {Display} from '../display.ts';
 import {number, type Scale} from '../quantities.ts';
-import {LimitHandles, type Box, type LimitMoves, type ShownLimit} from './limit_handles.ts';
+import {overlap, type Box} from './label_places.ts';
+import {LimitHandles, type LimitMoves, type ShownLimit} from './limit_handles.ts';
 import {logarithmicRange, logarithmicTicks} from './logarithmic_axis.ts';
 import {largestSteady, type Overlay} from './overlays.ts';
 import {partsAbove} from './parts_above.ts';
@@ -25,6 +26,8 @@ export interface Picture {
   overlays: Overlay[];
   limits: ShownLimit[];
 }
+
+const CURVE = 1.6;  // width of its line [px]
 
 /// uPlot of the amplitudes or of the phases of a picture.
 export class Plot {
@@ -98,7 +101,7 @@ export class Plot {
               ...(isPhase ? {splits: () => [-180, -90, 0, 90, 180]} : {})}],
       series: [{}, ...picture!.curves.map(curve => {
         const {colour, dash} = strokeOf(curve.stroke, display.theme);
-        return {label: curve.name, stroke: colour, dash, width: 1.6, points: {show: false}, spanGaps: false,
+        return {label: curve.name, stroke: colour, dash, width: CURVE, points: {show: false}, spanGaps: false,
                 paths: isPhase ? lines(180) : lines(Infinity)} as uPlot.Series;
       })],
       hooks: {draw: [plot => this.marks(plot)],
@@ -133,11 +136,19 @@ export class Plot {
     if (this.what === 'amplitude') {
       for (const overlay of picture.overlays) this.overlay(ctx, overlay, (points: Overlay['points']) => points.map(([a, b]) => [x(a), b === null ? null : y(b)] as const));
       for (const limit of picture.limits) this.limit(plot, limit);
-      const taken = this.handles?.place(plot, picture.limits) ?? [];
+      const taken = this.handles?.place(plot, picture.limits, this.curveFinder(plot)) ?? [];
       this.labels(plot, colours.text, taken.map(([left, top, right, bottom]): Box => [bbox.left + left * ratio, bbox.top + top * ratio, bbox.left + right * ratio, bbox.top + bottom * ratio]));
     }
     if (picture.cursor !== null) vertical(picture.cursor, colours.text, 1, []);
     ctx.restore();
+  }
+  /// Is a curve in a part of the plot [px]?
+  private curveFinder(plot: uPlot): (box: Box) => boolean {
+    const {x, curves, limits} = this.picture!, ratio = devicePixelRatio, {left, top} = plot.bbox;
+    if (!limits.length) return () => false;
+    const across = x.map(value => plot.valToPos(value, 'x', true) / ratio - left / ratio);
+    const up = curves.map(c => c.amplitude.map(value => (value === null ? NaN : (plot.valToPos(value, 'y', true) - top) / ratio)));
+    return ([from, above, to, below]) => across.some((at, i) => at >= from && at <= to && up.some(heights => heights[i]! >= above && heights[i]! <= below));
   }
   /// A limit as a dashed line, red where its curve is above it, or of a weaker colour if it is not binding.
   private limit(plot: uPlot, {result, from, to, y: height, isOfCurve, at, violated, binding}: ShownLimit) {
@@ -153,12 +164,18 @@ export class Plot {
     if (!isOfCurve) return;
     const curve = curves.find(c => c.name === result), inside = xs.map(value => value >= from && value <= to);
     for (const part of curve ? partsAbove(xs, curve.amplitude.map((a, i) => (inside[i] ? a : null)), height) : [])
-      stroke(ctx, above, 3.2 * ratio, [], part.map(([a, b]) => [x(a), plot.valToPos(b, 'y', true)] as const));
+      this.exceeding(ctx, above, curve!.stroke, part.map(([a, b]) => [x(a), plot.valToPos(b, 'y', true)] as const));
+  }
+  /// A part of a curve that exceeds a limit: a band of that colour behind it, so that one still sees which curve it is.
+  private exceeding(pen: CanvasRenderingContext2D, band: string, index: number, points: readonly (readonly [number, number])[]) {
+    const {colour, dash} = strokeOf(index, this.display.theme), ratio = devicePixelRatio;
+    stroke(pen, band, 4.6 * ratio, [], points);
+    stroke(pen, colour, CURVE * ratio, dash.map(d => d * ratio), points);
   }
   private overlay(pen: CanvasRenderingContext2D, {stroke: index, kind, points, dash}: Overlay, placed: (points: Overlay['points']) => readonly (readonly [number, number | null])[]) {
     const ratio = devicePixelRatio, {colour} = strokeOf(index, this.display.theme), at = placed(points);
     const known = at.filter((p): p is readonly [number, number] => p[1] !== null);
-    if (kind === 'violated' || kind === 'unbinding') return stroke(pen, chartColours(this.display.theme)[kind], 3.2 * ratio, [], known);
+    if (kind === 'violated' || kind === 'unbinding') return this.exceeding(pen, chartColours(this.display.theme)[kind], index, known);
     if (kind === 'measured') return dots(pen, colour, known, 2 * ratio);
     pen.globalAlpha = kind === 'compared' ? 0.7 : 1;
     stroke(pen, colour, (kind === 'stable' ? 2.6 : 1.3) * ratio, (dash ?? {compared: [4, 3], limit: [8, 4], stable: [], unstable: [3, 3], jump: [1, 4]}[kind]).map(d => d * ratio), known);
@@ -182,17 +199,18 @@ export class Plot {
       pen.arc(left, top, 2.6 * ratio, 0, 7);
       pen.fill();
     }
-    pen.fillStyle = colour;
+    [pen.fillStyle, pen.strokeStyle, pen.lineWidth, pen.lineJoin] = [colour, chartColours(this.display.theme).back, 3 * ratio, 'round'];
     for (const {left, top, y} of places) {
       const text = number(y, 3), half = pen.measureText(text).width / 2;
       const boxAt = (wished: number): [number, Box] => {
         const middle = Math.min(Math.max(wished, bbox.left + half), bbox.left + bbox.width - half);
         return [middle, [middle - half - 3, top - 18 * ratio, middle + half + 3, top - around]];
       };
-      const free = [left, left + half + around, left - half - around].map(boxAt).find(([, box]) => !taken.some(b => b[0] < box[2] && b[2] > box[0] && b[1] < box[3] && b[3] > box[1]));
+      const free = [left, left + half + around, left - half - around].map(boxAt).find(([, box]) => !taken.some(other => overlap(other, box)));
       if (!free) continue;
       const [middle, box] = free;
       taken.push(box);
+      pen.strokeText(text, middle, top - 7 * ratio);  // a curve or a line behind it ends beside it
       pen.fillText(text, middle, top - 7 * ratio);
     }
   }

@@ -12,5 +12,5 @@ export const strokeOf = (index: number, theme: Theme) => {
   return {colour: colours[index % colours.length]!, dash: [...DASHES[Math.floor(index / colours.length) % DASHES.length]!]};
 };
 export const chartColours = (theme: Theme) => theme === 'dark'
-  ? {axis: '#9fb0bb', grid: '#2b343b', text: '#dbe5ec', limit: '#ffb347', violated: '#ff6b57', unbinding: '#b89a6a', mode: '#53616b'}
-  : {axis: '#50616c', grid: '#e3e8ec', text: '#24323b', limit: '#9a5b00', violated: '#c61a1a', unbinding: '#a98a5c', mode: '#b9c4cc'};
+  ? {back: '#14191d', axis: '#9fb0bb', grid: '#2b343b', text: '#dbe5ec', limit: '#ffb347', violated: '#ff6b57', unbinding: '#b89a6a', mode: '#53616b'}
+  : {back: '#ffffff', axis: '#50616c', grid: '#e3e8ec', text: '#24323b', limit: '#9a5b00', violated: '#c61a1a', unbinding: '#a98a5c', mode: '#b9c4cc'};
