@@ -2,7 +2,8 @@
 // Charts of curves, drawn by uPlot: ranges, ticks, marks, pointer, keys and legends.
 import uPlot from 'uplot';
 import {logarithmicTicks} from '../chart/logarithmic_axis.ts';
-import {frequency, frequencyWords, largestOf, multiple, number, reading, smallestOf, TURN, units, withUnit} from './report_data.ts';
+import {amplitudeRange, isWide} from './amplitude_range.ts';
+import {amplitudeRule, frequency, frequencyWords, largestOf, multiple, number, reading, smallestOf, TURN, units, withUnit} from './report_data.ts';
 import {amplitudeAt, inRange, inside, nearestIndex} from './case_curves.ts';
 import {change, moveBy, refresh, zoomTo} from './page.js';
 
@@ -57,16 +58,17 @@ function ceilingOf(chart) {
 }
 
 /// Is the amplitude axis logarithmic?
-const isLogarithmic = chart => view.ylog ?? chart.spiky;
+const isLogarithmic = chart => view.ylog ?? chart.wide;
 const shownCurves = chart => chart.curves.filter(c => !view.hidden.has(c.key));
 const limitsOf = chart => chart.limits ?? shownCurves(chart).flatMap(c => c.limits.map(l => ({...l, label: c.label})));
 
-/// Would a linear axis show only a spike? Then the axis is logarithmic, on the screen and on paper.
-export function isSpiky(chart) {
+/// Is the amplitude axis logarithmic unless the reader chooses? The program decides for a whole chart, its rule for a part of one.
+export function suitsLogarithm(chart) {
   if (chart.phase) return false;
-  const spiky = 10, lines = shownCurves(chart).map(curve => inRange(curve, ...frequencyRange(chart)));
-  const highest = line => largestOf(line.map(p => p[1])), common = largestOf(lines.map(commonTop));
-  return common > 0 && largestOf(lines.map(highest)) > spiky * common;
+  const curves = shownCurves(chart), range = frequencyRange(chart);
+  if (chart.logarithmic !== undefined && !view.zoom && curves.length === chart.curves.length) return chart.logarithmic;
+  const isUnbounded = curves.some(c => c.peaks.some(p => p.unbounded && inside(p, range)));
+  return isUnbounded || isWide(amplitudeRange(curves.map(c => inRange(c, ...range)), amplitudeRule), amplitudeRule);
 }
 
 /// Share of the height of a chart that the marks of modes on its upper edge and a circle below them need.
@@ -76,7 +78,7 @@ function roomOfMarks(chart) {
 }
 
 /// Range of the amplitude axis: all shown curves and peaks, and limits near them.
-function amplitudeRange(chart) {
+function amplitudeAxis(chart) {
   const range = frequencyRange(chart), curves = shownCurves(chart), lines = curves.map(c => inRange(c, ...range));
   const log = isLogarithmic(chart);
   const peaks = curves.flatMap(c => c.peaks).filter(p => inside(p, range));
@@ -88,8 +90,7 @@ function amplitudeRange(chart) {
   if (!(top > 0)) return log ? [0.1, 1] : [0, 1];
   const room = roomOfMarks(chart);
   if (!log) return [0, top / (1 - room)];
-  const alive = lines.map(line => line.map(p => p[1])).filter(values => largestOf(values) > 1e-9 * largest);
-  const least = Math.max(smallestOf(alive.map(smallestOf)), 1e-8 * largest), from = Math.min(least / 1.6, top / 10);
+  const {bottom} = amplitudeRange(lines, amplitudeRule), from = Math.min(bottom > 0 ? bottom / 1.6 : Infinity, top / 10);
   return [from, top * (top / from) ** (room / (1 - room))];
 }
 
@@ -211,7 +212,7 @@ const AXIS = {stroke: '#333', font: FONT, labelFont: FONT, gap: 4, labelSize: 18
 /// "displacement amplitude [mm]" in the unit that suits the shown range.
 export function amplitudeWords(chart, u) {
   const {quantity} = units[chart.unit], name = quantity.includes(' ') ? quantity : `${quantity} amplitude`;
-  const top = u.scales.y.max ?? amplitudeRange(chart)[1];  // before the first drawing
+  const top = u.scales.y.max ?? amplitudeAxis(chart)[1];  // before the first drawing
   return `${name} [${multiple(top, chart.unit).unit}]`;
 }
 const frequencyLabel = () => (view.hz ? 'f [Hz]' : frequency?.label ?? 'ω [rad/s]');
@@ -255,7 +256,7 @@ function optionsOf(chart) {
     padding: [10, isOnPaper(chart) ? 28 : 12, 0, 0],
     legend: {show: false}, axes: axesOf(chart), series: [{}, ...chart.curves.map(curve => seriesOf(chart, curve))],
     scales: {x: {time: false, distr: view.xlog ? 3 : 1, min: from, max: to, range: (u, low, high) => [low, high]},
-             y: {distr: ylog ? 3 : 1, range: () => (chart.phase ? phaseAxis(chart) : amplitudeRange(chart))}},
+             y: {distr: ylog ? 3 : 1, range: () => (chart.phase ? phaseAxis(chart) : amplitudeAxis(chart))}},
     cursor: {y: false, move: (u, x, y) => snapped(chart, u, x, y), dataIdx: nearestPoint, points: {size: 7},
              drag: {x: true, y: false, setScale: false, dist: 6}, bind: bindings,
              sync: {key: 'ω', scales: ['x', null], filters: {pub: type => type === 'mousemove'}}},
@@ -272,8 +273,8 @@ function isNear({holder}) {
 /// charts have a fixed width.
 export function draw(chart) {
   if (!chart.stale || !(chart.width || isNear(chart))) return;
-  const spiky = isSpiky(chart);
-  if (spiky !== chart.spiky) [chart.spiky, chart.stale] = [spiky, 'all'];
+  const wide = suitsLogarithm(chart);
+  if (wide !== chart.wide) [chart.wide, chart.stale] = [wide, 'all'];
   if (chart.stale === 'range') {
     const [min, max] = frequencyRange(chart).map(w => w * axisFactor());
     chart.plot.setScale('x', {min, max});

@@ -2,7 +2,7 @@
 // Shows the selected case and all cases together, with the controls and the address of the page.
 import {caseName, cases, frequency, groups, largestOf, smallestOf} from './report_data.ts';
 import {bandOf, curvesOf, frequencies, landmarksOf, styled} from './case_curves.ts';
-import {allCharts, axisFactor, byId, draw, frequencyRange, frequencyUnit, html, isSpiky, makeChart, makeLegend,
+import {allCharts, axisFactor, byId, draw, frequencyRange, frequencyUnit, html, suitsLogarithm, makeChart, makeLegend,
         onCase, phaseRange, shownCharts, view} from './charts.js';
 import {backToScreen, layOutPages} from './print.js';
 
@@ -13,20 +13,20 @@ const SWITCHES = ['ylog', 'xlog', 'hz'];
 /// Charts of a case, and the nodes with them, one for each group of curves.
 export function chartsOfCase(index, options = {}) {
   const c = cases[index], curves = curvesOf(c), band = bandOf(c), landmarks = landmarksOf(c), made = [];
-  const row = (name, members) => {
+  const row = (name, members, logarithmic) => {
     const own = members.map((member, i) => styled({...curves[member.curve], label: member.label}, i));
     const legend = makeLegend(own, true), title = `${name}, ${own.map(curve => curve.label).join(', ')}`;
     const caption = options.width ? html('span', {class: 'caption'}) : null;
     if (caption) legend.node.prepend(caption);
     const common = {curves: own, legend, unit: own[0].unit, band, landmarks, modes: c.modes, ...options};
-    const pair = [makeChart({...common, caption, title: `Amplitude of ${title}`}),
+    const pair = [makeChart({...common, logarithmic, caption, title: `Amplitude of ${title}`}),
                   makeChart({...common, phase: phaseRange(own), title: `Phase of ${title}`})];
     made.push(...pair);
     return html('div', {class: 'row'}, legend.node, html('div', {class: 'pair'}, pair.map(chart => chart.holder)));
   };
   const shown = frequencies(c).length > 1 ? groups[index] : [];
-  const nodes = shown.map(({name, rows}) =>
-    html('div', {}, html('h3', {}, name), rows.filter(members => members.length).map(members => row(name, members))));
+  const nodes = shown.map(({name, rows, logarithmic}) =>
+    html('div', {}, html('h3', {}, name), rows.map((members, i) => (members.length ? row(name, members, logarithmic[i]) : []))));
   return {nodes, charts: made};
 }
 /// What the marks in the charts of a case mean.
@@ -86,9 +86,9 @@ function buildCase() {
 /// @param what  'all', or 'range' if only the zoom changed
 export function refresh(what = 'all') {
   for (const key of SWITCHES) byId(key).checked = view[key];
-  const spiky = allCharts().filter(chart => !chart.phase).map(isSpiky);
-  byId('ylog').checked = view.ylog ?? spiky.includes(true);
-  byId('ylog').indeterminate = view.ylog === null && spiky.includes(true) && spiky.includes(false);
+  const wide = allCharts().filter(chart => !chart.phase).map(suitsLogarithm);
+  byId('ylog').checked = view.ylog ?? wide.includes(true);
+  byId('ylog').indeterminate = view.ylog === null && wide.includes(true) && wide.includes(false);
   byId('case').value = view.case;
   const range = allCharts().length ? frequencyRange(allCharts()[0]) : [0, 0];
   [byId('from').value, byId('to').value] = range.map(w => Number((w * axisFactor()).toPrecision(5)));

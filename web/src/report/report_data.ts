@@ -3,6 +3,7 @@
 // units that the report shows.
 import type {Complex, CurveModel} from '../results.ts';
 import {digitsOf, suitedMultiple, type Multiple} from '../shown_number.ts';
+import type {AmplitudeRule} from './amplitude_range.ts';
 import type {Sample} from './adaptive_sampling.ts';
 
 export interface Named {
@@ -47,17 +48,19 @@ interface Drawing {
   units: Record<string, {quantity: string; multiples: Multiple[]; factor?: number; round_off?: number}>;
   groups: Group[][];
   design_groups?: Group[][];
+  amplitude_rule: AmplitudeRule;
   frequency?: {unit: string; factor: number; label: string};
 }
 interface Group {
   name: string;
   rows: {label: string; curve: number}[][];
+  logarithmic?: boolean[];  // is the axis of amplitudes of each row? Of designs of a map it is not known before they are drawn
 }
 
 /// What the program has written into the page. Its parts are those of results.json and of drawing_json.h.
 export const read = (id: string): unknown => JSON.parse(document.getElementById(id)!.textContent!);
 export const {cases} = read('results') as {cases: Case[]};
-export const {strokes, units, groups, frequency, design_groups: designGroups} = read('drawing') as Drawing;
+export const {strokes, units, groups, frequency, design_groups: designGroups, amplitude_rule: amplitudeRule} = read('drawing') as Drawing;
 export const TURN = 2 * Math.PI;
 
 /// Factor from an SI amplitude to the unit that the report shows.

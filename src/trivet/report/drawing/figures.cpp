@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 #include "trivet/foundation/index.h"
 #include "trivet/report/drawing/axis_ticks.h"
-#include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/plot_panel.h"
 #include "trivet/report/drawing/svg_canvas.h"
 
@@ -30,34 +30,32 @@ struct Panel {
   }
 };
 
-/// Amplitudes of some curves over their band: the largest, the median and the smallest visible one.
-struct Extent {
-  double largest = 0, median = 0, smallest = 0;
-  void include(const Extent& other) {
-    largest = std::max(largest, other.largest);
-    median = median > 0 ? std::min(median, other.median) : other.median;
-    smallest = smallest > 0 ? std::min(smallest, other.smallest) : other.smallest;
+/// Amplitudes of curves in several cases.
+class Amplitudes {
+ public:
+  void add(const study::ResponseResult& result, const std::vector<GroupedCurve>& series) {
+    for (const GroupedCurve& s : series) {
+      std::vector<double>& amplitude = values_.emplace_back();
+      for (const auto& value : result.curves.curves[s.curve].value) amplitude.push_back(std::abs(value));
+      at_.emplace_back(result.curves.angular_frequency);
+    }
   }
+  [[nodiscard]] AmplitudeRange range() const {
+    std::vector<DrawnAmplitudes> drawn;
+    for (std::size_t i = 0; i < at_.size(); ++i) drawn.push_back({at_[i], values_[i]});
+    return amplitude_range(drawn);
+  }
+
+ private:
+  std::vector<std::span<const double>> at_;
+  std::vector<std::vector<double>> values_;
 };
 
-Extent extent(const study::ResponseResult& result, const std::vector<GroupedCurve>& series) {
-  constexpr double invisible = 1e-5;  // of the largest amplitude
-  std::vector<double> all;
-  for (const GroupedCurve& s : series)
-    for (const auto& value : result.curves.curves[s.curve].value)
-      if (std::isfinite(std::abs(value))) all.push_back(std::abs(value));
-  if (all.empty()) return {};
-  std::ranges::sort(all);
-  const auto visible = std::ranges::upper_bound(all, invisible * all.back());
-  return {all.back(), all[all.size() / 2], visible == all.end() ? all.back() : *visible};
-}
-
-/// Sets the amplitude axis of a panel: linear from zero, or logarithmic if a linear one would show only a spike.
-void set_amplitude_axis(Panel& panel, const Extent& e, double factor) {
-  constexpr double spiky = 10;
-  panel.logarithmic = e.largest > spiky * e.median && e.smallest > 0;
-  panel.y_from = panel.logarithmic ? 0.8 * factor * e.smallest : 0;
-  panel.y_to = (panel.logarithmic ? 1.6 : 1.06) * factor * e.largest;
+/// Sets the amplitude axis of a panel: linear from zero, or logarithmic.
+void set_amplitude_axis(Panel& panel, const AmplitudeRange& range, double factor) {
+  panel.logarithmic = range.is_wide();
+  panel.y_from = panel.logarithmic ? 0.8 * factor * range.bottom : 0;
+  panel.y_to = (panel.logarithmic ? 1.6 : 1.06) * factor * range.largest;
   if (!(panel.y_to > panel.y_from)) panel.y_to = panel.y_from + 1;
 }
 
@@ -235,7 +233,7 @@ Figure group_figure(const study::CaseResults& results, const results::LargestOfK
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const std::vector<GroupedCurve>& series = *rows[r];
     const double top = 40 + static_cast<double>(r) * (row_height + 52);
-    const Extent range = extent(result, series);
+    const AmplitudeRange range = drawn_range(result, series);
     const UnitPrefix unit = amplitude_prefix(range.largest, of_kind, results, series);
     Panel amplitude{66, top, panel_width, row_height, result.band.from, result.band.to, 0, 1};
     set_amplitude_axis(amplitude, range, unit.factor);
@@ -253,6 +251,12 @@ Figure group_figure(const study::CaseResults& results, const results::LargestOfK
 }
 
 }  // namespace
+
+AmplitudeRange drawn_range(const study::ResponseResult& result, const std::vector<GroupedCurve>& series) {
+  Amplitudes amplitudes;
+  amplitudes.add(result, series);
+  return amplitudes.range();
+}
 
 std::string Figure::html() const {
   return strips.empty() ? svg : std::accumulate(strips.begin(), strips.end(), std::string());
@@ -290,14 +294,15 @@ Figure overview(const std::string& title, const std::vector<study::CaseResults>&
   SvgCanvas canvas(canvas_width, 44 + row_pitch * static_cast<double>(rows));
   canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
   // One scale for all, so that the cases can be compared.
-  std::array<Extent, 2> ranges;
+  std::array<Amplitudes, 2> amplitudes;
   results::LargestOfKind of_kind;
   for (const study::CaseResults* results : shown) {
     add_amplitudes(*results->response, of_kind);
     const CurveGroup group = curve_groups(curve_names(results->response->curves.curves)).front();
-    ranges[0].include(extent(*results->response, group.upper));
-    ranges[1].include(extent(*results->response, group.lower));
+    amplitudes[0].add(*results->response, group.upper);
+    amplitudes[1].add(*results->response, group.lower);
   }
+  const std::array<AmplitudeRange, 2> ranges = {amplitudes[0].range(), amplitudes[1].range()};
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const study::CaseResults& results = *shown[i];
     const CurveGroup group = curve_groups(curve_names(results.response->curves.curves)).front();
@@ -311,7 +316,7 @@ Figure overview(const std::string& title, const std::vector<study::CaseResults>&
                 "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
-      const Extent& range = ranges[part];
+      const AmplitudeRange& range = ranges[part];
       const UnitPrefix unit = amplitude_prefix(range.largest, of_kind, results, *series);
       Panel panel{
           left, top + part * (height + 28), width, height, results.response->band.from, results.response->band.to, 0,

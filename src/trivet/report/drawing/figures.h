@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "trivet/report/drawing/amplitude_range.h"
+#include "trivet/report/drawing/curve_groups.h"
 #include "trivet/study/analyses/case_results.h"
 
 namespace trivet::report {
@@ -21,6 +23,9 @@ struct Figure {
   /// For the page: the strips, or else the picture.
   [[nodiscard]] std::string html() const;
 };
+
+/// What the curves of a row of a group span, which decides on its axis.
+[[nodiscard]] AmplitudeRange drawn_range(const study::ResponseResult& result, const std::vector<GroupedCurve>& series);
 
 /// Characteristics of one case, one figure per body, point or element: translations (or forces) above, rotations (or
 /// moments) below, amplitude left and phase right, peaks marked, limits as lines.

@@ -9,6 +9,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/report/drawing/amplitude_range.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/panel_figure.h"
@@ -21,7 +22,6 @@ namespace {
 using foundation::rpm_per_rad_s;
 using foundation::two_pi;
 constexpr std::size_t most_orders = 5;
-constexpr double spiky = 30, invisible = 1e-4;
 
 /// The orders with the highest amplitudes relative to the highest of their curve, ascending: the same for all curves,
 /// so that a stroke is one order everywhere.
@@ -45,23 +45,12 @@ std::vector<std::size_t> tallest_orders(const response::RunUp& run_up) {
   return kept;
 }
 
-double tallest(const std::vector<PanelCurve>& curves) {
-  double top = 0;
-  for (const PanelCurve& curve : curves)
-    top = std::max(top, highest_finite(Eigen::Map<const Eigen::VectorXd>(curve.y.data(), std::ssize(curve.y))));
-  return top;
-}
-
-/// Linear axis from zero, or logarithmic if a linear one would show only a spike.
+/// Linear axis from zero, or logarithmic. The sum of all orders decides: no order is above it, and one that is far
+/// below it does not matter.
 Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
-  std::vector<double> overall;
-  for (const double y : curves.front().y)
-    if (std::isfinite(y)) overall.push_back(y);
-  std::ranges::sort(overall);
-  const double top = tallest(curves);
-  if (!overall.empty() && top > spiky * overall[overall.size() / 2])
-    return logarithmic_axis(curves, invisible, std::move(label));
-  return airy_axis(0, top, std::move(label));
+  const AmplitudeRange range = amplitude_range({{curves.front().x, curves.front().y}});
+  if (range.is_wide()) return logarithmic_axis(curves, range.bottom / range.largest, std::move(label));
+  return airy_axis(0, range.largest, std::move(label));
 }
 
 PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, std::size_t curve,

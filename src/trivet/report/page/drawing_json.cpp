@@ -9,6 +9,7 @@
 
 #include "trivet/report/drawing/axis_ticks.h"
 #include "trivet/report/drawing/curve_groups.h"
+#include "trivet/report/drawing/figures.h"
 #include "trivet/report/drawing/plot_panel.h"
 
 namespace trivet::report {
@@ -58,6 +59,25 @@ Json groups_json(const std::vector<CurveName>& names) {
   return list;
 }
 
+/// The same with the decision for each row: is its amplitude axis logarithmic?
+Json groups_json(const study::ResponseResult& response) {
+  const std::vector<CurveName> names = curve_names(response.curves.curves);
+  Json list = groups_json(names);
+  std::size_t i = 0;
+  for (const CurveGroup& group : curve_groups(names))
+    list[i++]["logarithmic"] = {drawn_range(response, group.upper).is_wide(),
+                                drawn_range(response, group.lower).is_wide()};
+  return list;
+}
+
+Json rule_json(const AmplitudeRule& rule) {
+  return {{"range", rule.range},
+          {"dips", rule.dips},
+          {"negligible", rule.negligible},
+          {"round_off", rule.round_off},
+          {"below", rule.below}};
+}
+
 }  // namespace
 
 std::string drawing_json(const std::vector<study::CaseResults>& results, const CaseMapCurves& map_curves) {
@@ -73,7 +93,7 @@ std::string drawing_json(const std::vector<study::CaseResults>& results, const C
       for (const auto& value : curve.value)
         if (std::isfinite(std::abs(value))) most = std::max(most, std::abs(value));
     }
-    groups.back() = groups_json(curve_names(curves));
+    groups.back() = groups_json(*of_case.response);
   }
   Json of_designs = Json::array();
   for (const auto& curves : map_curves) {
@@ -86,7 +106,10 @@ std::string drawing_json(const std::vector<study::CaseResults>& results, const C
   }
   for (const auto& [unit, most] : largest)
     units[unit] = shown_unit_json(results::amplitude_unit(display, unit), unit, most);
-  Json drawing{{"strokes", strokes()}, {"units", std::move(units)}, {"groups", std::move(groups)}};
+  Json drawing{{"strokes", strokes()},
+               {"units", std::move(units)},
+               {"groups", std::move(groups)},
+               {"amplitude_rule", rule_json(amplitude_rule)}};
   if (!of_designs.empty()) drawing["design_groups"] = std::move(of_designs);
   drawing["frequency"] = {{"unit", results::frequency_unit(display)},
                           {"factor", results::shown_frequency(display, 1)},
