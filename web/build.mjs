@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bundles the page (page.js, page.css, index.html), the widget of notebooks (widget.js) and the script of the report
-// (report.js), both with their styles, into dist, with licences.txt for all, or with --tests the unit tests into build.
+// Bundles the page (page.js, page.css, index.html), the widget of notebooks (widget.js) and the scripts of the report
+// (report.js; report_machine.js, which it starts when it is wanted), all with their styles, into dist, with licences.txt
+// for all, or with --tests the unit tests into build.
 // --out FOLDER writes the page elsewhere, so that scripts/web can compare it with the committed one.
 import {build} from 'esbuild';
 import {createHash} from 'node:crypto';
@@ -9,6 +10,7 @@ import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 const here = dirname(fileURLToPath(import.meta.url));
+const NAMES = {uplot: 'uPlot', three: 'three.js', lit: 'Lit'};
 const option = name => process.argv.includes(name);
 const common = {absWorkingDir: here, bundle: true, format: 'esm', target: 'es2022', charset: 'utf8', logLevel: 'warning',
                 tsconfig: 'tsconfig.json'};
@@ -49,12 +51,18 @@ async function buildWidget(out) {
   return bundle(createHash('sha256').update(content).digest('hex').slice(0, 16), {outdir: out});
 }
 
-/// A classic script within a page. Reports are mailed without licences.txt, so the licence of the chart library is in it.
-function buildReport(out) {
-  const chart = join(here, 'node_modules/uplot'), licence = readFileSync(join(chart, 'LICENSE'), 'utf8').trim();
-  const {version} = JSON.parse(readFileSync(join(chart, 'package.json'), 'utf8'));
-  return build({...common, entryPoints: ['src/report/report.js'], outdir: out, format: 'iife', minify: true, legalComments: 'none',
-                loader: {'.css': 'text'}, banner: {js: `// SPDX-License-Identifier: BSD-3-Clause\n/* uPlot ${version}\n${licence} */`}});
+/// Classic scripts within a page. Reports are mailed without licences.txt, so the licences of the libraries are in them.
+async function buildReport(out) {
+  const options = {...common, outdir: out, format: 'iife', minify: true, legalComments: 'none', loader: {'.css': 'text'}};
+  await build({...options, entryPoints: ['src/report/report.js'], banner: {js: bannerOf('uplot')}});
+  await build({...options, entryPoints: {report_machine: 'src/report/machine_view.ts'}, banner: {js: bannerOf('three', 'lit')}});
+}
+function bannerOf(...packages) {
+  const licences = packages.map(name => {
+    const folder = join(here, 'node_modules', name), {version} = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'));
+    return `/* ${NAMES[name]} ${version}\n${readFileSync(join(folder, 'LICENSE'), 'utf8').trim()} */`;
+  });
+  return ['// SPDX-License-Identifier: BSD-3-Clause', ...licences].join('\n');
 }
 
 async function buildTests() {

@@ -206,7 +206,8 @@ class StoredDesigns(Folder):
 @unittest.skipUnless(BROWSER, "no browser")
 class Browser(Folder):
     def seen(self, report, view):
-        arguments = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking"]
+        arguments = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--disable-3d-apis"]
+        arguments += ["--disable-background-networking"]
         arguments += ["--enable-logging=stderr", "--window-size=1280,8000", "--virtual-time-budget=5000"]
         arguments += [f"--user-data-dir={self.folder}/profile", "--dump-dom", report.as_uri() + view]
         done = subprocess.run(arguments, check=True, capture_output=True, text=True, timeout=300)

@@ -108,6 +108,7 @@ class Browser(Folder):
             "--headless",
             "--no-sandbox",
             "--disable-gpu",
+            "--disable-3d-apis",  # the machine in 3D is tested in tests/page
             "--disable-background-networking",
             "--enable-logging=stderr",
             "--window-size=1280,8000",

@@ -55,7 +55,7 @@ class Report(html.parser.HTMLParser):
         attributes = dict(attributes)
         self.inside[tag] += 1
         if tag == "script":
-            self.script = attributes.get("id")
+            self.script = attributes.get("id") if attributes.get("type") == "application/json" else None
         if tag == "div":  # what the input file has is printed there; long tables have no grey rows
             classes = attributes.get("class", "").split()
             self.elsewhere |= "data-in-file" in attributes

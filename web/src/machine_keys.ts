@@ -4,7 +4,8 @@ import type {App} from './part.ts';
 import type {Modes, Scene} from './results.ts';
 import type {Selection} from './state.ts';
 
-const TURNS: Record<string, readonly [number, number, number]> = {
+/// Turns of the camera to the right and upwards [rad], and closer.
+export const TURNS: Record<string, readonly [number, number, number]> = {
   ArrowLeft: [-0.15, 0, 1], ArrowRight: [0.15, 0, 1], ArrowUp: [0, 0.12, 1], ArrowDown: [0, -0.12, 1],
   '+': [0, 0, 1 / 1.15], '-': [0, 0, 1.15]};
 

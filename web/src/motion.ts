@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic rigid motions of bodies: what an animated shape is made of.
-import type {Complex, Modes, Roots, SceneBody, Shapes, SteadyMotion, Vector} from './results.ts';
+import type {Complex, Mode, Modes, Roots, SceneBody, Shapes, SteadyMotion, Vector} from './results.ts';
 
 /// Complex translation of the pole and rotation about it, in the frame of the project: x, y, z, θx, θy, θz.
 export type Amplitudes = readonly Complex[];
@@ -52,7 +52,12 @@ const ofFeet = (feet: readonly string[] | undefined, motions: readonly Amplitude
   new Map(feet?.map((name, i) => [name, harmonic(motions![i]!)]));
 const real = (values: readonly number[]) => values.map((v): Complex => [v, 0]);
 
-export function ofMode(modes: Modes, index: number, bodies: readonly SceneBody[]): Motion | null {
+/// What the motion of a mode needs of a document of modes.
+export interface MovingModes {
+  feet?: string[];
+  modes: readonly Pick<Mode, 'number' | 'angular_frequency' | 'name' | 'shape' | 'feet'>[];
+}
+export function ofMode(modes: Modes | MovingModes, index: number, bodies: readonly SceneBody[]): Motion | null {
   const mode = modes.modes[index];
   if (!mode?.shape) return null;
   return {label: `Mode ${mode.number}`, words: mode.name, angular_frequency: mode.angular_frequency,

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "trivet/documents/base64.h"
 #include "trivet/foundation/index.h"
 #include "trivet/report/map/map_picture.h"
 #include "trivet/results/design/map_summary.h"
@@ -21,19 +22,6 @@ using Json = nlohmann::ordered_json;
 /// Of the numbers of all maps of a page; base64 needs four characters for three bytes.
 constexpr double most_bytes_of_curves = 2.4e6;
 
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  constexpr const char* signs = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k) three = three << 8U | (k < left ? bytes[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= left ? signs[three >> (18U - 6U * k) & 63U] : '=';
-  }
-  return text;
-}
-
 template <typename Number>
 class Packed {
  public:
@@ -43,7 +31,7 @@ class Packed {
     bytes_.resize(at + sizeof(Number));
     std::memcpy(&bytes_[at], &number, sizeof(Number));
   }
-  [[nodiscard]] std::string text() const { return base64(bytes_); }
+  [[nodiscard]] std::string text() const { return documents::base64(bytes_); }
 
  private:
   std::vector<std::uint8_t> bytes_;

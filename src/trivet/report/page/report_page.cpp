@@ -10,9 +10,11 @@
 #include "trivet/foundation/version.h"
 #include "trivet/report/drawing/machine_drawing.h"
 #include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/page/compressed_part.h"
 #include "trivet/report/page/design_judgement.h"
 #include "trivet/report/page/drawing_json.h"
 #include "trivet/report/page/first_page.h"
+#include "trivet/report/page/machine_json.h"
 #include "trivet/report/page/page_notices.h"
 #include "trivet/report/page/result_sections.h"
 #include "trivet/report/page/title_block.h"
@@ -25,6 +27,7 @@ namespace trivet::report {
 extern const char* const page_html;
 extern const char* const page_css;
 extern const char* const page_script;
+extern const char* const machine_script;
 
 namespace {
 
@@ -34,7 +37,8 @@ void replace(std::string& text, const std::string& place, const std::string& con
 }
 
 /// Leaves out the parts of the page of one kind: between <!-- KIND --> and <!-- /KIND -->. The short form has none that
-/// are `full`, a page without maps none of a `map`.
+/// are `full`, a page without maps none of a `map`, one without
+/// bodies none of `3d`.
 std::string without_parts(std::string page, const std::string& kind) {
   const std::string begin = "<!-- " + kind + " -->", end = "<!-- /" + kind + " -->";
   for (std::size_t from = page.find(begin); from != std::string::npos; from = page.find(begin))
@@ -143,8 +147,14 @@ std::string report_page(const project::Project& project, const std::vector<study
   std::string page = is_short ? without_parts(page_html, "full") : page_html;
   const bool has_points = has_map_point(map_curves);
   if (!has_points) page = without_parts(page, "map");
+  const bool has_motion = !is_short && has_moving_machine(cases);
+  if (!has_motion) page = without_parts(page, "3d");
   // From the end to the start, so that inserted text that looks like a placeholder is not replaced.
   replace(page, "{{script}}", page_script);
+  if (has_motion) {
+    replace(page, "{{machine_data}}", compressed_part(machine_json(cases)));
+    replace(page, "{{machine_script}}", compressed_part(machine_script));
+  }
   if (has_points) replace(page, "{{designs}}", inside_script(map_point_json(case_results, map_curves)));
   replace(page, "{{drawing}}", inside_script(drawing_json(case_results, map_curves)));
   replace(page, "{{results}}", inside_script(results));

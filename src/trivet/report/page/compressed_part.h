@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace trivet::report {
+
+/// A part of the page that it unpacks when a reader wants it: gzip, as base64. The same text gives the same bytes.
+[[nodiscard]] std::string compressed_part(std::string_view text);
+
+}  // namespace trivet::report

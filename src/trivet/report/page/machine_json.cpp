@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/page/machine_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+
+#include "trivet/documents/json_text.h"
+#include "trivet/documents/shown_numbers.h"
+#include "trivet/report/drawing/in_documents.h"
+#include "trivet/results/analyses/modes_document.h"
+#include "trivet/results/format/written_results.h"
+#include "trivet/results/scene/scene_document.h"
+
+namespace trivet::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::ptrdiff_t most_motions = 30;  ///< of modes and of shapes of a case: a list to choose from
+
+/// Numbers to as many digits as a drawing may need when it is enlarged.
+void round_numbers(Json& json) {
+  if (json.is_number_float()) json = std::stod(fmt::format("{:.7g}", json.get<double>()));
+  else if (json.is_structured())
+    for (Json& part : json) round_numbers(part);
+}
+
+Json rounded(const Document& document) {
+  Json json = Json::parse(documents::json::text(as_json(document)));
+  round_numbers(json);
+  return json;
+}
+
+/// The members of an object that the view reads.
+Json only(const Json& json, std::initializer_list<const char*> keys) {
+  Json result = Json::object();
+  for (const char* key : keys)
+    if (json.contains(key)) result[key] = json[key];
+  return result;
+}
+void keep_in_list(Json& list, std::initializer_list<const char*> keys) {
+  for (Json& one : list) one = only(one, keys);
+}
+
+Json modes_json(const ShownCase& shown) {
+  const auto& list = shown.results.modes.list;
+  study::CaseResults lowest;  // a document of hundreds of modes would take longer than the page
+  lowest.modes.list.assign(list.begin(), list.begin() + std::min(most_motions, std::ssize(list)));
+  Json json = only(rounded(results::modes_document(shown.variant, lowest, 0)), {"feet", "modes"});
+  keep_in_list(json["modes"], {"number", "angular_frequency", "name", "shape", "feet"});
+  json["all"] = list.size();
+  return json;
+}
+
+Json shapes_json(const ShownCase& shown) {
+  if (!shown.results.shapes) return nullptr;
+  Json json = only(rounded(results::result_document("shapes", shown.variant, shown.results)), {"shapes"});
+  json["all"] = json["shapes"].size();  // first: a new member moves the others
+  Json& list = json["shapes"];
+  if (std::ssize(list) > most_motions) list.erase(list.begin() + most_motions, list.end());
+  keep_in_list(list, {"angular_frequency", "places"});
+  for (Json& shape : list) keep_in_list(shape["places"], {"name", "motion"});
+  return json;
+}
+
+/// The place of a scene in the list, to which it is added if it is a new one. Most cases do not change what is drawn.
+std::size_t place_of_scene(const ShownCase& shown, Json& scenes) {
+  Json scene = rounded(results::scene_document(shown.variant, results::scene_of(shown.variant)));
+  const auto found = std::ranges::find(scenes, scene);
+  const auto place = static_cast<std::size_t>(found - scenes.begin());
+  if (found == scenes.end()) scenes.push_back(std::move(scene));
+  return place;
+}
+
+}  // namespace
+
+bool has_moving_machine(const std::vector<ShownCase>& cases) {
+  return !cases.empty() && !cases.front().variant.system.bodies().empty();
+}
+
+std::string machine_json(const std::vector<ShownCase>& cases) {
+  Json scenes = Json::array(), list = Json::array();
+  for (const ShownCase& shown : cases)
+    list.push_back({{"name", shown.name()},
+                    {"scene", place_of_scene(shown, scenes)},
+                    {"modes", modes_json(shown)},
+                    {"shapes", shapes_json(shown)}});
+  const project::DisplayUnits& display = cases.front().variant.display;
+  const Json json{{"frequency", {{"unit", frequency_unit(display)}, {"factor", shown_frequency(display, 1)}}},
+                  {"scenes", std::move(scenes)},
+                  {"cases", std::move(list)}};
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a report stores for its machine in 3D: the results of `trivet scene`, `modes` and `shapes`."""
+import base64
+import gzip
+import json
+import re
+import unittest
+
+from trivet_test import SOURCE, InTemporaryFolder, trivet
+
+DIGITS = 5.001e-7  # relative: half a unit of the last of 7 digits
+GENSET = SOURCE / "examples/genset/genset.toml"
+FRAME = SOURCE / "examples/frame/frame.toml"  # three cases, one of which changes the machine
+
+
+class Machine(InTemporaryFolder):
+    def report(self, project, form="full"):
+        done = trivet("run", project, "-o", self.folder / "out", "--report", form)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return (self.folder / "out/report.html").read_text()
+
+    def part(self, page, name):
+        found = re.search(f'<script type="text/plain" id="{name}">(.*?)</script>', page)
+        return gzip.decompress(base64.b64decode(found.group(1), validate=True)).decode()
+
+    def stored(self, project):
+        return json.loads(self.part(self.report(project), "machine-data"))
+
+    def command(self, *words):
+        done = trivet(*words, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def check_equal(self, stored, exact, place=""):
+        """The stored value is the exact one, of which it may lack keys and items at the end."""
+        if isinstance(stored, dict):
+            for key, value in stored.items():
+                self.check_equal(value, exact[key], f"{place}.{key}")
+        elif isinstance(stored, list):
+            self.assertLessEqual(len(stored), len(exact), place)
+            for i, value in enumerate(stored):
+                self.check_equal(value, exact[i], f"{place}[{i}]")
+        elif isinstance(stored, float):
+            self.assertAlmostEqual(stored, exact, delta=DIGITS * abs(exact), msg=place)
+        else:
+            self.assertEqual(stored, exact, place)
+
+    def test_scenes_and_modes_of_all_cases_are_those_of_the_commands(self):
+        stored = self.stored(FRAME)
+        names = [one["name"] for one in stored["cases"]]
+        self.assertEqual(names[0], "Base model")
+        self.assertGreater(len(names), 1)
+        self.assertLess(len(stored["scenes"]), len(names) + 1)
+        for one in stored["cases"]:
+            words = [] if one["name"] == "Base model" else ["--case", one["name"]]
+            scene = self.command("scene", FRAME, *words)
+            self.assertEqual(set(stored["scenes"][one["scene"]]), set(scene))
+            self.check_equal(stored["scenes"][one["scene"]], scene)
+            modes = self.command("modes", FRAME, *words)
+            self.assertEqual(one["modes"].pop("all"), len(modes["modes"]))
+            self.assertEqual(len(one["modes"]["modes"]), min(30, len(modes["modes"])))
+            self.check_equal(one["modes"], modes)
+
+    def test_operating_shapes_are_those_of_the_command(self):
+        project = self.folder / "machine.toml"
+        text = (SOURCE / "examples/paper/corrected.toml").read_text()
+        project.write_text(text + '\n[analyses.shapes]\nat = ["4 Hz", "9 Hz"]\n')
+        shapes = self.stored(project)["cases"][0]["shapes"]
+        self.assertEqual(shapes.pop("all"), 2)
+        self.check_equal(shapes, self.command("shapes", project))
+
+    def test_the_same_file_gives_the_same_bytes_and_the_script_of_the_source(self):
+        page = self.report(GENSET)
+        self.assertEqual(page, self.report(GENSET))
+        script = (SOURCE / "web/dist/report_machine.js").read_text()
+        self.assertEqual(self.part(page, "machine-script"), script)
+        for licence in ("three.js authors", "Google LLC"):
+            self.assertIn(licence, script)
+
+    def test_the_short_form_has_no_machine_in_3d(self):
+        page = self.report(GENSET, "short")
+        self.assertNotIn("machine-script", page)
+        self.assertNotIn("machine-data", page)
+
+
+if __name__ == "__main__":
+    unittest.main()
