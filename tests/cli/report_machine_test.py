@@ -3,6 +3,7 @@
 import base64
 import gzip
 import json
+import math
 import re
 import unittest
 
@@ -10,7 +11,30 @@ from trivet_test import SOURCE, InTemporaryFolder, trivet
 
 DIGITS = 5.001e-7  # relative: half a unit of the last of 7 digits
 GENSET = SOURCE / "examples/genset/genset.toml"
+FAN = SOURCE / "examples/fan/fan.toml"
 FRAME = SOURCE / "examples/frame/frame.toml"  # three cases, one of which changes the machine
+
+BASE = """
+trivet = 1
+[bodies.mass]
+mass = 4
+free = ["z"]
+[elements.spring]
+type = "bushing"
+on = "mass"
+at = [0, 0, 0]
+translation = [900, 900, 900]
+damping = {loss_factor = 0.1}
+[excitations.engine]
+type = "orders"
+on = "mass"
+at = [0, 0, 0]
+table = [{order = 1, force = [0, 0, 3]}, {order = 2.5, force = [0, 0, 7]}]
+[operation]
+speeds = ["600 rpm", ["500 rpm", "900 rpm"]]
+[analyses]
+modes = {}
+"""
 
 
 class Machine(InTemporaryFolder):
@@ -68,6 +92,25 @@ class Machine(InTemporaryFolder):
         shapes = self.stored(project)["cases"][0]["shapes"]
         self.assertEqual(shapes.pop("all"), 2)
         self.check_equal(shapes, self.command("shapes", project))
+
+    def test_the_shape_at_a_speed_of_the_machine_is_that_at_its_frequency(self):
+        shapes = self.stored(FAN)["cases"][0]["shapes"]["shapes"]
+        self.assertEqual([one.pop("at") for one in shapes], ["980 rpm, order 1"])
+        project = self.folder / "fan.toml"  # the unbalance alone runs with the machine
+        project.write_text(FAN.read_text() + '\nshapes = {at = ["980 rpm"], excitations = ["rotor"]}\n')
+        self.check_equal(shapes, self.command("shapes", project)["shapes"])
+
+    def test_the_orders_of_a_machine_at_a_speed_are_shapes_of_their_own(self):
+        project = self.folder / "orders.toml"
+        project.write_text(BASE)
+        shapes = self.stored(project)["cases"][0]["shapes"]["shapes"]
+        self.assertEqual([one["at"] for one in shapes], ["600 rpm, order 1", "600 rpm, order 2.5"])
+        for one, order, force in zip(shapes, (1, 2.5), (3, 7)):
+            omega = order * 600 * 2 * math.pi / 60
+            self.assertAlmostEqual(one["angular_frequency"], omega, delta=DIGITS * omega)
+            place = next(place for place in one["places"] if place["name"] == "mass")
+            exact = force / (900 * (1 + 0.1j) - 4 * omega**2)  # one mass on one spring
+            self.assertAlmostEqual(complex(*place["motion"][2]), exact, delta=2 * DIGITS * abs(exact))
 
     def test_the_same_file_gives_the_same_bytes_and_the_script_of_the_source(self):
         page = self.report(GENSET)

@@ -14,7 +14,12 @@ import sheetOfView from './machine_view.css';
 interface MachineOfReport {
   frequency: {unit: string; factor: number};  // from rad/s
   scenes: Scene[];
-  cases: {name: string; scene: number; modes: MovingModes & {all: number}; shapes: Shapes & {all: number} | null}[];
+  cases: {name: string; scene: number; modes: MovingModes & {all: number}; shapes: OperatingShapes | null}[];
+}
+/// Those at the speeds of the machine have words for it.
+interface OperatingShapes {
+  all: number;
+  shapes: (Shapes['shapes'][number] & {at?: string})[];
 }
 interface Choice {
   words: string;
@@ -76,13 +81,14 @@ class MachineView {
     if (isNew) this.build(this.machine === null || this.machine.scene.title !== scene.title);
     this.changed();
   }
-  private choicesOf(modes: MovingModes, shapes: Shapes['shapes'], {bodies}: Scene): Choice[] {
+  private choicesOf(modes: MovingModes, shapes: OperatingShapes['shapes'], {bodies}: Scene): Choice[] {
     const {unit, factor} = this.data.frequency;
     const frequency = (omega: number | null) => (omega === null ? 'unstable' : `${number(omega * factor)} ${unit}`);
     const ofModes = modes.modes.map((mode, i) => (
       {words: `Mode ${mode.number}: ${frequency(mode.angular_frequency)}, ${mode.name}`, motion: ofMode(modes, i, bodies)}));
-    const ofShapes = shapes.map(shape => (
-      {words: `Operating shape at ${frequency(shape.angular_frequency)}`, motion: ofShape({shapes: [shape]}, bodies)}));
+    const ofShapes = shapes.map(shape => ({
+      words: `Operating shape at ${shape.at ? `${shape.at}: ` : ''}${frequency(shape.angular_frequency)}`,
+      motion: ofShape({shapes: [shape]}, bodies)}));
     return [...ofModes, ...ofShapes, {words: 'At rest', motion: null}];
   }
   private build(fit: boolean) {

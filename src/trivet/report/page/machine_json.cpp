@@ -55,14 +55,36 @@ Json modes_json(const ShownCase& shown) {
   return json;
 }
 
+/// A shape of the list with what it is of, as "980 rpm, order 1"; empty: the frequency says it.
+struct NamedShape {
+  response::DeflectionShape shape;
+  std::string at;
+};
+std::vector<NamedShape> shapes_of(const study::CaseResults& results) {
+  std::vector<NamedShape> list;
+  if (results.operation)
+    for (const study::OperatingSpeed& at : results.operation->speeds)
+      for (const auto& [order, shape] : at.shapes)
+        list.push_back({shape, fmt::format("{}, order {:.6g}", study::speed_words(at.speed), order)});
+  if (results.shapes)
+    for (const response::DeflectionShape& shape : *results.shapes) list.push_back({shape, ""});
+  return list;
+}
+
 Json shapes_json(const ShownCase& shown) {
-  if (!shown.results.shapes) return nullptr;
-  Json json = only(rounded(results::result_document("shapes", shown.variant, shown.results)), {"shapes"});
-  json["all"] = json["shapes"].size();  // first: a new member moves the others
-  Json& list = json["shapes"];
-  if (std::ssize(list) > most_motions) list.erase(list.begin() + most_motions, list.end());
-  keep_in_list(list, {"angular_frequency", "places"});
-  for (Json& shape : list) keep_in_list(shape["places"], {"name", "motion"});
+  const std::vector<NamedShape> list = shapes_of(shown.results);
+  if (list.empty()) return nullptr;
+  study::CaseResults drawn;
+  drawn.shapes.emplace();
+  for (std::ptrdiff_t i = 0; i < std::min(most_motions, std::ssize(list)); ++i)
+    drawn.shapes->push_back(list[static_cast<std::size_t>(i)].shape);
+  Json json = only(rounded(results::result_document("shapes", shown.variant, drawn)), {"shapes"});
+  json["all"] = list.size();
+  keep_in_list(json["shapes"], {"angular_frequency", "places"});
+  for (std::size_t i = 0; i < json["shapes"].size(); ++i) {
+    keep_in_list(json["shapes"][i]["places"], {"name", "motion"});
+    if (!list[i].at.empty()) json["shapes"][i]["at"] = list[i].at;
+  }
   return json;
 }
 

@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
+#include "trivet/response/machinery/deflection_shape.h"
 #include "trivet/response/machinery/operating_loads.h"
 #include "trivet/response/steady/at_rest.h"
 #include "trivet/study/analyses/analysis_results.h"
@@ -131,6 +132,19 @@ std::vector<OperatingMode> distances(const CaseContext& c, const std::vector<res
   return result;
 }
 
+std::vector<OperatingShape> operating_shapes(const CaseContext& c, const std::vector<response::OrderLoading>& loads,
+                                             double speed) {
+  std::vector<OperatingShape> result;
+  for (const response::OrderLoading& load : loads) {
+    try {
+      result.push_back(
+          {load.order, response::deflection_shape(c.system, c.assembled, load.loading, load.order * speed)});
+    } catch (const foundation::NotComputable&) {  // an undamped resonance, which the values of the speed state
+    }
+  }
+  return result;
+}
+
 /// "order 1 is at 93 % of mode 6 (17.5 Hz)", "order 1 passes through mode 3 at 612 rpm"
 std::string nearness_words(const OperatingMode& mode) {
   if (mode.passes)
@@ -183,6 +197,7 @@ void add_speed(const CaseContext& c, const project::OperationAnalysis& request,
   at.forces.assign(values.begin() + static_cast<std::ptrdiff_t>(2 * channels.motions), values.end());
   at.isolation = isolation_at(c, speed, request.selection.excitations);
   at.modes = distances(c, loads, speed);
+  if (!at.is_range()) at.shapes = operating_shapes(c, loads, speed.from);
   at.limits = std::move(operating_limits(c, request, loads).front());
   if (request.bands) {
     const auto velocities = channels.list.begin() + static_cast<std::ptrdiff_t>(channels.motions);

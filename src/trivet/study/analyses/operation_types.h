@@ -12,6 +12,7 @@
 #include "trivet/assembly/limit_line.h"
 #include "trivet/excitation/frequency_bands.h"
 #include "trivet/project/text/level.h"
+#include "trivet/response/machinery/deflection_shape.h"
 
 /// What happens at the speeds at which a machine runs. All excitations run with it: its orders, and at order 1
 /// unbalances and harmonic forces. Formulas: docs/analyses.md.
@@ -96,6 +97,13 @@ inline constexpr double near_resonance = 0.2;
 
 inline bool OperatingMode::is_near() const { return std::abs(distance()) <= near_resonance * (1 + 1e-9); }
 
+/// Motion of the machine in one order of its speed. Orders are shown one by one, as they are measured: their sum has no
+/// single frequency.
+struct OperatingShape {
+  double order = 0;
+  response::DeflectionShape shape;
+};
+
 struct OperatingSpeed {
   assembly::Band speed;  ///< Ω [rad/s]; from = to: one speed
   std::vector<OperatingMotion> motions;
@@ -103,6 +111,7 @@ struct OperatingSpeed {
   std::vector<OperatingIsolation> isolation;
   std::vector<OperatingLimit> limits;  ///< of [operation.limits]
   std::vector<OperatingMode> modes;    ///< by order, then ascending
+  std::vector<OperatingShape> shapes;  ///< ascending order; without those of an undamped resonance; none of a range
 
   [[nodiscard]] bool is_range() const { return speed.from < speed.to; }
 };
