@@ -16,6 +16,8 @@ namespace {
 
 using spatial::Matrix6;
 
+constexpr std::array names_of_motions = {"displacement", "velocity", "acceleration"};
+
 class Builder {
  public:
   Builder(const model::System& system, const Assembled& assembled, MotionQuantity quantity)
@@ -240,6 +242,16 @@ class Builder {
 };
 
 }  // namespace
+
+const char* motion_name(MotionQuantity quantity) { return names_of_motions.at(static_cast<std::size_t>(quantity)); }
+
+std::vector<std::string> motion_names() { return {names_of_motions.begin(), names_of_motions.end()}; }
+
+MotionQuantity motion_quantity(std::string_view name) {
+  const auto found = std::ranges::find(names_of_motions, name);
+  if (found == names_of_motions.end()) throw foundation::InvalidInput("unknown quantity of motion");
+  return static_cast<MotionQuantity>(found - names_of_motions.begin());
+}
 
 std::vector<numerics::ObservedCurve> curves(const std::vector<Channel>& channels) {
   std::vector<numerics::ObservedCurve> result;

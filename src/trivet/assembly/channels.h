@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
@@ -11,6 +13,15 @@
 namespace trivet::assembly {
 
 enum class MotionQuantity { displacement, velocity, acceleration };
+inline constexpr std::array motion_quantities = {MotionQuantity::displacement, MotionQuantity::velocity,
+                                                 MotionQuantity::acceleration};
+
+/// "displacement", "velocity", "acceleration"
+[[nodiscard]] const char* motion_name(MotionQuantity quantity);
+/// The names of all quantities, in their order.
+[[nodiscard]] std::vector<std::string> motion_names();
+/// @param name  one of `motion_names`
+[[nodiscard]] MotionQuantity motion_quantity(std::string_view name);
 
 /// Contribution of a frequency-dependent element to a force: row · D(ω) · (displacements of its ends).
 struct DynamicForce {

@@ -4,8 +4,8 @@
 #include <map>
 #include <string>
 
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/project/text/display_units.h"
-#include "trivet/project/text/unit_prefix.h"
 
 /// Numbers as tables and pictures show them: in the units of [display], by default as computed.
 namespace trivet::documents {
@@ -30,8 +30,8 @@ struct DisplayUnit {
 [[nodiscard]] DisplayUnit amplitude_unit_of_data(const project::DisplayUnits& display, const std::string& si_unit);
 /// "zero-to-peak", "peak-to-peak" or "rms".
 [[nodiscard]] const char* level_words(project::Level level);
-using project::unit_prefix;
-using project::UnitPrefix;
+using foundation::unit_prefix;
+using foundation::UnitPrefix;
 /// From SI numbers to shown ones; only SI units get a prefix.
 [[nodiscard]] UnitPrefix unit_prefix(double largest, const DisplayUnit& unit);
 /// An SI value with its shown unit; SI units get prefixes: "0.5 mm", "0.02 in p-p".

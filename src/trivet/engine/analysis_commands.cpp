@@ -132,8 +132,6 @@ Result run_analysis(const Task& task) {
   return result;
 }
 
-constexpr std::array motion_quantities = {"displacement", "velocity", "acceleration"};
-
 /// The case, with every element replaced by three springs.
 project::Case on_three_springs(const project::Case& full) {
   std::vector<std::size_t> all(full.system.elements().size());
@@ -149,8 +147,7 @@ Result curves(const Task& task) {
   if (task.keys.flag("three-springs")) simple = on_three_springs(variant);
   project::Analyses request = study::curve_request(variant);
   if (task.keys.has("quantity")) {
-    const auto word = std::ranges::find(motion_quantities, task.keys.text("quantity"));
-    request.response->selection.quantity = static_cast<assembly::MotionQuantity>(word - motion_quantities.begin());
+    request.response->selection.quantity = assembly::motion_quantity(task.keys.text("quantity"));
     request.peaks->selection = request.response->selection;
     request.limits.clear();  // they are limits of the quantity of the file
   }
@@ -203,7 +200,7 @@ Command curve_command() {
                {.name = "quantity",
                 .kind = KeyKind::choice,
                 .about = "of the motions, instead of that of the response; without the limits of [limits]",
-                .choices = {motion_quantities.begin(), motion_quantities.end()}},
+                .choices = assembly::motion_names()},
                {.name = "three-springs",
                 .kind = KeyKind::flag,
                 .about = "as if every element were three springs, as `element` compares them"},

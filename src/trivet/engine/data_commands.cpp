@@ -14,10 +14,8 @@ namespace {
 using foundation::InvalidInput;
 
 assembly::MotionQuantity quantity_of(const Task& task) {
-  using assembly::MotionQuantity;
-  const std::string name = task.keys.text("quantity");
-  if (name == "velocity") return MotionQuantity::velocity;
-  return name == "acceleration" ? MotionQuantity::acceleration : MotionQuantity::displacement;
+  return task.keys.has("quantity") ? assembly::motion_quantity(task.keys.text("quantity"))
+                                   : assembly::MotionQuantity::displacement;
 }
 
 Result matrices(const Task& task) {
@@ -105,7 +103,7 @@ std::vector<Command> data_commands() {
   const Key quantity = {.name = "quantity",
                         .kind = KeyKind::choice,
                         .about = "of the motions among the results",
-                        .choices = {"displacement", "velocity", "acceleration"},
+                        .choices = assembly::motion_names(),
                         .by_default = "displacement"};
   return {
       {.name = "matrices",

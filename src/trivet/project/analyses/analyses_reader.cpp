@@ -81,18 +81,14 @@ bool refuse_other_motion(TableReader& reader, const ResultNames& names, const st
   if (value->kind != Node::Kind::text ||
       to_si_at_level(value->text, *names.component(name, of_response), Levels::of_harmonic))
     return false;
-  constexpr std::array quantities = {std::pair{assembly::MotionQuantity::displacement, "displacement"},
-                                     std::pair{assembly::MotionQuantity::velocity, "velocity"},
-                                     std::pair{assembly::MotionQuantity::acceleration, "acceleration"}};
-  for (const auto& [quantity, word] : quantities)
+  for (const assembly::MotionQuantity quantity : assembly::motion_quantities)
     if (to_si_at_level(value->text, *names.component(name, quantity), Levels::of_harmonic)) {
-      const auto own = std::ranges::find(quantities, of_response, [](const auto& one) { return one.first; });
-      reader.error(
-          name, value_text(*value),
-          fmt::format("[limits] bounds the curves of analyses.response, which has quantity = \"{}\"", own->second),
-          fmt::format("add quantity = \"{}\" to response, or give it in limits of [requirements], which may "
-                      "be of any motion",
-                      word));
+      reader.error(name, value_text(*value),
+                   fmt::format("[limits] bounds the curves of analyses.response, which has quantity = \"{}\"",
+                               assembly::motion_name(of_response)),
+                   fmt::format("add quantity = \"{}\" to response, or give it in limits of [requirements], which may "
+                               "be of any motion",
+                               assembly::motion_name(quantity)));
       return true;
     }
   return false;

@@ -15,9 +15,8 @@ namespace {
 EarthquakeAnalysis read_earthquake(TableReader& reader, const ResultNames& names, const SymbolTable&) {
   EarthquakeAnalysis request;
   read_of(reader, names, request.selection.of);
-  const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
-  if (quantity == "velocity") request.selection.quantity = assembly::MotionQuantity::velocity;
-  if (quantity == "acceleration") request.selection.quantity = assembly::MotionQuantity::acceleration;
+  const auto quantity = reader.choice("quantity", assembly::motion_names());
+  if (quantity) request.selection.quantity = assembly::motion_quantity(*quantity);
   for (const std::string& word : request.selection.of)
     if (word == "base" || word.starts_with("base."))
       reader.error("of", "\"" + word + "\"",

@@ -22,10 +22,6 @@ namespace trivet::project {
 
 namespace {
 
-constexpr std::array motion_words = {"displacement", "velocity", "acceleration"};
-constexpr std::array motion_quantities = {assembly::MotionQuantity::displacement, assembly::MotionQuantity::velocity,
-                                          assembly::MotionQuantity::acceleration};
-
 /// Reads a number, or a text with a unit that distinguishes displacement, velocity and acceleration.
 /// @param key  of the value, for messages
 void read_limit(TableReader& reader, const std::string& key, const Node& value, const ResultNames& names,
@@ -37,7 +33,7 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
         return static_cast<void>(reader.error(key, value_text(value), *reason,
                                               "convert the limit, without " + std::string(level_ending(*level))));
   if (value.kind == Node::Kind::text)
-    for (const assembly::MotionQuantity quantity : motion_quantities) {
+    for (const assembly::MotionQuantity quantity : assembly::motion_quantities) {
       const auto si = to_si_at_level(value.text, *names.component(name, quantity), levels);
       if (!si) continue;
       if (!(*si > 0)) reader.error(key, value_text(value), "a limit is > 0", "change it");
@@ -46,12 +42,12 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
       return;
     }
   if (value.kind == Node::Kind::text && levels != Levels::none)
-    for (const assembly::MotionQuantity quantity : motion_quantities)
+    for (const assembly::MotionQuantity quantity : assembly::motion_quantities)
       if (const auto slip = level_slip(value.text, *names.component(name, quantity)))
         return static_cast<void>(reader.error(key, value_text(value), slip->rule, slip->remedy));
   if (value.kind == Node::Kind::text && written_number(value)) {
     std::string units;
-    for (const assembly::MotionQuantity quantity : motion_quantities) {
+    for (const assembly::MotionQuantity quantity : assembly::motion_quantities) {
       const std::string unit = si_unit(*names.component(name, quantity));
       if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : " or ") + unit;
     }
@@ -168,9 +164,9 @@ std::vector<std::string> read_no_peak(TableReader& owner, const ResultNames& nam
 }
 
 std::optional<assembly::MotionQuantity> read_quantity(TableReader& reader) {
-  const auto word = reader.choice("quantity", {motion_words.begin(), motion_words.end()});
+  const auto word = reader.choice("quantity", assembly::motion_names());
   if (!word) return std::nullopt;
-  return motion_quantities[static_cast<std::size_t>(std::ranges::find(motion_words, *word) - motion_words.begin())];
+  return assembly::motion_quantity(*word);
 }
 
 namespace {
@@ -304,8 +300,7 @@ std::optional<LimitLineRequest> read_limit_line(TableReader& root, TableReader& 
     return std::nullopt;
   }
   if (reader.has("quantity") && names.is_force(request.of))
-    warn_at_key(reader, "quantity",
-                foundation::quoted(motion_words[static_cast<std::size_t>(quantity)]) + " of a force",
+    warn_at_key(reader, "quantity", foundation::quoted(assembly::motion_name(quantity)) + " of a force",
                 "it applies to motions only", "remove it");
   request.line.unit = unit_of_limits(request.of, *measured, quantity);
   const bool complete =

@@ -209,11 +209,9 @@ std::vector<std::string> read_selected_harmonic(TableReader& reader, const Symbo
 
 void read_results(TableReader& reader, const ResultNames& result_names, ChannelSelection& selection) {
   read_of(reader, result_names, selection.of);
-  const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
+  const auto quantity = reader.choice("quantity", assembly::motion_names());
   if (quantity)  // also "displacement": the selection may begin as a copy of another one
-    selection.quantity = *quantity == "velocity" ? assembly::MotionQuantity::velocity
-        : *quantity == "acceleration"            ? assembly::MotionQuantity::acceleration
-                                                 : assembly::MotionQuantity::displacement;
+    selection.quantity = assembly::motion_quantity(*quantity);
   if (quantity && reader.has("of") &&
       std::ranges::all_of(selection.of, [&](const std::string& name) { return result_names.is_force(name); }))
     warn_at_key(reader, "quantity", "\"" + *quantity + "\" of forces alone",

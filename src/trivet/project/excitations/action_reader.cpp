@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/assembly/channels.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/excitations/excitation_reader.h"
 #include "trivet/project/text/symbol_table.h"
@@ -121,8 +122,8 @@ std::optional<model::Action> read_force(TableReader& reader, const model::Descri
 std::optional<model::Action> read_ground_motion(TableReader& reader, const model::Description& description,
                                                 const SymbolTable& symbols, ActionNumbers numbers) {
   model::Action action;
-  const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
-  action.derivative = quantity == "velocity" ? 1 : quantity == "acceleration" ? 2 : 0;
+  const auto quantity = reader.choice("quantity", assembly::motion_names());
+  action.derivative = quantity ? static_cast<int>(assembly::motion_quantity(*quantity)) : 0;
   static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
   static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
   const std::string remedy = numbers == ActionNumbers::factors ? "give the direction: translation = [0, 0, 1]"

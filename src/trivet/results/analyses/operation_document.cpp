@@ -316,7 +316,7 @@ std::vector<Column> limit_columns(const Rows<LimitRow>& row, const project::Disp
   const auto of_value = [](auto member) { return [member](const LimitRow& one) { return one.what->value.*member; }; };
   return {
       row("name", Kind::words, "result", of_value(&OperatingValue::name)),
-      row("quantity", Kind::words, "", [](const LimitRow& one) { return study::motion_name(one.what->quantity); }),
+      row("quantity", Kind::words, "", [](const LimitRow& one) { return assembly::motion_name(one.what->quantity); }),
       row("unit", Kind::words, "", of_value(&OperatingValue::unit)),
       row("level", Kind::words, "", [](const LimitRow& one) { return project::level_ending(one.what->level); },
           {.forms = for_programs}),

@@ -29,7 +29,7 @@ struct LevelledResult {
 
 std::string quantity_word(const assembly::LimitLine& line) {
   if (line.unit.starts_with("N")) return "force";
-  return motion_name(quantity_of(line));
+  return assembly::motion_name(quantity_of(line));
 }
 
 std::vector<LevelledResult> levelled_results(const CaseContext& c, const project::OperationAnalysis& request,

@@ -10,17 +10,6 @@ namespace trivet::study {
 
 bool OperatingLimit::met() const { return design::meets_limit(judged(), allowed); }
 
-const char* motion_name(assembly::MotionQuantity quantity) {
-  switch (quantity) {
-    case assembly::MotionQuantity::velocity:
-      return "velocity";
-    case assembly::MotionQuantity::acceleration:
-      return "acceleration";
-    default:
-      return "displacement";
-  }
-}
-
 project::OperationAnalysis at_speed(project::OperationAnalysis request, const assembly::Band& speed) {
   request.speeds = {speed};
   return request;

@@ -24,7 +24,4 @@ namespace trivet::study {
 /// The upper end of the fastest range of speeds [rad/s]; 0 of single speeds.
 [[nodiscard]] double fastest_range(const std::vector<assembly::Band>& speeds);
 
-/// "displacement", "velocity", "acceleration".
-[[nodiscard]] const char* motion_name(assembly::MotionQuantity quantity);
-
 }  // namespace trivet::study

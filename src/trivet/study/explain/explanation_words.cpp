@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/modal/modes.h"
 #include "trivet/model/element_directions.h"
-#include "trivet/project/text/unit_prefix.h"
 
 namespace trivet::study {
 namespace {
@@ -106,7 +106,7 @@ std::string lever_words(const Explanation& explanation, const ExplainedPeak& pea
 }  // namespace
 
 std::string value_words(double value, const std::string& unit) {
-  const project::UnitPrefix prefix = project::unit_prefix(std::abs(value), unit);
+  const foundation::UnitPrefix prefix = foundation::unit_prefix(std::abs(value), unit);
   return fmt::format("{:.4g} {}", value * prefix.factor, prefix.unit);
 }
 

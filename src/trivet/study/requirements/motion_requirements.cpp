@@ -21,9 +21,6 @@ namespace {
 using assembly::MotionQuantity;
 using foundation::infinity;
 
-constexpr MotionQuantity motion_quantities[] = {MotionQuantity::displacement, MotionQuantity::velocity,
-                                                MotionQuantity::acceleration};
-
 class MotionRequirements {
  public:
   MotionRequirements(const CaseContext& context, const project::Analyses& analyses, foundation::Problems& warnings,
@@ -61,7 +58,7 @@ class MotionRequirements {
   }
 
   void add_largest(const std::vector<project::AmplitudeLimit>& limits) {
-    for (const MotionQuantity quantity : motion_quantities) {
+    for (const MotionQuantity quantity : assembly::motion_quantities) {
       std::vector<project::AmplitudeLimit> same;
       std::ranges::copy_if(limits, std::back_inserter(same),
                            [&](const auto& limit) { return limit.quantity == quantity; });
