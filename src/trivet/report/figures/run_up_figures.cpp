@@ -22,6 +22,7 @@ namespace {
 using foundation::rpm_per_rad_s;
 using foundation::two_pi;
 constexpr std::size_t most_orders = 5;
+constexpr double invisible_order = 1e-4;  // of the largest amplitude
 
 /// The orders with the highest amplitudes relative to the highest of their curve, ascending: the same for all curves,
 /// so that a stroke is one order everywhere.
@@ -49,7 +50,7 @@ std::vector<std::size_t> tallest_orders(const response::RunUp& run_up) {
 /// below it does not matter.
 Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
   const AmplitudeRange range = amplitude_range({{curves.front().x, curves.front().y}});
-  if (range.is_wide()) return logarithmic_axis(curves, range.bottom / range.largest, std::move(label));
+  if (range.is_wide()) return logarithmic_axis(curves, invisible_order, std::move(label));
   return airy_axis(0, range.largest, std::move(label));
 }
 
