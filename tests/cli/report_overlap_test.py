@@ -76,6 +76,9 @@ addEventListener('load', () => setTimeout(() => {
       found.push(`the heading "${cell.dataset.heading}" lies on its value`);
     probe.remove();
   }
+  for (const {parentNode: part} of document.querySelectorAll('table.records'))
+    if (innerWidth <= 640 && part.scrollWidth > part.clientWidth + 1)
+      found.push(`${part.closest('section').querySelector('h2').textContent}: the records are ${part.scrollWidth} px wide`);
   for (const drawing of document.querySelectorAll('.drawing')) {
     const [svg] = [...drawing.querySelectorAll('svg')].filter(one => one.getBoundingClientRect().width);
     const {width} = svg.getBoundingClientRect(), letters = 11 * width / svg.viewBox.baseVal.width;

@@ -33,7 +33,7 @@ std::string html_of(const Table& table, const project::DisplayUnits& display) {
                            .number = shown.numbers[c],
                            .heading = table.records ? shown.headings[c] : ""});
   }
-  const std::string html = html_table(headings, rows);
+  const std::string html = html_table(headings, rows, table.records ? "records" : "");
   if (table.folded) return documents::folded(table.title, html);
   return (table.title.empty() ? "" : paragraph(table.title)) + html;
 }

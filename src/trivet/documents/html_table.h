@@ -44,7 +44,7 @@ void add_frequency(std::vector<Cell>& row, double angular_frequency, const proje
 /// Text escaped for XML and HTML.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// A table in the style of the page. @param style  class of the table: "matrix" or ""
+/// A table in the style of the page. @param style  class of the table: "matrix", "records" or ""
 [[nodiscard]] std::string html_table(const std::vector<Cell>& headings, const std::vector<Row>& rows,
                                      const std::string& style = "");
 [[nodiscard]] std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows);

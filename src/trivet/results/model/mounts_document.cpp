@@ -146,7 +146,7 @@ Document mounts_document(const project::Case& variant) {
   const bool has_utilisation = any([](const MountKind& k) { return k.utilisation.least.has_value(); });
   const DisplayUnit newton = display_unit(variant.display, "N"), metre = display_unit(variant.display, "m");
   const Rows row(std::move(kinds));
-  Table table{.rows = row.size(), .one_prefix = true, .forms = for_people};
+  Table table{.rows = row.size(), .records = true, .one_prefix = true, .forms = for_people};
   const auto add = [&](Column column) { table.columns.push_back(std::move(column)); };
   add(row("names", Kind::words, "mounts", name_words));
   add(row("type", Kind::words, "type", &MountKind::type));
