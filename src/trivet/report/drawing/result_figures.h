@@ -15,6 +15,9 @@ namespace trivet::report {
 /// Power spectral densities per hertz, one figure per body, point or element.
 [[nodiscard]] std::vector<Figure> random_figures(const study::CaseResults& results);
 
+/// Measured levels of bands of the excitations, with the limits in the same bands and quantity.
+[[nodiscard]] std::vector<Figure> band_level_figures(const project::Case& variant, const study::CaseResults& results);
+
 /// Time histories, one figure per body, point or element, with extremes marked.
 [[nodiscard]] std::vector<Figure> transient_figures(const study::CaseResults& results);
 
@@ -39,6 +42,9 @@ namespace trivet::report {
 
 /// Shock response spectra, one figure per excitation.
 [[nodiscard]] std::vector<Figure> shock_figures(const study::CaseResults& results);
+
+/// Root mean squares that a line over bands allows in each of them, times a factor.
+[[nodiscard]] std::vector<double> limits_in_bands(const study::LimitLineResult& found, double factor);
 
 /// Channels with their limit lines, exceeded bands shaded.
 [[nodiscard]] std::vector<Figure> limit_figures(const study::CaseResults& results);

@@ -8,6 +8,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/report/drawing/band_steps.h"
 #include "trivet/report/drawing/curve_groups.h"
 #include "trivet/report/drawing/curve_panel.h"
 #include "trivet/report/drawing/panel_figure.h"
@@ -40,24 +41,6 @@ std::string level_of(const assembly::LimitLine& line, const project::DisplayUnit
   return line.rms ? "rms" : results::level_words(project::shown_level(display, line.unit));
 }
 
-/// A step from edge to edge of each band: its limit and its level.
-struct Steps {
-  std::vector<double> omega, limit, level;
-};
-
-Steps steps_of(const study::LimitLineResult& found, double factor) {
-  Steps steps;
-  const std::vector<double> level = levels(found, factor);
-  for (std::size_t b = 0; b < found.bands.size(); ++b)
-    for (const double edge : {found.bands[b].from(), found.bands[b].to()}) {
-      steps.omega.push_back(edge);
-      steps.limit.push_back(factor * std::sqrt(0.5) *
-                            response::zero_to_peak_limit(found.line, found.comparison.angular_frequency[b]));
-      steps.level.push_back(level[b]);
-    }
-  return steps;
-}
-
 PanelRow limit_row(const study::LimitLineResult& found, const project::DisplayUnits& display) {
   const response::LimitComparison& comparison = found.comparison;
   const auto in_unit = [&](double omega) { return results::shown_frequency(display, omega); };
@@ -76,12 +59,8 @@ PanelRow limit_row(const study::LimitLineResult& found, const project::DisplayUn
   PanelCurve level{{found.of}, {}, levels(found, unit.factor), series_stroke(0)};
   for (const double omega : comparison.angular_frequency) level.x.push_back(in_unit(omega));
   if (!found.bands.empty()) {
-    const Steps steps = steps_of(found, unit.factor);
-    limit.x.clear();
-    for (const double omega : steps.omega) limit.x.push_back(in_unit(omega));
-    level.x = limit.x;
-    limit.y = steps.limit;
-    level.y = steps.level;
+    set_steps(limit, found.bands, limits_in_bands(found, unit.factor), display);
+    set_steps(level, found.bands, level.y, display);
   }
   if (std::isfinite(comparison.least_margin))
     level.key.push_back(fmt::format("least margin {:+.2f} dB", response::margin_level(comparison.least_margin)));
@@ -105,6 +84,14 @@ PanelRow limit_row(const study::LimitLineResult& found, const project::DisplayUn
 }
 
 }  // namespace
+
+std::vector<double> limits_in_bands(const study::LimitLineResult& found, double factor) {
+  std::vector<double> limits;
+  for (std::size_t b = 0; b < found.bands.size(); ++b)
+    limits.push_back(factor * std::sqrt(0.5) *
+                     response::zero_to_peak_limit(found.line, found.comparison.angular_frequency[b]));
+  return limits;
+}
 
 std::vector<Figure> limit_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;

@@ -44,6 +44,7 @@ const std::vector<Shown>& all_shown() {
       {"Best design", nullptr, best_design, {}, best_design_figures},
       {"Front", nullptr, front_between, {front_figures}},
       {"At the operating speed", "operation", nullptr, {}},
+      {"Measured levels of the excitation", nullptr, nullptr, {}, band_level_figures},
       {"Random response", "random", nullptr, {random_figures}},
       {"Time history", "transient", nullptr, {transient_figures}},
       {"Run-up", "orders", nullptr, {campbell_figures, waterfall_figures, run_up_figures}},

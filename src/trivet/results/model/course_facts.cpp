@@ -9,9 +9,9 @@
 
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
-#include "trivet/excitation/frequency_bands.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/results/format/in_documents.h"
+#include "trivet/results/model/band_levels.h"
 #include "trivet/results/model/model_words.h"
 
 /// What excitations do over speed, frequency or time.
@@ -35,57 +35,24 @@ std::string component_list(const excitation::ComplexVector6& values, const std::
   return words;
 }
 
-/// SI unit of the course of an excitation.
-const char* course_unit(const model::Action& action) {
-  const bool turns = action.amplitude.head<3>().isZero(0);
-  if (action.body) return turns ? "N m" : "N";
-  static constexpr std::array ways = {"m", "m/s", "m/s²"}, angles = {"rad", "rad/s", "rad/s²"};
-  const auto order = static_cast<std::size_t>(action.derivative);
-  return turns ? angles[order] : ways[order];
-}
-
-/// The band of IEC 61260-1 with the ends of a piece, if there is one.
-std::optional<excitation::FrequencyBand> band_of_piece(const excitation::SpectrumPiece& piece) {
-  const auto is_close = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };
-  const double middle = std::sqrt(piece.from * piece.to) / foundation::two_pi;
-  if (!(middle > 0) || piece.linear) return std::nullopt;
-  for (const auto width : {excitation::BandWidth::third_octave, excitation::BandWidth::octave})
-    if (const excitation::FrequencyBand band = excitation::nearest_band(width, middle);
-        is_close(piece.from, band.from()) && is_close(piece.to, band.to()))
-      return band;
-  return std::nullopt;
-}
-
-/// How often levels of bands were differentiated: they were given in the quantity whose density is constant in each.
-std::optional<int> derivatives_of_levels(const excitation::Spectrum& spectrum) {
-  std::optional<int> times;
-  for (const excitation::SpectrumPiece& piece : spectrum.pieces) {
-    if (!band_of_piece(piece)) return std::nullopt;
-    const double slope = piece.exponent() / 2;
-    const int rounded = static_cast<int>(std::lround(slope));
-    if (std::abs(slope - rounded) > 1e-6 || times.value_or(rounded) != rounded) return std::nullopt;
-    times = rounded;
-  }
-  return times;
-}
-
 /// Measured levels of bands as they were given, or the root mean square of each piece of the spectrum.
-std::vector<model::Fact> piece_facts(const excitation::Spectrum& spectrum, model::Action action) {
+std::vector<model::Fact> piece_facts(const excitation::Spectrum& spectrum, const model::Excitation& excitation) {
   constexpr std::size_t most = 60;  // more are the lines of a record
   std::vector<model::Fact> facts;
   if (spectrum.pieces.size() > most) return facts;
-  std::optional<int> times = derivatives_of_levels(spectrum);
-  // A slope that no differentiation of levels gives: it is a density as it was given.
-  const int given = action.derivative - times.value_or(0);
-  if (times && (action.body ? *times != 0 : given < 0 || given > 2)) times.reset();
-  if (times) action.derivative = given;
-  for (const excitation::SpectrumPiece& piece : excitation::differentiated(spectrum, -times.value_or(0)).pieces) {
-    const std::string where = times ? fmt::format("{} band of {:.5g} Hz", excitation::name(band_of_piece(piece)->width),
-                                                  band_of_piece(piece)->nominal_hz())
-                                    : fmt::format("{} … {} Hz", course_number(piece.from / foundation::two_pi),
-                                                  course_number(piece.to / foundation::two_pi));
-    facts.push_back({where, value_text(excitation::rms({{piece}}), display_unit({}, course_unit(action))) + " rms"});
+  const auto add = [&facts](const std::string& where, double rms, const std::string& unit) {
+    facts.push_back({where, value_text(rms, display_unit({}, unit)) + " rms"});
+  };
+  if (const std::optional<BandLevels> levels = band_levels(excitation)) {
+    for (std::size_t i = 0; i < levels->bands.size(); ++i)
+      add(fmt::format("{} band of {:.5g} Hz", excitation::name(levels->width), levels->bands[i].nominal_hz()),
+          levels->rms[i], levels->unit);
+    return facts;
   }
+  for (const excitation::SpectrumPiece& piece : spectrum.pieces)
+    add(fmt::format("{} … {} Hz", course_number(piece.from / foundation::two_pi),
+                    course_number(piece.to / foundation::two_pi)),
+        excitation::rms({{piece}}), course_unit(excitation.action));
   return facts;
 }
 
@@ -116,7 +83,7 @@ struct CourseFacts {
                      course_number(spectrum.to() / foundation::two_pi), spectrum.pieces.size(),
                      spectrum.pieces.size() == 1 ? "piece" : "pieces")},
         {"rms", course_number(excitation::rms(spectrum)) + " " + course_unit(excitation.action)}};
-    for (model::Fact& fact : piece_facts(spectrum, excitation.action)) facts.push_back(std::move(fact));
+    for (model::Fact& fact : piece_facts(spectrum, excitation)) facts.push_back(std::move(fact));
     for (const model::Random::Partner& partner : random.partners)
       facts.push_back(
           {"coherent with " + partner.other, fmt::format("γ² = {:.6g} at ω = 0", partner.coherence.at_zero)});
