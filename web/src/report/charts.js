@@ -3,18 +3,10 @@
 import uPlot from 'uplot';
 import {logarithmicTicks} from '../chart/logarithmic_axis.ts';
 import {amplitudeRange, isWide} from './amplitude_range.ts';
-import {amplitudeRule, frequency, frequencyWords, largestOf, multiple, number, reading, smallestOf, TURN, units, withUnit} from './report_data.ts';
+import {amplitudeRule, frequency, frequencyWords, largestOf, multiple, number, reading, smallestOf, units, withUnit} from './report_data.ts';
 import {amplitudeAt, inRange, inside, nearestIndex} from './case_curves.ts';
-import {change, moveBy, refresh, zoomTo} from './page.js';
+import {axisFactor, change, frequencyUnit, moveBy, view, zoomTo} from './view.js';
 
-/// State chosen by the user. `ylog` is null while each chart chooses its amplitude axis. `zoom` is null or [from, to]
-/// in rad/s; `hidden` contains the names of hidden curves.
-/// `design` is null or [column, row] of the stored design under the point of the map.
-export const view = {case: 0, ylog: null, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set(), design: null};
-/// The charts on the page: of the selected case, of all cases together, and of the design under the point of a map.
-export const shownCharts = {ofCase: [], comparison: null, ofDesign: []};
-export const onCase = [];  // called when another case is shown
-export const axisFactor = () => (view.hz ? 1 / TURN : frequency?.factor ?? 1);  // from rad/s to the unit of the frequency axes
 const isOnPaper = chart => Boolean(chart.width);  // low: the caption names the amplitude, the last number the unit
 const FEW_POINTS = 24;  // so few points of a response are drawn as dots, because the line between them shows little
 
@@ -128,8 +120,6 @@ function logarithmicLabels(ticks, room) {
 
 // ---------------------------------------------------------------- charts
 
-export const allCharts = () => [...shownCharts.ofCase, ...shownCharts.ofDesign, ...(shownCharts.comparison ? [shownCharts.comparison] : [])];
-
 /// Path of a phase within ±180°: it continues at the other edge, reached the short way.
 function wrappedPath(u, curve, first, last) {
   const stroke = new Path2D(), [omega, angles] = [u.data[0], u.data[curve]];
@@ -216,7 +206,6 @@ export function amplitudeWords(chart, u) {
   return `${name} [${multiple(top, chart.unit).unit}]`;
 }
 const frequencyLabel = () => (view.hz ? 'f [Hz]' : frequency?.label ?? 'ω [rad/s]');
-export const frequencyUnit = () => (view.hz ? 'Hz' : frequency?.unit ?? 'rad/s');
 /// Numbers of an axis, the last one with a unit: "5", "", "20 Hz".
 function withUnitAtEnd(texts, unit) {
   const last = texts.findLastIndex(Boolean);
@@ -370,7 +359,7 @@ function toggle(key) {
   view.hidden.has(key) ? view.hidden.delete(key) : view.hidden.add(key);
   for (const button of document.querySelectorAll('.legend button'))
     button.setAttribute('aria-pressed', !view.hidden.has(button.dataset.key));
-  refresh();
+  change({hidden: view.hidden});
 }
 function highestWords(c) {
   if (c.vanishes) return 'below round-off';

@@ -4,8 +4,9 @@
 import {cases, designGroups, factorOf, number, read} from './report_data.ts';
 import {bandOf, curvesOf, landmarksOf, styled} from './case_curves.ts';
 import {caseOfDesign, readDesigns} from './design_case.ts';
-import {byId, draw, html, makeChart, makeLegend, onCase, shownCharts, view} from './charts.js';
+import {byId, draw, html, makeChart, makeLegend} from './charts.js';
 import {soon, writeAddress} from './page.js';
+import {onCase, shownCharts, view} from './view.js';
 
 const maps = byId('designs') ? read('designs').map(map => map && readDesigns(map)) : [];
 for (const map of maps.filter(Boolean))

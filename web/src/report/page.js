@@ -2,9 +2,8 @@
 // Shows the selected case and all cases together, with the controls and the address of the page.
 import {caseName, cases, frequency, groups, largestOf, smallestOf} from './report_data.ts';
 import {bandOf, curvesOf, frequencies, landmarksOf, styled} from './case_curves.ts';
-import {allCharts, axisFactor, byId, draw, frequencyRange, frequencyUnit, html, suitsLogarithm, makeChart, makeLegend,
-        onCase, phaseRange, shownCharts, view} from './charts.js';
-import {backToScreen, layOutPages} from './print.js';
+import {byId, draw, frequencyRange, html, makeChart, makeLegend, phaseRange, suitsLogarithm} from './charts.js';
+import {allCharts, axisFactor, change, frequencyUnit, onCase, onChange, shownCharts, view, zoomTo} from './view.js';
 
 const SWITCHES = ['ylog', 'xlog', 'hz'];
 
@@ -84,7 +83,7 @@ function buildCase() {
 
 /// Updates controls and address to the view and redraws the charts.
 /// @param what  'all', or 'range' if only the zoom changed
-export function refresh(what = 'all') {
+function refresh(what = 'all') {
   for (const key of SWITCHES) byId(key).checked = view[key];
   const wide = allCharts().filter(chart => !chart.phase).map(suitsLogarithm);
   byId('ylog').checked = view.ylog ?? wide.includes(true);
@@ -102,25 +101,10 @@ export function refresh(what = 'all') {
   }
   soon('address', writeAddress);
 }
-export function change(patch) {
-  Object.assign(view, 'case' in patch ? {design: null} : {}, patch);
-  if ('case' in patch) buildCase();
-  refresh(Object.keys(patch).join() === 'zoom' ? 'range' : 'all');
-}
-/// Shows a range inside the bands of the charts; all of it means no zoom.
-export function zoomTo(from, to) {
-  const bands = allCharts().map(chart => chart.band);
-  const least = smallestOf(bands.map(band => band[0])), most = largestOf(bands.map(band => band[1]));
-  const shown = [Math.max(from, least), Math.min(to, most)];
-  if (shown[1] > shown[0]) change({zoom: shown[0] <= least && shown[1] >= most ? null : shown});
-}
-/// Moves the shown range, in a linear or logarithmic measure, up to the ends of the band.
-export function moveBy(step, to, back) {
-  if (!view.zoom) return;
-  const ends = largestOf(allCharts().map(chart => chart.band[1]));
-  const moved = view.zoom.map(w => back(to(w) + step));
-  if (moved[0] >= 0 && moved[1] <= ends) change({zoom: moved});
-}
+onChange.push(names => {
+  if (names.includes('case')) buildCase();
+  refresh(names.join() === 'zoom' ? 'range' : 'all');
+});
 
 /// Calls a function after the last of several events.
 const timers = new Map();
@@ -183,8 +167,6 @@ function listenToControls() {
   window.addEventListener('resize', () => soon('size', refresh));
   window.addEventListener('scroll', () => allCharts().forEach(draw), {passive: true});
   document.addEventListener('toggle', () => allCharts().forEach(draw), true);  // a part that opens by a click
-  window.addEventListener('beforeprint', layOutPages);
-  window.addEventListener('afterprint', backToScreen);
   window.addEventListener('hashchange', readAddress);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The page on paper: all cases below each other, each with its charts, all comparisons, nothing folded, no wide tables.
 import {caseName, cases, largestOf, number} from './report_data.ts';
-import {amplitudeWords, byId, draw, html, makeLegend, view} from './charts.js';
+import {amplitudeWords, byId, draw, html, makeLegend} from './charts.js';
 import {chartsOfCase, comparedNames, comparisonOf, marksWords} from './page.js';
+import {view} from './view.js';
 
 const PAPER_WIDTH = 702;  // of the text [px]: A4 without the margins in page.css; Letter is wider
 const PAPER_CHART = {width: 344, height: 126};
@@ -231,7 +232,7 @@ function leaveOutMinorRows() {
   }
 }
 
-export function layOutPages() {
+function layOutPages() {
   if (undo.length) return;
   document.body.classList.add('paper');
   undo.push(() => document.body.classList.remove('paper'));
@@ -252,8 +253,13 @@ export function layOutPages() {
   pairFoldedTables();
   divideLongTables();
 }
-export function backToScreen() {
+function backToScreen() {
   for (const chart of paperCharts) chart.plot?.destroy();
   paperCharts = [];
   while (undo.length) undo.pop()();
+}
+
+if (cases.length) {
+  window.addEventListener('beforeprint', layOutPages);
+  window.addEventListener('afterprint', backToScreen);
 }

@@ -2,6 +2,7 @@
 // The script of a report (docs/decisions/report-charts.md).
 import './before_charts.js';
 import './map_point.js';
+import './print.js';
 import {offerMachine} from './machine_loader.ts';
 import {begin} from './page.js';
 
