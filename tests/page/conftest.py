@@ -116,3 +116,12 @@ def unanswered(page):
 def settled(page):
     """Waits until every result on the page is that of the present state."""
     page.wait_for_function("() => document.querySelector('curve-chart .u-over') && !document.querySelector('.old')")
+
+
+def drawn(page):
+    """Waits until machine and charts are drawn as the present state has them."""
+    settled(page)
+    page.wait_for_function(
+        "() => { const {stage} = document.querySelector('machine-view'); return !stage.isBehind && !stage.wanted; }"
+    )
+    page.evaluate('() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))')

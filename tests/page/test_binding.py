@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A violation where the requirements are not binding is said to be so, and is not red."""
+from conftest import drawn
 from test_limits import choose_quantity, judged
 from test_map import map_of
 from test_pictures import picture
@@ -56,7 +57,7 @@ def test_a_case_that_does_not_decide_has_no_red_violation(serve):
     choose_quantity(page, 'velocity')
     line = page.get_by_role('slider', name='Limit of compressor.flange.z', exact=True)
     assert 'margin 0.755, not binding' in line.inner_text() and 'violated' not in line.get_attribute('class')
-    page.wait_for_timeout(300)
+    drawn(page)
     assert pixels(page.locator('.amplitude'), RED) == 0 and pixels(page.locator('.amplitude'), OCHRE) > 20
 
 

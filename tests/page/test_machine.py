@@ -2,14 +2,14 @@
 """The middle of the page: colours of mounts, steady motions, ghosts, screw axes and foundations."""
 import re
 
-from conftest import settled
+from conftest import drawn, settled
 from test_pictures import assert_alive, picture, share_changed
 from test_play import command, set_number
 
 
 def choose(page, label, value):
     page.get_by_label(label, exact=True).select_option(value)
-    page.wait_for_timeout(300)
+    drawn(page)
 
 
 def red(image):
@@ -67,7 +67,7 @@ def test_a_steady_motion_of_a_nonlinear_machine_moves_with_its_harmonics(serve):
     settled(page)
     first = picture(stage)
     page.get_by_role('slider', name='Phase').fill('90')
-    page.wait_for_timeout(300)
+    drawn(page)
     assert share_changed(first, picture(stage)) > 0.002
     assert_alive(page)
 
@@ -120,10 +120,10 @@ def test_the_screw_axis_of_a_selected_body_is_that_of_the_mode(serve):
     shown, prefix = re.search(r'pitch ([−\d.]+) ([mµ]?)m/rad', hover.inner_text()).groups()
     pitch = command('modes', served.file)['modes'][0]['screws'][0]['pitch']
     assert abs(float(shown.replace('−', '-')) * {'': 1, 'm': 1e-3, 'µ': 1e-6}[prefix] / pitch - 1) < 5e-3
-    page.wait_for_timeout(300)
+    drawn(page)
     with_axis = picture(stage)
     page.get_by_label('Motion', exact=True).select_option('rest')  # no motion, no axis
-    page.wait_for_timeout(300)
+    drawn(page)
     assert 'axis' not in hover.inner_text()
     assert share_changed(with_axis, picture(stage)) > 0.001
     assert_alive(page)
@@ -137,10 +137,10 @@ def test_the_foundation_under_the_mounts_moves_in_a_mode(serve):
     assert len(found['feet']) == 6 and found['modes'][6]['foundation_kinetic_energy_share'] > 0.8
     page.get_by_label('Motion', exact=True).select_option('7')  # of the deck: the genset hardly moves
     page.get_by_role('button', name='front', exact=True).click()
-    page.wait_for_timeout(300)
+    drawn(page)
     up = picture(page.locator('.stage'))
     page.get_by_role('slider', name='Phase').fill('180')
-    page.wait_for_timeout(300)
+    drawn(page)
     assert share_changed(up, picture(page.locator('.stage'))) > 0.001
     assert_alive(page)
 
@@ -156,7 +156,7 @@ def test_the_foundation_moves_in_a_damped_mode_as_in_the_undamped_one(serve):
         pictures = []
         for phase in ('0', '180'):
             page.get_by_role('slider', name='Phase').fill(phase)
-            page.wait_for_timeout(300)
+            drawn(page)
             pictures.append(picture(page.locator('.stage')))
         return pictures
 
