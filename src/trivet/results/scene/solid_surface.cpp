@@ -2,6 +2,7 @@
 #include "trivet/results/scene/solid_surface.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -9,6 +10,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/results/scene/bounds.h"
+#include "trivet/solids/step_surface.h"
 #include "trivet/solids/welded_surface.h"
 
 namespace trivet::results {
@@ -52,17 +54,31 @@ SolidSurface sphere_surface(double radius) {
   return turned_surface(rings);
 }
 
+void add_triangles(const solids::TriangleSurface& triangles, double length_unit, SolidSurface& surface) {
+  const int first = static_cast<int>(surface.vertices.size());
+  for (Eigen::Index v = 0; v < triangles.vertices.cols(); ++v)
+    surface.vertices.emplace_back(triangles.vertices.col(v) * length_unit);
+  for (Eigen::Index t = 0; t < triangles.triangles.cols(); ++t) {
+    const auto corners = triangles.triangles.col(t);
+    surface.faces.push_back({first + corners(0), first + corners(1), first + corners(2)});
+  }
+}
+
 std::optional<SolidSurface> file_surface(const solids::StlSolid& stl) {
   const auto read = solids::read_stl(stl.file);
   if (!read) return std::nullopt;
-  const solids::TriangleSurface triangles = solids::welded_surface(*read);
   SolidSurface surface;
-  for (Eigen::Index v = 0; v < triangles.vertices.cols(); ++v)
-    surface.vertices.emplace_back(triangles.vertices.col(v) * stl.length_unit);
-  for (Eigen::Index t = 0; t < triangles.triangles.cols(); ++t) {
-    const auto corners = triangles.triangles.col(t);
-    surface.faces.push_back({corners(0), corners(1), corners(2)});
-  }
+  add_triangles(solids::welded_surface(*read), stl.length_unit, surface);
+  return surface;
+}
+
+std::optional<SolidSurface> file_surface(const solids::StepSolid& step) {
+  const auto all = solids::step_surfaces(step.file);
+  if (!all) return std::nullopt;
+  SolidSurface surface;
+  for (std::size_t number = 1; number <= all->size(); ++number)
+    if (step.solids.empty() || std::ranges::find(step.solids, static_cast<int>(number)) != step.solids.end())
+      add_triangles((*all)[number - 1], 1, surface);
   return surface;
 }
 
@@ -88,7 +104,7 @@ struct SurfaceOf {
     return turned_surface({{-c.length / 2, c.start_diameter / 2}, {c.length / 2, c.end_diameter / 2}});
   }
   std::optional<SolidSurface> operator()(const solids::StlSolid& stl) const { return file_surface(stl); }
-  std::optional<SolidSurface> operator()(const solids::StepSolid&) const { return std::nullopt; }
+  std::optional<SolidSurface> operator()(const solids::StepSolid& step) const { return file_surface(step); }
 };
 
 }  // namespace

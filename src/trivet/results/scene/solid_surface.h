@@ -19,7 +19,8 @@ struct SolidSurface {
 /// Box with its middle at the origin. @param half  half lengths [m]
 [[nodiscard]] SolidSurface box_surface(const Eigen::Vector3d& half);
 
-/// Surface of a solid in the frame of its body; empty for a STEP file, and for an STL file that cannot be read.
+/// Surface of a solid in the frame of its body; empty for an STL file that cannot be read, and for a STEP file that
+/// gmsh cannot mesh.
 [[nodiscard]] std::optional<SolidSurface> surface_of(const solids::Part& part);
 
 /// A homogeneous box.
