@@ -12,6 +12,7 @@ from trivet_test import SOURCE, InTemporaryFolder, trivet
 DIGITS = 5.001e-7  # relative: half a unit of the last of 7 digits
 GENSET = SOURCE / "examples/genset/genset.toml"
 FAN = SOURCE / "examples/fan/fan.toml"
+PUMP = SOURCE / "examples/two_stage/pump_on_raft.toml"
 FRAME = SOURCE / "examples/frame/frame.toml"  # three cases, one of which changes the machine
 
 BASE = """
@@ -84,6 +85,19 @@ class Machine(InTemporaryFolder):
             self.assertEqual(one["modes"].pop("all"), len(modes["modes"]))
             self.assertEqual(len(one["modes"]["modes"]), min(30, len(modes["modes"])))
             self.check_equal(one["modes"], modes)
+
+    def test_damped_motions_are_the_roots_nearest_to_the_modes(self):
+        stored = self.stored(PUMP)["cases"][0]
+        roots = {root["eigenvalue"][1]: root for root in self.command("roots", PUMP)["roots"]}
+        self.assertEqual(
+            {root["nearest_mode"] for root in stored["roots"]["roots"]},
+            {mode["number"] for mode in stored["modes"]["modes"]},
+        )
+        for one in stored["roots"]["roots"]:
+            frequency = min(roots, key=lambda w: abs(w - one["eigenvalue"][1]))
+            self.assertGreater(frequency, 0)
+            self.check_equal(one, roots[frequency])
+        self.assertIsNone(self.stored(GENSET)["cases"][0]["roots"])  # this file does not ask for them
 
     def test_operating_shapes_are_those_of_the_command(self):
         project = self.folder / "machine.toml"

@@ -121,6 +121,19 @@ def test_modes_shapes_amplitudes_and_views_have_their_pictures(opened):
         assert share_changed(seen[-2], seen[-1]) > LEAST
 
 
+def test_damped_modes_have_their_motions_and_frequencies(opened):
+    page = opened('two_stage/pump_on_raft.toml')
+    choose(page, 'Motion', 'Mode 7')
+    page.locator(VIEW).get_by_label('Size').fill('0.2')
+    before, undamped = words(page), drawn(page)
+    page.locator(VIEW).get_by_role('checkbox', name='damped').check()
+    assert words(page).startswith('Damped mode 7: ') and words(page)[-10:] == before[-10:]
+    assert share_changed(undamped, drawn(page)) > LEAST / 10  # at the same phase
+    page.locator(VIEW).get_by_role('checkbox', name='damped').uncheck()
+    assert words(page) == before
+    assert share_changed(undamped, drawn(page)) == 0
+
+
 def test_the_keyboard_does_everything(opened):
     page = opened()
     page.locator(STAGE).focus()

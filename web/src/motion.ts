@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic rigid motions of bodies: what an animated shape is made of.
-import type {Complex, Mode, Modes, Roots, SceneBody, Shapes, SteadyMotion, Vector} from './results.ts';
+import type {Complex, Mode, Modes, Root, Roots, SceneBody, Shapes, SteadyMotion, Vector} from './results.ts';
 
 /// Complex translation of the pole and rotation about it, in the frame of the project: x, y, z, θx, θy, θz.
 export type Amplitudes = readonly Complex[];
@@ -63,8 +63,12 @@ export function ofMode(modes: Modes | MovingModes, index: number, bodies: readon
   return {label: `Mode ${mode.number}`, words: mode.name, angular_frequency: mode.angular_frequency,
           ends: ofFeet(modes.feet, mode.feet?.map(real)), bodies: ofBodies(bodies, real(mode.shape))};
 }
+export interface MovingRoots {
+  feet?: string[];
+  roots: readonly Pick<Root, 'eigenvalue' | 'shape' | 'nearest_mode' | 'feet'>[];
+}
 /// The damped motion of the root nearest to a mode, without its decay: places move with different phases.
-export function ofRoot(roots: Roots, mode: number, bodies: readonly SceneBody[]): Motion | null {
+export function ofRoot(roots: Roots | MovingRoots, mode: number, bodies: readonly SceneBody[]): Motion | null {
   const root = roots.roots.find(r => r.nearest_mode === mode && r.eigenvalue[1] > 0);
   if (!root) return null;
   return {label: `Damped mode ${mode}`, words: '', angular_frequency: root.eigenvalue[1], ends: ofFeet(roots.feet, root.feet),

@@ -6,7 +6,7 @@ import {DARK, LIGHT} from '../machine/colours.ts';
 import {MachineScene} from '../machine/machine_scene.ts';
 import {ALONE, Stage, type View} from '../machine/stage.ts';
 import {TURNS} from '../machine_keys.ts';
-import {ofMode, ofShape, type Motion, type MovingModes} from '../motion.ts';
+import {ofMode, ofRoot, ofShape, type Motion, type MovingModes, type MovingRoots} from '../motion.ts';
 import {number} from '../quantities.ts';
 import type {Scene, Shapes} from '../results.ts';
 import sheetOfView from './machine_view.css';
@@ -14,7 +14,14 @@ import sheetOfView from './machine_view.css';
 interface MachineOfReport {
   frequency: {unit: string; factor: number};  // from rad/s
   scenes: Scene[];
-  cases: {name: string; scene: number; modes: MovingModes & {all: number}; shapes: OperatingShapes | null}[];
+  cases: CaseOfReport[];
+}
+interface CaseOfReport {
+  name: string;
+  scene: number;  // its place in the list
+  modes: MovingModes & {all: number};
+  roots: MovingRoots | null;
+  shapes: OperatingShapes | null;
 }
 /// Those at the speeds of the machine have words for it.
 interface OperatingShapes {
@@ -36,6 +43,7 @@ class MachineView {
   private machine: MachineScene | null = null;
   private choices: Choice[] = [];
   private shown = {case: 0, motion: 0};
+  private damped = false;
   private playing = !matchMedia('(prefers-reduced-motion: reduce)').matches;
   private share = 0.04;  // largest drawn displacement over the size of the machine
   private speed = 0.5;  // drawn periods a second
@@ -73,20 +81,23 @@ class MachineView {
     this.canvas.parentElement!.addEventListener('wheel', forThePage, {capture: true, passive: true});
   }
   private showCase(index: number) {
-    const {scene: place, modes, shapes} = this.data.cases[index]!, scene = this.data.scenes[place]!;
-    const isNew = scene !== this.scene;
+    const scene = this.data.scenes[this.data.cases[index]!.scene]!, isNew = scene !== this.scene;
     this.scene = scene;
-    this.choices = this.choicesOf(modes, shapes?.shapes ?? [], scene);
-    this.shown = {case: index, motion: Math.max(this.choices.findIndex(({motion}) => motion && motion.angular_frequency > 0), 0)};
+    this.shown.case = index;
+    this.choices = this.choicesOf(this.data.cases[index]!, scene);
+    this.shown.motion = Math.max(this.choices.findIndex(({motion}) => motion && motion.angular_frequency > 0), 0);
     if (isNew) this.build(this.machine === null || this.machine.scene.title !== scene.title);
     this.changed();
   }
-  private choicesOf(modes: MovingModes, shapes: OperatingShapes['shapes'], {bodies}: Scene): Choice[] {
+  private choicesOf({modes, roots, shapes}: CaseOfReport, {bodies}: Scene): Choice[] {
     const {unit, factor} = this.data.frequency;
     const frequency = (omega: number | null) => (omega === null ? 'unstable' : `${number(omega * factor)} ${unit}`);
-    const ofModes = modes.modes.map((mode, i) => (
-      {words: `Mode ${mode.number}: ${frequency(mode.angular_frequency)}, ${mode.name}`, motion: ofMode(modes, i, bodies)}));
-    const ofShapes = shapes.map(shape => ({
+    const ofModes = modes.modes.map((mode, i) => {
+      const decaying = this.damped && roots ? ofRoot(roots, mode.number, bodies) : null, motion = decaying ?? ofMode(modes, i, bodies);
+      const label = decaying?.label ?? `Mode ${mode.number}`, omega = decaying?.angular_frequency ?? mode.angular_frequency;
+      return {words: `${label}: ${frequency(omega)}, ${mode.name}`, motion};
+    });
+    const ofShapes = (shapes?.shapes ?? []).map(shape => ({
       words: `Operating shape at ${shape.at ? `${shape.at}: ` : ''}${frequency(shape.angular_frequency)}`,
       motion: ofShape({shapes: [shape]}, bodies)}));
     return [...ofModes, ...ofShapes, {words: 'At rest', motion: null}];
@@ -137,6 +148,8 @@ class MachineView {
       <div class="bar">
         <span class="views" role="group" aria-label="View">
           ${VIEWS.map(view => html`<button type="button" @click=${() => this.stage.look(view)}>${view}</button>`)}</span>
+        ${cases[this.shown.case]!.roots ? html`<label class="damped"><input type="checkbox" .checked=${this.damped}
+          @change=${() => this.switchDamping()}> damped</label>` : nothing}
         ${this.slider('Size', 0.01, 0.2, 0.005, this.share, share => { this.share = share; })}
         ${this.slider('Speed', 0.1, 2, 0.1, this.speed, speed => { this.speed = speed; })}
       </div>
@@ -152,6 +165,11 @@ class MachineView {
   }
   private play() {
     this.playing = !this.playing;
+    this.changed();
+  }
+  private switchDamping() {
+    this.damped = !this.damped;
+    this.choices = this.choicesOf(this.data.cases[this.shown.case]!, this.scene!);
     this.changed();
   }
   private choose(motion: number) {

@@ -55,6 +55,19 @@ Json modes_json(const ShownCase& shown) {
   return json;
 }
 
+/// The damped motions of the modes in the list, if the run has them: of each mode the root nearest to it.
+Json roots_json(const ShownCase& shown) {
+  if (!shown.variant.analyses.roots) return nullptr;
+  study::CaseResults nearest;
+  for (const modal::Root& root : shown.results.roots.list)
+    if (root.eigenvalue.imag() > 0 && root.nearest_mode && *root.nearest_mode <= most_motions)
+      nearest.roots.list.push_back(root);
+  if (nearest.roots.list.empty()) return nullptr;
+  Json json = only(rounded(results::result_document("roots", shown.variant, nearest)), {"feet", "roots"});
+  keep_in_list(json["roots"], {"eigenvalue", "nearest_mode", "shape", "feet"});
+  return json;
+}
+
 /// A shape of the list with what it is of, as "980 rpm, order 1"; empty: the frequency says it.
 struct NamedShape {
   response::DeflectionShape shape;
@@ -109,6 +122,7 @@ std::string machine_json(const std::vector<ShownCase>& cases) {
     list.push_back({{"name", shown.name()},
                     {"scene", place_of_scene(shown, scenes)},
                     {"modes", modes_json(shown)},
+                    {"roots", roots_json(shown)},
                     {"shapes", shapes_json(shown)}});
   const project::DisplayUnits& display = cases.front().variant.display;
   const Json json{{"frequency", {{"unit", frequency_unit(display)}, {"factor", shown_frequency(display, 1)}}},

@@ -11,8 +11,9 @@ namespace trivet::report {
 /// Has the machine a body that the view in 3D can show?
 [[nodiscard]] bool has_moving_machine(const std::vector<ShownCase>& cases);
 
-/// What the view in 3D of the page shows: scenes, and of each case the number of its scene, its lowest modes and its
-/// operating shapes, as `trivet scene`, `modes` and `shapes` have them (docs/json.md), to 7 digits.
+/// What the view in 3D of the page shows: scenes, and of each case the number of its scene, its lowest modes, their
+/// damped motions and its operating shapes, as `trivet scene`, `modes`, `roots` and `shapes` have them (docs/json.md),
+/// to 7 digits.
 [[nodiscard]] std::string machine_json(const std::vector<ShownCase>& cases);
 
 }  // namespace trivet::report
