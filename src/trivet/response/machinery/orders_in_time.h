@@ -10,7 +10,7 @@ namespace trivet::response {
 struct RangeInTime {
   double least = 0, largest = 0;
 
-  [[nodiscard]] double peak() const { return largest > -least ? largest : -least; }  ///< zero-to-peak
+  [[nodiscard]] double peak() const { return largest >= -least ? largest : -least; }  ///< zero-to-peak
   [[nodiscard]] double span() const { return largest - least; }                      ///< peak-to-peak
 };
 
