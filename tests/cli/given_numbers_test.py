@@ -93,7 +93,7 @@ class OrderOfChanges(InTemporaryFolder):
     def test_a_number_that_is_set_twice_is_an_error(self):
         done = trivet("modes", self.file(MACHINE), "--set", "elements.mount.scale=2", "--set", "elements.mount.scale=3")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("elements.mount.scale: 3, and elements.mount.scale = 2 in an earlier --set", done.stderr)
+        self.assertIn("elements.mount.scale: 3, and elements.mount.scale = 2 in an earlier setting", done.stderr)
         both = trivet("modes", self.file(MACHINE), "--set", "elements.mount.scale=2", "--set", "bodies.machine.mass=3")
         self.assertEqual(both.returncode, 0)
 

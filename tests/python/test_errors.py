@@ -224,6 +224,16 @@ def test_a_warning_comes_once_for_a_project_and_what_it_is_changed_to():
         trivet.Project(**light).modes()
 
 
+def test_changes_are_named_as_in_python(machine):
+    with pytest.raises(trivet.InputError) as wrong:
+        machine.changed({"bodies.machine.mass": -3})
+    assert str(wrong.value).startswith("changes: bodies.machine.mass = -3: error: bodies.machine.mass")
+    assert (wrong.value.problems[0].place, wrong.value.problems[0].line) == ("changes: bodies.machine.mass = -3", 0)
+    with pytest.raises(trivet.InputError) as wrong:
+        machine.changed({"elements.e.scale": 2})
+    assert "--set" not in str(wrong.value)
+
+
 def test_import_is_quick():
     """Beyond NumPy at most 30 ms, the median of several starts."""
     program = "import numpy, time; t = time.perf_counter(); import trivet; print(time.perf_counter() - t)"

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <tuple>
 
+#include "trivet/foundation/setting_words.h"
+
 namespace trivet::python {
 namespace {
 
@@ -23,7 +25,7 @@ void raise(const char* name, const nb::object& value) {
 nb::list errors_of(const foundation::Problems& problems) {
   nb::list list;
   for (const Problem& problem : problems.list())
-    if (problem.severity == foundation::Severity::error) list.append(problem);
+    if (problem.severity == foundation::Severity::error) list.append(in_words_of_python(problem));
   return list;
 }
 
@@ -54,6 +56,8 @@ void translate(const std::exception_ptr& thrown, void*) {
 }
 
 }  // namespace
+
+Problem in_words_of_python(const Problem& problem) { return foundation::with_word_of_settings(problem, "changes: "); }
 
 void bind_errors(nb::module_& module) {
   nb::class_<Problem>(module, "Problem", "One problem of the input: where, what was found, which rule, what to do.")

@@ -24,6 +24,9 @@ T value_or_throw(foundation::Expected<T>&& expected) {
   return std::move(*expected);
 }
 
+/// The problem with the word of Python for what the command line calls --set: the argument `changes`.
+[[nodiscard]] foundation::Problem in_words_of_python(const foundation::Problem& problem);
+
 void bind_errors(nanobind::module_& module);
 
 }  // namespace trivet::python

@@ -150,7 +150,12 @@ void bind_result(nb::module_& module) {
       .def_ro("changes", &Result::changes, "settings of the best design")
       .def_ro("remarks", &Result::remarks, "on files that were written")
       .def_ro("cases", &Result::cases, "of a run: the results of each case")
-      .def_prop_ro("warnings", [](const Result& result) { return result.warnings.list(); })
+      .def_prop_ro("warnings",
+                   [](const Result& result) {
+                     std::vector<foundation::Problem> list = result.warnings.list();
+                     for (foundation::Problem& one : list) one = in_words_of_python(one);
+                     return list;
+                   })
       .def(
           "json",
           [](const Result& result) {

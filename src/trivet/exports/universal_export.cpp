@@ -51,7 +51,7 @@ void warn_of_coarse_digits(const Content& content, const std::vector<double>& he
     if (f < hertz.front() || f > hertz.back() || step <= share * width) continue;
     notes.push_back(
         fmt::format("six digits of frequency are {:.2g} Hz apart near the peak at {:.10g} Hz, which is {:.2g} "
-                    "Hz wide: export with --to universal_binary, or read the peak from `peaks`",
+                    "Hz wide: export it as universal_binary, or read the peak from `peaks`",
                     step, f, width));
   }
 }

@@ -10,6 +10,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/setting_words.h"
 
 namespace trivet::foundation {
 namespace {
@@ -32,9 +33,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string place(const Origin& origin) {
-  const bool has_lines = !origin.source.starts_with("--set ");  // a setting is one line
+  const bool has_lines = !origin.source.starts_with(setting_source);  // a setting is one line
   return has_lines && origin.line > 0 && !origin.source.empty() ? origin.source + ":" + std::to_string(origin.line)
                                                                 : origin.source;
+}
+
+Problem with_word_of_settings(Problem problem, std::string_view word) {
+  for (std::string* text : {&problem.origin.source, &problem.subject}) {
+    if (!text->starts_with(setting_source)) continue;
+    text->replace(0, setting_source.size(), word);
+    if (text == &problem.origin.source) problem.origin.line = problem.origin.column = 0;  // a setting is one line
+  }
+  return problem;
 }
 
 std::string message(const Problem& problem) {

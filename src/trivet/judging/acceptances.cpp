@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/setting_words.h"
 #include "trivet/project/text/accepting_tables.h"
 
 namespace trivet::judging {
@@ -111,7 +112,7 @@ foundation::Problems AcceptanceBook::warnings(const std::vector<plausibility::Su
 foundation::Problems AcceptanceBook::unused_acceptances(bool changed) const {
   foundation::Problems result;
   for (const Acceptance& a : all_)
-    if (!needed_.contains(key(a)) && (!changed || a.origin.source.starts_with("--set")))
+    if (!needed_.contains(key(a)) && (!changed || a.origin.source.starts_with(foundation::setting_source)))
       result
           .error(join(a.table, "accept"), "\"" + a.kind + "\"", "no case has a suspicion of this kind here",
                  "remove it, so that it cannot hide a later one")

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/setting_words.h"
 #include "trivet/project/case_changes.h"
 #include "trivet/project/settings.h"
 #include "trivet/project/text/changes.h"
@@ -31,7 +32,7 @@ void refuse_numbers_of_tables(const Project& project, const Node& change, const 
       continue;
     }
     const std::string& source = (next ? *next : at).origin.source;
-    if (source.empty() || source == project.source || source.starts_with("--set ")) continue;
+    if (source.empty() || source == project.source || source.starts_with(foundation::setting_source)) continue;
     problems
         .error(here, "it is in the table " + source, "--write changes the project file and no other file",
                "write the row into the project file: rows = [{…}] of [tables.…], or change the table by hand")
@@ -93,8 +94,8 @@ void refuse_overridden_settings(const Project& project, const Node& model, const
     const Node* of_case = cases ? cases->find(variant.name) : nullptr;
     if (!of_case || same_numbers(changed(variant.written, changes), changed(model, {*of_case}))) continue;
     problems
-        .error("cases." + foundation::path_key(variant.name), "it changes what --set or a parameter changes",
-               "--set overrides a case, and the written file cannot", "remove it there, or leave --set out")
+        .error("cases." + foundation::path_key(variant.name), "it changes what a setting or a parameter changes",
+               "a setting overrides a case, and the written file cannot", "remove it there, or leave the setting out")
         .origin = of_case->origin;
   }
 }
@@ -118,7 +119,7 @@ foundation::Problem cannot_be_written(const Project& project) {
   return {.origin = {project.source, 0, 0},
           .finding = "the changed numbers cannot be written into its text",
           .rule = "the written file must have these changes and no others",
-          .remedy = "change it by hand, with the settings that are printed without --write"};
+          .remedy = "change it by hand, with the settings of the best design"};
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ Settings read_settings(const std::vector<std::string>& settings, const std::file
       if (earlier != result.numbers.end())
         problems
             .error(number.path,
-                   number.value + ", and " + earlier->path + " = " + earlier->value + " in an earlier --set",
+                   number.value + ", and " + earlier->path + " = " + earlier->value + " in an earlier setting",
                    "two settings of one number: only one of them can apply", "keep one of them")
             .origin = change->origin;
     }

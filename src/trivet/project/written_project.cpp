@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/setting_words.h"
 #include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/case_changes.h"
 #include "trivet/project/settings.h"
@@ -76,7 +77,7 @@ WrittenCase written_case(const std::string& name, const Node& change, const Node
   if (const Node* report = change.find("report"))
     result.problems
         .error("cases." + name + ".report", "cannot be changed", "all cases share one report",
-               "write it in [report], or use --set report.KEY=VALUE")
+               "write it in [report], or as a setting, report.KEY=VALUE")
         .origin = report->origin;
   apply_changes(result.document, change, "", result.problems);
   for (const Node& setting : settings.changes)  // the command line overrides the case
@@ -131,10 +132,10 @@ foundation::Problems settings_over_cases(const Node& document, const std::vector
       if (changes_same_number(cases->items[c], settings.changes[i]) && !sets_again(cases->keys[c], settings.changes[i]))
         names.push_back(foundation::quoted(cases->keys[c]));
     if (!names.empty())
-      warnings.warning("--set " + given[i],
+      warnings.warning(std::string(foundation::setting_source) + given[i],
                        fmt::format("also replaces that of case {}", foundation::comma_separated(names)),
                        "a setting is applied to the base model and again to every case",
-                       "to keep the change of the case set it again: --set cases.NAME.PATH=VALUE");
+                       "to keep the change of the case set it again: cases.NAME.PATH=VALUE");
   }
   return warnings;
 }

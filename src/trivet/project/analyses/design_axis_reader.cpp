@@ -124,7 +124,7 @@ void check_model_path(TableReader& root, TableReader& reader, const std::string&
   const std::vector<std::string> parts = {"bodies",      "nodes",   "elements",   "element_types",
                                           "excitations", "damping", "foundations"};
   if (keys.size() < 2 || std::ranges::find(parts, keys.front()) == parts.end()) {
-    reader.error(key, shown, "a parameter is a number of the model, named by its path as in --set",
+    reader.error(key, shown, "a parameter is a number of the model, named by its path",
                  "for instance \"elements.mount.scale\" or \"bodies.machine.mass\"");
     return;
   }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/setting_words.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/toml_text.h"
 
@@ -41,7 +42,7 @@ void refuse_new_name(const Node& base, const Node& change, const std::string& pa
   const std::string guess = foundation::nearest_name(key, base.keys);
   problems
       .error(path + "." + key, "the model has no such key or part",
-             "cases and --set change what the model has; they add nothing",
+             "cases and settings change what the model has; they add nothing",
              !guess.empty()          ? "did you mean \"" + guess + "\"?"
                  : base.keys.empty() ? "write it in the model, and change it here"
                                      : "known here: " + foundation::comma_separated(base.keys))
@@ -92,7 +93,7 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
       continue;
     }
     if (path.empty() && (key == "cases" || key == "trivet")) {
-      problems.error(here, "cannot be changed", "a case or --set changes the model only", "remove it").origin =
+      problems.error(here, "cannot be changed", "a case or a setting changes the model only", "remove it").origin =
           change.origin;
       continue;
     }
@@ -134,12 +135,12 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
 }
 
 foundation::Expected<Node> parse_setting(const std::string& setting) {
-  const std::string source = "--set " + setting;
+  const std::string source = std::string(foundation::setting_source) + setting;
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos) {
     foundation::Problems problems;
-    problems.error("", "no \"=\"", "a setting is KEY=VALUE", "for instance --set elements.front.scale=1.5").origin = {
-        source, 0, 0};
+    problems.error("", "no \"=\"", "a setting is KEY=VALUE", "for instance elements.front.scale=1.5").origin = {source,
+                                                                                                                0, 0};
     return tl::make_unexpected(std::move(problems));
   }
   foundation::Expected<Node> plain = parse_toml(setting, source);

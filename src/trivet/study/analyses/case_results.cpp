@@ -367,7 +367,7 @@ response::DeepCheck deep_check(const project::Case& variant) {
   const foundation::Progress silent;
   if (project::coordinates(variant.system.description()) > project::most_coordinates)
     throw foundation::NotComputable(
-        fmt::format("check --deep: a model of more than {} free coordinates; split it", project::most_coordinates));
+        fmt::format("deep check: a model of more than {} free coordinates; split it", project::most_coordinates));
   const CaseContext c(variant.system, silent);
   const assembly::Assembled& assembled = c.assembled;
   const auto& request = variant.analyses.response;

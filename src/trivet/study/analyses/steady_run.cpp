@@ -42,7 +42,7 @@ std::vector<double> requested_places(const project::SteadyAnalysis& request, con
   for (const double place : request.harmonics_at) {
     if (!(place >= options.from * (1 - beside) && place <= options.to * (1 + beside)))
       throw foundation::InvalidInput(fmt::format(
-          "steady: --at {:.6g} Hz is outside the band {:.6g} … {:.6g} Hz; give one inside, or another band in the file",
+          "steady: at = {:.6g} Hz is outside the band {:.6g} … {:.6g} Hz; give one inside, or another band in the file",
           place / foundation::two_pi, options.from / foundation::two_pi, options.to / foundation::two_pi));
     places.push_back(std::clamp(place, options.from * (1 + beside), options.to));
   }
