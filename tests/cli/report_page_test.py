@@ -33,7 +33,7 @@ force = [0, 0, 18]
 [analyses]
 modes = {}
 peaks = {}
-response = {band = [0, 40]}
+response = {band = [0, "40 rad/s"]}
 [analyses.map]
 x = {parameter = "elements.spring.scale", from = 0.5, to = 4, points = 5}
 y = {parameter = "elements.spring.damping.proportional", from = 0.01, to = 0.3, points = 5}
@@ -43,7 +43,7 @@ elements.spring.scale = 3
 elements.spring.scale = 2
 analyses.map.limits = {"mass.z" = "1 mm"}
 """
-WITH_FORCES = MACHINE.replace("band = [0, 40]", 'band = [0, 40], of = ["coordinates", "ground"]')
+WITH_FORCES = MACHINE.replace('band = [0, "40 rad/s"]', 'band = [0, "40 rad/s"], of = ["coordinates", "ground"]')
 # What a reader does not see.
 SCRIPTS = re.compile("<script.*?</script>", re.DOTALL)
 
@@ -82,7 +82,7 @@ class Page(Folder):
         self.assertEqual(verdicts, ["VIOLATED", "met", "VIOLATED (own map)"])
 
     def test_a_response_at_few_frequencies_is_also_a_table(self):
-        text = MACHINE.replace("band = [0, 40]", "at = [10, 20]")
+        text = MACHINE.replace('band = [0, "40 rad/s"]', 'at = ["10 rad/s", "20 rad/s"]')
         self.assertIn(
             "<summary>Amplitude and phase (a lag is negative)</summary>",
             self.report(text=text).read_text(),

@@ -27,7 +27,7 @@ on = "mass"
 at = [0, 0, 0]
 force = [0, 0, 4]
 [analyses]
-response = {of = ["mass.z"], band = [0, 40]}
+response = {of = ["mass.z"], band = [0, "40 rad/s"]}
 """
 
 

@@ -15,6 +15,7 @@
 #include "trivet/project/part_readers.h"
 #include "trivet/project/report_settings.h"
 #include "trivet/project/settings.h"
+#include "trivet/project/text/bare_frequencies.h"
 #include "trivet/project/text/element_types.h"
 #include "trivet/project/text/symbol_table.h"
 
@@ -109,6 +110,7 @@ std::optional<ReadCase> read_case(Node written, const std::string& name, foundat
   read_measurements(root, description, symbols, read.analyses);
   read.analyses.choices = read_mount_choices(root, read.written);
   read.display = read_display(root);
+  warn_of_bare_frequencies(read.document, read.display, read.of_text);
   static_cast<void>(read_report(root));  // for its problems; a report reads it when it is written
   root.also_known({"cases", "accept", "element_types", "tables"});
   root.finish();
