@@ -175,6 +175,9 @@ void add_analyses(const project::Case& variant, plausibility::Stated& stated) {
                                       {"steady", &requested.requirements->steady},
                                       {"static", &requested.requirements->statics}})
       for (const project::AmplitudeLimit& limit : *limits) add_limit(std::string("requirements.") + key, limit, stated);
+  if (requested.operation)
+    for (const project::AmplitudeLimit& limit : requested.operation->limits)
+      add_limit("operation.limits", limit, stated);
   for (const project::LimitLineRequest& request : requested.limit_lines)
     if (const assembly::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,

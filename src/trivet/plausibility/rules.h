@@ -46,6 +46,9 @@ void judge_speeds(const std::vector<Speed>& speeds, Suspicions& found);
 /// Foundations far softer than the mounts on them.
 void judge_foundations(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
+/// A point or a force that is far from everything else of its body. Call it only if the machine raises no suspicion.
+void judge_far_points(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
+
 /// Allowed motions larger than the body that moves.
 void judge_limits(const model::System& system, const std::vector<AllowedMotion>& limits,
                   const std::vector<BodyPicture>& pictures, Suspicions& found);

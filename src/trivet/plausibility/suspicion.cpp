@@ -33,7 +33,7 @@ std::string table_of(const std::string& subject) {
   const std::size_t dot = subject.find('.');
   if (dot == std::string::npos) return "";
   const std::string first = subject.substr(0, dot);
-  const bool single = first == "damping" || first == "limits" || first == "requirements";
+  const bool single = first == "damping" || first == "limits" || first == "requirements" || first == "operation";
   return single ? first : subject.substr(0, subject.find('.', dot + 1));
 }
 
@@ -96,6 +96,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   judge_struts(system, found);
   if (!machine_doubtful) {
     judge_gaps(system, found);
+    judge_far_points(system, all, found);
     judge_limits(system, stated.allowed_motions, all, found);
     judge_foundations(system, all, found);
     judge_ground_motion(system, all, found);

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "trivet/plausibility/rules.h"
+
+namespace trivet::plausibility {
+namespace {
+
+/// A place this many times as far from the centre of mass as all others, and as the size of the body, is a slip.
+constexpr double far = 100;
+
+struct NamedPlace {
+  std::string subject;
+  double distance;  ///< from the centre of mass [m]
+};
+
+std::vector<NamedPlace> points_and_forces(const model::System& system, std::size_t b) {
+  const model::Body& body = system.bodies()[b];
+  std::vector<NamedPlace> places;
+  const auto add = [&](const std::string& subject, const Eigen::Vector3d& at) {
+    places.push_back({subject, (at - body.mass.centre).norm()});
+  };
+  for (const model::Point& point : body.points) add("bodies." + body.name + ".points." + point.name, point.at);
+  for (const model::Excitation& excitation : system.description().excitations)
+    if (excitation.action.body == b) add("excitations." + excitation.name + ".at", excitation.action.at);
+  return places;
+}
+
+}  // namespace
+
+void judge_far_points(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+  for (const BodyPicture& picture : pictures) {
+    std::vector<NamedPlace> places = points_and_forces(system, picture.body);
+    if (places.empty()) continue;
+    std::ranges::sort(places, {}, &NamedPlace::distance);
+    double others = 2 * mass_radius(picture.mass);
+    if (places.size() > 1) others = std::max(others, places[places.size() - 2].distance);
+    for (const Attachment& one : picture.attachments) others = std::max(others, (one.at - picture.mass.centre).norm());
+    const NamedPlace& farthest = places.back();
+    if (!(others > 0) || farthest.distance < far * others) continue;
+    found.push_back(
+        {"points", farthest.subject, fmt::format("{:.5g} m from the centre of mass", farthest.distance),
+         fmt::format("everything else of \"{}\" is within {:.3g} m of it", system.bodies()[picture.body].name, others),
+         fmt::format("write its place with a unit: {:.4g} mm are {:.3g} m", farthest.distance,
+                     farthest.distance / 1000)});
+  }
+}
+
+}  // namespace trivet::plausibility
