@@ -43,6 +43,13 @@ class Messages(Refused):
         self.assertEqual(found.returncode, 2)
         self.assertFalse(json.loads(found.stdout)["ok"])
 
+    def test_a_wrong_point_of_a_limit_line_has_its_unit(self):
+        """The heading has mm/s, so that -0.003 without a unit would be another number."""
+        text = BODY + mount("m") + FORCE + "[analyses]\nresponse = {}\n"
+        text += '[limit_lines.norm]\nof = "b.z"\nfile = "norm.csv"\n'
+        rows = "frequency [rpm],limit [mm/s rms]\n60,2\n600,-3\n"
+        self.refused('limit line "norm": limit -0.003 m/s in row 2', files=[("norm.csv", rows)], text=text)
+
     def test_control_characters_of_the_command_line_do_not_reach_the_terminal(self):
         for arguments in (
             ("modes", PAPER, "--case", "\x1b[31mred"),

@@ -18,7 +18,7 @@ foundation::Problems check(const LimitLine& line, const std::string& subject) {
         "a limit line has at least two points, each with frequency and limit", "complete the table");
   for (std::size_t i = 0; i < line.limit.size(); ++i)
     if (!(line.limit[i] > 0 && std::isfinite(line.limit[i])))
-      problems.error(subject, fmt::format("{}: limit {:g} in row {}", named, line.limit[i], i + 1),
+      problems.error(subject, fmt::format("{}: limit {:g} {} in row {}", named, line.limit[i], line.unit, i + 1),
                      "a limit is a number > 0", "correct or remove the row");
   const std::vector<double>& omega = line.angular_frequency;
   for (std::size_t i = 0; i < omega.size(); ++i) {
