@@ -114,8 +114,10 @@ TEST(ResultFigures, DrawOneLinePerCurve) {
   const auto all = report::result_figures(variant(), everything());
   for (const char* six_curves : {"random-01", "random-03", "transient-01", "transient-02", "transient-03"})
     EXPECT_EQ(count(figure(all, six_curves).svg, "<polyline"), 6) << six_curves;
-  EXPECT_EQ(count(figure(all, "orders-01").svg, "<polyline"),
-            (6 + 3 + 6) * (1 + 4));  // all orders, and each of the four; the seat turns as the machine
+  constexpr int leaves_its_panel = 1;  // a weak order, below its logarithmic axis for a while
+  EXPECT_EQ(
+      count(figure(all, "orders-01").svg, "<polyline"),
+      (6 + 3 + 6) * (1 + 4) + leaves_its_panel);  // all orders, and each of the four; the seat turns as the machine
   EXPECT_EQ(count(figure(all, "transmissibility").svg, "<polyline"), 5);  // in total and by four mounts
   EXPECT_EQ(count(figure(all, "shock").svg, "<polyline"), 3);
   EXPECT_EQ(count(figure(all, "limit").svg, "<polyline"), 2);

@@ -31,8 +31,10 @@ double except_dips(const DrawnAmplitudes& curve, double from) {
   }
   std::ranges::sort(pieces, {}, &Piece::height);
   double left = amplitude_rule.dips * band;
-  for (const Piece& piece : pieces)
-    if ((left -= piece.width) <= 0) return piece.height;
+  for (const Piece& piece : pieces) {
+    left -= piece.width;
+    if (left <= 0) return piece.height;
+  }
   return std::numeric_limits<double>::infinity();
 }
 

@@ -58,7 +58,8 @@ std::string course_unit(const model::Action& action) {
 std::optional<BandLevels> band_levels(const model::Excitation& excitation) {
   const auto* random = std::get_if<model::Random>(&excitation.course);
   if (!random) return std::nullopt;
-  BandLevels levels{.bands = bands_of(random->spectrum)};
+  BandLevels levels;
+  levels.bands = bands_of(random->spectrum);
   const std::optional<int> times = derivatives_of_levels(random->spectrum);
   if (levels.bands.empty() || !times) return std::nullopt;
   model::Action given = excitation.action;
