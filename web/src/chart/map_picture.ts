@@ -5,9 +5,11 @@ import type {Theme} from '../display.ts';
 import {partOn, ticksOf} from '../map_axis.ts';
 import {number} from '../quantities.ts';
 import type {DesignMap, MapAxis} from '../results.ts';
+import {overlap, type Box} from './label_places.ts';
 import {chartColours} from './strokes.ts';
 
 const LEFT = 54, RIGHT = 10, TOP = 8, BOTTOM = 34;  // px around the plot
+const DOT = 3.5;  // radius of a case [px]
 
 export interface Plotted {
   left: number;
@@ -38,20 +40,18 @@ export function drawMap(pen: CanvasRenderingContext2D, map: DesignMap, width: nu
   }
   pen.restore();
   frame(pen, area, map, colours.axis, colours.text);
-  const taken: [number, number][] = [];
-  for (const mark of map.marks) if (mark.of_this_model && mark.x !== null && mark.y !== null && inside(x, mark.x) && inside(y, mark.y)) {
-    const at: [number, number] = [across(mark.x), up(mark.y)];
+  const marks = map.marks.flatMap(mark => (mark.of_this_model && mark.x !== null && mark.y !== null && inside(x, mark.x) && inside(y, mark.y) ? [{mark, at: [across(mark.x), up(mark.y)] as const}] : []));
+  for (const {mark, at} of marks) {
     pen.beginPath();
-    pen.arc(...at, 3.5, 0, 7);
+    pen.arc(...at, DOT, 0, 7);
     pen.fillStyle = mark.kept === undefined ? colours.axis : mark.kept ? colours.text : mark.decides ? colours.violated : colours.unbinding;
     pen.fill();
     pen.strokeStyle = theme === 'dark' ? '#000' : '#fff';
     pen.lineWidth = 1;
     pen.stroke();
-    if (taken.some(([a, b]) => Math.abs(a - at[0]) < 70 && Math.abs(b - at[1]) < 12)) continue;
-    taken.push(at);
-    written(pen, mark.case || 'base model', at, area, theme);
   }
+  const taken = marks.map(({at: [a, b]}): Box => [a - DOT, b - DOT, a + DOT, b + DOT]);
+  for (const {mark, at} of marks) written(pen, mark.case || 'base model', at, area, taken, theme);
   if (map.best) star(pen, [across(map.best.x), up(map.best.y)], colours.text, theme);
 }
 const inside = ({from, to}: MapAxis, value: number) => value >= from && value <= to;
@@ -109,14 +109,18 @@ function frame(pen: CanvasRenderingContext2D, area: Plotted, {x, y}: DesignMap, 
 }
 export const titleOf = ({name, unit}: MapAxis) => (unit ? `${name} [${unit}]` : name);
 
-function written(pen: CanvasRenderingContext2D, words: string, [x, y]: readonly [number, number], area: Plotted, theme: Theme) {
-  const right = x + 6 + pen.measureText(words).width < area.left + area.width;
-  pen.textAlign = right ? 'left' : 'right';
+/// Writes a name beside its dot, where it covers neither another dot nor another name; without room not at all.
+function written(pen: CanvasRenderingContext2D, words: string, [x, y]: readonly [number, number], area: Plotted, taken: Box[], theme: Theme) {
+  const width = pen.measureText(words).width, sides = [x + 6, x - 6 - width].filter(left => left >= area.left && left + width <= area.left + area.width);
+  const free = [y - 5, y + 14].flatMap(bottom => sides.map((left): Box => [left, bottom - 10, left + width, bottom + 2])).find(box => box[1] >= area.top && !taken.some(other => overlap(box, other)));
+  if (!free) return;
+  taken.push(free);
+  pen.textAlign = 'left';
   pen.lineWidth = 3;
   pen.strokeStyle = chartColours(theme).back;
   pen.fillStyle = chartColours(theme).text;
-  pen.strokeText(words, x + (right ? 6 : -6), y - 5);
-  pen.fillText(words, x + (right ? 6 : -6), y - 5);
+  pen.strokeText(words, free[0], free[3] - 2);
+  pen.fillText(words, free[0], free[3] - 2);
 }
 function star(pen: CanvasRenderingContext2D, [x, y]: readonly [number, number], colour: string, theme: Theme) {
   pen.beginPath();
