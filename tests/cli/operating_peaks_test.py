@@ -137,6 +137,17 @@ class OperatingPeaks(InTemporaryFolder):
             values = list(wave(at(of_span["at"]), 40_000, 2))
             self.assertAlmostEqual(of_span["value"] / (max(values) - min(values)), 1, 6)
 
+    def test_an_undamped_mode_that_is_not_excited_does_not_matter(self):
+        """Order 1 passes through the mode along x, which has no damping; the forces act along z."""
+        free = MACHINE.replace('["z"]', '["x", "z"]').replace(
+            "translation = [0, 0, 36", "translation = [20000, 0, 36", 1
+        )
+        limits = '[operation]\nspeeds = [["100 rpm", "500 rpm"]]\nlimits = {"m.z" = ["1 m", "1 m p-p"]}\n'
+        forces = shaft({1: 50, 2: 50, 3: 40j})
+        for alone, both in zip(self.judged(MACHINE + forces + limits), self.judged(free + forces + limits)):
+            self.assertFalse(both["unbounded"])
+            self.assertAlmostEqual(both["value"] / alone["value"], 1, 8)
+
     def test_tables_state_root_mean_squares_of_several_orders(self):
         text = MACHINE + shaft({1: 50, 2: 50}) + '[operation]\nspeeds = ["400 rpm"]\n[display]\nlevel = "amplitude"\n'
         said = trivet("operation", self.file(text)).stdout

@@ -9,8 +9,6 @@
 #include <system_error>
 #include <tuple>
 
-#include "trivet/foundation/setting_words.h"
-
 namespace trivet::python {
 namespace {
 
@@ -57,7 +55,7 @@ void translate(const std::exception_ptr& thrown, void*) {
 
 }  // namespace
 
-Problem in_words_of_python(const Problem& problem) { return foundation::with_word_of_settings(problem, "changes: "); }
+Problem in_words_of_python(const Problem& problem) { return engine::with_word_of_settings(problem, "changes: "); }
 
 void bind_errors(nb::module_& module) {
   nb::class_<Problem>(module, "Problem", "One problem of the input: where, what was found, which rule, what to do.")

@@ -10,6 +10,7 @@
 #include "trivet/foundation/freed_memory.h"
 #include "trivet/foundation/message_list.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/setting_words.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/foundation/version.h"
 #include "trivet/project/schema.h"
@@ -32,6 +33,10 @@ std::vector<std::pair<std::string, std::string>> export_formats() {
 }
 
 std::string message_list(const foundation::Problems& problems) { return foundation::message_list(problems); }
+
+foundation::Problem with_word_of_settings(const foundation::Problem& problem, std::string_view word) {
+  return foundation::with_word_of_settings(problem, word);
+}
 std::string on_one_line(std::string_view text) { return foundation::on_one_line(text); }
 std::string quoted(std::string_view text) { return foundation::quoted(text); }
 

@@ -31,6 +31,8 @@ void remove_leftovers();
 
 /// Problems as the command line prints them, a line each; at most 100, then the number of the others.
 [[nodiscard]] std::string message_list(const foundation::Problems& problems);
+/// The problem with the caller's word for settings in place of that of the command line: "changes: ".
+[[nodiscard]] foundation::Problem with_word_of_settings(const foundation::Problem& problem, std::string_view word);
 /// A text on one line, with control characters made visible.
 [[nodiscard]] std::string on_one_line(std::string_view text);
 [[nodiscard]] std::string quoted(std::string_view text);

@@ -11,7 +11,7 @@ struct RangeInTime {
   double least = 0, largest = 0;
 
   [[nodiscard]] double peak() const { return largest >= -least ? largest : -least; }  ///< zero-to-peak
-  [[nodiscard]] double span() const { return largest - least; }                      ///< peak-to-peak
+  [[nodiscard]] double span() const { return largest - least; }                       ///< peak-to-peak
 };
 
 /// Orders of a shaft together in time: y(t) = Re Σ_k y_k e^{ikΩt}, whatever Ω.

@@ -43,11 +43,13 @@ double SummedOrders::height(const Place& place, project::Level level) const {
 
 std::vector<SummedOrders::Place> SummedOrders::with_poles(std::size_t channel, std::vector<Place> known,
                                                           double above) const {
+  constexpr double undamped = 1e-9;  // there is no response on such a pole; one that the orders excite is unbounded
   std::vector<double> speeds;
   for (const response::OrderLoading& load : loads_)
     for (const std::complex<double>& pole : c_.roots().poles)
       for (const double widths : {-2.0, -1.0, 0.0, 1.0, 2.0})
-        if (pole.imag() > 0) speeds.push_back((pole.imag() + widths * std::abs(pole.real())) / load.order);
+        if (std::abs(pole.real()) > undamped * pole.imag() && pole.imag() > 0)
+          speeds.push_back((pole.imag() + widths * std::abs(pole.real())) / load.order);
   std::ranges::sort(speeds);
   std::vector<double> inside;
   for (std::size_t i = 1; i < known.size(); ++i) {
