@@ -8,17 +8,16 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/response/machinery/transmissibility.h"
 #include "trivet/results/analyses/operation_levels.h"
+#include "trivet/results/analyses/operation_limits.h"
 #include "trivet/results/analyses/operation_words.h"
 #include "trivet/results/format/result_writer.h"
 #include "trivet/study/analyses/analysis_results.h"
-#include "trivet/study/analyses/operating_limits.h"
 
 /// What happens at the speeds at which a machine runs.
 namespace trivet::results {
 namespace {
 
 using study::OperatingIsolation;
-using study::OperatingLimit;
 using study::OperatingMode;
 using study::OperatingMotion;
 using study::OperatingSpeed;
@@ -300,70 +299,6 @@ Table shown_modes(const OperatingSpeed& at) {
       .forms = for_people};
 }
 
-struct LimitRow {
-  const OperatingSpeed* in;
-  const OperatingLimit* what;
-};
-
-/// A number of a limit with its unit and its level.
-std::string at_its_level(const OperatingLimit& limit, double number, const project::DisplayUnits& display) {
-  DisplayUnit unit = display_unit(display, limit.value.unit);
-  if (unit.unit != "1") unit.level = std::string(" ") + project::level_ending(limit.level);
-  return std::isfinite(number) ? value_text(number, unit) : "∞";
-}
-
-std::vector<Column> limit_columns(const Rows<LimitRow>& row, const project::DisplayUnits& display = {}) {
-  const auto of_value = [](auto member) { return [member](const LimitRow& one) { return one.what->value.*member; }; };
-  return {
-      row("name", Kind::words, "result", of_value(&OperatingValue::name)),
-      row("quantity", Kind::words, "", [](const LimitRow& one) { return assembly::motion_name(one.what->quantity); }),
-      row("unit", Kind::words, "", of_value(&OperatingValue::unit)),
-      row("level", Kind::words, "", [](const LimitRow& one) { return project::level_ending(one.what->level); },
-          {.forms = for_programs}),
-      row("value", Kind::quantity, "", [](const LimitRow& one) { return one.what->judged(); }, {.forms = for_programs}),
-      row("value", Kind::number, "value",
-          [display](const LimitRow& one) { return at_its_level(*one.what, one.what->judged(), display); },
-          {.forms = for_people}),
-      row("allowed", Kind::quantity, "", [](const LimitRow& one) { return one.what->allowed; },
-          {.forms = for_programs}),
-      row("allowed", Kind::number, "limit",
-          [display](const LimitRow& one) { return at_its_level(*one.what, one.what->allowed, display); },
-          {.forms = for_people}),
-      row("share", Kind::share, "of the limit", [](const LimitRow& one) { return one.what->share(); }),
-      row("at", Kind::speed, "at", of_value(&OperatingValue::at)),
-      row("met", Kind::yes_no, "", [](const LimitRow& one) { return one.what->met(); }, {.forms = for_programs}),
-      row("reason", Kind::words, "", of_value(&OperatingValue::reason), {.forms = for_programs}),
-      row("verdict", Kind::words, "verdict", [](const LimitRow& one) { return one.what->met() ? "met" : "VIOLATED"; },
-          {.forms = for_people})};
-}
-
-/// The limits at all speeds, for programs.
-Table limits_of_all_speeds(const OperationResult& found) {
-  std::vector<LimitRow> list;
-  for (const OperatingSpeed& at : found.speeds)
-    for (const OperatingLimit& one : at.limits) list.push_back({&at, &one});
-  const Rows row(std::move(list));
-  return {.key = "limits",
-          .rows = row.size(),
-          .columns = joined_columns(speed_columns(row), limit_columns(row)),
-          .forms = in_json};
-}
-
-Table shown_limits(const OperatingSpeed& at, const project::DisplayUnits& display) {
-  std::vector<LimitRow> list;
-  for (const OperatingLimit& one : at.limits) list.push_back({&at, &one});
-  const Rows row(std::move(list));
-  std::vector<Use> columns = {"name", "value", "allowed", "share"};
-  if (at.is_range()) columns.emplace_back("at");
-  columns.emplace_back("verdict");
-  return {.title = "Limits, all orders together",
-          .rows = row.size(),
-          .columns = limit_columns(row, display),
-          .people = std::move(columns),
-          .mark = [&at](std::size_t i) { return at.limits[i].met() ? Mark::plain : Mark::bad; },
-          .forms = for_people};
-}
-
 /// Why values are infinite.
 std::string unbounded_words(const OperatingSpeed& at) {
   std::vector<std::string> reasons;
@@ -373,7 +308,7 @@ std::string unbounded_words(const OperatingSpeed& at) {
   };
   for (const OperatingMotion& motion : at.motions) add(motion.displacement), add(motion.velocity);
   for (const OperatingValue& force : at.forces) add(force);
-  for (const OperatingLimit& limit : at.limits) add(limit.value);
+  for (const study::OperatingLimit& limit : at.limits) add(limit.value);
   return reasons.empty() ? std::string() : fmt::format("Unbounded: {}", fmt::join(reasons, "; "));
 }
 
@@ -415,7 +350,7 @@ Document operation_document(const project::Case& variant, const study::CaseResul
   document.add(operating_values(found));
   document.add(operating_isolation(found));
   document.add(operating_modes(found));
-  document.add(limits_of_all_speeds(found));
+  document.add(operating_limits(found));
   if (!found.levels.empty()) document.add(operating_levels(found));
   for (const OperatingSpeed& at : found.speeds) {
     document.add(shown_speed(at, several_orders, variant.display));
