@@ -38,6 +38,12 @@ modes = {}
 """
 
 
+def numbers(part):
+    if isinstance(part, (dict, list)):
+        return [one for inside in (part.values() if isinstance(part, dict) else part) for one in numbers(inside)]
+    return [part] if isinstance(part, float) else []
+
+
 class Machine(InTemporaryFolder):
     def report(self, project, form="full"):
         done = trivet("run", project, "-o", self.folder / "out", "--report", form)
@@ -69,6 +75,21 @@ class Machine(InTemporaryFolder):
             self.assertAlmostEqual(stored, exact, delta=DIGITS * abs(exact), msg=place)
         else:
             self.assertEqual(stored, exact, place)
+
+    def test_numbers_below_the_least_double_are_stored(self):
+        """Each body of this chain moves 1e-5 as far as its neighbour, so that shares of energies fall below 1e-308."""
+        text = "trivet = 1\n"
+        for i in range(40):
+            text += f'[bodies.b{i}]\nmass = 1\nfree = ["z"]\n[elements.g{i}]\ntype = "three_springs"\non = "b{i}"\n'
+            text += f"at = [0, 0, 0]\ntranslation = [0, 0, {1000 * (i + 1)}]\n"
+            if i:
+                text += f'[elements.c{i}]\ntype = "three_springs"\non = "b{i}"\nfrom = "b{i - 1}"\n'
+                text += "at = [0, 0, 0]\ntranslation = [0, 0, 0.01]\n"
+        project = self.file(text + "[analyses]\nmodes = {}\n")
+        exact = self.command("modes", project)
+        small = [part for mode in exact["modes"] for part in numbers(mode) if 0 < abs(part) < 2.3e-308]
+        self.assertTrue(small)
+        self.check_equal(self.stored(project)["cases"][0]["modes"]["modes"], exact["modes"][:30])
 
     def test_scenes_and_modes_of_all_cases_are_those_of_the_commands(self):
         stored = self.stored(FRAME)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 
@@ -23,9 +24,14 @@ constexpr std::ptrdiff_t most_motions = 30;  ///< of modes and of shapes of a ca
 
 /// Numbers to as many digits as a drawing may need when it is enlarged.
 void round_numbers(Json& json) {
-  if (json.is_number_float()) json = std::stod(fmt::format("{:.7g}", json.get<double>()));
-  else if (json.is_structured())
+  if (json.is_number_float()) {
+    const std::string text = fmt::format("{:.7g}", json.get<double>());
+    double number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);  // 0 if it is below the least double
+    json = number;
+  } else if (json.is_structured()) {
     for (Json& part : json) round_numbers(part);
+  }
 }
 
 Json rounded(const Document& document) {
