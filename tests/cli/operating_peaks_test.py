@@ -148,6 +148,32 @@ class OperatingPeaks(InTemporaryFolder):
             self.assertFalse(both["unbounded"])
             self.assertAlmostEqual(both["value"] / alone["value"], 1, 8)
 
+    def test_a_speed_at_an_undamped_mode_that_no_order_reaches_has_values(self):
+        """The same stiffness along x and z, a dashpot along z alone: there is no solution at this frequency, but a limit."""
+        free = MACHINE.replace('["z"]', '["x", "z"]').replace("[0, 0, 36", "[36000, 0, 36", 1)
+        forces = shaft({1: 50, 2: 50j})
+        limits = 'limits = {"m.z" = ["5 m/s", "5 m/s p-p", "5 m/s rms", "1 m"]}\n'
+        for speeds in ('[["20 rad/s", "40 rad/s"]]', '["30 rad/s"]'):
+            text = forces + f"[operation]\nspeeds = {speeds}\n" + limits
+            for alone, both in zip(self.judged(MACHINE + text), self.judged(free + text), strict=True):
+                self.assertFalse(both["unbounded"], speeds)
+                self.assertAlmostEqual(both["value"] / alone["value"], 1, 7, speeds)
+        reached = free.replace("120.0]", "0]")
+        for one in self.judged(reached + forces + '[operation]\nspeeds = ["30 rad/s"]\n' + limits):
+            self.assertTrue(one["unbounded"])
+
+    def test_faint_gears_do_not_part_the_orders_of_the_shaft(self):
+        """1.5, 3 and 4.5 with two gears have no common period of at most 2000 turns together, but without one gear."""
+        speed = 400 * RPM
+        shafts = {1.5: 1e-3, 3: 0.7e-3j, 4.5: -0.5e-3}
+        limits = '[operation]\nspeeds = ["400 rpm"]\nlimits = {"m.z" = ["9 mm", "9 mm p-p"]}\n'
+        values = [(max(map(abs, y)), max(y) - min(y)) for y in [list(wave(shafts, 20_000, 2))]][0]
+        for gears, is_bound in (({37 / 23: 1e-12}, False), ({37 / 23: 1e-12, 37 / 15: 1e-12}, True)):
+            text = MACHINE + shaft(forces_for(shafts | gears, speed)) + limits
+            for one, value in zip(self.judged(text), values, strict=True):
+                self.assertAlmostEqual(one["value"] / value, 1, 6)
+                self.assertEqual("upper bound" in (one["detail"] or ""), is_bound)
+
     def test_tables_state_root_mean_squares_of_several_orders(self):
         text = MACHINE + shaft({1: 50, 2: 50}) + '[operation]\nspeeds = ["400 rpm"]\n[display]\nlevel = "amplitude"\n'
         said = trivet("operation", self.file(text)).stdout

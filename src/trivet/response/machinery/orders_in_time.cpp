@@ -24,6 +24,7 @@ struct Fraction {
 /// The number as a fraction of small whole numbers, by its continued fraction; none if there is none to 1e-9.
 std::optional<Fraction> small_fraction(double number) {
   constexpr double same = 1e-9;
+  if (!(number <= static_cast<double>(largest_multiple))) return std::nullopt;
   Fraction before{1, 0}, now{static_cast<std::int64_t>(std::floor(number)), 1};
   double rest = number - std::floor(number);
   while (std::abs(static_cast<double>(now.numerator) / static_cast<double>(now.denominator) - number) > same * number) {
@@ -125,31 +126,53 @@ RangeInTime range_of(Cosines y) {
 
 }  // namespace
 
+std::optional<OrdersInTime::Periodic> OrdersInTime::together(const Periodic& one, const Periodic& other,
+                                                             const std::vector<double>& orders) {
+  Periodic both{one.places, {}};
+  both.places.insert(both.places.end(), other.places.begin(), other.places.end());
+  std::vector<Fraction> ratios;  // to the first
+  for (const Eigen::Index place : both.places) {
+    const auto ratio = small_fraction(orders[to_size(place)] / orders[to_size(both.places.front())]);
+    if (!ratio) return std::nullopt;
+    ratios.push_back(*ratio);
+  }
+  auto multiples = whole_multiples(ratios);
+  if (!multiples) return std::nullopt;
+  both.multiples = std::move(*multiples);
+  return both;
+}
+
 OrdersInTime::OrdersInTime(const std::vector<double>& orders) {
-  std::vector<std::vector<Fraction>> ratios;  // to the first of each group
-  for (std::size_t k = 0; k < orders.size(); ++k) {
-    bool joined = false;
-    for (std::size_t g = 0; g < periodic_.size() && !joined; ++g) {
-      const auto ratio = small_fraction(orders[k] / orders[to_size(periodic_[g].places.front())]);
-      if (!ratio) continue;
-      ratios[g].push_back(*ratio);
-      if (auto multiples = whole_multiples(ratios[g])) {
-        periodic_[g].places.push_back(to_index(k));
-        periodic_[g].multiples = std::move(*multiples);
-        joined = true;
-      } else {
-        ratios[g].pop_back();
+  if (orders.empty()) return;
+  Periodic rest{{}, {}};
+  for (std::size_t k = 1; k < orders.size(); ++k) rest.places.push_back(to_index(k));
+  if (auto all = together({{0}, {1}}, rest, orders)) {
+    periodic_.push_back(std::move(*all));
+    return;
+  }
+  for (std::size_t k = 0; k < orders.size(); ++k) periodic_.push_back({{to_index(k)}, {1}});
+  // The shortest common period first: those of the shaft are not torn apart by a gear.
+  while (true) {
+    std::optional<Periodic> shortest;
+    std::size_t first = 0, second = 0;
+    for (std::size_t a = 0; a < periodic_.size(); ++a)
+      for (std::size_t b = a + 1; b < periodic_.size(); ++b) {
+        auto both = together(periodic_[a], periodic_[b], orders);
+        if (!both || (shortest && std::ranges::max(both->multiples) >= std::ranges::max(shortest->multiples))) continue;
+        shortest = std::move(both);
+        first = a;
+        second = b;
       }
-    }
-    if (joined) continue;
-    periodic_.push_back({{to_index(k)}, {1}});
-    ratios.push_back({{1, 1}});
+    if (!shortest) return;
+    periodic_[first] = std::move(*shortest);
+    periodic_.erase(periodic_.begin() + static_cast<std::ptrdiff_t>(second));
   }
 }
 
 RangeInTime OrdersInTime::range(const Eigen::VectorXcd& amplitudes) const {
   RangeInTime sum;
   if (!amplitudes.allFinite()) return {-foundation::infinity, foundation::infinity};
+  int groups = 0;
   for (const Periodic& group : periodic_) {
     Cosines together;
     for (std::size_t j = 0; j < group.places.size(); ++j) {
@@ -158,6 +181,7 @@ RangeInTime OrdersInTime::range(const Eigen::VectorXcd& amplitudes) const {
       together.amplitudes.push_back(amplitudes(group.places[j]));
     }
     if (together.multiples.empty()) continue;
+    sum.is_bound = ++groups > 1;
     const RangeInTime one = range_of(std::move(together));
     sum.least += one.least;
     sum.largest += one.largest;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace trivet::response {
@@ -9,6 +10,7 @@ namespace trivet::response {
 /// Least and largest value of a vibration over all time.
 struct RangeInTime {
   double least = 0, largest = 0;
+  bool is_bound = false;  ///< an upper bound: orders that take part have no common period
 
   [[nodiscard]] double peak() const { return largest >= -least ? largest : -least; }  ///< zero-to-peak
   [[nodiscard]] double span() const { return largest - least; }                       ///< peak-to-peak
@@ -32,6 +34,9 @@ class OrdersInTime {
     std::vector<Eigen::Index> places;
     std::vector<double> multiples;
   };
+  /// The orders of both groups; none if they have no common period.
+  static std::optional<Periodic> together(const Periodic& one, const Periodic& other,
+                                          const std::vector<double>& orders);
   std::vector<Periodic> periodic_;
 };
 

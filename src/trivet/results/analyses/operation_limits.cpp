@@ -29,7 +29,16 @@ struct LimitRow {
 std::string at_its_level(const OperatingLimit& limit, double number, const project::DisplayUnits& display) {
   DisplayUnit unit = display_unit(display, limit.value.unit);
   if (unit.unit != "1") unit.level = std::string(" ") + project::level_ending(limit.level);
+  if (std::isnan(number)) return "–";
   return std::isfinite(number) ? value_text(without_round_off(number, limit.allowed), unit) : "∞";
+}
+
+/// "met", "VIOLATED (an upper bound: …)", "not judged: …"
+std::string words_of_limit(const LimitRow& one) {
+  const std::string remark = one.what->remark();
+  if (!one.what->refusal.empty()) return "not judged: " + remark;
+  if (one.what->met()) return "met";
+  return remark.empty() ? "VIOLATED" : "VIOLATED (" + remark + ")";
 }
 
 std::vector<Column> limit_columns(const Rows<LimitRow>& row, const project::DisplayUnits& display = {}) {
@@ -52,8 +61,8 @@ std::vector<Column> limit_columns(const Rows<LimitRow>& row, const project::Disp
       row("share", Kind::share, "of the limit", [](const LimitRow& one) { return one.what->share(); }),
       row("at", Kind::speed, "at", of_value(&OperatingValue::at)),
       row("met", Kind::yes_no, "", [](const LimitRow& one) { return one.what->met(); }, {.forms = for_programs}),
-      row("reason", Kind::words, "", of_value(&OperatingValue::reason), {.forms = for_programs}),
-      row("verdict", Kind::words, "verdict", [](const LimitRow& one) { return one.what->met() ? "met" : "VIOLATED"; },
+      row("reason", Kind::words, "", [](const LimitRow& one) { return one.what->remark(); }, {.forms = for_programs}),
+      row("verdict", Kind::words, "verdict", [](const LimitRow& one) { return words_of_limit(one); },
           {.forms = for_people})};
 }
 

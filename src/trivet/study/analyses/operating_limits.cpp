@@ -2,13 +2,26 @@
 #include "trivet/study/analyses/operating_limits.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "trivet/design/design_rules.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/study/analyses/summed_orders.h"
 
 namespace trivet::study {
 
-bool OperatingLimit::met() const { return design::meets_limit(judged(), allowed); }
+bool OperatingLimit::met() const { return refusal.empty() && design::meets_limit(judged(), allowed); }
+
+double OperatingLimit::judged() const {
+  return refusal.empty() ? value.at_level(level) : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string OperatingLimit::remark() const {
+  if (!refusal.empty()) return refusal;
+  if (!value.reason.empty()) return value.reason;
+  const bool is_bound = value.is_bound && level != project::Level::rms;
+  return is_bound ? "an upper bound: not all orders have a common period" : "";
+}
 
 project::OperationAnalysis at_speed(project::OperationAnalysis request, const assembly::Band& speed) {
   request.speeds = {speed};
@@ -34,8 +47,14 @@ std::vector<std::vector<OperatingLimit>> operating_limits(const CaseContext& con
   for (std::size_t s = 0; s < request.speeds.size(); ++s) {
     for (std::size_t i = 0; i < request.limits.size(); ++i) {
       const project::AmplitudeLimit& limit = request.limits[i];
-      result[s].push_back({limit.quantity, limit.level, limit.amplitude * project::level_factor(limit.level),
-                           summed.largest(i, request.speeds[s], limit.level)});
+      OperatingLimit judged{limit.quantity, limit.level, limit.amplitude * project::level_factor(limit.level)};
+      try {
+        judged.value = summed.largest(i, request.speeds[s], limit.level);
+      } catch (const foundation::NotComputable& reason) {
+        judged.value = {.name = channels[i].name, .unit = channels[i].unit};
+        judged.refusal = reason.what();
+      }
+      result[s].push_back(std::move(judged));
     }
   }
   return result;

@@ -28,6 +28,7 @@ struct OperatingValue {
   std::string reason;      ///< why it is infinite
   double peak = 0;         ///< there, largest |y(t)| of all orders with their phases
   double span = 0;         ///< there, largest minus least y(t)
+  bool is_bound = false;   ///< peak and span are upper bounds: not all orders have a common period
 
   /// Of one order its amplitude, of several √2 times their root mean square, which is not their peak.
   [[nodiscard]] double amplitude() const { return std::numbers::sqrt2 * rms; }
@@ -45,10 +46,13 @@ struct OperatingLimit {
   project::Level level = project::Level::amplitude;  ///< of the file: what is judged
   double allowed = 0;                                ///< at this level
   OperatingValue value;                              ///< where its number at this level is largest
+  std::string refusal = {};                          ///< why it is not judged; then `value` has no numbers
 
-  [[nodiscard]] double judged() const { return value.at_level(level); }
+  [[nodiscard]] double judged() const;  ///< not a number if it is not judged
   [[nodiscard]] double share() const { return judged() / allowed; }
   [[nodiscard]] bool met() const;
+  /// Why it is not judged, why it is infinite, or that it is an upper bound; otherwise empty.
+  [[nodiscard]] std::string remark() const;
 };
 
 /// A motion as displacement [m] or [rad] and as velocity [m/s] or [rad/s].

@@ -59,14 +59,13 @@ std::vector<SummedOrders::Place> SummedOrders::with_poles(std::size_t channel, s
   }
   const auto repeated = std::ranges::unique(inside);
   inside.erase(repeated.begin(), repeated.end());
-  std::ranges::move(places({channels_[channel]}, 0, inside, all()), std::back_inserter(known));
+  std::ranges::move(places(channel, inside, all()), std::back_inserter(known));
   std::ranges::sort(known, {}, &Place::speed);
   return known;
 }
 
 OperatingValue SummedOrders::largest_in_time(std::size_t channel, const assembly::Band& speed,
                                              project::Level level) const {
-  constexpr std::size_t most_places = 20'000;
   constexpr double share_of_bend = 0.125;  // of the whole: what two halves show may be small by chance
   std::vector<Place> known = turning_places(channel, speed, all());
   if (std::isinf(known.front().sum())) return value_at(channel, known.front(), all());
@@ -74,10 +73,15 @@ OperatingValue SummedOrders::largest_in_time(std::size_t channel, const assembly
   Place best = *std::ranges::max_element(known, {}, height_at);
   known = with_poles(channel, std::move(known), (1 + proven) * height_at(best));
   std::vector<double> tried, heights;
-  for (const Place& one : known) tried.push_back(one.speed), heights.push_back(height_at(one));
+  for (const Place& one : known) {
+    tried.push_back(one.speed);
+    heights.push_back(height_at(one));
+  }
   double highest = height_at(best);
   const auto raise = [&](const Place& place, double at) {
-    if (at > highest) best = place, highest = at;
+    if (!(at > highest)) return;
+    best = place;
+    highest = at;
   };
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i < known.size(); ++i) {
@@ -92,9 +96,10 @@ OperatingValue SummedOrders::largest_in_time(std::size_t channel, const assembly
           fmt::format("{}: the largest value of all orders together over {} needs more than {} speeds; "
                       "give a narrower range",
                       channels_[channel].name, speed_words(speed), most_places));
+    report(tried.size());
     std::vector<double> middles;
     for (const Piece& one : pieces) middles.push_back(0.5 * (one.from.speed + one.to.speed));
-    const std::vector<Place> found = places({channels_[channel]}, 0, middles, all());
+    const std::vector<Place> found = places(channel, middles, all());
     std::vector<Piece> halves;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const Piece& whole = pieces[i];
@@ -118,7 +123,7 @@ SummedOrders::Place SummedOrders::refined(std::size_t channel, const Place& best
   std::ranges::sort(tried);
   const auto below = std::ranges::lower_bound(tried, best.speed), above = std::ranges::upper_bound(tried, best.speed);
   if (!std::isfinite(best.sum()) || below == tried.begin() || above == tried.end()) return best;
-  const auto at = [&](double speed) { return places({channels_[channel]}, 0, {speed}, all()).front(); };
+  const auto at = [&](double speed) { return places(channel, {speed}, all()).front(); };
   const numerics::Minimum found =
       numerics::minimum_between(*std::prev(below), *above, [&](double speed) { return -height(at(speed), level); });
   return -found.value > height(best, level) ? at(found.at) : best;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -26,10 +25,14 @@ std::vector<double> orders_of(const std::vector<response::OrderLoading>& loads) 
 
 }  // namespace
 
-void SummedOrders::Place::set(Eigen::Index order, std::complex<double> value) {
-  const bool unbounded = std::isnan(std::norm(value));
-  values(order) = unbounded ? foundation::infinity : value;
-  if (unbounded) reason = undamped;
+void SummedOrders::Place::set(Eigen::Index order, const std::optional<std::complex<double>>& value) {
+  values(order) = value.value_or(foundation::infinity);
+  if (!value) reason = undamped;
+}
+
+void SummedOrders::report(std::size_t places) const {
+  foundation::report_progress(c_.progress, "operation",
+                              std::min(1.0, static_cast<double>(places) / static_cast<double>(most_places)));
 }
 
 SummedOrders::Place SummedOrders::nothing_at(double speed) const {
@@ -51,8 +54,21 @@ SummedOrders::Counted SummedOrders::all() const {
   return orders;
 }
 
-std::vector<SummedOrders::Place> SummedOrders::places(const std::vector<assembly::Channel>& channels,
-                                                      std::size_t channel, const std::vector<double>& speeds,
+std::optional<std::complex<double>> SummedOrders::value_or_limit(std::size_t channel, std::size_t load, double omega,
+                                                                 std::complex<double> value) const {
+  constexpr double beside = 1e-7, same = 1e-3;
+  if (!std::isnan(std::norm(value))) return value;
+  const std::vector<double> near = {omega * (1 - beside), omega * (1 + beside), omega * (1 + 4 * beside)};
+  const Eigen::VectorXcd limit =
+      response::frequency_response(c_.assembled, {channels_[channel]}, loads_[load].loading, near).curves[0].value;
+  // Near a pole that the load excites, values differ in sign or by their distance to it.
+  const double apart = (limit.array() - limit(0)).abs().maxCoeff();
+  const double size = limit.cwiseAbs().maxCoeff();
+  const bool finite = apart <= same * size || size <= round_off(channel, load, near[0]);
+  return finite ? std::optional(0.5 * (limit(0) + limit(1))) : std::nullopt;
+}
+
+std::vector<SummedOrders::Place> SummedOrders::places(std::size_t channel, const std::vector<double>& speeds,
                                                       const Counted& orders) const {
   std::vector<Place> result;
   for (const double speed : speeds) result.push_back(nothing_at(speed));
@@ -60,9 +76,9 @@ std::vector<SummedOrders::Place> SummedOrders::places(const std::vector<assembly
     std::vector<double> omega;
     for (const double speed : speeds) omega.push_back(loads_[k].order * speed);
     const response::FrequencyResponse found =
-        response::frequency_response(c_.assembled, channels, loads_[k].loading, omega);
+        response::frequency_response(c_.assembled, {channels_[channel]}, loads_[k].loading, omega);
     for (std::size_t i = 0; i < speeds.size(); ++i)
-      result[i].set(to_index(k), found.curves[channel].value(to_index(i)));
+      result[i].set(to_index(k), value_or_limit(channel, k, omega[i], found.curves[0].value(to_index(i))));
   }
   return result;
 }
@@ -124,7 +140,8 @@ OperatingValue SummedOrders::value_at(std::size_t channel, const Place& place, c
           most == orders.end() ? 0 : loads_[*most].order,
           place.reason,
           in_time.peak(),
-          in_time.span()};
+          in_time.span(),
+          in_time.is_bound};
 }
 
 std::vector<OperatingValue> SummedOrders::largest(const assembly::Band& speed) const {
@@ -135,8 +152,7 @@ std::vector<OperatingValue> SummedOrders::largest(const assembly::Band& speed) c
 }
 
 OperatingValue SummedOrders::largest(std::size_t channel, const assembly::Band& speed, project::Level level) const {
-  if (!(speed.from < speed.to))
-    return value_at(channel, places({channels_[channel]}, 0, {speed.from}, all()).front(), all());
+  if (!(speed.from < speed.to)) return value_at(channel, places(channel, {speed.from}, all()).front(), all());
   const bool in_time = level != project::Level::rms && loads_.size() > 1;  // of one order all levels are shares
   return in_time ? largest_in_time(channel, speed, level) : largest_of(channel, speed, all());
 }
@@ -147,7 +163,8 @@ std::vector<OperatingValue> SummedOrders::at_speed(double speed, const Counted& 
   for (const std::size_t k : orders) {
     const response::FrequencyResponse found =
         response::frequency_response(c_.assembled, channels_, loads_[k].loading, {loads_[k].order * speed});
-    for (std::size_t c = 0; c < channels_.size(); ++c) at[c].set(to_index(k), found.curves[c].value(0));
+    for (std::size_t c = 0; c < channels_.size(); ++c)
+      at[c].set(to_index(k), value_or_limit(c, k, loads_[k].order * speed, found.curves[c].value(0)));
   }
   for (std::size_t c = 0; c < channels_.size(); ++c) result.push_back(value_at(c, at[c], orders));
   return result;
@@ -178,15 +195,14 @@ std::vector<double> SummedOrders::turning_speeds(std::size_t channel, const asse
 
 std::vector<SummedOrders::Place> SummedOrders::turning_places(std::size_t channel, const assembly::Band& speed,
                                                               const Counted& orders) const {
-  const std::vector<assembly::Channel> alone = {channels_[channel]};
   std::vector<Resonance> unbounded;
   const std::vector<double> turning = turning_speeds(channel, speed, orders, unbounded);
   if (!unbounded.empty()) {
-    Place at = places(alone, 0, {unbounded.front().speed}, orders).front();
-    at.set(to_index(unbounded.front().order), std::numeric_limits<double>::quiet_NaN());
+    Place at = places(channel, {unbounded.front().speed}, orders).front();
+    at.set(to_index(unbounded.front().order), std::nullopt);
     return {at};
   }
-  std::vector<Place> known = places(alone, 0, turning, orders);
+  std::vector<Place> known = places(channel, turning, orders);
   if (begin(speed, orders) > 0) return known;
   constexpr double close = 1e-6;  // of the range
   const double from = searched_from(orders);
@@ -196,27 +212,26 @@ std::vector<SummedOrders::Place> SummedOrders::turning_places(std::size_t channe
 
 OperatingValue SummedOrders::largest_of(std::size_t channel, const assembly::Band& speed, const Counted& orders) const {
   constexpr double proven = 1e-4;  // of the square
-  constexpr std::size_t most_places = 20'000;
-  const std::vector<assembly::Channel> alone = {channels_[channel]};
   const auto lower = [](const Place& a, const Place& b) { return a.sum() < b.sum(); };
   std::vector<Place> known = turning_places(channel, speed, orders);
   if (std::isinf(known.front().sum())) return value_at(channel, known.front(), orders);
   while (orders.size() > 1 && known.size() < most_places) {
+    report(known.size());
     const double enough = (1 + proven) * std::ranges::max_element(known, lower)->sum();
     std::vector<double> between;
     for (std::size_t i = 1; i < known.size(); ++i)
       if (known[i].squares().cwiseMax(known[i - 1].squares()).sum() > enough)
         between.push_back(0.5 * (known[i - 1].speed + known[i].speed));
     if (between.empty() || !std::isfinite(enough)) break;
-    std::ranges::move(places(alone, 0, between, orders), std::back_inserter(known));
+    std::ranges::move(places(channel, between, orders), std::back_inserter(known));
     std::ranges::sort(known, {}, &Place::speed);
   }
   auto best = std::ranges::max_element(known, lower);
   if (orders.size() > 1 && best != known.begin() && std::next(best) != known.end() && std::isfinite(best->sum())) {
-    const auto minus_sum = [&](double at) { return -places(alone, 0, {at}, orders).front().sum(); };
+    const auto minus_sum = [&](double at) { return -places(channel, {at}, orders).front().sum(); };
     const numerics::Minimum refined =
         numerics::minimum_between(std::prev(best)->speed, std::next(best)->speed, minus_sum);
-    if (-refined.value > best->sum()) return value_at(channel, places(alone, 0, {refined.at}, orders).front(), orders);
+    if (-refined.value > best->sum()) return value_at(channel, places(channel, {refined.at}, orders).front(), orders);
   }
   return value_at(channel, *best, orders);
 }

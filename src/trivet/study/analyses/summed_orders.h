@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ class SummedOrders {
 
   /// The largest value of every channel over a range; equal ends: the values at this speed. With one order it is exact:
   /// at an end or at a peak. With several, every |y_k| is monotonic between its extrema, which bounds the sum between
-  /// two speeds; speeds are added until no bound exceeds the largest value by more than 5e-5, and the place is refined.
+  /// two speeds; speeds are added until no bound exceeds the largest value by more than 5e-5, at most 20,000, and the
+  /// place is refined.
   /// Of a range from 0 the limit towards rest counts, which may be infinite.
   [[nodiscard]] std::vector<OperatingValue> largest(const assembly::Band& speed) const;
   /// The value of one channel where its number at the level is largest. Of several orders over a range the peak or the
@@ -54,8 +56,8 @@ class SummedOrders {
     double speed = 0;
     Eigen::VectorXcd values;
     std::string reason = {};  ///< why they are infinite
-    /// @param value  not a number at an undamped resonance
-    void set(Eigen::Index order, std::complex<double> value);
+    /// @param value  none at an undamped resonance
+    void set(Eigen::Index order, const std::optional<std::complex<double>>& value);
     [[nodiscard]] Eigen::VectorXd squares() const { return values.cwiseAbs2(); }
     [[nodiscard]] double sum() const { return values.squaredNorm(); }
     [[nodiscard]] Eigen::VectorXd amplitudes() const { return values.cwiseAbs(); }
@@ -63,6 +65,7 @@ class SummedOrders {
   /// Two speeds with the numbers there at a level, and by how much one between them may exceed the larger.
   struct Piece;
   using Counted = std::vector<std::size_t>;  ///< places in the list of loads
+  static constexpr std::size_t most_places = 20'000;
   /// A speed at which an order meets an undamped resonance.
   struct Resonance {
     double speed = 0;
@@ -72,8 +75,14 @@ class SummedOrders {
   [[nodiscard]] Place nothing_at(double speed) const;
   [[nodiscard]] Counted all() const;
   [[nodiscard]] Counted in_band(const excitation::FrequencyBand& band, double speed) const;
-  [[nodiscard]] std::vector<Place> places(const std::vector<assembly::Channel>& channels, std::size_t channel,
-                                          const std::vector<double>& speeds, const Counted& orders) const;
+  [[nodiscard]] std::vector<Place> places(std::size_t channel, const std::vector<double>& speeds,
+                                          const Counted& orders) const;
+  /// The value, or if it is no number its limit: at the frequency of an undamped mode there is no solution, but a
+  /// channel that this mode does not reach has a limit. None if it has none.
+  [[nodiscard]] std::optional<std::complex<double>> value_or_limit(std::size_t channel, std::size_t load, double omega,
+                                                                   std::complex<double> value) const;
+  /// Of a search that has looked at so many places.
+  void report(std::size_t places) const;
   /// The limit towards standstill. @param near  a speed close to it [rad/s]
   [[nodiscard]] Place at_rest(std::size_t channel, double near, const Counted& orders) const;
   /// Below this size a value at ω is what is left of motions that cancel.

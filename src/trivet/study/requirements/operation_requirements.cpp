@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/response/machinery/operating_loads.h"
 #include "trivet/study/analyses/operating_limits.h"
 #include "trivet/study/requirements/requirement_list.h"
@@ -16,12 +18,14 @@ namespace trivet::study {
 namespace {
 
 void set_operating_value(const OperatingLimit& limit, const assembly::Band& speed, RequirementResult& result) {
+  if (!limit.refusal.empty()) throw foundation::NotComputable(limit.refusal);
   const OperatingValue& found = limit.value;
   result.value = limit.judged();
   result.margin = design::margin({design::DesignRule::Kind::amplitude, 0, limit.allowed}, limit.judged());
   result.angular_frequency = found.order * found.at;
   if (speed.from < speed.to) result.detail = fmt::format("{:.5g} rpm", found.at * foundation::rpm_per_rad_s);
-  if (!found.reason.empty()) result.detail += (result.detail.empty() ? "" : ", ") + found.reason;
+  if (const std::string remark = limit.remark(); !remark.empty())
+    result.detail += (result.detail.empty() ? "" : ", ") + remark;
 }
 
 /// The limits with their numbers at the level of the file instead of zero-to-peak.
@@ -54,7 +58,8 @@ void add_operation_requirements(const CaseContext& c, const project::Analyses& a
       const auto loads = response::operating_loads(c.system, c.assembled, request.selection.excitations);
       if (loads.empty()) throw without_excitation("operation");
       const std::vector<OperatingLimit> judged = operating_limits(c, at_speed(request, speed), loads).front();
-      for (std::size_t i = 0; i < limits; ++i) set_operating_value(judged[i], speed, list[of_speed + i]);
+      for (std::size_t i = 0; i < limits; ++i)
+        list.attempt(std::vector{of_speed + i}, [&] { set_operating_value(judged[i], speed, list[of_speed + i]); });
     });
   }
 }
