@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -37,16 +39,20 @@ void judge_far_points(const model::System& system, const std::vector<BodyPicture
     std::vector<NamedPlace> places = points_and_forces(system, picture.body);
     if (places.empty()) continue;
     std::ranges::sort(places, {}, &NamedPlace::distance);
+    constexpr double same = 1 - 1e-9;  // a force often acts at a point
+    const double farthest = places.back().distance;
+    const auto first_far =
+        std::ranges::find_if(places, [&](const NamedPlace& one) { return one.distance >= same * farthest; });
     double others = 2 * mass_radius(picture.mass);
-    if (places.size() > 1) others = std::max(others, places[places.size() - 2].distance);
+    if (first_far != places.begin()) others = std::max(others, std::prev(first_far)->distance);
     for (const Attachment& one : picture.attachments) others = std::max(others, (one.at - picture.mass.centre).norm());
-    const NamedPlace& farthest = places.back();
-    if (!(others > 0) || farthest.distance < far * others) continue;
-    found.push_back(
-        {"points", farthest.subject, fmt::format("{:.5g} m from the centre of mass", farthest.distance),
-         fmt::format("everything else of \"{}\" is within {:.3g} m of it", system.bodies()[picture.body].name, others),
-         fmt::format("write its place with a unit: {:.4g} mm are {:.3g} m", farthest.distance,
-                     farthest.distance / 1000)});
+    if (!(others > 0) || farthest < far * others) continue;
+    for (const NamedPlace& one : std::ranges::subrange(first_far, places.end()))
+      found.push_back(
+          {"points", one.subject, fmt::format("{:.5g} m from the centre of mass", one.distance),
+           fmt::format("everything else of \"{}\" is within {:.3g} m of it", system.bodies()[picture.body].name,
+                       others),
+           fmt::format("write its place with a unit: {:.4g} mm are {:.3g} m", one.distance, one.distance / 1000)});
   }
 }
 
