@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/foundation/setting_words.h"
 
 namespace trivet::project {
@@ -39,21 +40,24 @@ std::string with_unit(const Node& value, const char* unit) {
 
 void warn(const std::string& path, const Node& value, const std::vector<double>& bare, foundation::Problems& problems) {
   const bool is_range = bare.size() == 2 && !path.ends_with(".at");
-  std::vector<std::string> hertz;
-  for (const double omega : bare) hertz.push_back(fmt::format("{:.3g}", omega / foundation::two_pi));
+  const bool is_speed = path.substr(path.rfind('.') + 1).find("speed") != std::string::npos;
+  const char* unit = is_speed ? "rpm" : "Hz";
+  std::vector<std::string> shown;
+  for (const double omega : bare)
+    shown.push_back(fmt::format("{:.3g}", is_speed ? omega * foundation::rpm_per_rad_s : omega / foundation::two_pi));
   foundation::Problem& problem = problems.warning(
       path, toml_value(value) + " without a unit",
-      fmt::format("such a number is in rad/s, here {} Hz", fmt::join(hertz, is_range ? " … " : ", ")),
+      fmt::format("such a number is in rad/s, here {} {}", fmt::join(shown, is_range ? " … " : ", "), unit),
       fmt::format("write {} or {}; [display] with frequency = \"rad/s\" declares numbers in rad/s for all keys",
-                  with_unit(value, "Hz"), with_unit(value, "rad/s")));
+                  with_unit(value, unit), with_unit(value, "rad/s")));
   problem.origin = value.origin;
 }
 
 void visit(const Node& table, const std::string& path, foundation::Problems& problems) {
   for (std::size_t i = 0; i < table.items.size(); ++i) {
     const Node& item = table.items[i];
-    const std::string inside =
-        (path.empty() ? "" : path + ".") + (i < table.keys.size() ? table.keys[i] : std::to_string(i));
+    const std::string inside = (path.empty() ? "" : path + ".") +
+        (i < table.keys.size() ? foundation::path_key(table.keys[i]) : std::to_string(i));
     std::vector<double> bare;
     add_bare(item, bare);
     const bool any = std::ranges::any_of(bare, [](double omega) { return omega != 0; });

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/assembly/channels.h"
 #include "trivet/foundation/problems.h"
 
 namespace trivet::project {
@@ -37,7 +38,6 @@ std::string meant_unit(const std::string& unit, Quantity quantity) {
 constexpr std::array<std::array<Quantity, 3>, 2> motions_in_si = {
     {{Quantity::length, Quantity::velocity, Quantity::acceleration},
      {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration}}};
-constexpr std::array names = {"displacement", "velocity", "acceleration"};
 constexpr std::array plurals = {"displacements", "velocities", "accelerations"};
 
 }  // namespace
@@ -48,7 +48,8 @@ std::string other_motion_advice(std::string_view text, Quantity quantity, std::s
     if (std::ranges::find(kinds, quantity) == kinds.end()) continue;
     for (std::size_t k = 0; k < kinds.size(); ++k)
       if (kinds[k] != quantity && (density ? to_density(text, kinds[k]) : to_si(text, kinds[k])))
-        return fmt::format("add quantity = \"{}\" if {} are meant, or ", names[k], plurals[k]);
+        return fmt::format("add quantity = \"{}\" if {} are meant, or ",
+                           assembly::motion_name(assembly::motion_quantities[k]), plurals[k]);
   }
   return "";
 }
