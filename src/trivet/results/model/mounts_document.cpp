@@ -36,7 +36,7 @@ struct Spread {
 struct MountKind {
   std::vector<std::string> names;
   std::string type, mount, damping;
-  std::array<double, 3> stiffness{};                   ///< at ω = 0 [N/m]
+  std::array<double, 3> stiffness{};                   ///< static, without the stiffening of rubber in vibration [N/m]
   std::array<std::optional<double>, 3> dynamic{};      ///< Re D(ω), if it differs from `stiffness` [N/m]
   std::array<std::optional<double>, 3> loss_factor{};  ///< Im D(ω) / Re D(ω)
   Spread load, across, deflection, utilisation;
@@ -74,11 +74,11 @@ MountKind kind_of(const model::Element& element) {
   const double least = round_off * stiffness.diagonal().segment<3>(6).cwiseAbs().maxCoeff();
   for (int j = 0; j < 3; ++j) {
     const auto axis = static_cast<std::size_t>(j);
-    kind.stiffness[axis] = std::abs(stiffness(6 + j, 6 + j)) > least ? stiffness(6 + j, 6 + j) : 0;
+    const double at_rest = stiffness(6 + j, 6 + j) / element.stiffening;
+    kind.stiffness[axis] = std::abs(stiffness(6 + j, 6 + j)) > least ? at_rest : 0;
     if (!dynamic) continue;
     const std::complex<double> value = (*dynamic)(6 + j, 6 + j);
-    if (!is_close(value.real(), stiffness(6 + j, 6 + j)) && std::abs(value.real()) > least)
-      kind.dynamic[axis] = value.real();
+    if (!is_close(value.real(), at_rest) && std::abs(value.real()) > least) kind.dynamic[axis] = value.real();
     if (value.real() > least) kind.loss_factor[axis] = value.imag() / value.real();
   }
   return kind;
