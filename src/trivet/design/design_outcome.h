@@ -24,6 +24,8 @@ struct MapRule {
   /// Notes a further case and names it in the words.
   void set_case(const std::string& name);
   void unset_case();
+  /// The words with the level of the bound, if it has one.
+  [[nodiscard]] std::string stated() const { return words_at_level.empty() ? words : words_at_level + case_words(); }
   [[nodiscard]] std::string case_words() const;  ///< " in case \"soft\"", empty in the case of the map
 };
 

@@ -83,7 +83,8 @@ bool takes_numbers(const project::Case& variant, const project::Case& base, cons
 std::string words_of(const std::vector<design::MapRule>& rules, std::size_t first, std::size_t last) {
   constexpr std::size_t most = 4;
   std::string words;
-  for (std::size_t r = first; r < std::min(last, first + most); ++r) words += (r == first ? "" : ", ") + rules[r].words;
+  for (std::size_t r = first; r < std::min(last, first + most); ++r)
+    words += (r == first ? "" : ", ") + rules[r].stated();
   return last - first > most ? words + fmt::format(" and {} more", last - first - most) : words;
 }
 
