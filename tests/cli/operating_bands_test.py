@@ -188,6 +188,10 @@ class OperatingBands(unittest.TestCase):
         text = text[: text.index("[limit_lines")] + own
         self.assertIn("1 requirement violated", self.trivet(text, "run", "--strict", code=3).stderr)
         self.assertIn("1 limit violated", self.trivet(text, "operation", "--strict", code=3).stderr)
+        lines = self.trivet(text, "limit_lines", "--strict", code=3).stdout
+        self.assertIn("VIOLATED with the tones at 600 rpm; random vibration alone is below", lines)
+        met = self.trivet(text.replace(f"{limit} m/s", f"{2 * limit} m/s"), "limit_lines").stdout
+        self.assertIn("met, with tones too", met)
 
     def test_lines_that_no_requirement_judges_count(self):
         level = rms(UNBALANCE * (2 * math.pi * 10) ** 2, 10)
@@ -217,7 +221,7 @@ class OperatingBands(unittest.TestCase):
         self.assertEqual(list(both), [10, 12.5, 16])
         self.near(both[12.5], rms(50, edge / 60))
 
-    def test_lines_over_other_bands_are_told(self):
+    def test_lines_over_other_bands_are_reported(self):
         noise = (
             '[excitations.floor]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\nquantity = "velocity"\n'
             'psd = {flat = 1e-16, band = ["1 Hz", "100 Hz"]}\n'

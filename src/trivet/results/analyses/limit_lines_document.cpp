@@ -20,6 +20,26 @@ std::string band_words(const std::vector<Band>& bands, const char* separator, co
   return text;
 }
 
+/// The same line at the speed of the machine where the tones and the random vibration together have the largest share
+/// of it; none if it is not judged there.
+const study::OperatingLine* at_worst_speed(const study::CaseResults& results, const LimitLineResult& line) {
+  const study::OperatingLine* worst = nullptr;
+  if (!results.operation || line.bands.empty()) return worst;
+  for (const study::OperatingLine& one : results.operation->lines)
+    if (one.of == line.of && one.line.name == line.line.name && (!worst || one.share() > worst->share())) worst = &one;
+  return worst;
+}
+
+std::string words_of_line(const study::CaseResults& results, const LimitLineResult& line, bool is_alone) {
+  const bool met = line.comparison.met();
+  const std::string words = met ? "✓ met" : is_alone ? "✗ VIOLATED" : "above the line; judged as a requirement";
+  const study::OperatingLine* with_tones = at_worst_speed(results, line);
+  if (!with_tones) return words;
+  const std::string at = study::speed_words(with_tones->speed);
+  if (with_tones->met()) return met ? "✓ met, with tones too" : words;
+  return fmt::format("✗ VIOLATED with the tones at {}{}", at, met ? "; random vibration alone is below" : "");
+}
+
 }  // namespace
 
 Table limit_line_table(const study::CaseResults& results, const project::DisplayUnits& display) {
@@ -79,10 +99,7 @@ Table limit_line_table(const study::CaseResults& results, const project::Display
            row("exceeded", Kind::words, "exceeded" + unit, exceeded_shown, {.forms = for_people}),
            row("kept", Kind::yes_no, "", [](const LimitLineResult& l) { return l.comparison.met(); }),
            row("verdict", Kind::words, "verdict",
-               [is_alone](const LimitLineResult& l) {
-                 if (l.comparison.met()) return "✓ met";
-                 return is_alone(l) ? "✗ VIOLATED" : "above the line; judged as a requirement";
-               },
+               [&results, is_alone](const LimitLineResult& l) { return words_of_line(results, l, is_alone(l)); },
                {.forms = for_people})},
       .csv = {{"limit line", "name"},
               {"name", "of"},
@@ -108,6 +125,8 @@ Table limit_line_table(const study::CaseResults& results, const project::Display
                  "kept"},
       .mark = [&results, is_alone](std::size_t i) {
         const LimitLineResult& line = results.limit_lines[i];
+        const study::OperatingLine* with_tones = at_worst_speed(results, line);
+        if (with_tones && !with_tones->met()) return Mark::bad;
         return line.comparison.met() ? Mark::plain : is_alone(line) ? Mark::bad : Mark::minor;
       }};
 }

@@ -88,6 +88,8 @@ Analyses limit_lines_of(const Case& variant) {
     request.response->at.clear();
   }
   request.limit_lines = lines;
+  if (variant.analyses.operation && variant.analyses.operation->has_lines())  // tones act besides random vibration
+    request.operation = variant.analyses.operation;
   return request;
 }
 
