@@ -35,7 +35,7 @@ at = [0, 0, 0]
 force = [0, 0, 18]
 [analyses]
 modes = {}
-response = {at = [1, 2, 3]}
+response = {at = ["1 rad/s", "2 rad/s", "3 rad/s"]}
 """
 DISC = """[elements.pad]
 type = "solid_mount"
