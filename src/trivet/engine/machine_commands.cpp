@@ -10,6 +10,7 @@
 #include "trivet/engine/key_reader.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/thread_progress.h"
 #include "trivet/project/analysis_filter.h"
 #include "trivet/report/figures/element_picture.h"
 #include "trivet/results/design/explanation_results.h"
@@ -101,6 +102,7 @@ Result suspension(const Task& task) {
 
 Result scene(const Task& task) {
   const project::Case& variant = task.variant;
+  const foundation::ThreadProgress of_drawing(task.progress);
   const auto held = hold(task, results::scene_of(variant));
   Result result;
   const auto document = [held](const project::Case& shown) { return results::scene_document(shown, held->found); };

@@ -6,7 +6,7 @@
 namespace trivet::foundation {
 
 /// While it exists, steps of this thread that are called without a Progress report to this one: those of opening a
-/// project, whose readers of keys have no business with it. May be nested.
+/// project and of drawing a machine, whose readers of keys and drawings have no business with it. May be nested.
 class ThreadProgress {
  public:
   /// @param progress  must outlive the object
