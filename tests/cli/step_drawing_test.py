@@ -98,6 +98,17 @@ class StepDrawing(InTemporaryFolder):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(json.loads(done.stdout)["bodies"][0]["drawn_as"], "box of equal inertia")
 
+    def test_a_surface_that_is_a_link_is_not_read(self):
+        odd, real = self.folder / "bin", shutil.which("gmsh")
+        odd.mkdir()
+        link = f'ln -s "{DATA / "box.stl"}" surface1.stl; echo 1 > solids.txt; exit 0'
+        (odd / "gmsh").write_text(f'#!/bin/sh\nif grep -q "Mesh 2" job.geo; then {link}; fi\nexec {real} "$@"\n')
+        (odd / "gmsh").chmod(0o755)
+        path = f"{odd}{os.pathsep}{os.environ['PATH']}"
+        done = trivet("scene", self.project("cylinder.step"), "--json", env=os.environ | {"PATH": path})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["bodies"][0]["drawn_as"], "box of equal inertia")
+
 
 if __name__ == "__main__":
     unittest.main()

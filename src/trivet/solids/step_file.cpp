@@ -84,7 +84,7 @@ foundation::Expected<void> check_results(const GmshJob& job) {
   for (std::filesystem::directory_iterator entry(job.folder, error), end; !error && entry != end;
        entry.increment(error)) {
     const std::string extension = entry->path().extension().string();
-    const bool is_result = extension == ".txt" || extension == ".msh";
+    const bool is_result = extension == ".txt" || extension == ".msh" || extension == ".stl";
     if (is_result && !std::filesystem::is_regular_file(entry->symlink_status(error)))
       return refused(fmt::format("{}: gmsh wrote {}, which is not a file", job.step_file.string(),
                                  entry->path().filename().string()),
