@@ -37,6 +37,21 @@ speeds = ["600 rpm", ["500 rpm", "900 rpm"]]
 modes = {}
 """
 
+BALL = """
+trivet = 1
+[bodies.ball]
+mass = 10
+solids = [{sphere = "200 mm"}]
+[elements.mount]
+type = "bushing"
+on = "ball"
+at = [0, 0, -0.1]
+translation = [1e5, 1e5, 1e5]
+rotation = [1e4, 1e4, 1e4]
+[analyses]
+modes = {}
+"""
+
 
 def numbers(part):
     if isinstance(part, (dict, list)):
@@ -55,7 +70,12 @@ class Machine(InTemporaryFolder):
         return gzip.decompress(base64.b64decode(found.group(1), validate=True)).decode()
 
     def stored(self, project):
-        return json.loads(self.part(self.report(project), "machine-data"))
+        """With the surfaces in their places in the scenes."""
+        stored = json.loads(self.part(self.report(project), "machine-data"))
+        for scene in stored["scenes"]:
+            for body in scene["bodies"]:
+                body["solids"] = [stored["surfaces"][place] for place in body["solids"]]
+        return stored
 
     def command(self, *words):
         done = trivet(*words, "--json")
@@ -106,6 +126,20 @@ class Machine(InTemporaryFolder):
             self.assertEqual(one["modes"].pop("all"), len(modes["modes"]))
             self.assertEqual(len(one["modes"]["modes"]), min(30, len(modes["modes"])))
             self.check_equal(one["modes"], modes)
+
+    def test_cases_of_another_mass_share_the_surface(self):
+        project = self.folder / "ball.toml"
+        cases = "".join(f"[cases.c{mass}]\nbodies.ball.mass = {mass}\n" for mass in (20, 30, 40))
+        sizes = []
+        for text in (BALL, BALL + cases):
+            project.write_text(text)
+            sizes.append(len(self.part(self.report(project), "machine-data")))
+        stored = self.stored(project)
+        self.assertEqual(len(stored["surfaces"]), 1)
+        self.assertEqual([scene["bodies"][0]["mass"] for scene in stored["scenes"]], [10, 20, 30, 40])
+        surface = len(json.dumps(stored["surfaces"][0], separators=(",", ":")))
+        self.assertGreater(surface, 20_000)
+        self.assertLess(sizes[1] - sizes[0], surface / 2)
 
     def test_damped_motions_are_the_roots_nearest_to_the_modes(self):
         stored = self.stored(PUMP)["cases"][0]

@@ -9,11 +9,11 @@ import {TURNS} from '../machine_keys.ts';
 import {ofMode, ofRoot, ofShape, type Motion, type MovingModes, type MovingRoots} from '../motion.ts';
 import {number} from '../quantities.ts';
 import type {Scene, Shapes} from '../results.ts';
+import {scenesOf, type StoredScenes} from './stored_scenes.ts';
 import sheetOfView from './machine_view.css';
 
-interface MachineOfReport {
+interface MachineOfReport extends StoredScenes {
   frequency: {unit: string; factor: number};  // from rad/s
-  scenes: Scene[];
   cases: CaseOfReport[];
 }
 interface CaseOfReport {
@@ -39,6 +39,7 @@ class MachineView {
   private readonly stage: Stage;
   private readonly canvas: HTMLCanvasElement;
   private readonly dark = matchMedia('(prefers-color-scheme: dark)');
+  private readonly scenes: readonly Scene[];
   private scene: Scene | null = null;
   private machine: MachineScene | null = null;
   private choices: Choice[] = [];
@@ -53,6 +54,7 @@ class MachineView {
   private isSeen = true;
 
   constructor(private readonly holder: HTMLElement, private readonly data: MachineOfReport) {
+    this.scenes = scenesOf(data);
     this.render();
     this.canvas = holder.querySelector('canvas')!;
     this.stage = new Stage(this.canvas, this.colours.background, () => this.frame());
@@ -81,7 +83,7 @@ class MachineView {
     this.canvas.parentElement!.addEventListener('wheel', forThePage, {capture: true, passive: true});
   }
   private showCase(index: number) {
-    const scene = this.data.scenes[this.data.cases[index]!.scene]!, isNew = scene !== this.scene;
+    const scene = this.scenes[this.data.cases[index]!.scene]!, isNew = scene !== this.scene;
     this.scene = scene;
     this.shown.case = index;
     this.choices = this.choicesOf(this.data.cases[index]!, scene);

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <charconv>
 #include <initializer_list>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
 
 #include "trivet/documents/json_text.h"
 #include "trivet/documents/shown_numbers.h"
@@ -107,14 +110,33 @@ Json shapes_json(const ShownCase& shown) {
   return json;
 }
 
-/// The place of a scene in the list, to which it is added if it is a new one. Most cases do not change what is drawn.
-std::size_t place_of_scene(const ShownCase& shown, Json& scenes) {
-  Json scene = rounded(results::scene_document(shown.variant, results::scene_of(shown.variant)));
-  const auto found = std::ranges::find(scenes, scene);
-  const auto place = static_cast<std::size_t>(found - scenes.begin());
-  if (found == scenes.end()) scenes.push_back(std::move(scene));
-  return place;
-}
+/// Different values, each once, in the order in which they came.
+class Distinct {
+ public:
+  /// The place of a value, which is added if it is a new one.
+  std::size_t place_of(Json value) {
+    const auto [known, is_new] = places_.try_emplace(value.dump(), list_.size());
+    if (is_new) list_.push_back(std::move(value));
+    return known->second;
+  }
+  Json list() && { return std::move(list_); }
+
+ private:
+  Json list_ = Json::array();
+  std::map<std::string, std::size_t> places_;
+};
+
+/// Most cases change neither what is drawn nor, if they do, the surfaces of the solids, which are most of the bytes.
+struct Drawn {
+  Distinct scenes, surfaces;
+
+  std::size_t place_of_scene(const ShownCase& shown) {
+    Json scene = rounded(results::scene_document(shown.variant, results::scene_of(shown.variant)));
+    for (Json& body : scene["bodies"])
+      for (Json& solid : body["solids"]) solid = surfaces.place_of(std::move(solid));
+    return scenes.place_of(std::move(scene));
+  }
+};
 
 }  // namespace
 
@@ -123,16 +145,18 @@ bool has_moving_machine(const std::vector<ShownCase>& cases) {
 }
 
 std::string machine_json(const std::vector<ShownCase>& cases) {
-  Json scenes = Json::array(), list = Json::array();
+  Drawn drawn;
+  Json list = Json::array();
   for (const ShownCase& shown : cases)
     list.push_back({{"name", shown.name()},
-                    {"scene", place_of_scene(shown, scenes)},
+                    {"scene", drawn.place_of_scene(shown)},
                     {"modes", modes_json(shown)},
                     {"roots", roots_json(shown)},
                     {"shapes", shapes_json(shown)}});
   const project::DisplayUnits& display = cases.front().variant.display;
   const Json json{{"frequency", {{"unit", frequency_unit(display)}, {"factor", shown_frequency(display, 1)}}},
-                  {"scenes", std::move(scenes)},
+                  {"surfaces", std::move(drawn.surfaces).list()},
+                  {"scenes", std::move(drawn.scenes).list()},
                   {"cases", std::move(list)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

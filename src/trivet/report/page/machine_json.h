@@ -13,7 +13,7 @@ namespace trivet::report {
 
 /// What the view in 3D of the page shows: scenes, and of each case the number of its scene, its lowest modes, their
 /// damped motions and its operating shapes, as `trivet scene`, `modes`, `roots` and `shapes` have them (docs/json.md),
-/// to 7 digits.
+/// to 7 digits. Scenes have, as `solids` of a body, the places of their surfaces in the list `surfaces`.
 [[nodiscard]] std::string machine_json(const std::vector<ShownCase>& cases);
 
 }  // namespace trivet::report
