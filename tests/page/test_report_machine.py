@@ -15,6 +15,16 @@ HTMLCanvasElement.prototype.getContext = function(kind, ...options) {
   return kind.startsWith('webgl') ? null : given.call(this, kind, ...options);
 };"""
 
+FAILURES = {
+    'no WebGL any more': """const given = HTMLCanvasElement.prototype.getContext;
+let asked = 0;
+HTMLCanvasElement.prototype.getContext = function(kind, ...options) {
+  return kind.startsWith('webgl') && asked++ > 0 ? null : given.call(this, kind, ...options);
+};""",
+    'nothing to unpack': "globalThis.DecompressionStream = class { constructor() { throw new Error('damaged'); } };",
+    'damaged data': "Response.prototype.text = async () => '{';",
+}
+
 
 @pytest.fixture(scope='module')
 def reports(tmp_path_factory):
@@ -35,7 +45,8 @@ def reports(tmp_path_factory):
 
 @pytest.fixture
 def opened(browser, reports):
-    """opened(example, **context): its report, scrolled to the machine. Nothing is written to the console or asked for."""
+    """opened(example, **context): its report, scrolled to the machine. Nothing is asked for, nor written to the console but what a
+    test takes out of `opened.messages`."""
     contexts, messages, requests = [], [], []
 
     def open_report(example='genset/genset.toml', script='', loaded=True, **options):
@@ -53,6 +64,7 @@ def opened(browser, reports):
             drawn(page)
         return page
 
+    open_report.messages = messages
     yield open_report
     for context in contexts:
         context.close()
@@ -198,3 +210,13 @@ def test_without_3d_the_four_views_remain_and_no_place_is_empty(opened, what):
     page.mouse.wheel(0, 700)
     page.locator(VIEW).wait_for(state='detached')
     assert page.locator('.machine .drawing svg').first.is_visible()
+
+
+@pytest.mark.parametrize('what', FAILURES)
+def test_a_failure_in_3d_leaves_the_four_views_and_no_empty_place(opened, what):
+    page = opened(script=FAILURES[what], loaded=False)
+    page.locator(VIEW).evaluate("node => node.scrollIntoView({block: 'center'})")
+    page.locator(VIEW).wait_for(state='detached')
+    assert page.locator('.machine .drawing svg').first.is_visible()
+    assert opened.messages  # what failed, for those who look for it
+    opened.messages.clear()

@@ -18,8 +18,17 @@ async function unpacked(id: string): Promise<string> {
   const bytes = Uint8Array.from(atob(document.getElementById(id)!.textContent!), sign => sign.charCodeAt(0));
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
 }
-/// As a script of the page: a module from a blob is not allowed for files in every browser.
+/// Shows the machine. If that fails, its place goes, and the error is seen in the console of the browser.
 async function startMachine(holder: HTMLElement) {
+  try {
+    await showMachine(holder);
+  } catch (error) {
+    holder.remove();
+    throw error;
+  }
+}
+/// As a script of the page: a module from a blob is not allowed for files in every browser.
+async function showMachine(holder: HTMLElement) {
   const [program, data] = await Promise.all([unpacked('machine-script'), unpacked('machine-data')]);
   const script = document.createElement('script');
   script.textContent = program;
