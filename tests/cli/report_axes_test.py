@@ -8,25 +8,24 @@ import unittest
 
 from report_page_test import SOURCE, TRIVET, Folder
 
-DECADES, DIPS, NEGLIGIBLE = 2, 0.1, 1e-3
 
-
-def least_that_matters(at, heights, round_off):
-    """What the curve exceeds over nine tenths of its band."""
+def least_that_matters(at, heights, round_off, dips):
+    """What the curve exceeds outside its dips."""
     pieces = [(max(a, b), end - begin) for a, b, begin, end in zip(heights, heights[1:], at, at[1:])]
     pieces = sorted(piece for piece in pieces if piece[0] >= round_off)
     total, passed = sum(width for _, width in pieces), 0
     for height, width in pieces:
         passed += width
-        if passed >= DIPS * total:
+        if passed >= dips * total:
             return height
     return math.inf
 
 
-def is_wide(at, curves):
+def is_wide(at, curves, rule):
     largest = max(map(max, curves))
-    counted = [c for c in curves if max(c) > NEGLIGIBLE * largest]
-    return largest > 10**DECADES * min(least_that_matters(at, c, 1e-8 * largest) for c in counted)
+    counted = [c for c in curves if max(c) > rule["negligible"] * largest]
+    least = min(least_that_matters(at, c, rule["round_off"] * largest, rule["dips"]) for c in counted)
+    return largest > rule["range"] * least
 
 
 class Axes(Folder):
@@ -44,7 +43,11 @@ class Axes(Folder):
         heights = [[math.hypot(*z) for z in result["complex"]] for result in response["results"]]
         return {
             (group["name"], i): (
-                is_wide(response["angular_frequency"], [heights[member["curve"]] for member in row]),
+                is_wide(
+                    response["angular_frequency"],
+                    [heights[member["curve"]] for member in row],
+                    drawing["amplitude_rule"],
+                ),
                 group["logarithmic"][i],
             )
             for group in drawing["groups"][0]

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The same facts as tests/unit/report/amplitude_range_test.cpp.
 import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
 import {test} from 'node:test';
-import {amplitudeRange, isWide, type Point} from '../src/report/amplitude_range.ts';
+import {amplitudeRange, isWide, type AmplitudeRule, type Point} from '../src/report/amplitude_range.ts';
+import {inRange} from '../src/report/drawn_line.ts';
 
-const rule = {range: 100, dips: 0.1, negligible: 1e-3, round_off: 1e-8, below: 10};
+/// The constants of the program, which reports have in their data.
+const header = readFileSync('../src/trivet/report/drawing/amplitude_range.h', 'utf8');
+const constantsOf = (text: string) => Object.fromEntries([...text.matchAll(/ double (\w+) = ([\d.e-]+);/g)].map(m => [m[1]!, Number(m[2])]));
+const rule = constantsOf(header.match(/struct AmplitudeRule {(.*?)};/s)![1]!) as unknown as AmplitudeRule;
 const curve = (height: (x: number) => number): Point[] => Array.from({length: 1001}, (_, i) => [i / 1000, height(i / 1000)]);
 const wide = (...heights: ((x: number) => number)[]) => isWide(amplitudeRange(heights.map(curve), rule), rule);
 
@@ -27,4 +32,16 @@ test('an axis ends at most a decade below the least amplitude that matters', () 
 test('nothing, or only zeros, has no range', () => {
   assert.equal(wide(), false);
   assert.equal(wide(() => 0), false);
+});
+test('a gap is no part of the band', () => {
+  const interrupted = (x: number) => (x < 0.1 ? 1 : x <= 0.95 ? NaN : 1e-3);
+  assert.equal(wide(interrupted), true);
+  const points = curve(interrupted), line = {omega: points.map(p => p[0]), amplitude: points.map(p => (p[1] >= 0 ? p[1] : null))};
+  const isWideFrom = (from: number) => isWide(amplitudeRange([inRange(line, from, 1)], rule), rule);
+  assert.ok(isWideFrom(0) && isWideFrom(0.05) && !isWideFrom(0.5));
+});
+test('a zero is an amplitude, which ends no axis', () => {
+  const points = inRange({omega: [0, 1, 2, 3], amplitude: [0, 4, null, 2]}, 0, 2.5);
+  assert.deepEqual(points, [[0, 0], [1, 4], [2, NaN], [2.5, NaN]]);
+  assert.deepEqual(amplitudeRange([points], rule), {largest: 4, least: 4, bottom: 4});
 });

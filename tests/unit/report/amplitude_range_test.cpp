@@ -57,6 +57,11 @@ TEST(AmplitudeRange, IsWideWithAnInfinitePeakAndIgnoresGaps) {
   EXPECT_FALSE(range_of({[](double x) { return x == 0.5 ? std::nan("") : 1; }}).is_wide());
 }
 
+TEST(AmplitudeRange, CountsAGapAsNoPartOfTheBand) {
+  const auto interrupted = [](double x) { return x < 0.1 ? 1 : x <= 0.95 ? std::nan("") : 1e-3; };
+  EXPECT_TRUE(range_of({interrupted}).is_wide()) << "the low part has a third of the band, not a twentieth";
+}
+
 TEST(AmplitudeRange, OfNothingIsNotWide) {
   EXPECT_FALSE(range_of({}).is_wide());
   EXPECT_FALSE(range_of({[](double) { return 0.0; }}).is_wide());

@@ -16,15 +16,15 @@ export interface AmplitudeRange {
   bottom: number;  // of a logarithmic axis
 }
 
-/// What curves span. Their points are finite, with ascending abscissas.
+/// What curves span. Their abscissas are ascending; an amplitude that is not finite is a gap.
 export function amplitudeRange(curves: readonly (readonly Point[])[], rule: AmplitudeRule): AmplitudeRange {
-  const highest = curves.map(curve => curve.reduce((most, p) => Math.max(most, p[1]), 0));
+  const highest = curves.map(curve => curve.reduce((most, p) => Number.isFinite(p[1]) ? Math.max(most, p[1]) : most, 0));
   const largest = highest.reduce((most, one) => Math.max(most, one), 0), roundOff = rule.round_off * largest;
   let [least, smallest] = [largest, largest];
   for (const [i, curve] of curves.entries()) {
     if (!(highest[i]! > rule.negligible * largest)) continue;
     least = Math.min(least, exceptDips(curve, rule.dips, roundOff));
-    for (const [, amplitude] of curve) if (amplitude > roundOff) smallest = Math.min(smallest, amplitude);
+    for (const [, amplitude] of curve) if (Number.isFinite(amplitude) && amplitude > roundOff) smallest = Math.min(smallest, amplitude);
   }
   return {largest, least, bottom: Math.max(smallest, least / rule.below)};
 }
@@ -34,7 +34,7 @@ export const isWide = ({largest, least}: AmplitudeRange, rule: AmplitudeRule) =>
 function exceptDips(curve: readonly Point[], dips: number, from: number): number {
   const pieces = curve.slice(1).flatMap(([at, amplitude], i): [number, number][] => {
     const [before, other] = curve[i]!, height = Math.max(amplitude, other);
-    return height < from ? [] : [[height, at - before]];
+    return Number.isFinite(amplitude) && Number.isFinite(other) && height >= from ? [[height, at - before]] : [];
   });
   let left = dips * pieces.reduce((sum, piece) => sum + piece[1], 0);
   for (const [height, width] of pieces.sort((a, b) => a[0] - b[0])) if ((left -= width) <= 0) return height;

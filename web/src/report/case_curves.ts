@@ -75,26 +75,3 @@ export const inside = (item: {angular_frequency: number}, [from, to]: readonly [
   item.angular_frequency >= from && item.angular_frequency <= to;
 export const landmarksOf = (c: Case) => [...c.modes, ...c.peaks].map(item => item.angular_frequency);
 export const styled = <T extends Named>(curve: T, i: number) => ({...curve, ...strokes[i % strokes.length]!});
-
-/// Index of the drawn frequency nearest to ω.
-export function nearestIndex(omega: ArrayLike<number>, w: number): number {
-  let low = 0, high = omega.length - 1;
-  while (high - low > 1) omega[(low + high) >> 1]! < w ? low = (low + high) >> 1 : high = (low + high) >> 1;
-  return high >= 0 && omega[high]! - w < w - omega[low]! ? high : low;
-}
-type Line = Pick<Curve, 'omega' | 'amplitude'>;
-/// Amplitude at ω on the drawn line; NaN outside it.
-export function amplitudeAt({omega, amplitude}: Line, w: number): number {
-  const i = nearestIndex(omega, w), j = w < omega[i]! ? i - 1 : i + 1, [here, there] = [amplitude[i] ?? null, amplitude[j] ?? null];
-  if (Math.abs(omega[i]! - w) <= 1e-9 * w) return here ?? NaN;
-  if (here === null || there === null) return NaN;
-  return here + (there - here) * (w - omega[i]!) / (omega[j]! - omega[i]!);
-}
-/// Points [ω, amplitude] of the line inside a range, with interpolated ends.
-export function inRange(curve: Line, from: number, to: number): [number, number][] {
-  const points: [number, number | null][] = [[from, amplitudeAt(curve, from)]];
-  for (let i = nearestIndex(curve.omega, from); curve.omega[i]! <= to; i++)
-    if (curve.omega[i]! >= from) points.push([curve.omega[i]!, curve.amplitude[i]!]);
-  points.push([to, amplitudeAt(curve, to)]);
-  return points.filter((p): p is [number, number] => p[1]! > 0);
-}

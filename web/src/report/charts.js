@@ -4,7 +4,8 @@ import uPlot from 'uplot';
 import {logarithmicTicks} from '../chart/logarithmic_axis.ts';
 import {amplitudeRange, isWide} from './amplitude_range.ts';
 import {amplitudeRule, frequency, frequencyWords, largestOf, multiple, number, reading, smallestOf, units, withUnit} from './report_data.ts';
-import {amplitudeAt, inRange, inside, nearestIndex} from './case_curves.ts';
+import {inside} from './case_curves.ts';
+import {amplitudeAt, inRange, nearestIndex} from './drawn_line.ts';
 import {axisFactor, change, frequencyUnit, moveBy, view, zoomTo} from './view.js';
 
 const isOnPaper = chart => Boolean(chart.width);  // low: the caption names the amplitude, the last number the unit
@@ -37,7 +38,7 @@ export function frequencyRange(chart) {
 
 /// The amplitude that is exceeded over a twentieth of the range: the scale of a chart with infinite peaks.
 function commonTop(points) {
-  const pieces = points.slice(1).map((p, i) => [Math.max(p[1], points[i][1]), p[0] - points[i][0]]);
+  const pieces = points.slice(1).map((p, i) => [Math.max(p[1], points[i][1]), p[0] - points[i][0]]).filter(([height]) => height >= 0);
   let left = 0.05 * pieces.reduce((sum, p) => sum + p[1], 0);
   for (const [value, width] of pieces.sort((a, b) => b[0] - a[0])) if ((left -= width) <= 0) return value;
   return 0;
