@@ -23,6 +23,11 @@ def browser():
         opened.close()
 
 
+def complaints(messages):
+    """Those of a console that are not of the browser itself, which writes that it draws in software."""
+    return [message for message in messages if 'GPU stall due to ReadPixels' not in message]
+
+
 class Served:
     """A copy of an example that `trivet serve` opened, and pages on it."""
 
@@ -57,17 +62,12 @@ class Served:
             reduced_motion='reduce' if still else 'no-preference',
         )
         page = context.new_page()
-        page.on('console', lambda message: self.written(message.text))
+        page.on('console', lambda message: self.messages.append(message.text))
         page.on('pageerror', lambda error: self.messages.append(str(error)))
         page.on('request', lambda request: self.requests.append(request.url))
         page.goto(self.address)
         self.pages.append(context)
         return page
-
-    def written(self, message):
-        """Keeps what the page writes; the browser itself says that it draws in software."""
-        if 'GPU stall due to ReadPixels' not in message:
-            self.messages.append(message)
 
     def kill(self):
         self.process.kill()
@@ -96,7 +96,7 @@ def serve(browser, tmp_path):
     for served in all_served:
         served.close()
     for served in all_served:
-        assert served.messages == []
+        assert complaints(served.messages) == []
         assert all(address.startswith((served.address.split('#')[0], 'blob:', 'data:')) for address in served.requests)
 
 

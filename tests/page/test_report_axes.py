@@ -4,7 +4,7 @@ import subprocess
 
 import pytest
 
-from conftest import ROOT, TRIVET
+from conftest import ROOT, TRIVET, complaints
 
 
 @pytest.fixture
@@ -19,7 +19,7 @@ def report(browser, tmp_path):
     page.locator('.picture').first.wait_for(state='attached')
     yield page
     page.close()
-    assert messages == []
+    assert complaints(messages) == []
 
 
 def axes(page):
