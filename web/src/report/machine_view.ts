@@ -198,11 +198,11 @@ function list(label: string, style: string, words: readonly string[], chosen: nu
     ${words.map((one, i) => html`<option value=${i} .selected=${i === chosen}>${one}</option>`)}</select>`;
 }
 
-/// Fills the place of the machine in a report.
+/// Fills the place of the machine in a report, which has the view as a property, as an element of the page has its stage.
 export function show(holder: HTMLElement, data: unknown) {
   const sheet = document.createElement('style');
   sheet.textContent = sheetOfView;
   document.head.append(sheet);
-  new MachineView(holder, data as MachineOfReport);
+  Object.assign(holder, {view: new MachineView(holder, data as MachineOfReport)});
 }
 globalThis.trivetMachine = {show};
