@@ -4,6 +4,7 @@ closed forms and a scan over time and speed."""
 import cmath
 import json
 import math
+import re
 
 from trivet_test import InTemporaryFolder, trivet
 
@@ -50,8 +51,14 @@ def wave(motions, steps, turns=1):
         yield sum((y * cmath.exp(1j * k * phase)).real for k, y in motions.items())
 
 
+def table(printed, beginning):
+    """Lines of a table with this beginning of its title, which is first."""
+    (found,) = re.findall(rf"^{beginning}\b.*\n(?: .*\n)+", printed, re.MULTILINE)
+    return found.splitlines()
+
+
 class OperatingPeaks(InTemporaryFolder):
-    def judged(self, text, code=None):
+    def judged(self, text):
         done = trivet("verdict", self.file(text), "--json")
         self.assertTrue(done.stdout, done.stderr)
         return json.loads(done.stdout)["cases"][0]["requirements"]
@@ -175,10 +182,26 @@ class OperatingPeaks(InTemporaryFolder):
                 self.assertEqual("upper bound" in (one["detail"] or ""), is_bound)
 
     def test_tables_state_root_mean_squares_of_several_orders(self):
-        text = MACHINE + shaft({1: 50, 2: 50}) + '[operation]\nspeeds = ["400 rpm"]\n[display]\nlevel = "amplitude"\n'
-        said = trivet("operation", self.file(text)).stdout
-        self.assertIn("displacement, rms", said)
-        self.assertNotIn("0-p", said.split("Distance from resonance")[0].split("isolation")[0])
+        forces = {1: 50, 2: 50}
+        text = MACHINE + shaft(forces) + '[operation]\nspeeds = ["400 rpm", ["400 rpm", "500 rpm"]]\n'
+        printed = trivet("operation", self.file(text + '[display]\nlevel = "amplitude"\n')).stdout
+        motions = amplitudes(forces, 400 * RPM)  # above the resonance: the largest of the range, too
+        displacement = math.sqrt(sum(abs(y) ** 2 for y in motions.values()) / 2)
+        velocity = math.sqrt(sum(abs(k * 400 * RPM * y) ** 2 for k, y in motions.items()) / 2)
+        force = math.sqrt(
+            sum(abs(y * complex(STIFFNESS, DASHPOT * k * 400 * RPM)) ** 2 for k, y in motions.items()) / 2
+        )
+        for motion, on_ground in (("Motion", "Forces"), ("Largest motion", "Largest forces")):
+            heading, of_motion = table(printed, motion)[1:3]
+            self.assertIn("velocity, rms   displacement, rms", heading)
+            self.assertEqual(
+                of_motion.split()[1:5], [f"{1e3 * velocity:.4g}", "mm/s", f"{1e3 * displacement:.4g}", "mm"]
+            )
+            title, _, of_forces, _ = table(printed, on_ground)
+            self.assertTrue(title.endswith(", rms"), title)
+            self.assertEqual(of_forces.split(), ["ground", "0", "0", f"{force:.4g}"])
+            for line in table(printed, motion) + table(printed, on_ground):
+                self.assertNotRegex(line, "0-p|p-p")
 
 
 if __name__ == "__main__":
