@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type uPlot from 'uplot';
-import {labelPlaces, type Box, type Labelled, type LabelPlace} from './label_places.ts';
+import {LABEL_HEIGHT, labelPlaces, type Box, type Labelled, type LabelPlace} from './label_places.ts';
 
 /// A limit in the units of the chart.
 export interface ShownLimit {
@@ -60,10 +60,13 @@ export class LimitHandles {
     });
     const labelled = (words: 'label' | 'short') => lines.map(({limit, handle, ...line}): Labelled =>
       ({...line, size: this.sizeOf(handle, limit[words], limit.violated), before: this.before.get(`${limit.id} ${words}`)}));
-    let words: 'label' | 'short' = 'label', places = labelPlaces(labelled(words), {width, height}, isOnCurve, lines.length > FEW ? 1 : 2);
-    if (places.includes(null)) places = labelPlaces(labelled(words = 'short'), {width, height}, isOnCurve, ROWS);
+    let words: 'label' | 'short' = 'label', labels = labelled(words), places = labelPlaces(labels, {width, height}, isOnCurve, lines.length > FEW ? 1 : 2);
+    if (places.includes(null)) {
+      labels = labelled(words = 'short');
+      places = labelPlaces(labels, {width, height}, isOnCurve, ROWS);
+    }
     this.before = new Map(lines.flatMap(({limit}, i) => (places[i] ? [[`${limit.id} ${words}`, places[i].number]] : [])));
-    lines.forEach(({limit, handle, ...line}, i) => this.label(handle, limit[words], line, places[i]!));
+    lines.forEach(({limit, handle}, i) => this.label(handle, limit[words], labels[i]!, places[i]!));
     return places.flatMap(place => (place ? [place.box] : []));
   }
   /// @returns the line in pixels of the plot; null: it is outside
@@ -82,11 +85,11 @@ export class LimitHandles {
     handle.style.setProperty('--stroke', limit.colour);
     return {left, right, top};
   }
-  private label(handle: HTMLElement, words: string, {left, right, top}: {left: number; right: number; top: number}, place: LabelPlace | null) {
+  private label(handle: HTMLElement, words: string, {left, right, top, size}: Labelled, place: LabelPlace | null) {
     const label = handle.firstElementChild as HTMLElement;
     if (label.textContent !== words) label.textContent = words;
     label.classList.toggle('unseen', !place);
-    const [x, y] = place?.box ?? [Math.max(left, right - 120), Math.max(top - 15, 0)];
+    const [x, y] = place?.box ?? [Math.max(left, right - size), Math.max(top - LABEL_HEIGHT, 0)];
     Object.assign(label.style, {left: `${x - left}px`, top: `${y - top + HALF}px`});
   }
   /// Width of a label [px]. Its digits are equally wide, so it is measured only when its form changes: to measure it at each step of a slider
