@@ -159,7 +159,7 @@ class Messages(InTemporaryFolder):
         self.assertIn('name the one that is meant: frequency_hz = "COLUMN"', said)
         self.assertNotIn("did you mean", said)
 
-    def test_an_error_of_a_catalogue_is_told_once(self):
+    def test_an_error_of_a_catalogue_is_reported_once(self):
         self.file(
             'catalogue = 1\ntitle = "t"\nsource = "s"\n[mounts.a]\nmaker = "m"\ntranslation = [1, 1, -5]\n', "c.toml"
         )

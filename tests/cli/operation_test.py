@@ -155,7 +155,7 @@ class Operation(unittest.TestCase):
         self.assertEqual(found["excitations"], ["rotor"])
         self.assertEqual(found["orders"], [1])
 
-    def test_amplification_is_told_plainly(self):
+    def test_amplification_is_stated(self):
         text = self.trivet(MACHINE + ROTOR + '[operation]\nspeeds = ["300 rpm"]\n', "operation").stdout
         transmitted = transmissibility(300 * RPM)
         self.assertGreater(transmitted, 1)

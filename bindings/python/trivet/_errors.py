@@ -68,12 +68,12 @@ def wrong_type(name: str, value: object, rule: str, remedy: str) -> WrongType:
     return WrongType([problem(name, type(value).__name__, rule, remedy)])
 
 
-def warn(problems: Iterable[_core.Problem], told: set[str]) -> None:
-    """Each warning that is new as a Python warning at the line that called the package. told: those that are not."""
+def warn(problems: Iterable[_core.Problem], warned: set[str]) -> None:
+    """Each warning that is new as a Python warning at the line that called the package. warned: those that are not."""
     for words in map(str, problems):
-        if words not in told:
+        if words not in warned:
             warnings.warn(words, ModelWarning, stacklevel=_depth_of_caller())
-            told.add(words)  # unless it was raised as an error
+            warned.add(words)  # unless it was raised as an error
 
 
 def _depth_of_caller() -> int:

@@ -42,14 +42,14 @@ class Project(Analyses):
 
     _inner: _core.Project
     _folder: str  # absolute; names of files are relative to it
-    _told: set[str]  # warnings of this project and of those that it was changed from or to
+    _warned: set[str]  # warnings of this project and of those that it was changed from or to
 
     def __init__(self, /, **tables: Any) -> None:
         wrong: list[_core.Problem] = []
         document = plain({"trivet": 1, **tables}, "", wrong)
         if wrong:
             raise InputError(wrong)
-        self._folder, self._told = _folder_of(""), set()
+        self._folder, self._warned = _folder_of(""), set()
         self._inner = _core.read(toml_text(document), "", [])  # lines of this text would mean nothing to its reader
 
     @classmethod
@@ -65,7 +65,7 @@ class Project(Analyses):
     ) -> Project:
         """folder: to which names of files are relative, whatever the current folder is."""
         self = cls.__new__(cls)
-        self._folder, self._told = folder, set()
+        self._folder, self._warned = folder, set()
         with shown(progress) as callback:
             elsewhere = "" if folder == _folder_of(source) else folder
             self._inner = _core.read(text, source, settings, elsewhere, callback)
@@ -123,7 +123,7 @@ class Project(Analyses):
             if any(path.startswith(earlier + ".") for earlier in settings):
                 text = of_text._changed(settings).to_toml()
                 of_text, settings = Project._read(text, self.source, [], self._folder), {}
-                of_text._told = self._told
+                of_text._warned = self._warned
             settings = {one: old for one, old in settings.items() if one != path and not one.startswith(path + ".")}
             settings[path] = value
         return of_text._changed(settings)
@@ -133,10 +133,10 @@ class Project(Analyses):
         lines = [f"{path} = {value}" for path, value in settings.items()]
         if _folder_of(self.source) != self._folder:  # the current folder has changed since the project was read
             changed = Project._read(self._inner.text, self.source, lines, self._folder)
-            changed._told = self._told
+            changed._warned = self._warned
             return changed
         changed = type(self).__new__(type(self))
-        changed._folder, changed._told = self._folder, self._told
+        changed._folder, changed._warned = self._folder, self._warned
         changed._inner = self._inner.changed(lines)
         return changed
 
@@ -174,7 +174,7 @@ class Project(Analyses):
         return self.changed({f"{_core.file_table(analysis)}.{key_text(key)}": value for key, value in keys.items()})
 
     def _result(self, core: _core.Result) -> Result:
-        _errors.warn(core.warnings, self._told)
+        _errors.warn(core.warnings, self._warned)
         return Result(core, self)
 
     def map(
@@ -303,7 +303,7 @@ class Project(Analyses):
         require_case_and_threads(case, 0)
         with shown(progress) as callback:
             core = self._inner.ask("matrices", case, {}, 0, callback)
-        _errors.warn(core.warnings, self._told)
+        _errors.warn(core.warnings, self._warned)
         return Matrices(core.arrays(), core.warnings)
 
     def state_space(
@@ -325,7 +325,7 @@ class Project(Analyses):
         with shown(progress) as callback:
             keys = {"of": text_list("of", of), "quantity": quantity, "nearest": bool(nearest)}
             core = self._inner.ask("state_space", case, keys, 0, callback)
-        _errors.warn(core.warnings, self._told)
+        _errors.warn(core.warnings, self._warned)
         return StateSpace(core.arrays(), core.warnings)
 
     def sweep(
@@ -358,7 +358,7 @@ class Project(Analyses):
         }
         with shown(progress) as callback:
             core = self._inner.ask("sweep", case, keys, threads, callback)
-        _errors.warn(core.warnings, self._told)
+        _errors.warn(core.warnings, self._warned)
         return Sweep(core.arrays(), core.warnings, self.title)
 
     def plot(self, *, view: Literal["front", "side", "top"] = "front", ax: Any = None) -> Any:

@@ -15,7 +15,7 @@ function drawsInWebGL(): boolean {
 }
 
 async function unpacked(id: string): Promise<string> {
-  const bytes = Uint8Array.from(atob(document.getElementById(id)!.textContent!), sign => sign.charCodeAt(0));
+  const bytes = Uint8Array.from(atob(document.getElementById(id)!.textContent!), character => character.charCodeAt(0));
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).text();
 }
 /// Shows the machine. If that fails, its place goes, and the error is seen in the console of the browser.

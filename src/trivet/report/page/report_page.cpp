@@ -37,8 +37,7 @@ void replace(std::string& text, const std::string& place, const std::string& con
 }
 
 /// Leaves out the parts of the page of one kind: between <!-- KIND --> and <!-- /KIND -->. The short form has none that
-/// are `full`, a page without maps none of a `map`, one without
-/// bodies none of `3d`.
+/// are `full`, a page without maps none of a `map`, one without bodies none of `3d`.
 std::string without_parts(std::string page, const std::string& kind) {
   const std::string begin = "<!-- " + kind + " -->", end = "<!-- /" + kind + " -->";
   for (std::size_t from = page.find(begin); from != std::string::npos; from = page.find(begin))
