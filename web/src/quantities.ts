@@ -41,6 +41,11 @@ export function scaleAtLevel(largest: number, unit: string, {level, level_factor
   const scale = scaleOf(largest * share, unit);
   return {factor: scale.factor * share, unit: level ? `${scale.unit} ${level}` : scale.unit};
 }
+/// What a harmonic quantity has at a level over its amplitude: for numbers of the program that have a level without its `level_factor`.
+/// Without a level they are amplitudes.
+export const shareAtLevel = (level: string | null | undefined) => (level ? SHARES[level]! : 1);
+const SHARES: Record<string, number> = {'0-p': 1, 'p-p': 2, rms: Math.SQRT1_2};
+
 export function withUnit(value: number | null | undefined, unit: string, digits = 4): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return number(value);
   const scale = scaleOf(Math.abs(value), unit);

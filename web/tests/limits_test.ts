@@ -6,6 +6,7 @@ import {amplitudeAt, shownAmplitude} from '../src/chart/picture.ts';
 import type {Display} from '../src/display.ts';
 import {limitNumber, PresentLimits, rounded, setLimit} from '../src/limit_number.ts';
 import {indexOf} from '../src/numbers_of_text.ts';
+import {shareAtLevel} from '../src/quantities.ts';
 import type {Curves, Requirement, Verdict} from '../src/results.ts';
 import {State} from '../src/state.ts';
 
@@ -99,5 +100,13 @@ test('a limit at a speed is drawn zero-to-peak, whatever its level in the file',
   const curves = {results: [{name: 'm.z', unit: 'm'}], models: [{excitations: []}]} as unknown as Curves;
   const speed = (level: string) => limited({kind: 'operation', level, speed: [40, 40], band: null, allowed: 1e-3, value: 2e-3});
   const drawn = limitsOf(curves, 0, ['rms', '0-p', 'p-p'].map(speed)).drawn.map(({requirement: {allowed, value}}) => [allowed! * 1e3, value! * 1e3]);
-  assert.deepEqual(drawn, [[Math.SQRT2, 2 * Math.SQRT2], [1, 2], [0.5, 1]]);
+  const expected = [[Math.SQRT2, 2 * Math.SQRT2], [1, 2], [0.5, 1]];
+  drawn.flat().forEach((amplitude, i) => assert.ok(Math.abs(amplitude - expected.flat()[i]!) < 1e-12, `${amplitude}`));
+  assert.equal(drawn.length, expected.length);
+});
+test('the share of each level is that of a sine', () => {
+  const turn = Array.from({length: 360}, (_, i) => Math.sin(i * Math.PI / 180)), most = Math.max(...turn);
+  const rms = Math.sqrt(turn.reduce((sum, y) => sum + y * y, 0) / turn.length);
+  for (const [level, share] of [['rms', rms], ['0-p', most], ['p-p', most - Math.min(...turn)], [null, 1]] as const)
+    assert.ok(Math.abs(shareAtLevel(level) - share) < 1e-12, `${level}`);
 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which limits of the file belong to the drawn curves, and where. Their values and margins are those of the verdict.
-import {number, quantityName} from '../quantities.ts';
+import {number, quantityName, shareAtLevel} from '../quantities.ts';
 import type {Curves, Requirement, Verdict} from '../results.ts';
 
 /// A limit beside a curve of its quantity, under the same excitations; or of the steady motions of a nonlinear machine.
@@ -48,8 +48,8 @@ export function unitOfFirstLimit({cases}: Verdict, {lines = []}: Curves): string
 }
 /// Its numbers as the curves have theirs, zero-to-peak: at a speed of the machine they are at the level of the file.
 function atZeroToPeak(r: Requirement): Requirement {
-  const factor = ({rms: Math.SQRT2, 'p-p': 0.5} as Record<string, number>)[r.level ?? ''] ?? 1, times = (value: number | null) => value === null ? null : value * factor;
-  return factor === 1 ? r : {...r, allowed: times(r.allowed), value: times(r.value)};
+  const share = shareAtLevel(r.level), amplitude = (value: number | null) => value === null ? null : value / share;
+  return share === 1 ? r : {...r, allowed: amplitude(r.allowed), value: amplitude(r.value)};
 }
 const withMargin = (r: Requirement) => `${r.shown_requirement ?? r.requirement} (${!r.judged ? 'not judged' : `margin ${number(r.margin ?? Infinity, 3)}`})`;
 const otherQuantity = (limited: string, drawn: string) => `it limits the ${quantityName(limited)}, the curve is the ${quantityName(drawn)}`;
