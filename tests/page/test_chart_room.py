@@ -41,6 +41,20 @@ def test_labels_of_six_limits_do_not_cover_each_other_and_are_near_their_lines(s
         assert 'margin' in line.inner_text()
 
 
+def test_a_label_without_room_is_within_the_chart_when_its_line_has_the_focus(serve):
+    served = serve('bogie/loaded_frame.toml')
+    many = ', '.join(f'{{limit = "{1 + k / 1000} mm", band = ["{1 + k / 100} Hz", "12 Hz"]}}' for k in range(60))
+    served.file.write_text(served.file.read_text() + f'[requirements]\nlimits = {{"frame.z" = [{many}]}}\n')
+    page = served.page()
+    page.locator('.limit').nth(59).wait_for()
+    settled(page)
+    plot, unseen = box_of(page.locator('.amplitude .u-over')), page.locator('.limit:has(.unseen)')
+    assert unseen.count() > 0
+    unseen.first.focus()
+    label = box_of(unseen.first.locator('span'))
+    assert plot[0] <= label[0] and plot[2] - 2 <= label[2] <= plot[2] + 1  # it ends with its line
+
+
 def test_with_a_table_and_two_comparisons_the_chart_keeps_its_height_and_the_column_scrolls(serve):
     page = serve('paper/corrected.toml').page()
     settled(page)
