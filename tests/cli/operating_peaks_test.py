@@ -164,10 +164,10 @@ class OperatingPeaks(InTemporaryFolder):
             text = forces + f"[operation]\nspeeds = {speeds}\n" + limits
             for alone, both in zip(self.judged(MACHINE + text), self.judged(free + text), strict=True):
                 self.assertFalse(both["unbounded"], speeds)
-                self.assertAlmostEqual(both["value"] / alone["value"], 1, 7, speeds)
+                self.assertAlmostEqual(both["value"] / alone["value"], 1, 6, speeds)  # values 1e-7 beside the speed
         reached = free.replace("120.0]", "0]")
         for one in self.judged(reached + forces + '[operation]\nspeeds = ["30 rad/s"]\n' + limits):
-            self.assertTrue(one["unbounded"])
+            self.assertFalse(one["met"])
 
     def test_faint_gears_do_not_part_the_orders_of_the_shaft(self):
         """1.5, 3 and 4.5 with two gears have no common period of at most 2000 turns together, but without one gear."""
