@@ -170,5 +170,5 @@ def test_a_limit_at_rest_of_a_shown_curve_is_stated_at_the_chart(serve):
     judged(page)
     page.locator('.readings summary').click()
     at_rest = next(r for r in command('verdict', served.file)['cases'][0]['requirements'] if r['kind'] == 'static')
-    words = f"{at_rest['shown_requirement']} (margin {at_rest['margin']:.3g}): it limits the value at rest"
+    words = f"{at_rest['shown_requirement']} ({at_rest['shown_value']}, margin {at_rest['margin']:.3g}): it limits the value at rest"
     assert words in page.locator('.readings').inner_text()

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {limitsOf, unitOfFirstLimit} from '../src/chart/limits.ts';
-import {amplitudeAt, shownAmplitude} from '../src/chart/picture.ts';
+import {amplitudeAt, shownAmplitude, shownLimits} from '../src/chart/picture.ts';
 import type {Display} from '../src/display.ts';
 import {limitNumber, PresentLimits, rounded, setLimit} from '../src/limit_number.ts';
 import {indexOf} from '../src/numbers_of_text.ts';
@@ -96,17 +96,28 @@ test('a height of the chart is the amplitude that is drawn there', () => {
     assert.ok(Math.abs(amplitudeAt(shownAmplitude(2e-3, scale, display)!, scale, display) - 2e-3) < 1e-15);
   }
 });
-test('a limit at a speed is drawn zero-to-peak, whatever its level in the file', () => {
-  const curves = {results: [{name: 'm.z', unit: 'm'}], models: [{excitations: []}]} as unknown as Curves;
-  const speed = (level: string) => limited({kind: 'operation', level, speed: [40, 40], band: null, allowed: 1e-3, value: 2e-3});
-  const drawn = limitsOf(curves, 0, ['rms', '0-p', 'p-p'].map(speed)).drawn.map(({requirement: {allowed, value}}) => [allowed! * 1e3, value! * 1e3]);
-  const expected = [[Math.SQRT2, 2 * Math.SQRT2], [1, 2], [0.5, 1]];
-  drawn.flat().forEach((amplitude, i) => assert.ok(Math.abs(amplitude - expected.flat()[i]!) < 1e-12, `${amplitude}`));
-  assert.equal(drawn.length, expected.length);
-});
 test('the share of each level is that of a sine', () => {
   const turn = Array.from({length: 360}, (_, i) => Math.sin(i * Math.PI / 180)), most = Math.max(...turn);
   const rms = Math.sqrt(turn.reduce((sum, y) => sum + y * y, 0) / turn.length);
   for (const [level, share] of [['rms', rms], ['0-p', most], ['p-p', most - Math.min(...turn)], [null, 1]] as const)
     assert.ok(Math.abs(shareAtLevel(level) - share) < 1e-12, `${level}`);
+});
+test('a limit at a speed is drawn only at the level of the axis: a peak of several orders is no multiple of their rms value', () => {
+  const curves = {results: [{name: 'm.z', unit: 'm/s', level: 'rms', level_factor: Math.SQRT1_2}], models: [{excitations: []}]} as unknown as Curves;
+  const speed = (level: string) => limited({kind: 'operation', unit: 'm/s', level, speed: [60, 60], band: null, allowed: 7.1e-3, value: 4.333e-3, margin: 1.638, met: true,
+    shown_requirement: `m.z ≤ 7.1 mm/s ${level} at 592 rpm`, shown_value: `4.333 mm/s ${level}`});
+  const {drawn, not} = limitsOf(curves, 0, ['rms', '0-p', 'p-p'].map(speed)), scale = {factor: 1e3 * Math.SQRT1_2, unit: 'mm/s rms'}, display = {logarithmicAmplitude: true, frequencyUnit: 'Hz', theme: 'light'} as Display;
+  assert.deepEqual(not, ['0-p', 'p-p'].map(level => ({words: `m.z ≤ 7.1 mm/s ${level} at 592 rpm (4.333 mm/s ${level}, margin 1.64)`, why: `it is judged ${level}, of all orders together, and the axis is rms`})));
+  const [limit] = drawn, shown = shownLimits([{limit: limit!, allowed: limit!.requirement.allowed!, written: '7.1 mm/s rms', movable: true, old: false, binding: true}], ['m.z'], new Set(), scale, display);
+  assert.deepEqual(shown.map(l => [Number(l.y.toPrecision(9)), Number(l.at!.y.toPrecision(9)), l.label]), [[7.1, 4.333, '≤ 7.1 mm/s rms · margin 1.64']]);
+});
+test('a limit that is not drawn has its words at its level', () => {
+  const curves = {results: [], models: [{excitations: []}]} as unknown as Curves;
+  assert.deepEqual(limitsOf(curves, 0, [limited({subject: 'FL.force.z', requirement: 'FL.force.z ≤ 2 kN', shown_requirement: 'FL.force.z ≤ 2 kN rms'})]).not.map(n => n.words), ['FL.force.z ≤ 2 kN rms']);
+});
+test('a short label has the number of the file, and its unit and level where the axis has others', () => {
+  const display = {logarithmicAmplitude: true, frequencyUnit: 'Hz', theme: 'light'} as Display, scale = {factor: 1e6, unit: 'µm 0-p'};
+  const short = (written: string) => shownLimits([{limit: {requirement: limited({level: '0-p', margin: 2}), result: 'm.z', from: 0, to: Infinity, isOfCurve: true}, allowed: 5.5e-5, written, movable: true, old: false, binding: true}],
+    ['m.z'], new Set(), scale, display)[0]!.short;
+  assert.deepEqual(['55 µm', '55 µm 0-p', '110 µm p-p', '0.055 mm', '5.5e-5'].map(short), ['≤ 55 · margin 2', '≤ 55 · margin 2', '≤ 110 µm p-p · margin 2', '≤ 0.055 mm 0-p · margin 2', '≤ 55 · margin 2']);
 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type {Display} from '../display.ts';
-import {FREQUENCY_UNITS, number, scaleAtLevel, shareAtLevel, type Scale} from '../quantities.ts';
+import {FREQUENCY_UNITS, number, quantity, scaleAtLevel, shareAtLevel, type Scale} from '../quantities.ts';
 import type {Curves, Steady} from '../results.ts';
 import type {ShownLimit} from './limit_handles.ts';
 import type {Limit} from './limits.ts';
@@ -80,7 +80,7 @@ export function shownLimits(all: readonly PresentLimit[], names: readonly string
     const value = !isOfCurve && r.value !== null ? shownAmplitude(r.value, scale, display) : null, violated = r.judged && !r.met, steady = r.kind === 'steady';
     const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}${violated && !binding ? ', not binding' : ''}`;
     const label = (amplitude: string) => `${steady ? 'steady ' : ''}≤ ${amplitude} · ${margin}${old ? ' …' : ''}`;
-    return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label: label(atLevelOf(written, y, scale, display)), short: label(display.decibel ? written : number(y)), violated, binding, movable, colour: strokeOf(stroke, display.theme).colour,
+    return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label: label(atLevelOf(written, y, scale, display)), short: label(shortOf(written, r.level ?? '', y, scale, display)), violated, binding, movable, colour: strokeOf(stroke, display.theme).colour,
              words: `${r.shown_requirement ?? r.requirement}: ${margin}${violated ? ', violated' : ''}${steady ? '; square: the largest deviation of the steady motions from rest' : ''}`, isOfCurve,
              at: value !== null ? {x: (steady ? r.angular_frequency ?? from : (from + to) / 2) * frequency, y: value} : null}];
   });
@@ -90,6 +90,15 @@ export function shownLimits(all: readonly PresentLimit[], names: readonly string
 function atLevelOf(written: string, y: number, {unit}: Scale, {decibel}: Display): string {
   const onAxis = `${number(y)} ${unit}`;
   return decibel || written === onAxis ? written : onAxis.startsWith(`${written} `) ? onAxis : `${written} = ${onAxis}`;
+}
+
+/// The number of the file, without what the axis says.
+function shortOf(written: string, level: string, y: number, {unit}: Scale, {decibel}: Display): string {
+  const file = quantity(written);
+  if (decibel) return written;
+  if (!file?.unit) return number(y);  // a bare number is in SI
+  const whole = /(0-p|rms|p-p)$/.test(file.unit) || !level ? file.unit : `${file.unit} ${level}`;
+  return number(file.value) + (whole === unit ? '' : ` ${whole}`);
 }
 
 /// Curves of another machine, or as they were when the user kept them.
