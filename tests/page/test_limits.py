@@ -172,3 +172,19 @@ def test_a_limit_at_rest_of_a_shown_curve_is_stated_at_the_chart(serve):
     at_rest = next(r for r in command('verdict', served.file)['cases'][0]['requirements'] if r['kind'] == 'static')
     words = f"{at_rest['shown_requirement']} ({at_rest['shown_value']}, margin {at_rest['margin']:.3g}): it limits the value at rest"
     assert words in page.locator('.readings').inner_text()
+
+
+def test_a_limit_of_a_list_keeps_its_line_and_the_focus_while_it_moves(serve):
+    page = serve('pump_set/pump.toml').page()
+    judged(page)
+    line = limit_of(page, 'pump.bearing.z', '2.3 mm/s')
+    line.focus()
+    page.evaluate("""() => {
+      window.removed = 0;
+      new MutationObserver(all => all.forEach(m => { window.removed += m.removedNodes.length; })).observe(document.querySelector('.limits'), {childList: true});
+    }""")
+    for key, number in (('ArrowUp', '2.32 mm/s'), ('PageDown', '2.11 mm/s'), ('Control+z', '2.32 mm/s')):
+        page.keyboard.press(key)
+        limit_of(page, 'pump.bearing.z', number).wait_for()
+        judged(page)
+        assert page.evaluate("() => [window.removed, document.activeElement.getAttribute('role')]") == [0, 'slider']

@@ -29,8 +29,7 @@ export const rounded = (value: number) => Number(value.toPrecision(3));
 export function setLimit(state: State, {entry, path, unit}: LimitNumber, value: number, drag = false) {
   if (path) return state.set({[path]: written(value, unit)}, drag);
   if (drag) return;  // the text is replaced once, at the end
-  const {text} = state.design;
-  state.edit(text.slice(0, entry.from) + written(value, unit) + text.slice(entry.to));
+  state.replaceNumber(entry, written(value, unit));
 }
 
 /// SI values of limits while their numbers change faster than they are judged.

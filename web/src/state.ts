@@ -12,6 +12,7 @@ export interface Design {
 export interface Step {
   design: Design;
   case: string | null;
+  isNumber?: boolean;  // only a number of the text differs
 }
 /// The next step is the last one of each.
 export interface History {
@@ -88,11 +89,11 @@ export class State {
     this.dragged = null;
     this.notify();
   }
-  edit(text: string) {
-    if (text === this.design.text) return;
-    this.remember(this.design);
-    this.design = {text, settings: this.design.settings};
-    this.changed(true);
+  edit(text: string) { this.write(text, false); }
+  /// Replaces one number in the text: as a moved slider it leaves the machine the same, and so do its undo and redo.
+  replaceNumber({from, to}: {from: number; to: number}, value: string) {
+    const {text} = this.design;
+    this.write(text.slice(0, from) + value + text.slice(to), true);
   }
   /// The settings are now written into the text: the same design in another form, no step of undo.
   folded(text: string) {
@@ -149,15 +150,22 @@ export class State {
     return () => this.listeners.delete(listener);
   }
 
-  private remember(design: Design, name: string | null = null) {
-    this.past.push({design, case: name});
+  private write(text: string, isNumber: boolean) {
+    if (text === this.design.text) return;
+    this.remember(this.design, null, isNumber);
+    this.design = {text, settings: this.design.settings};
+    this.changed(!isNumber);
+  }
+  private remember(design: Design, name: string | null = null, isNumber = false) {
+    this.past.push({design, case: name, ...isNumber ? {isNumber} : {}});
     this.future = [];
   }
   private travel(from: Step[], to: Step[]) {
     const next = from.pop();
     if (!next) return;
-    to.push({design: this.design, case: next.case === null ? null : this.case});
-    const sameMachine = next.design.text === this.design.text && (next.case ?? this.case) === this.case;
+    const {isNumber = false} = next;
+    to.push({design: this.design, case: next.case === null ? null : this.case, ...isNumber ? {isNumber} : {}});
+    const sameMachine = (isNumber || next.design.text === this.design.text) && (next.case ?? this.case) === this.case;
     this.design = next.design;
     this.case = next.case ?? this.case;
     this.changed(!sameMachine);

@@ -51,6 +51,17 @@ test('a limit in a list or of a case is replaced in the text, once, when it is d
   setLimit(state, at(state, ['requirements', 'limits', 'm.x'], 'cold'), 4);
   assert.equal(state.design.text, TEXT.replace('2.8 mm/s rms', '3.5 mm/s rms').replace('"3 mm"', '"4 mm"'));
 });
+test('a limit in a list is moved like a slider: its results stay until they are judged again, also at undo and redo', () => {
+  const state = opened(), {generation} = state, place = ['requirements', 'limits', 'm.x', '0', 'limit'];
+  for (const step of [() => setLimit(state, at(state, place), 3.5), () => state.undo(), () => state.redo()]) {
+    const {revision} = state;
+    step();
+    assert.deepEqual([state.generation, state.revision], [generation, revision + 1]);
+  }
+  assert.equal(state.design.text, TEXT.replace('2.8 mm/s rms', '3.5 mm/s rms'));
+  state.edit('trivet = 1');
+  assert.equal(state.generation, generation + 1);
+});
 test('a bare number stays one, and a limit in a new unit has no SI value before it is judged', () => {
   const state = opened(), values = new PresentLimits(), place = ['operation', 'limits', 'm.y'];
   const before = at(state, place);
