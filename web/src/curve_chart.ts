@@ -9,6 +9,7 @@ import {comparable, comparisons, isCompared, wordsOf} from './comparisons.ts';
 import {DrawnCurves} from './drawn_curves.ts';
 import {hasSomethingToJudge} from './judgement.ts';
 import {LimitMover} from './limit_mover.ts';
+import {missingCurves} from './missing_curves.ts';
 import {Part} from './part.ts';
 import {FREQUENCY_UNITS, number, quantityName, type FrequencyUnit} from './quantities.ts';
 import type {Curves, Steady, Verdict} from './results.ts';
@@ -64,7 +65,7 @@ export class CurveChart extends Part {
       </div>
       <div class="plots" tabindex="0" role="application" aria-label="Characteristics. Left and right arrow move the cursor, page up and page down go from peak to peak, Enter makes the machine swing at the cursor." @keydown=${this.key}>
         <div class="amplitude"></div><div class="phase"></div>
-        ${curves ? nothing : html`<p class="missing">${asker.missing('curves')}</p>`}
+        ${curves ? nothing : html`<p class="missing">${missingCurves(this.app)}</p>`}
       </div>
       <div class="readings" role="group" aria-label="Curves">${this.legend(curves)}</div>
       <p class="hidden" role="status" aria-live="polite">${this.spoken}</p>

@@ -5,6 +5,7 @@ import type {Table} from './display.ts';
 import './map_panel.ts';
 import {Part, type App} from './part.ts';
 import {limitNumber, setLimit} from './limit_number.ts';
+import {missingCurves} from './missing_curves.ts';
 import {refuse} from './refused_number.ts';
 import {frequency, number, quantity, scaleAtLevel, withUnit} from './quantities.ts';
 import type {Check, Curves, Mode, Modes, Peak, Requirement, Roots, Verdict} from './results.ts';
@@ -102,7 +103,7 @@ export class ResultTables extends Part {
   }
   private peaks() {
     const {asker, display, engine} = this.app, curves = asker.result<Curves>('curves');
-    if (!curves) return this.missing('curves');
+    if (!curves) return html`<p class="hint">${missingCurves(this.app)}</p>`;
     const of = new Map(curves.results.map(r => [r.name, r]));
     const rows = curves.peaks.filter(p => p.angular_frequency >= curves.band[0] && p.angular_frequency <= curves.band[1]);
     const show = ({angular_frequency: omega}: Peak) => {
