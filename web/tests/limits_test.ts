@@ -132,3 +132,9 @@ test('a short label has the number of the file, and its unit and level where the
     ['m.z'], new Set(), scale, display)[0]!.short;
   assert.deepEqual(['55 µm', '55 µm 0-p', '110 µm p-p', '0.055 mm', '5.5e-5'].map(short), ['≤ 55 · margin 2', '≤ 55 · margin 2', '≤ 110 µm p-p · margin 2', '≤ 0.055 mm 0-p · margin 2', '≤ 55 · margin 2']);
 });
+test('a limit has the dash of its curve: seven curves have six colours', () => {
+  const display = {logarithmicAmplitude: true, frequencyUnit: 'Hz', theme: 'light'} as Display, names = ['a', 'b', 'c', 'd', 'e', 'f', 'm.z'];
+  const of = (result: string) => shownLimits([{limit: {requirement: limited({}), result, from: 0, to: Infinity, isOfCurve: true}, allowed: 1e-3, written: '1 mm', movable: true, old: false, binding: true}], names, new Set(), {factor: 1, unit: 'm'}, display)[0]!;
+  assert.equal(of('a').colour, of('m.z').colour);
+  assert.deepEqual([of('a').dash, of('m.z').dash], [[], [7, 4]]);
+});

@@ -13,6 +13,7 @@ export interface ShownLimit {
   short: string;  // the same without what the axis says: "≤ 4.5 · margin 0.87"
   words: string;  // the same as a sentence
   colour: string;
+  dash: readonly number[];  // of the curve
   violated: boolean;
   binding: boolean;  // in the case on the page
   movable: boolean;
@@ -27,6 +28,7 @@ export interface LimitMoves {
   stepped(id: string, factor: number): void;
 }
 const HALF = 5;  // px around the line that can be seized
+const CHIP = 7;  // px of the dashes beside a label: two of them are seen
 const FEW = 3;  // limits, whose labels may be long
 const ROWS = 4;  // of short labels above and below a line, if many limits are close together
 const STEPS: Record<string, number> = {ArrowUp: 1.01, ArrowDown: 1 / 1.01, PageUp: 1.1, PageDown: 1 / 1.1};
@@ -82,7 +84,8 @@ export class LimitHandles {
     const attributes = {'aria-label': `Limit of ${limit.result}`, 'aria-valuenow': String(limit.y), 'aria-valuetext': limit.words, 'aria-orientation': 'vertical', 'aria-disabled': String(!limit.movable), title: limit.words};
     for (const [name, value] of Object.entries(attributes)) handle.setAttribute(name, value);
     Object.assign(handle.style, {left: `${left}px`, width: `${Math.max(right - left, 2 * HALF)}px`, top: `${top - HALF}px`, height: `${2 * HALF}px`});
-    handle.style.setProperty('--stroke', limit.colour);
+    const {dash: [on = 1, off = 0]} = limit, share = Math.min(CHIP / (on + off), 1);
+    for (const [name, value] of Object.entries({'--stroke': limit.colour, '--on': `${share * on}px`, '--period': `${share * (on + off)}px`})) handle.style.setProperty(name, value);
     return {left, right, top};
   }
   private label(handle: HTMLElement, words: string, {left, right, top, size}: Labelled, place: LabelPlace | null) {

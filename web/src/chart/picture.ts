@@ -80,7 +80,7 @@ export function shownLimits(all: readonly PresentLimit[], names: readonly string
     const value = !isOfCurve && r.value !== null ? shownAmplitude(r.value, scale, display) : null, violated = r.judged && !r.met, steady = r.kind === 'steady';
     const margin = !r.judged ? 'not judged' : r.margin === null ? 'nothing limits it' : `margin ${number(r.margin, 3)}${violated && !binding ? ', not binding' : ''}`;
     const label = (amplitude: string) => `${steady ? 'steady ' : ''}≤ ${amplitude} · ${margin}${old ? ' …' : ''}`;
-    return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label: label(atLevelOf(written, y, scale, display)), short: label(shortOf(written, r.level ?? '', y, scale, display)), violated, binding, movable, colour: strokeOf(stroke, display.theme).colour,
+    return [{id: `${i} ${r.place.join('.')}`, result, from: from * frequency, to: to * frequency, y, label: label(atLevelOf(written, y, scale, display)), short: label(shortOf(written, r.level ?? '', y, scale, display)), violated, binding, movable, ...strokeOf(stroke, display.theme),
              words: `${r.shown_requirement ?? r.requirement}: ${margin}${violated ? ', violated' : ''}${steady ? '; square: the largest deviation of the steady motions from rest' : ''}`, isOfCurve,
              at: value !== null ? {x: (steady ? r.angular_frequency ?? from : (from + to) / 2) * frequency, y: value} : null}];
   });
