@@ -88,3 +88,17 @@ def test_kept_curves_stay_where_they_are_while_a_slider_moves(serve):
     both = picture(page.locator('.amplitude'))
     compare(page, 'keep these curves', False)
     assert share_changed(both, picture(page.locator('.amplitude'))) > 0.001
+
+
+def test_the_menu_closes_at_escape_and_is_whole_on_a_narrow_page(serve):
+    page = serve('compressor/requirements.toml').page((390, 844))
+    settled(page)
+    assert page.evaluate('() => document.body.scrollWidth') == 390
+    menu = page.locator('.menu')
+    menu.locator('summary').click()
+    box = menu.locator('div').bounding_box()
+    assert box['x'] >= 0 and box['x'] + box['width'] <= 390
+    menu.get_by_label('case cold', exact=True).focus()
+    page.keyboard.press('Escape')
+    assert menu.get_attribute('open') is None
+    assert page.evaluate('() => document.activeElement.tagName') == 'SUMMARY'

@@ -60,7 +60,7 @@ export class CurveChart extends Part {
         ${check('log f', display.logarithmicFrequency, logarithmicFrequency => display.set({logarithmicFrequency}))}
         ${check('log', display.logarithmicAmplitude, logarithmicAmplitude => display.set({logarithmicAmplitude}))}
         ${check('dB', display.decibel, decibel => display.set({decibel}))}
-        <details class="menu"><summary title="draw others beside these curves">compare</summary><div>${check('keep these curves', this.kept !== null, on => { this.kept = on ? curves : null; })}${comparable(this.app).map(key => check(wordsOf(key), isCompared(this.app, key), on => this.compare(key, on)))}</div></details>
+        <details class="menu" @keydown=${closeAtEscape}><summary title="draw others beside these curves">compare</summary><div>${check('keep these curves', this.kept !== null, on => { this.kept = on ? curves : null; })}${comparable(this.app).map(key => check(wordsOf(key), isCompared(this.app, key), on => this.compare(key, on)))}</div></details>
         ${check('table', this.asTable, on => { this.asTable = on; })}
       </div>
       <div class="plots" tabindex="0" role="application" aria-label="Characteristics. Left and right arrow move the cursor, page up and page down go from peak to peak, Enter makes the machine swing at the cursor." @keydown=${this.key}>
@@ -265,6 +265,14 @@ export class CurveChart extends Part {
     return html`<div class="scroll table" tabindex="0"><table><caption>Amplitudes [${unit}]</caption><thead><tr><th scope="col">${this.app.display.frequencyUnit}</th>${curves.map(c => html`<th scope="col">${c.name}</th>`)}</tr></thead>
       <tbody>${rows.map(i => html`<tr><th scope="row">${number(x[i], 4)}</th>${curves.map(c => html`<td>${number(c.amplitude[i], 3)}</td>`)}</tr>`)}</tbody></table></div>`;
   }
+}
+/// Escape closes a menu.
+function closeAtEscape(event: KeyboardEvent) {
+  const menu = event.currentTarget as HTMLDetailsElement;
+  if (event.key !== 'Escape' || !menu.open) return;
+  menu.open = false;
+  menu.querySelector('summary')!.focus();
+  event.stopPropagation();
 }
 const MOST_AT_FIRST = 6;
 /// Units of the motions in each quantity: of a translation and of a rotation.
