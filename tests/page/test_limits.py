@@ -179,10 +179,13 @@ def test_a_limit_of_a_list_keeps_its_line_and_the_focus_while_it_moves(serve):
     judged(page)
     line = limit_of(page, 'pump.bearing.z', '2.3 mm/s')
     line.focus()
-    page.evaluate("""() => {
-      window.removed = 0;
-      new MutationObserver(all => all.forEach(m => { window.removed += m.removedNodes.length; })).observe(document.querySelector('.limits'), {childList: true});
-    }""")
+    page.evaluate(
+        """() => {
+          window.removed = 0;
+          const count = all => all.forEach(m => { window.removed += m.removedNodes.length; });
+          new MutationObserver(count).observe(document.querySelector('.limits'), {childList: true});
+        }"""
+    )
     for key, number in (('ArrowUp', '2.32 mm/s'), ('PageDown', '2.11 mm/s'), ('Control+z', '2.32 mm/s')):
         page.keyboard.press(key)
         limit_of(page, 'pump.bearing.z', number).wait_for()
