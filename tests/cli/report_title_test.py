@@ -283,6 +283,20 @@ class Mounts(Folder):
         least, largest = (float(number) for number in re.findall(r"[\d.]+", row["compression at rest"]))
         self.assertTrue(least < 4200 * 9.80665 / 6 / 1000 < largest, row)
 
+    def test_rubber_has_its_static_stiffness_and_that_in_vibration(self):
+        """The static one goes with load and deflection at rest: 4 kg on 981 N/m sink by 40 mm."""
+        project = self.folder / "rubber.toml"
+        project.write_text(
+            'trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.m]\nmass = 4\nfree = ["z"]\n'
+            '[elements.rubber]\ntype = "bushing"\non = "m"\nat = [0, 0, 0]\ntranslation = [981, 981, 981]\n'
+            "stiffening = 1.5\n[analyses]\nmodes = {}\n"
+        )
+        heads, row = self.rows(project)
+        row = dict(zip(heads, row))
+        self.assertEqual([row[head] for head in heads if head.startswith("k z")], ["0.9810", "1.472"], row)
+        self.assertEqual(row["compression at rest"], "39.24 N")
+        self.assertEqual(row["deflection at rest"], "-40 mm")
+
 
 if __name__ == "__main__":
     unittest.main()
