@@ -24,8 +24,10 @@ def browser():
 
 
 def complaints(messages):
-    """Those of a console that are not of the browser itself, which writes that it draws in software."""
-    return [message for message in messages if 'GPU stall due to ReadPixels' not in message]
+    """Those of a console that are not of the browser itself, which writes that it draws in software, and that a question was refused:
+    one that began before a save is asked again with its text."""
+    usual = ('GPU stall due to ReadPixels', 'status of 412')
+    return [message for message in messages if not any(words in message for words in usual)]
 
 
 class Served:
