@@ -54,7 +54,7 @@ isolation = {least = "10 %", at = 150}
                 "analyses.response.at",
                 "analyses.shapes.at",
                 "requirements.isolation.at",
-                "requirements.limits.m.z.band",
+                'requirements.limits."m.z".band',
                 "requirements.natural_frequencies.avoid",
             ],
         )
@@ -62,6 +62,11 @@ isolation = {least = "10 %", at = 150}
         self.assertIn('[["14.8 Hz", "18.1 Hz"], ["40 Hz", "50 Hz"]]', avoid)
         (power,) = [line for line in found if "power" in line]
         self.assertIn('write [0, "62.8 Hz"]', power)  # 0 needs no unit
+
+    def test_a_speed_is_stated_in_rpm(self):
+        (one,) = self.warnings('[analyses]\norders = {of = ["m"], speed = [10, 100]}\n')
+        self.assertIn(WORDS + f"{10 * 30 / math.pi:.3g} … {100 * 30 / math.pi:.3g} rpm", one)
+        self.assertIn('write ["10 rpm", "100 rpm"] or ["10 rad/s", "100 rad/s"]', one)
 
     def test_numbers_with_units_and_declared_ones_do_not_warn(self):
         self.assertEqual(self.warnings('[analyses]\nresponse = {band = [0, "60 rad/s"]}\n'), [])
