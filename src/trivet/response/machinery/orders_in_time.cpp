@@ -2,6 +2,7 @@
 #include "trivet/response/machinery/orders_in_time.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -48,6 +49,7 @@ std::optional<std::vector<double>> whole_multiples(const std::vector<Fraction>& 
   }
   std::int64_t divisor = 0;
   for (const Fraction& ratio : ratios) divisor = std::gcd(divisor, ratio.numerator * (common / ratio.denominator));
+  assert(divisor > 0 && "orders, and so their ratios, are above 0");
   std::vector<double> multiples;
   for (const Fraction& ratio : ratios) {
     const std::int64_t multiple = ratio.numerator * (common / ratio.denominator) / divisor;

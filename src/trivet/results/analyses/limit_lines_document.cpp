@@ -32,7 +32,7 @@ const study::OperatingLine* at_worst_speed(const study::CaseResults& results, co
 
 std::string words_of_line(const study::CaseResults& results, const LimitLineResult& line, bool is_alone) {
   const bool met = line.comparison.met();
-  const std::string words = met ? "✓ met" : is_alone ? "✗ VIOLATED" : "above the line; judged as a requirement";
+  std::string words = met ? "✓ met" : is_alone ? "✗ VIOLATED" : "above the line; judged as a requirement";
   const study::OperatingLine* with_tones = at_worst_speed(results, line);
   if (!with_tones) return words;
   const std::string at = study::speed_words(with_tones->speed);
