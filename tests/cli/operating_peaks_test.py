@@ -6,25 +6,8 @@ import json
 import math
 import re
 
+from operation_test import DASHPOT, MACHINE, MASS, RPM, STIFFNESS, stiffness
 from trivet_test import InTemporaryFolder, trivet
-
-RPM = math.pi / 30
-MASS, STIFFNESS, DASHPOT = 40.0, 36000.0, 120.0
-MACHINE = f"""trivet = 1
-[bodies.m]
-mass = {MASS}
-free = ["z"]
-[elements.s]
-type = "three_springs"
-on = "m"
-at = [0, 0, 0]
-translation = [0, 0, {STIFFNESS}]
-damping = {{translation = [0, 0, {DASHPOT}]}}
-"""
-
-
-def stiffness(omega):
-    return complex(STIFFNESS - MASS * omega**2, DASHPOT * omega)
 
 
 def shaft(forces):

@@ -176,15 +176,15 @@ RangeInTime OrdersInTime::range(const Eigen::VectorXcd& amplitudes) const {
   if (!amplitudes.allFinite()) return {-foundation::infinity, foundation::infinity};
   int groups = 0;
   for (const Periodic& group : periodic_) {
-    Cosines together;
+    Cosines sum_of_group;
     for (std::size_t j = 0; j < group.places.size(); ++j) {
       if (amplitudes(group.places[j]) == 0.0) continue;
-      together.multiples.push_back(group.multiples[j]);
-      together.amplitudes.push_back(amplitudes(group.places[j]));
+      sum_of_group.multiples.push_back(group.multiples[j]);
+      sum_of_group.amplitudes.push_back(amplitudes(group.places[j]));
     }
-    if (together.multiples.empty()) continue;
+    if (sum_of_group.multiples.empty()) continue;
     sum.is_bound = ++groups > 1;
-    const RangeInTime one = range_of(std::move(together));
+    const RangeInTime one = range_of(std::move(sum_of_group));
     sum.least += one.least;
     sum.largest += one.largest;
   }
