@@ -131,8 +131,24 @@ class OperatingBands(unittest.TestCase):
         lower = text.replace(f"{2 * level} m/s", f"{0.5 * level} m/s")
         self.assertFalse(json.loads(self.trivet(lower, "verdict", "--json").stdout)["met"])
         self.assertIn("VIOLATED", self.trivet(lower, "operation").stdout)
-        message = self.trivet(MACHINE + ROTOR + line + operation, "verdict", code=2).stderr
-        self.assertIn('bands = "third-octave" to [operation]', message)
+        by_default = json.loads(self.trivet(MACHINE + ROTOR + line + operation, "verdict", "--json").stdout)
+        self.assertEqual(by_default["cases"], found["cases"])
+        others = MACHINE + ROTOR + line + operation + 'bands = "octave"\n'
+        self.assertIn('bands = "third-octave" to [operation]', self.trivet(others, "verdict", code=2).stderr)
+        message = self.trivet(MACHINE + ROTOR + line, "verdict", code=2).stderr
+        self.assertIn("or [operation] with the speeds of the machine", message)
+
+    def test_bands_outside_of_the_line_are_counted(self):
+        text = MACHINE + ORDERS + '[operation]\nspeeds = ["300 rpm"]\n[limit_lines.floor]\nof = "m.z"\n'
+        text += 'bands = "third-octave"\nrows = [["5 Hz", "1 m/s"], ["12 Hz", "1 m/s"]]\n'  # tones at 10 and 15 Hz
+        words = "1 of 2 bands with orders are outside the line"
+        (judged,) = json.loads(self.trivet(text, "verdict", "--json").stdout)["cases"][0]["requirements"]
+        self.assertEqual(judged["detail"], words)
+        self.assertIn(words, self.trivet(text, "run", "--full").stdout)
+        (judged,) = json.loads(self.trivet(text.replace("12 Hz", "80 Hz"), "verdict", "--json").stdout)["cases"][0][
+            "requirements"
+        ]
+        self.assertEqual(judged["detail"], "")
 
     def test_a_line_of_the_file_is_judged_in_the_case_that_has_the_speeds(self):
         level = rms(UNBALANCE * (2 * math.pi * 10) ** 2, 10)
@@ -227,12 +243,15 @@ class OperatingBands(unittest.TestCase):
             'psd = {flat = 1e-16, band = ["1 Hz", "100 Hz"]}\n'
         )
         text = MACHINE + ROTOR + noise + '[limit_lines.quiet]\nof = "m.z"\nline = "VC-C"\n'
-        for bands in ("", 'bands = "octave"\n'):
-            said = self.trivet(text + '[operation]\nspeeds = ["600 rpm"]\n' + bands, "run", "--strict", code=4).stdout
-            self.assertIn("limit_lines.quiet.line: not judged at the operating speeds", said)
-            self.assertIn('bands = "third-octave" to [operation]', said)
-        right = self.trivet(text + '[operation]\nspeeds = ["600 rpm"]\nbands = "third-octave"\n', "run").stdout
-        self.assertNotIn("not judged at the operating speeds", right)
+        operation = '[operation]\nspeeds = ["600 rpm"]\n'
+        said = self.trivet(text + operation + 'bands = "octave"\n', "run", "--strict", code=4).stdout
+        self.assertIn("limit_lines.quiet.line: not judged at the operating speeds", said)
+        judged = self.trivet(text + operation + 'bands = "octave"\n', "verdict", code=1).stdout
+        self.assertIn("NOT JUDGED", judged)
+        self.assertIn("[operation] has octave bands, the line third-octave bands", judged)
+        for bands in ("", 'bands = "third-octave"\n'):
+            right = self.trivet(text + operation + bands, "run").stdout
+            self.assertNotIn("not judged at the operating speeds", right)
 
     def test_tables_state_line_margin_and_level(self):
         text = MACHINE + ROTOR + '[operation]\nspeeds = ["600 rpm", "60000 rpm"]\nbands = "third-octave"\n'

@@ -176,8 +176,14 @@ void warn_of_other_bands(TableReader& reader, bool named, const LimitLineRequest
   const std::string width = excitation::name(*request.bands);
   warn_at_key(reader, named ? "line" : "bands", "not judged at the operating speeds",
               "the line bounds the root mean square in " + width +
-                  " bands, and [operation] has no such bands: only the random vibration is compared with it",
-              "add bands = \"" + width + "\" to [operation]");
+                  " bands, and [operation] has others: only the random vibration is compared with it",
+              "give all lines and [operation] the same bands");
+}
+
+/// Are the orders at the speeds of the machine judged in such bands? [operation] takes those of its first line if it
+/// names none.
+bool has_bands(const Analyses& analyses, excitation::BandWidth bands) {
+  return analyses.operation && analyses.operation->bands.value_or(bands) == bands;
 }
 
 /// Does a case add the speeds at which lines over bands are judged? The base model has nothing to compare with them.
@@ -195,16 +201,18 @@ bool read_bands_of_line(TableReader& root, TableReader& reader, const SymbolTabl
   if (named && !reader.has("bands")) request.bands = excitation::BandWidth::third_octave;
   if (named && request.bands == excitation::BandWidth::octave)
     reader.error("bands", "\"octave\"", "the named lines are published for third octaves", "remove the key");
-  else if (request.bands && symbols.random_excitations.empty() &&
-           !(analyses.operation && analyses.operation->bands == request.bands) && !a_case_has_speeds(root))
-    reader.error(named ? "line" : "bands", "no random excitation in the model",
-                 "a line over bands bounds the root mean square in each band, of a random vibration or of the orders "
-                 "at the speeds of [operation]; a sweep of one harmonic after the other has none",
-                 fmt::format("add [excitations.NAME] with type = \"random\", or bands = \"{}\" to [operation], or "
-                             "remove bands to compare the response",
-                             excitation::name(*request.bands)));
+  else if (request.bands && symbols.random_excitations.empty() && !has_bands(analyses, *request.bands) &&
+           !a_case_has_speeds(root))
+    reader.error(
+        named ? "line" : "bands", "no random excitation in the model",
+        "a line over bands bounds the root mean square in each band, of a random vibration or of the orders "
+        "at the speeds of [operation]; a sweep of one harmonic after the other has none",
+        fmt::format("add [excitations.NAME] with type = \"random\", or {}, or "
+                    "remove bands to compare the response",
+                    analyses.operation ? fmt::format("bands = \"{}\" to [operation]", excitation::name(*request.bands))
+                                       : "[operation] with the speeds of the machine"));
   else if (request.bands) {
-    if (analyses.operation && analyses.operation->bands != request.bands) warn_of_other_bands(reader, named, request);
+    if (analyses.operation && !has_bands(analyses, *request.bands)) warn_of_other_bands(reader, named, request);
     if (analyses.random) request.excitations = analyses.random->selection.excitations;
     return true;
   }
@@ -239,7 +247,10 @@ bool read_named_line(TableReader& reader, Quantity measured, LimitLineRequest& r
 
 /// A line over bands bounds random vibration, if the model has any, and the orders at the speeds of the machine.
 void add_line(LimitLineRequest request, const SymbolTable& symbols, Analyses& result) {
-  if (request.bands && result.operation) result.operation->lines.push_back(request);
+  if (request.bands && result.operation) {
+    if (!result.operation->bands) result.operation->bands = request.bands;
+    result.operation->lines.push_back(request);
+  }
   if (!request.bands || !symbols.random_excitations.empty()) result.limit_lines.push_back(std::move(request));
 }
 

@@ -146,7 +146,7 @@ const AnalysisReader operation_analysis = read_into<&Analyses::operation, read_o
    "limits": {"$ref": "#/$defs/amplitude_limits",
      "description": "\"BODY.x\" = largest value at each of the speeds, all orders together, at its level (rms, 0-p, p-p; without one 0-p)"},
    "bands": {"$ref": "#/$defs/bands",
-     "description": "also the root mean square of the orders in each band, judged by limit lines over such bands"}},
+     "description": "also the root mean square of the orders in each band, judged by limit lines over such bands; default: those of the limit lines"}},
   "required": ["speeds"]})json"});
 
 }  // namespace trivet::project

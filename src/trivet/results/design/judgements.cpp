@@ -136,7 +136,7 @@ void add_operating_lines(const study::CaseResults& case_results, std::size_t whi
       one.value = fmt::format("{} of {}", std::isfinite(level) ? value_text(level, unit) : "∞",
                               value_text(line->nearest->limit, unit));
       one.place = fmt::format("{:.4g} Hz", line->nearest->band.nominal_hz());
-      if (line->nearest->random > 0) one.place += ", with the random vibration";
+      if (const std::string remark = line->remark(); !remark.empty()) one.place += ", " + remark;
       one.is_at = true;
     }
     one.finding = without_empty(

@@ -94,6 +94,15 @@ bool OperatingLevel::met() const { return line.empty() || design::meets_limit(wi
 
 double OperatingLine::margin() const { return share() > 0 ? 1 / share() : foundation::infinity; }
 
+std::string OperatingLine::remark() const {
+  std::string words;
+  if (nearest && nearest->random > 0) words = "with the random vibration";
+  if (nearest && outside > 0)
+    words +=
+        (words.empty() ? "" : ", ") + fmt::format("{} of {} bands with orders are outside the line", outside, bands);
+  return words;
+}
+
 std::vector<OperatingLevel> operating_levels(const CaseContext& c, const project::OperationAnalysis& request,
                                              const std::vector<response::OrderLoading>& loads,
                                              std::vector<assembly::Channel> channels) {
@@ -131,9 +140,12 @@ std::vector<OperatingLine> operating_lines(const project::OperationAnalysis& req
       if (one.bands != request.bands) continue;
       OperatingLine& judged = lines.emplace_back(speed, one.of, one.line);
       for (const OperatingLevel& level : levels) {
-        if (level.speed != speed || level.value.name != one.of || level.quantity != quantity_word(one.line) ||
-            !covers(one.line, level.band))
+        if (level.speed != speed || level.value.name != one.of || level.quantity != quantity_word(one.line)) continue;
+        ++judged.bands;
+        if (!covers(one.line, level.band)) {
+          ++judged.outside;
           continue;
+        }
         OperatingLevel under = level;  // which may have another, lower line
         under.line = one.line.name;
         under.limit = limit_in(one.line, level.band);

@@ -141,11 +141,14 @@ struct OperatingLine {
   assembly::Band speed;  ///< Ω [rad/s]; from = to: one speed
   std::string of;
   assembly::LimitLine line;
-  std::optional<OperatingLevel> nearest;  ///< with the largest share of this line; none: no order in its bands
+  std::optional<OperatingLevel> nearest = {};  ///< with the largest share of this line; none: no order in its bands
+  std::size_t bands = 0, outside = 0;          ///< with orders, and those of them where the line has no limit
 
   [[nodiscard]] double share() const { return nearest ? nearest->share() : 0; }
   [[nodiscard]] double margin() const;  ///< infinite if the level is 0
   [[nodiscard]] bool met() const { return !nearest || nearest->met(); }
+  /// What its verdict leaves out, and what acts besides the orders; empty if nothing.
+  [[nodiscard]] std::string remark() const;
 };
 
 struct OperationResult {

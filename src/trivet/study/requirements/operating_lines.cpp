@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/response/machinery/operating_loads.h"
 #include "trivet/study/analyses/band_lines.h"
 #include "trivet/study/analyses/operating_levels.h"
@@ -28,20 +29,18 @@ void set_share_of_line(const OperatingLine& judged, RequirementResult& result) {
   result.on_line = {nearest.limit, judged.line.unit, true};
   if (judged.speed.from < judged.speed.to)
     result.detail = fmt::format("{:.5g} rpm", nearest.value.at * foundation::rpm_per_rad_s);
-  if (nearest.random > 0)
-    result.detail += (result.detail.empty() ? "" : ", ") + std::string("with the random vibration");
+  if (const std::string remark = judged.remark(); !remark.empty())
+    result.detail += (result.detail.empty() ? "" : ", ") + remark;
 }
 
 }  // namespace
 
 void add_operating_line_requirements(const CaseContext& c, const project::Analyses& analyses, RequirementList& list) {
-  if (!analyses.operation || !analyses.operation->has_lines()) return;
+  if (!analyses.operation) return;
   const project::OperationAnalysis& request = *analyses.operation;
   for (const project::LimitLineRequest& line : request.lines) {
     const auto& required = analyses.requirements;
-    if (line.bands != request.bands ||
-        (required && std::ranges::find(required->limit_lines, line.line.name) == required->limit_lines.end()))
-      continue;
+    if (required && std::ranges::find(required->limit_lines, line.line.name) == required->limit_lines.end()) continue;
     for (const assembly::Band& speed : request.speeds) {
       const std::string scope = (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
       RequirementResult& result =
@@ -51,6 +50,9 @@ void add_operating_line_requirements(const CaseContext& c, const project::Analys
       result.excitations = request.selection.excitations;
       const std::size_t place = list.size() - 1;
       list.attempt(place, [&] {
+        if (line.bands != request.bands)
+          throw foundation::NotComputable(
+              fmt::format("[operation] has {} bands, the line {} bands", name(*request.bands), name(*line.bands)));
         const auto loads = response::operating_loads(c.system, c.assembled, request.selection.excitations);
         if (loads.empty()) throw without_excitation("operation");
         project::OperationAnalysis alone = at_speed(request, speed);
