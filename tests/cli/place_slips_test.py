@@ -60,6 +60,11 @@ class PlaceSlips(InTemporaryFolder):
             self.assertIn("operation.limits.machine.z: " + words, said)
             self.assertIn('accept = {"limit" = "reason"} in [operation]', said)
 
+    def test_advice_on_a_limit_keeps_its_level(self):
+        said = self.warnings('"1 mm"', '"28 m/s rms"')
+        self.assertIn("operation.limits.machine.z: 28 m/s rms allowed for machine.z", said)
+        self.assertIn('write "28 mm/s rms"', said)
+
 
 if __name__ == "__main__":
     import unittest

@@ -78,8 +78,13 @@ bool is_translation(const std::string& name) {
 /// @param table  of the limit: "limits"
 void add_limit(const std::string& table, const project::AmplitudeLimit& limit, plausibility::Stated& stated) {
   if (!is_translation(limit.name) || limit.quantity == assembly::MotionQuantity::acceleration) return;
-  stated.allowed_motions.push_back({limit.name.substr(0, limit.name.find('.')), table + "." + limit.name, limit.name,
-                                    limit.amplitude, limit.quantity == assembly::MotionQuantity::velocity});
+  plausibility::AllowedMotion allowed{limit.name.substr(0, limit.name.find('.')), table + "." + limit.name, limit.name,
+                                      limit.amplitude, limit.quantity == assembly::MotionQuantity::velocity};
+  if (limit.level != project::Level::amplitude) {
+    allowed.as_written = project::level_factor(limit.level);
+    allowed.level_ending = std::string(" ") + project::level_ending(limit.level);
+  }
+  stated.allowed_motions.push_back(std::move(allowed));
 }
 
 /// A range of two numbers of which one that is not 0 has no unit.

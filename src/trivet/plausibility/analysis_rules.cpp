@@ -170,16 +170,21 @@ void judge_limits(const model::System& system, const std::vector<AllowedMotion>&
     const auto picture = std::ranges::find_if(
         pictures, [&](const BodyPicture& p) { return system.bodies()[p.body].name == limit.body; });
     if (picture == pictures.end()) continue;
+    const double written = limit.amplitude * limit.as_written;
+    const auto finding = [&](const char* unit) {
+      return fmt::format("{:.6g} {}{} allowed for {}", written, unit, limit.level_ending, limit.channel);
+    };
     const auto remedy = [&](const char* unit) {
-      return limit.is_line ? fmt::format("write unit = \"{}\" if they are in it: rows without a unit are in SI", unit)
-                           : fmt::format("write \"{:.6g} {}\" if millimetres are meant", limit.amplitude, unit);
+      return limit.is_line
+          ? fmt::format("write unit = \"{}\" if they are in it: rows without a unit are in SI", unit)
+          : fmt::format("write \"{:.6g} {}{}\" if millimetres are meant", written, unit, limit.level_ending);
     };
     if (limit.is_velocity && limit.amplitude > fastest_allowed)
-      found.push_back({"limit", limit.subject, fmt::format("{:.6g} m/s allowed for {}", limit.amplitude, limit.channel),
+      found.push_back({"limit", limit.subject, finding("m/s"),
                        fmt::format("vibration limits are below {:.1g} m/s", fastest_allowed), remedy("mm/s")});
     const double size = 2 * mass_radius(picture->mass);
     if (limit.is_velocity || !(size > 0) || limit.amplitude <= size) continue;
-    found.push_back({"limit", limit.subject, fmt::format("{:.6g} m allowed for {}", limit.amplitude, limit.channel),
+    found.push_back({"limit", limit.subject, finding("m"),
                      fmt::format("it exceeds the size of \"{}\", {:.3g} m, so that it has no effect", limit.body, size),
                      remedy("mm")});
   }

@@ -25,11 +25,14 @@ void judge_service_speeds(const std::vector<Rotor>& rotors, const std::vector<Li
         }))
       continue;
     const LimitedRange& first = ranges.front();
-    found.push_back({"service speed", first.subject,
-                     fmt::format("{:.5g} … {:.5g} Hz", hertz(first.from), hertz(first.to)),
-                     fmt::format("no amplitude is limited at the service speed of \"{}\", {:.5g} rpm = {:.5g} Hz",
-                                 rotor.excitation, 60 * hertz(speed), hertz(speed)),
-                     "let the band contain it, or check the units of both"});
+    found.push_back(
+        {"service speed", first.subject, fmt::format("{:.5g} … {:.5g} Hz", hertz(first.from), hertz(first.to)),
+         fmt::format("no amplitude is limited at the service speed of \"{}\", {:.5g} rpm = {:.5g} Hz", rotor.excitation,
+                     60 * hertz(speed), hertz(speed)),
+         first.subject.starts_with("operation.")
+             ? "let the speeds contain it; of a shaft that turns at another speed write type = \"orders\", or "
+               "leave it out of operation.excitations"
+             : "let the band contain it, or check the units of both"});
   }
 }
 

@@ -93,7 +93,9 @@ struct AllowedMotion {
   std::string channel;   ///< "frame.z"
   double amplitude = 0;  ///< [m], [m/s]
   bool is_velocity = false;
-  bool is_line = false;  ///< of a limit line; its rows are in SI
+  bool is_line = false;        ///< of a limit line; its rows are in SI
+  double as_written = 1;       ///< number in the file, in SI, per amplitude: 1/√2 for a limit in rms
+  std::string level_ending{};  ///< " rms"; empty if the file has none
 };
 
 /// A range over which amplitudes are limited. [rad/s]
