@@ -9,6 +9,7 @@
 
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/shown_table.h"
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/distinct_texts.h"
@@ -79,6 +80,15 @@ bool lists_peaks(const study::DesignMap& map, const study::MapMark& mark, const 
          });
 }
 
+/// Numbers of the rules: those with an unknown margin, then the others from the least margin on.
+std::vector<std::size_t> by_margin(const std::vector<double>& margins) {
+  std::vector<std::size_t> order(margins.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t r) { return std::isnan(margins[r]) ? -foundation::infinity : margins[r]; });
+  return order;
+}
+
 }  // namespace
 
 std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark, Readers readers) {
@@ -99,7 +109,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
   const auto add = [&](const std::string& line) {  // a rule of a further case may be one of the map too
     if (std::ranges::find(words, line) == words.end()) words.push_back(line);
   };
-  for (std::size_t r = 0; r < map.rules.size(); ++r) {
+  for (const std::size_t r : by_margin(judged.margins)) {
     const design::MapRule& rule = map.rules[r];
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
     if (rule.kind == design::DesignRule::Kind::requirement && judged.margins[r] < 1)
