@@ -29,9 +29,8 @@ std::string html_of(const Table& table, const project::DisplayUnits& display) {
     documents::Row& row = rows.emplace_back();
     row.style = style_of(one.mark);
     for (std::size_t c = 0; c < one.cells.size(); ++c)
-      row.cells.push_back({.text = shown.numbers[c] ? on_one_line(one.cells[c]) : one.cells[c],
-                           .number = shown.numbers[c],
-                           .heading = table.records ? shown.headings[c] : ""});
+      row.cells.push_back(
+          {.text = shown.numbers[c] ? on_one_line(one.cells[c]) : one.cells[c], .number = shown.numbers[c]});
   }
   const std::string html = html_table(headings, rows, table.records ? "records" : "");
   if (table.folded) return documents::folded(table.title, html);

@@ -19,8 +19,9 @@ std::string content(const Cell& c) {
   return c.tone == Tone::plain ? text : fmt::format("<span class=\"{}\">{}</span>", class_of(c.tone), text);
 }
 
-std::string table_cell(const Cell& c) {
-  return fmt::format("<td{}{}{}>{}</td>", c.heading.empty() ? "" : " data-heading=\"" + escaped(c.heading) + "\"",
+/// @param heading  of a row that is a record on narrow screens; else empty
+std::string table_cell(const Cell& c, const std::string& heading) {
+  return fmt::format("<td{}{}{}>{}</td>", heading.empty() ? "" : " data-heading=\"" + escaped(heading) + "\"",
                      c.number ? " class=\"number\"" : "",
                      c.columns > 1 ? fmt::format(" colspan=\"{}\"", c.columns) : "", content(c));
 }
@@ -90,16 +91,18 @@ std::string html_table(const std::vector<Cell>& headings, const std::vector<Row>
   html += "</tr></thead><tbody>";
   for (const Row& row : rows) {
     html += row.style.empty() ? "<tr>" : "<tr class=\"" + row.style + "\">";
-    for (const Cell& each : row.cells) html += table_cell(each);
+    for (std::size_t c = 0; c < row.cells.size(); ++c)
+      html += table_cell(row.cells[c], style == "records" ? headings[c].text : "");
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
 }
 
-std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows) {
+std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows,
+                       const std::string& style) {
   std::vector<Row> plain;
   for (const auto& cells : rows) plain.push_back({cells, ""});
-  return html_table(headings, plain);
+  return html_table(headings, plain, style);
 }
 
 std::string escaped(std::string_view text) {

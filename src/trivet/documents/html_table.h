@@ -17,9 +17,8 @@ struct Cell {
   std::string text;
   bool number = false;
   Tone tone = Tone::plain;
-  int columns = 1;           ///< that it covers
-  bool html = false;         ///< `text` is HTML, not plain text
-  std::string heading = {};  ///< of a row that is a record on narrow screens
+  int columns = 1;    ///< that it covers
+  bool html = false;  ///< `text` is HTML, not plain text
 };
 
 /// A row, with the style of the whole row: "failed", "unjudged", "minor" or "".
@@ -44,10 +43,12 @@ void add_frequency(std::vector<Cell>& row, double angular_frequency, const proje
 /// Text escaped for XML and HTML.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// A table in the style of the page. @param style  class of the table: "matrix", "records" or ""
+/// A table in the style of the page. @param style  class of the table: "matrix", "records" (on a narrow screen each row
+/// is a list of its cells with their headings) or ""
 [[nodiscard]] std::string html_table(const std::vector<Cell>& headings, const std::vector<Row>& rows,
                                      const std::string& style = "");
-[[nodiscard]] std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows);
+[[nodiscard]] std::string html_table(const std::vector<Cell>& headings, const std::vector<std::vector<Cell>>& rows,
+                                     const std::string& style = "");
 
 /// A section with its heading; empty without content. @param style  class of the section
 [[nodiscard]] std::string section(const std::string& style, const std::string& title, const std::string& html);

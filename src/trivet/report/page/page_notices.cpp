@@ -263,7 +263,7 @@ std::string glance_table(const std::vector<ShownCase>& cases) {
     add_frequency(row, highest, display);
     rows.push_back(std::move(row));
   }
-  return cases.empty() ? "" : html_table(headings, rows);
+  return cases.empty() ? "" : html_table(headings, rows, "records");
 }
 
 std::string case_head(const ShownCase& shown, std::size_t cases) {
