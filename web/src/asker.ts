@@ -124,7 +124,7 @@ export class Asker {
       this.underWay = null;
       if (!end.signal.aborted) for (const listener of this.listeners) listener();
     }
-    if (!this.trouble) this.next();
+    if (!this.trouble || this.state.revision !== revision) this.next();
   }
   /// A draft that is newer than the result stands in for it, unless it failed.
   private newest(command: string): Kept | undefined {

@@ -128,13 +128,21 @@ export class ServerEngine implements Engine {
     this.underWay.add(began);
     try {
       if (version && version !== this.closed) {
-        const response = await this.request('/ask', {version, ...question}, signal, client);
+        const response = await this.posed({version, ...question}, signal, client);
         if (response.status !== 412) return await content<Answer>(response);
         this.closed = version;
       }
-      return await content<Answer>(await this.request('/ask', {text, ...question}, signal, client));
+      return await content<Answer>(await this.posed({text, ...question}, signal, client));
     } finally {
       this.underWay.delete(began);
+    }
+  }
+  /// A client has one question at a time. An aborted one may still reach the program after the next, on another connection, and
+  /// replace it there (409): then the next is asked again.
+  private async posed(question: unknown, signal: AbortSignal | undefined, client: string): Promise<Response> {
+    for (;;) {
+      const response = await this.request('/ask', question, signal, client);
+      if (response.status !== 409 || signal?.aborted) return response;
     }
   }
   async doing(): Promise<Doing | null> {

@@ -53,6 +53,16 @@ test('curves come as a draft at once, and with exact peaks when the slider rests
   assert.equal(wanted(engine.asked[2]), 'check');
   assert.ok(engine.asked.every(q => q.revision === state.revision));
 });
+test('after a failure the newest state is asked for, and the failed one is not asked again', async () => {
+  const state = new State(), asked: number[] = [];
+  const refusing = {ask: (revision: number) => (asked.push(revision), after(5).then(() => { throw new Error('refused'); }))};
+  const asker = new Asker(refusing as unknown as Engine, state, () => WISHES);
+  state.open('mass = 1', '1');
+  state.open('mass = 2', '2');
+  await after(60);
+  assert.equal(asker.trouble, 'Error: refused');
+  assert.deepEqual(asked, [asked[0], state.revision]);
+});
 test('a question about a slider at rest gives way to one about the next move', async () => {
   const {state, engine, asker} = played();
   engine.asked[0]!.answer();
