@@ -8,7 +8,7 @@ import {GHOSTS, type Ghost} from './machine/ghosts.ts';
 import {labelledPicture} from './machine/labelled_picture.ts';
 import {MachineScene} from './machine/machine_scene.ts';
 import {ALONE, BESIDE_NUMBERS, Stage, type View} from './machine/stage.ts';
-import type {Motion} from './motion.ts';
+import {sizeWords, type Motion} from './motion.ts';
 import {COLOURINGS, mountValues, type Colouring} from './mount_colouring.ts';
 import {Part} from './part.ts';
 import {frequency} from './quantities.ts';
@@ -84,9 +84,11 @@ export class MachineView extends Part {
   }
   /// What is shown: the motion with its frequency.
   private label(): string {
-    const {display: {shown, frequencyUnit}, asker} = this.app, {motion} = this;
+    const {display: {shown, frequencyUnit, share}, asker} = this.app, {motion} = this;
     if (!motion) return shown.kind === 'steady' ? missingSteady(asker, shown.omega) : 'at rest';
-    return `${motion.label}, ${frequency(motion.angular_frequency, frequencyUnit)}${motion.words ? `: ${motion.words}` : ''}`;
+    const named = `${motion.label}, ${frequency(motion.angular_frequency, frequencyUnit)}${motion.words ? `: ${motion.words}` : ''}`;
+    const size = this.machine ? sizeWords(motion, this.machine.scene.bodies, this.machine.scaleFor(motion, share)) : '';
+    return size ? `${named} · ${size}` : named;
   }
   override firstUpdated() {
     const canvas = this.querySelector('canvas')!;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Periodic rigid motions of bodies: what an animated shape is made of.
+import {number, withUnit} from './quantities.ts';
 import type {Complex, Mode, Modes, Root, Roots, SceneBody, Shapes, SteadyMotion, Vector} from './results.ts';
 
 /// Complex translation of the pole and rotation about it, in the frame of the project: x, y, z, θx, θy, θz.
@@ -14,6 +15,7 @@ export interface Motion {
   angular_frequency: number;  // that it is named by: of the mode, or of the excitation
   bodies: ReadonlyMap<string, RigidMotion>;
   ends: ReadonlyMap<string, RigidMotion>;  // "front left.foot": end of an element on a moving foundation
+  hasSize?: boolean;  // it is forced; a mode has no size of its own
 }
 
 /// Coordinates along the axes of a body → along those of the project. Rows of `axes` are the axes of the body.
@@ -78,13 +80,13 @@ export function ofRoot(roots: Roots | MovingRoots, mode: number, bodies: readonl
 export function ofShape(shapes: Shapes, bodies: readonly SceneBody[]): Motion | null {
   const shape = shapes.shapes[0];
   if (!shape) return null;
-  return {label: 'Operating shape', words: '', angular_frequency: shape.angular_frequency,
+  return {label: 'Operating shape', words: '', angular_frequency: shape.angular_frequency, hasSize: true,
           ...ofPlaces(shape.places.map(({name, motion}) => [name, harmonic(motion)]), bodies)};
 }
 /// A steady motion with all its harmonics, at the parameter of its curve.
 export function ofSteady(motion: SteadyMotion, angular_frequency: number, words: string, bodies: readonly SceneBody[]): Motion {
   const places = motion.places.map(({name, harmonics}): [string, RigidMotion] => [name, harmonics.map((amplitudes, order) => ({order, amplitudes}))]);
-  return {label: 'Steady motion', words, angular_frequency, ...ofPlaces(places, bodies)};
+  return {label: 'Steady motion', words, angular_frequency, hasSize: true, ...ofPlaces(places, bodies)};
 }
 /// Bodies, and other places that move, which are ends of elements; along the axes of the project.
 function ofPlaces(places: readonly (readonly [string, RigidMotion])[], bodies: readonly SceneBody[]) {
@@ -95,12 +97,14 @@ function ofPlaces(places: readonly (readonly [string, RigidMotion])[], bodies: r
 const moves = (rigid: RigidMotion) => rigid.some(({amplitudes}) => amplitudes.some(([re, im]) => re !== 0 || im !== 0));
 export const highestOrder = (motion: Motion) => Math.max(1, ...[...motion.bodies.values()].flatMap(rigid => rigid.map(h => h.order)));
 
-/// Largest displacement of the corners of all bodies, and of moving ends, over a period [m]: the scale of a drawing.
-export function largestDisplacement(motion: Motion, bodies: readonly SceneBody[], steps = 48): number {
-  const count = Math.max(steps, 8 * highestOrder(motion)), middle: Vector = [0, 0, 0];
+/// Largest displacement of the corners of all bodies, and of moving ends, over a period [m]: the scale of a drawing. Exact of one harmonic;
+/// of several the largest of 64 places in each period of the highest.
+export function largestDisplacement(motion: Motion, bodies: readonly SceneBody[]): number {
+  const count = 64 * highestOrder(motion), middle: Vector = [0, 0, 0];
   let largest = 0;
   const reach = (rigid: RigidMotion, arm: Vector) => {
-    for (let s = 0; s < count; s++) largest = Math.max(largest, Math.hypot(...displacement(rigid, arm, 2 * Math.PI * s / count)));
+    if (rigid.length === 1 && rigid[0]!.order > 0) largest = Math.max(largest, longestRadius(rigid, arm));
+    else for (let s = 0; s < count; s++) largest = Math.max(largest, Math.hypot(...displacement(rigid, arm, 2 * Math.PI * s / count)));
   };
   for (const end of motion.ends.values()) reach(end, middle);
   for (const body of bodies) {
@@ -109,6 +113,17 @@ export function largestDisplacement(motion: Motion, bodies: readonly SceneBody[]
     for (const corner of corners(body)) reach(rigid, corner.map((v, k) => v - body.pole[k]!) as unknown as Vector);
   }
   return largest;
+}
+/// Of the ellipse on which a place moves in one harmonic, a cos φ + b sin φ: |u|² = p + q cos 2φ + a·b sin 2φ with p, q = (a² ± b²)/2.
+function longestRadius(motion: RigidMotion, arm: Vector): number {
+  const [{order}] = motion as [RigidMotion[number]], a = displacement(motion, arm, 0), b = displacement(motion, arm, Math.PI / 2 / order);
+  const dot = (u: readonly number[], v: readonly number[]) => u.reduce((sum, value, k) => sum + value * v[k]!, 0), aa = dot(a, a), bb = dot(b, b);
+  return Math.sqrt((aa + bb) / 2 + Math.hypot((aa - bb) / 2, dot(a, b)));
+}
+/// How large a forced motion is, and how much larger it is drawn; empty of a mode.
+export function sizeWords(motion: Motion, bodies: readonly SceneBody[], scale: number): string {
+  const largest = motion.hasSize ? largestDisplacement(motion, bodies) : 0;
+  return largest > 0 && scale > 0 ? `largest displacement ${withUnit(largest, 'm', 3)} 0-p, drawn ${number(Number(scale.toPrecision(2)), 7)} ×` : '';
 }
 /// Corners of the box of a body, in the frame of the project.
 export function corners({box, pole, solids}: SceneBody): Vector[] {

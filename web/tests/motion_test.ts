@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {displacement, inProjectFrame, largestDisplacement, ofMode, ofRoot, ofShape, ofSteady, harmonic, type Amplitudes, type Motion, type RigidMotion} from '../src/motion.ts';
+import {corners, displacement, inProjectFrame, largestDisplacement, ofMode, ofRoot, ofShape, ofSteady, harmonic, sizeWords, type Amplitudes, type Motion, type RigidMotion} from '../src/motion.ts';
 import type {Complex, SceneBody, Vector} from '../src/results.ts';
 
 const close = (a: readonly number[], b: readonly number[]) =>
@@ -27,8 +27,8 @@ test('coordinates along the axes of a turned body become those of the project', 
   const turned: SceneBody['axes'] = [[0, 1, 0], [-1, 0, 0], [0, 0, 1]];  // its x is the project's y
   close(inProjectFrame(amplitudes(1, 0, 0, 0, 2, 0), turned).map(v => v[0]), [0, 1, 0, -2, 0, 0]);
 });
+const of = (motion: RigidMotion): Motion => ({label: '', words: '', angular_frequency: 1, ends: new Map(), bodies: new Map([['body', motion]])});
 test('the largest displacement of a translation is its size, of a rotation that of the farthest corner', () => {
-  const of = (motion: RigidMotion): Motion => ({label: '', words: '', angular_frequency: 1, ends: new Map(), bodies: new Map([['body', motion]])});
   assert.ok(Math.abs(largestDisplacement(of(real(0, 3, 0, 0, 0, 0)), [box([1, 1, 1])]) - 3) < 1e-12);
   assert.ok(Math.abs(largestDisplacement(of(real(0, 0, 0, 1, 0, 0)), [box([0, 0, 0])]) - Math.hypot(2, 3)) < 1e-12);
 });
@@ -77,4 +77,19 @@ test('a steady motion is the sum of its mean and its harmonics', () => {
 test('the largest displacement of a motion with harmonics is not half a period away', () => {
   const motion: Motion = {label: '', words: '', angular_frequency: 1, ends: new Map(), bodies: new Map([['body', [{order: 0, amplitudes: amplitudes(-1, 0, 0, 0, 0, 0)}, {order: 1, amplitudes: amplitudes(3, 0, 0, 0, 0, 0)}]]])};
   assert.ok(Math.abs(largestDisplacement(motion, [box([0, 0, 0])]) - 4) < 1e-12);  // at the phase π
+});
+test('the largest displacement of one harmonic is that of its ellipse, to the last digits', () => {
+  const motion = of(harmonic([[0.3, 0.2], [-0.4, 1], [0.7, -0.5], [0.02, 0.03], [-0.01, 0.05], [0.04, 0]])), bodies = [box([0.1, -0.2, 0.3])];
+  const rigid = motion.bodies.get(bodies[0]!.name)!, arms = corners(bodies[0]!).map(c => c.map((v, k) => v - bodies[0]!.pole[k]!) as unknown as Vector);
+  let scanned = 0;
+  for (let i = 0; i < 20000; i++)
+    for (const arm of arms) scanned = Math.max(scanned, Math.hypot(...displacement(rigid, arm, Math.PI * i / 20000)));
+  const exact = largestDisplacement(motion, bodies);
+  assert.ok(exact >= scanned && exact - scanned < 1e-8 * exact, `${exact} ${scanned}`);  // (π / 20000)² / 8
+});
+test('a forced motion states its size, a mode has none', () => {
+  const forced = {...of(real(0, 3e-4, 0, 0, 0, 0)), hasSize: true}, bodies = [box([1, 1, 1])];
+  assert.equal(sizeWords(forced, bodies, 250), 'largest displacement 300 µm 0-p, drawn 250 ×');
+  assert.equal(sizeWords({...forced, hasSize: false}, bodies, 250), '');
+  assert.equal(sizeWords({...of(real(0, 0, 0, 0, 0, 0)), hasSize: true}, bodies, 0), '');
 });

@@ -6,7 +6,7 @@ import {DARK, LIGHT} from '../machine/colours.ts';
 import {MachineScene} from '../machine/machine_scene.ts';
 import {ALONE, Stage, type View} from '../machine/stage.ts';
 import {TURNS} from '../machine_keys.ts';
-import {ofMode, ofRoot, ofShape, type Motion, type MovingModes, type MovingRoots} from '../motion.ts';
+import {ofMode, ofRoot, ofShape, sizeWords, type Motion, type MovingModes, type MovingRoots} from '../motion.ts';
 import {number} from '../quantities.ts';
 import type {Scene, Shapes} from '../results.ts';
 import {scenesOf, type StoredScenes} from './stored_scenes.ts';
@@ -74,7 +74,10 @@ class MachineView {
 
   private get colours() { return this.dark.matches ? DARK : LIGHT; }
   private get motion() { return this.choices[this.shown.motion]?.motion ?? null; }
-  private get words() { return this.choices[this.shown.motion]?.words ?? ''; }
+  private get words() {
+    const {motion, machine, scale} = this, size = motion && machine ? sizeWords(motion, machine.scene.bodies, scale) : '';
+    return [this.choices[this.shown.motion]?.words, size].filter(Boolean).join(' · ');
+  }
 
   /// Over the canvas the wheel scrolls the page, and with Ctrl it zooms, as in the charts; a finger scrolls up and down.
   private letThePageScroll() {
