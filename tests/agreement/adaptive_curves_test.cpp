@@ -222,6 +222,42 @@ TEST(AdaptiveCurves, FollowGroundThatMovesWithDelays) {
   expect_like_uniform_points(p);
 }
 
+/// A mass on a square of springs, pushed at its centre of mass: only its vertical mode moves, z = F/(k − m ω²).
+TEST(AdaptiveCurves, UndampedModesThatNoCurveSeesLeaveNoTrace) {
+  std::string text =
+      "trivet = 1\n[bodies.m]\nmass = 1000\ncenter_of_mass = [0, 0, 0.1]\n"
+      "inertia = {about = \"center_of_mass\", xx = 100, yy = 100, zz = 150}\n";
+  for (const std::string at : {"0.5, 0.5", "0.5, -0.5", "-0.5, 0.5", "-0.5, -0.5"})
+    text += "[elements.\"" + at + "\"]\ntype = \"bushing\"\non = \"m\"\nat = [" + at +
+        ", 0]\ntranslation = [1e6, 1e6, 1e7]\nrotation = [0, 0, 0]\n";
+  text += "[excitations.f]\ntype = \"harmonic\"\non = \"m\"\nat = [0, 0, 0]\nforce = [0, 0, 1000]\n";
+  const auto project = test::project(text);
+  const model::System& system = project.base().system;
+  const assembly::Band band{6, 380};
+  const Picture p = picture(system, band, {"m.z"});
+  const modal::Modes modes = modal::modes(system, p.assembled);
+  const modal::Roots roots = modal::roots(system, p.assembled, modes);
+  const response::CurveModel draft =
+      response::curve_model(p.assembled, p.channels, p.loading, roots.poles, response::Peaks(), band);
+  constexpr double vertical = 200;  // √(4e7/1000) rad/s
+  int unseen = 0;
+  for (const modal::Mode& mode : modes.list) {
+    const double w = *mode.angular_frequency;
+    if (std::abs(w - vertical) < 1) continue;
+    ++unseen;
+    for (const double aside : {0.0, 1e-15, -1e-12, 1e-9, -1e-6, 1e-4}) {
+      const double at = w * (1 + aside), exact = 1000 / (4e7 - 1000 * at * at);
+      for (const response::CurveModel* model : {&p.model, &draft})
+        EXPECT_NEAR(model->at({at})(0, 0).real(), exact, 1e-9 * std::abs(exact)) << at << " rad/s";
+    }
+  }
+  EXPECT_EQ(unseen, 5);
+  for (const double aside : {-1e-6, 1e-3}) {  // the seen one stays
+    const double at = vertical * (1 + aside), exact = 1000 / (4e7 - 1000 * at * at);
+    EXPECT_NEAR(p.model.at({at})(0, 0).real(), exact, 1e-8 * std::abs(exact));
+  }
+}
+
 study::CaseResults results_of_a_push(const std::string& elements, const std::string& band) {
   const auto project = test::project(
       "trivet = 1\n[bodies.b]\nmass = 10\nfree = [\"z\"]\n[elements.m]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, "

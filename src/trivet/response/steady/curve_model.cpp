@@ -93,8 +93,9 @@ class CurveModelBuilder {
     if (assembled_.frequency_dependent() || of_matrices.size() > most_poles || 2 * near < of_matrices.size())
       return false;
     const int at_rest = std::max(0, -lowest_power_);  // the load itself has these poles at 0
-    Eigen::VectorXcd poles = Eigen::VectorXcd::Zero(of_matrices.size() + at_rest);
-    poles.head(of_matrices.size()) = std::complex<double>(0, -1) * of_matrices;
+    const Eigen::VectorXcd of_curves = poles_of_curves(band, std::complex<double>(0, -1) * of_matrices);
+    Eigen::VectorXcd poles = Eigen::VectorXcd::Zero(of_curves.size() + at_rest);
+    poles.head(of_curves.size()) = of_curves;
     if (is_confirmed(band, poles, poles.size() + 3 + highest_power_))  // a result has up to ω²; one node more
       return true;
     samples_.clear();  // too many for a fit
@@ -154,6 +155,29 @@ class CurveModelBuilder {
   }
 
  private:
+  /// Poles −iλ without those of undamped modes that no curve sees. At these a fit with them is 0/0.
+  Eigen::VectorXcd poles_of_curves(const assembly::Band& band, const Eigen::VectorXcd& poles) {
+    constexpr double undamped = 1e-10;    // of |λ|: above it a fit at the frequency of the mode keeps six digits
+    constexpr double aside = 1e-6;        // of ω
+    constexpr double same_values = 1e-3;  // on both sides of a pole: it would be seen closer to it than 1e-9 of ω alone
+    std::vector<double> unseen;
+    for (const std::complex<double>& pole : poles) {
+      const double w = pole.real(), below = w * (1 - aside), above = w * (1 + aside);
+      if (!(below > band.from && above < band.to) || std::abs(pole.imag()) > undamped * w) continue;
+      solve({below, above});
+      const auto left = sample_at(below), right = sample_at(above);
+      if (left == samples_.end() || right == samples_.end()) continue;
+      const Eigen::VectorXd size = scale(left->second).cwiseMax(scale(right->second));
+      if (((left->second - right->second).cwiseAbs().array() <= same_values * size.array()).all()) unseen.push_back(w);
+    }
+    std::vector<std::complex<double>> seen;
+    for (const std::complex<double>& pole : poles)
+      if (std::abs(pole.imag()) > undamped * std::abs(pole) ||
+          std::ranges::none_of(unseen, [&](double w) { return std::abs(std::abs(pole.real()) - w) <= apart * w; }))
+        seen.push_back(pole);
+    return Eigen::Map<const Eigen::VectorXcd>(seen.data(), std::ssize(seen));
+  }
+
   /// Adds the piece with these poles −iλ if it agrees with solves where its error would be largest, and with the peaks.
   bool is_confirmed(const assembly::Band& band, const Eigen::VectorXcd& poles, Eigen::Index nodes) {
     const std::complex<double> i(0, 1);
@@ -187,9 +211,14 @@ class CurveModelBuilder {
   }
 
   [[nodiscard]] bool is_known(double w) const {
-    const auto above = samples_.lower_bound(w * (1 - apart));
-    return (above != samples_.end() && above->first <= w * (1 + apart)) ||
+    return sample_at(w) != samples_.end() ||
         std::ranges::any_of(model_.check.undefined_at, [&](double u) { return std::abs(u - w) <= apart * w; });
+  }
+
+  /// The sample at a frequency, but for round-off.
+  [[nodiscard]] Samples::const_iterator sample_at(double w) const {
+    const auto found = samples_.lower_bound(w * (1 - apart));
+    return found != samples_.end() && found->first <= w * (1 + apart) ? found : samples_.end();
   }
 
   /// Frequency at which a piece is cut: the corner of a table nearest to the middle of its samples, or that middle.
