@@ -44,10 +44,8 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void close();
 
   [[nodiscard]] bool is_closed() const { return state_ == State::closed; }
-  /// Has no complete request arrived?
-  [[nodiscard]] bool is_incomplete() const {
-    return state_ == State::idle || state_ == State::reading || state_ == State::draining;
-  }
+  /// Does it wait for its client: for a whole request, or for an answer to be read?
+  [[nodiscard]] bool waits_for_client() const { return state_ != State::working && state_ != State::closed; }
   /// Since when it has waited for what it does now.
   [[nodiscard]] Clock::time_point since() const { return since_; }
 

@@ -63,7 +63,7 @@ bool Listener::makes_room() {
   if (connections_.size() < most_connections) return true;
   std::shared_ptr<Connection> oldest;
   for (const std::weak_ptr<Connection>& one : connections_)
-    if (const auto connection = one.lock(); connection && connection->is_incomplete())
+    if (const auto connection = one.lock(); connection && connection->waits_for_client())
       if (!oldest || connection->since() < oldest->since()) oldest = connection;
   if (oldest) oldest->close();
   return oldest != nullptr;

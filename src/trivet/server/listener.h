@@ -13,8 +13,8 @@
 
 namespace trivet::server {
 
-/// Accepts connections of this machine. There are at most 64; for a further one the oldest whose request is incomplete
-/// is closed, so slow clients do not keep others out.
+/// Accepts connections of this machine. There are at most 64; for a further one the oldest that waits for its
+/// client is closed, so slow clients do not keep others out.
 class Listener {
  public:
   static constexpr std::size_t most_connections = 64;
