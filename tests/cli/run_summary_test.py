@@ -71,7 +71,7 @@ class RunSummary(InTemporaryFolder):
         axes += 'y = {parameter = "elements.spring.damping.proportional", from = 0.01, to = 0.3, points = 5}\n'
         text = MACHINE + axes + LIMITS.replace('"12 mm"', '"29 mm"') + SOFT
         met = self.summary(text.replace('["", "soft"]', '[""]'), "--strict")
-        self.assertTrue(met.startswith("MET: 2 of 2 requirements, 1 of 1 verdict of a map\n"), met)
+        self.assertTrue(met.startswith("MET: 2 of 2 requirements, 1 of 1 verdict of a map; violated in 1 case"), met)
         elsewhere = met[met.index("Violated in cases in which the requirements are not binding:") :].split("\n\n")[0]
         self.assertIn("  rules of the map: machine.z reaches ", elsewhere)
 

@@ -311,7 +311,7 @@ mount_load = "catalogue"
         level = w * 30 / math.hypot(K - M * w * w, C * w) / math.sqrt(2)
         self.assertAlmostEqual(results['m.z within "severity"']["margin"], 2e-3 / level, DIGITS)
         results, _ = self.judged(OSCILLATOR + more + "[requirements]\ndamping_ratio = 0.01\n")
-        self.assertEqual(len(results), 2)  # the line is not named there
+        self.assertEqual(len(results), 3)  # the line and the limit too
 
     def test_a_limit_states_the_place_of_its_number_and_where_it_is_judged(self):
         text = (

@@ -319,17 +319,17 @@ std::optional<LimitLineRequest> read_limit_line(TableReader& root, TableReader& 
   return complete ? std::optional(std::move(request)) : std::nullopt;
 }
 
-/// Lines over frequency compare the response of the file, or that in the band of the requirements that name them.
+/// Lines over frequency compare the response of the file, or that in the band of the requirements.
 void require_response(TableReader& root, const Node& table, const Analyses& analyses) {
   const Node* requirements = root.has("requirements") ? root.node("requirements") : nullptr;
   const auto over_response = [&](const std::string& name) {
     const Node* line = table.find(name);
     return !line || line->kind != Node::Kind::table || !(line->find("bands") || line->find("line"));
   };
-  if (!analyses.response && !(requirements && requirements->find("limit_lines") && requirements->find("band")) &&
+  if (!analyses.response && !(requirements && requirements->find("band")) &&
       std::ranges::any_of(table.keys, over_response))
     root.error("limit_lines", "no response to compare with",
-               "limit lines apply to the band of analyses.response, or to that of the requirements that name them",
+               "limit lines apply to the band of analyses.response, or to that of the requirements",
                "add response = {…} to [analyses]");
 }
 

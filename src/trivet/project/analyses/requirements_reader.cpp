@@ -215,6 +215,9 @@ void read_requirements(TableReader& root, const ResultNames& names, const Symbol
   found.no_peak = read_no_peak(reader, names, found.quantity);
   read_peak_shares(reader, found.min_prominence, found.peak_tolerance);
   read_names(root, reader, "limit_lines", "limit_lines", "limit line", found.limit_lines);
+  if (const Node* lines = root.has("limit_lines") ? root.node("limit_lines") : nullptr;
+      lines && !reader.has("limit_lines"))
+    found.limit_lines = lines->keys;
   read_natural_frequencies(reader, found);
   found.damping_ratio =
       read_least(reader, "damping_ratio", 0, 1, "a damping ratio of a vibration is above 0 and below 1",

@@ -79,9 +79,11 @@ std::string judgement_box(const std::vector<ShownCase>& cases, bool linked) {
             (cases.size() > 1 ? " <span class=\"where\">(" + escaped(cases[least->shown_case].name()) + ")</span>"
                               : "") +
             "</p>";
-    const std::string title = "MET: " + shares_words(list, Outcome::met);
-    html += bad_data ? judgement_part("doubt", "? " + title + "; but checks of the data failed, see below", governing)
-                     : judgement_part("calm", "✓ " + title, governing);
+    const std::string title = "MET: " + shares_words(list, Outcome::met) + results::elsewhere_words(list);
+    if (bad_data)
+      html += judgement_part("doubt", "? " + title + "; but checks of the data failed, see below", governing);
+    else
+      html += no_need > 0 ? judgement_part("doubt", title, governing) : judgement_part("calm", "✓ " + title, governing);
   }
   if (list.empty()) html += paragraph(results::nothing_judged, "note");
   if (!beside.empty()) html += "<div class=\"note\" role=\"note\">" + beside + "</div>\n";

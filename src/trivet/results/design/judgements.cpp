@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "trivet/documents/shown_table.h"
 #include "trivet/documents/text_table.h"
@@ -246,6 +247,15 @@ std::string shares_words(const std::vector<Judgement>& list, Outcome outcome) {
         (kind == "map" ? " of a map" : "");
   }
   return words;
+}
+
+std::string elsewhere_words(const std::vector<Judgement>& list) {
+  std::set<std::size_t> cases;
+  for (const Judgement& one : list)
+    if (one.outcome == Outcome::violated_no_need) cases.insert(one.shown_case);
+  return cases.empty()
+      ? ""
+      : fmt::format("; violated in {} in which they are not binding", count_words(cases.size(), "case"));
 }
 
 std::vector<Judgement> judgements(const std::vector<const study::CaseResults*>& cases) {

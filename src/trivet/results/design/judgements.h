@@ -41,6 +41,9 @@ struct Judgement {
 /// "2 of 9 requirements, 1 of 1 limit": of those that decide, and of what is not judged elsewhere.
 [[nodiscard]] std::string shares_words(const std::vector<Judgement>& list, Judgement::Outcome outcome);
 
+/// "; violated in 2 cases in which they are not binding"; empty if there is none.
+[[nodiscard]] std::string elsewhere_words(const std::vector<Judgement>& list);
+
 /// The verdict in a sentence: "Case cold", "violates", "machine.z", ": 0.6 mm at 20 Hz, allowed ≤ 0.5 mm".
 struct JudgementSentence {
   std::string who, verb, subject, rest;

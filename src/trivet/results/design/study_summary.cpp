@@ -130,7 +130,8 @@ std::string missing_text(const project::Project& project, const std::vector<Judg
 std::string causes_text(const Cases& cases) {
   std::string text;
   for (const study::CaseResults& results : cases)
-    if (results.verdict && !results.verdict->cause.empty() && results.verdict->decides && !results.verdict->met())
+    if (results.verdict && !results.verdict->cause.empty() && results.verdict->decides &&
+        !results.verdict->results[*results.verdict->governing].met())  // whose cause it is
       text += (cases.size() > 1 ? case_name_words(results) + ": " : "") +
           shown_sentence(shown_words(results.verdict->cause), results.display) + "\n\n";
   return text;
@@ -147,7 +148,7 @@ std::string wrong_text(const project::Project& project, const std::vector<Judgem
   if (list.empty()) return text + nothing_judged + "\n\n" + elsewhere;
   const std::size_t wrong = number_with(judged, Outcome::violated) + number_with(judged, Outcome::not_judged);
   if (wrong > 0 || number_with(judged, Outcome::met) == 0) return text + elsewhere;
-  text += "MET: " + shares_words(judged, Outcome::met) + "\n";
+  text += "MET: " + shares_words(judged, Outcome::met) + elsewhere_words(judged) + "\n";
   if (const Judgement* least = least_of(judged))
     text += "  least margin: " + least->words + after_colon(least->finding) + owners_words({least->shown_case}, cases) +
         "\n";

@@ -47,6 +47,7 @@ void add_operating_line_requirements(const CaseContext& c, const project::Analys
           list.add(RequirementKind::band_line, line.of, {line.of, "within \"" + line.line.name + "\"", scope}, "1", 1);
       result.line = line.line.name;
       result.quantity = quantity_of(line.line);
+      result.speed = speed;
       result.excitations = request.selection.excitations;
       const std::size_t place = list.size() - 1;
       list.attempt(place, [&] {

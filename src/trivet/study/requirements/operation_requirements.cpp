@@ -10,6 +10,7 @@
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/model/operating_excitation.h"
 #include "trivet/response/machinery/operating_loads.h"
 #include "trivet/study/analyses/operating_limits.h"
 #include "trivet/study/requirements/requirement_list.h"
@@ -32,6 +33,25 @@ void set_operating_value(const OperatingLimit& limit, const assembly::Band& spee
 std::vector<project::AmplitudeLimit> at_their_levels(std::vector<project::AmplitudeLimit> limits) {
   for (project::AmplitudeLimit& limit : limits) limit.amplitude *= project::level_factor(limit.level);
   return limits;
+}
+
+/// Does one of these excitations act at the speeds of the machine? @param names  empty: all
+bool runs(const model::System& system, const project::OperationAnalysis& request,
+          const std::vector<std::string>& names) {
+  const std::vector<std::string>& running = request.selection.excitations;
+  return std::ranges::any_of(system.description().excitations, [&](const model::Excitation& one) {
+    return model::is_selected(one, names) &&
+        (running.empty() ? model::runs_with_machine(one) : model::is_selected(one, running));
+  });
+}
+
+/// Is something judged at all of these speeds?
+bool holds_at(const RequirementResult& one, const assembly::Band& speed) {
+  constexpr double same_end = 1e-9;  // ends that differ by the round-off of their units are the same
+  if (one.kind == RequirementKind::operation || one.kind == RequirementKind::band_line) return one.speed == speed;
+  if (one.kind != RequirementKind::amplitude && one.kind != RequirementKind::limit_line) return false;
+  const double order = one.order > 0 ? one.order : 1;  // the curve of an order is judged at its frequencies
+  return one.band.from <= order * speed.from * (1 + same_end) && order * speed.to <= one.band.to * (1 + same_end);
 }
 
 }  // namespace
@@ -62,6 +82,32 @@ void add_operation_requirements(const CaseContext& c, const project::Analyses& a
         list.attempt(std::vector{of_speed + i}, [&] { set_operating_value(judged[i], speed, list[of_speed + i]); });
     });
   }
+}
+
+std::vector<RequirementResult> limits_that_miss_speeds(const model::System& system, const project::Analyses& analyses,
+                                                       const std::vector<RequirementResult>& judged) {
+  std::vector<RequirementResult> missed;
+  if (!analyses.operation) return missed;
+  for (const assembly::Band& speed : analyses.operation->speeds)
+    for (const RequirementResult& limit : judged) {
+      const auto holds_there = [&](const RequirementResult& one) {
+        return one.subject == limit.subject && holds_at(one, speed);
+      };
+      if (limit.kind != RequirementKind::amplitude || !runs(system, *analyses.operation, limit.excitations) ||
+          std::ranges::any_of(judged, holds_there) || std::ranges::any_of(missed, holds_there))
+        continue;
+      const std::string scope = (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
+      RequirementResult& one = missed.emplace_back();
+      one.kind = RequirementKind::operation;
+      one.subject = limit.subject;
+      one.words = limit.subject + scope;
+      one.quantity = limit.quantity;
+      one.speed = speed;
+      one.reason = fmt::format(
+          "no limit holds at this speed, {:.5g} Hz: write one in [operation.limits], or let a band contain it",
+          speed.to / foundation::two_pi);
+    }
+  return missed;
 }
 
 }  // namespace trivet::study

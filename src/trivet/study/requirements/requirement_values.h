@@ -31,6 +31,12 @@ void set_amplitudes(const CaseContext& context, const project::Analyses& analyse
 
 /// Adds the limits of [operation] at each of its speeds: amplitudes of all orders together.
 void add_operation_requirements(const CaseContext& context, const project::Analyses& analyses, RequirementList& list);
+/// Places whose amplitude is limited, but by no limit at a speed of [operation]: each is a requirement that is not
+/// judged there. They are part of a verdict, not of a search. Limits under excitations that do not run at these speeds
+/// are left out.
+[[nodiscard]] std::vector<RequirementResult> limits_that_miss_speeds(const model::System& system,
+                                                                     const project::Analyses& analyses,
+                                                                     const std::vector<RequirementResult>& judged);
 
 /// Adds the limit lines over the frequency bands of [operation] at each of its speeds: root mean squares of the orders.
 void add_operating_line_requirements(const CaseContext& context, const project::Analyses& analyses,

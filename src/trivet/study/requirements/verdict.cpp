@@ -79,7 +79,8 @@ void tell_operation(const project::Case& variant, const foundation::Progress& pr
 }  // namespace
 
 bool is_judged_in_a_run(const project::Case& variant) {
-  return variant.analyses.requirements || judges_operation(variant.analyses) ||
+  const project::Analyses& analyses = variant.analyses;
+  return analyses.requirements || judges_operation(analyses) || (analyses.operation && !analyses.limits.empty()) ||
       !variant.system.description().clearances.empty();
 }
 
@@ -112,6 +113,8 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   result.warnings = variant.warnings;
   result.warnings.add(context.modes.warnings);
   result.results = requirement_values(context, variant.analyses, result.warnings);
+  std::ranges::move(limits_that_miss_speeds(variant.system, variant.analyses, result.results),
+                    std::back_inserter(result.results));
   result.warnings.add(rest_warnings(context, variant.analyses));
   result.warnings.add(amplification_warnings(context, variant.analyses));
   result.warnings.add(single_mount_warnings(context, variant.analyses));
