@@ -18,7 +18,7 @@ int main() {
       judging::project_from_text(test::machine_with_twenty_numbers("damping = {loss_factor = 0.08}\n"), "machine.toml");
   if (!project) return 1;
   const study::DesignObjective objective(*project, {});
-  const study::CaseSurrogate& found = objective.families().front();
+  const study::DesignBatch& found = objective.families().front();
   if (!found.reason().empty()) {
     std::fprintf(stderr, "%s\n", found.reason().c_str());
     return 1;

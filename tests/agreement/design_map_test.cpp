@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps by poles and residues of interpolated matrices against every design assembled and searched separately.
+// Maps by poles and residues of designs as sums against every design assembled and searched separately.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

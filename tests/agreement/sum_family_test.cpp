@@ -15,7 +15,7 @@ namespace sum_family_test {
 
 using namespace trivet;
 
-/// As promised in design_family.h; margins: heights have nine digits, and at the light damping here lose two.
+/// As promised in sum_family.h; margins: heights have nine digits, and at the light damping here lose two.
 constexpr double matrices = 1e-12, margins = 1e-7;
 
 Eigen::VectorXd random_shares(std::mt19937& random, std::size_t count) {
@@ -31,7 +31,7 @@ void expect_agreement(const std::string& damping, const std::string& gravity = "
   text.replace(text.find("-9.80665"), 8, gravity);
   const project::Project project = test::project(text);
   const study::DesignObjective objective(project, {});
-  const study::CaseSurrogate& found = objective.families().front();
+  const study::DesignBatch& found = objective.families().front();
   ASSERT_EQ(found.reason(), "");
   ASSERT_EQ(objective.space().size(), 20u);
   EXPECT_LE(found.family().worst_difference(), matrices);

@@ -7,9 +7,12 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 #include "trivet/assembly/coordinates.h"
 #include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 
 namespace trivet::design {
@@ -58,6 +61,17 @@ bool add_given(const numerics::ObservedCurve& curve, const numerics::Load& given
   return true;
 }
 
+/// Turns a load whose components are in phase to be real. The phase counts modulo π: small changes do not flip signs.
+void turn_to_real(Eigen::VectorXcd& load) {
+  if (load.imag().isZero(0)) return;
+  Eigen::Index largest = 0;
+  const double size = load.cwiseAbs().maxCoeff(&largest);
+  const std::complex<double> phase = (load(largest).real() < 0 ? -1.0 : 1.0) * load(largest) / size;
+  const Eigen::VectorXcd turned = load * std::conj(phase);
+  constexpr double round_off = 1e-15;
+  if (turned.imag().cwiseAbs().maxCoeff() <= round_off * size) load = turned.real().cast<std::complex<double>>();
+}
+
 /// The numbers of a term, real before imaginary parts.
 Eigen::VectorXd both_parts(const Eigen::VectorXcd& value) {
   Eigen::VectorXd parts(2 * value.size());
@@ -75,6 +89,31 @@ void visit(Design& design, const OfMatrix& matrix, const OfVector& vector, const
     for (auto& row : curve.rows) vector(row);
     number(curve);
   }
+}
+
+/// What design_peaks needs of a design beside its matrices and its load; none if it has loss factors, a load that is
+/// not real or changes with ω, or results that are no real rows on displacements and velocities.
+std::optional<numerics::DesignPeakOptions> plain_results(const DrivenDesign& design) {
+  const auto is_real = [](const DrivenDesign::Term& term) { return term.value.imag().isZero(0); };
+  const auto is_static = [&](const DrivenDesign::Term& term) { return term.power == 0 && is_real(term); };
+  if (!design.D.isZero(0) || design.loads.size() != 1 || design.loads[0].size() > 1) return std::nullopt;
+  if (!std::ranges::all_of(design.loads[0], is_static)) return std::nullopt;
+  numerics::DesignPeakOptions results;
+  results.rows = Eigen::ArrayXXd::Zero(to_index(design.curves.size()), design.A.rows());
+  Eigen::ArrayXXd on_velocity = results.rows;
+  for (std::size_t c = 0; c < design.curves.size(); ++c) {
+    const Terms& rows = design.curves[c].rows;
+    const int power = rows.empty() ? 0 : rows.front().power;
+    constexpr int most_derivative = 2;
+    const bool has_form = rows.size() <= 2 && power <= most_derivative && std::ranges::all_of(rows, is_real) &&
+        (rows.size() < 2 || rows[1].power == power + 1) && design.curves[c].constant == 0.0;
+    if (!has_form) return std::nullopt;
+    results.derivative.push_back(power);
+    if (!rows.empty()) results.rows.row(to_index(c)) = rows[0].value.real().transpose().array();
+    if (rows.size() == 2) on_velocity.row(to_index(c)) = rows[1].value.real().transpose().array();
+  }
+  if (!on_velocity.isZero(0)) results.rows_on_velocity = std::move(on_velocity);
+  return results;
 }
 
 bool same_powers(const Terms& a, const Terms& b) {
@@ -111,7 +150,10 @@ DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
         return {{},
                 fmt::format("{} grows without bound towards low or high frequencies", channels[group.which[k]].name)};
     }
+    const bool moves = std::ranges::any_of(group.which, [&](auto k) { return design.curves[k].constant != 0.0; });
+    if (load.size() == 1 && !moves) turn_to_real(load.front().value);
   }
+  if (!numerics::is_positive_definite(m.K)) return {{}, "rigid-body modes or unstable motions"};
   return {std::move(design), ""};
 }
 
@@ -164,18 +206,20 @@ std::string reason_for_separate_families(const DrivenDesign& a, const DrivenDesi
   return same ? "" : "designs of which some have excitations or forces through dampers and others none";
 }
 
-numerics::DrivenDesigns unpacked_like(const DrivenDesign& first, const Eigen::MatrixXd& entries) {
-  numerics::DrivenDesigns designs;
-  Eigen::Index at = 0;
+Eigen::Index matrix_entries(Eigen::Index coordinates) { return 4 * (coordinates * (coordinates + 1) / 2); }
+
+numerics::DrivenDesigns unpacked_like(const DrivenDesign& first, const Eigen::MatrixXd& entries, Eigen::Index at) {
+  const Eigen::Index n = first.A.rows(), triangle = n * (n + 1) / 2;
+  numerics::DrivenDesigns designs{entries.leftCols(triangle).array(),
+                                  entries.middleCols(triangle, triangle).array(),
+                                  entries.middleCols(2 * triangle, triangle).array(),
+                                  entries.middleCols(3 * triangle, triangle).array(),
+                                  {},
+                                  {}};
   const auto next = [&](Eigen::Index columns) -> Eigen::ArrayXXd {
     at += columns;
     return entries.middleCols(at - columns, columns).array();
   };
-  const Eigen::Index n = first.A.rows(), triangle = n * (n + 1) / 2;
-  designs.A = next(triangle);
-  designs.B = next(triangle);
-  designs.K = next(triangle);
-  designs.D = next(triangle);
   const auto terms_like = [&](const Terms& terms) {
     std::vector<numerics::DesignTerm> result;
     for (const DrivenDesign::Term& term : terms) {
@@ -194,8 +238,37 @@ numerics::DrivenDesigns unpacked_like(const DrivenDesign& first, const Eigen::Ma
     to.constant_re = next(1);
     to.constant_im = next(1);
   }
-  assert(at == entries.cols() && "all numbers of a design are used, each once");
+  assert(at <= entries.cols() && "a design has as many entries as the first one");
   return designs;
+}
+
+numerics::DesignPeaks peaks_of(const DrivenDesign& first, const Eigen::MatrixXd& entries, Eigen::Index at,
+                               const numerics::DrivenPeakOptions& options) {
+  const Eigen::Index n = first.A.rows(), triangle = n * (n + 1) / 2;
+  std::optional<numerics::DesignPeakOptions> plain = plain_results(first);
+  const Eigen::Index loads = plain ? 2 * n * to_index(first.loads[0].size()) : 0;
+  const auto stays = [&](Eigen::Index from, Eigen::Index count, const auto& row) {
+    return (entries.middleCols(from, count).rowwise() - row.transpose()).cwiseAbs().sum() == 0;
+  };
+  if (plain) {
+    const Eigen::VectorXd own = packed(first);
+    const Eigen::Index fixed = own.size() - matrix_entries(n) - loads;
+    const bool same = stays(at + loads, fixed, own.tail(fixed)) &&
+        stays(3 * triangle, triangle, Eigen::VectorXd::Zero(triangle)) &&
+        (loads == 0 || stays(at + n, n, Eigen::VectorXd::Zero(n)));
+    if (!same) plain.reset();
+  }
+  if (!plain) return numerics::driven_peaks(unpacked_like(first, entries, at), options);
+  plain->from = options.from;
+  plain->to = options.to;
+  plain->count_peaks = options.count_peaks;
+  plain->min_prominence = options.min_prominence;
+  plain->threads = 1;
+  Eigen::ArrayXXd load = Eigen::ArrayXXd::Zero(1, n);
+  if (loads > 0) load = entries.middleCols(at, n).array();
+  return numerics::design_peaks({entries.leftCols(triangle).array(), entries.middleCols(triangle, triangle).array(),
+                                 entries.middleCols(2 * triangle, triangle).array(), std::move(load)},
+                                *plain);
 }
 
 }  // namespace trivet::design

@@ -9,7 +9,7 @@ namespace trivet::design {
 
 const std::vector<double>& newton_nodes() {
   static const std::vector<double> all = [] {
-    std::vector<double> nodes = {0.3819660112501051, 1, 0};
+    std::vector<double> nodes = {0.0618033988749895, 1, 0};
     constexpr int grid = 400;
     while (to_index(nodes.size()) <= most_degree) {
       double best = 0, largest = 0;

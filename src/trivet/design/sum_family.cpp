@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/design/sum_family.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -90,26 +92,40 @@ Eigen::MatrixXd SumFamily::slopes(const Eigen::VectorXd& values) const {
 Eigen::MatrixXd SumFamily::designs(const Eigen::MatrixXd& points) const {
   assert(points.cols() == to_index(along_.size()) && to_index(first_.size()) == entry_count_ + 1);
   Eigen::MatrixXd result(points.rows(), entry_count_);
+  for (Eigen::Index e = 0; e < entry_count_; ++e)
+    if (is_constant(e)) result.col(e).setConstant(first_[e] < first_[e + 1] ? coefficients_[first_[e]].second : 0);
   std::vector<std::vector<Lanes>> polynomials(along_.size());
   std::vector<Lanes> terms(terms_.size(), Lanes::Ones());
   for (Eigen::Index first = 0; first < points.rows(); first += lanes) {
     const Eigen::Index taken = std::min<Eigen::Index>(lanes, points.rows() - first);
     for (std::size_t j = 0; j < along_.size(); ++j) {
       Lanes t;
-      for (Eigen::Index i = 0; i < lanes; ++i) t(i) = along_[j].t(points(first + std::min(i, taken - 1), to_index(j)));
+      for (Eigen::Index i = 0; i < lanes; ++i) {
+        const Eigen::Index row = first + std::min(i, taken - 1);
+        const bool same = i > 0 && points(row, to_index(j)) == points(row - 1, to_index(j));  // along a line of a map
+        t(i) = same ? t(i - 1) : along_[j].t(points(row, to_index(j)));
+      }
       polynomials[j] = newton_polynomials<Lanes>(t, along_[j].degree, Lanes::Ones());
     }
     set_terms(terms, [&](const Factor& factor) -> const Lanes& {
       return polynomials[factor.variable][static_cast<std::size_t>(factor.degree)];
     });
     for (Eigen::Index e = 0; e < entry_count_; ++e) {
+      if (is_constant(e)) continue;
       Lanes sum = Lanes::Zero();
       for (std::size_t c = first_[e]; c < first_[e + 1]; ++c)
         sum += coefficients_[c].second * terms[coefficients_[c].first];
-      result.col(e).segment(first, taken) = sum.head(taken).matrix();
+      if (taken == lanes) result.col(e).segment<lanes>(first) = sum.matrix();
+      else result.col(e).segment(first, taken) = sum.head(taken).matrix();
     }
   }
   return result;
+}
+
+std::string SumFamily::words() const {
+  constexpr double least_shown = 1e-16;
+  return fmt::format("a sum of {} terms from {} assembled designs, compared with {} others: largest deviation {:.0e}",
+                     terms(), assembled_, compared_, std::max(worst_, least_shown));
 }
 
 void SumFamily::order_by_entries(const std::vector<Eigen::VectorXd>& coefficients) {

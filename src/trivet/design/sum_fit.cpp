@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 
-#include "trivet/design/design_family.h"
 #include "trivet/design/sum_family.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"
@@ -48,8 +47,8 @@ double largest_difference(const Eigen::VectorXd& interpolated, const PackedDesig
 /// The search for the terms of a family.
 class SumFit {
  public:
-  SumFit(const SumFamily::Source& source, const std::vector<SumVariable>& variables)
-      : source_(source), variables_(variables) {}
+  SumFit(const SumFamily::Source& source, const std::vector<SumVariable>& variables, SumFamily::Compared compared)
+      : source_(source), variables_(variables), compared_(compared) {}
 
   SumFamilyOrReason fit() {
     PackedOrReason centre = source_(values_at({}));
@@ -286,22 +285,46 @@ class SumFit {
 
   void finish() { family_.order_by_entries(coefficients_); }
 
-  /// Compares with assembled designs; those that are no valid model are ignored.
+  /// Shares of the ranges of the designs that are compared.
+  [[nodiscard]] std::vector<Eigen::VectorXd> compared_points() const {
+    constexpr int spread = 24, along_each = 5;
+    const auto numbers = to_index(variables_.size());
+    std::vector<Eigen::VectorXd> points = spread_points(numbers, spread);
+    if (compared_ == SumFamily::Compared::spread) return points;
+    int count = 1;
+    for (Eigen::Index j = 0; j < numbers; ++j) count *= along_each;
+    for (int k = 0; k < count; ++k) {
+      Eigen::VectorXd& point = points.emplace_back(numbers);
+      for (int rest = k, j = 0; j < numbers; ++j, rest /= along_each)
+        point(j) = static_cast<double>(rest % along_each) / (along_each - 1);
+    }
+    return points;
+  }
+
+  /// Compares with assembled designs.
   std::string compare() {
-    const std::vector<Eigen::VectorXd> shares = spread_points(to_index(variables_.size()), SumFamily::compared_designs);
+    const std::vector<Eigen::VectorXd> shares = compared_points();
     std::vector<double> worst(shares.size(), -1);
+    std::vector<std::string> reasons(shares.size());
     foundation::parallel_for(shares.size(), {}, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         Eigen::VectorXd values(to_index(variables_.size()));
-        for (std::size_t j = 0; j < variables_.size(); ++j)
-          values(to_index(j)) = family_.along_[j].value(shares[i](to_index(j)));
+        for (std::size_t j = 0; j < variables_.size(); ++j) {
+          const SumVariable& one = variables_[j];
+          values(to_index(j)) =
+              SumFamily::Along{one.from, one.to, family_.along_[j].logarithmic, 0}.value(shares[i](to_index(j)));
+        }
         const PackedOrReason exact = source_(values);
         if (exact.design) worst[i] = largest_difference(family_.at(values), *exact.design);
+        else reasons[i] = exact.reason;
       }
     });
     family_.worst_ = std::ranges::max(worst);
+    family_.compared_ = shares.size();
+    const auto without = std::ranges::find_if(reasons, [](const std::string& reason) { return !reason.empty(); });
+    if (compared_ == SumFamily::Compared::grid && without != reasons.end()) return *without;
     const auto valid = std::ranges::count_if(worst, [](double one) { return one >= 0; });
-    if (2 * valid < SumFamily::compared_designs) return "few designs of the ranges are valid models";
+    if (2 * valid < std::ssize(shares)) return "few designs of the ranges are valid models";
     if (family_.worst_ > reproduced_within)
       return fmt::format("matrices that a sum of {} terms does not reproduce within {:.0e}: largest deviation {:.0e}",
                          family_.terms(), reproduced_within, family_.worst_);
@@ -310,13 +333,15 @@ class SumFit {
 
   const SumFamily::Source& source_;
   const std::vector<SumVariable>& variables_;
+  SumFamily::Compared compared_;
   SumFamily family_;
   std::map<Exponents, std::size_t> number_;  ///< of each term
   std::vector<Eigen::VectorXd> coefficients_;
 };
 
-SumFamilyOrReason SumFamily::fitted(const Source& source, const std::vector<SumVariable>& variables) {
-  return SumFit(source, variables).fit();
+SumFamilyOrReason SumFamily::fitted(const Source& source, const std::vector<SumVariable>& variables,
+                                    Compared compared) {
+  return SumFit(source, variables, compared).fit();
 }
 
 }  // namespace trivet::design

@@ -118,6 +118,19 @@ TEST(SumFamily, RejectsAFunctionThatIsFlatOnlyWhereItWasLookedAt) {
   EXPECT_THAT(found.reason, testing::HasSubstr("does not reproduce within 1e-12"));
 }
 
+TEST(SumFamily, ComparesAlsoTheCornersIfAskedTo) {
+  const auto none_in_a_corner = [](const Eigen::VectorXd& v) {
+    return v(0) < 1e-6 && v(1) > 0.999 ? design::PackedOrReason{{}, "no model in the corner"}
+                                       : design::PackedOrReason{design::PackedDesign{v, Eigen::VectorXd::Ones(2)}, ""};
+  };
+  const std::vector<design::SumVariable> two = {{0, 1, "a"}, {0, 1, "b"}};
+  EXPECT_TRUE(SumFamily::fitted(none_in_a_corner, two).family);
+  EXPECT_EQ(SumFamily::fitted(none_in_a_corner, two, SumFamily::Compared::grid).reason, "no model in the corner");
+  const auto found = SumFamily::fitted(packed, ranges, SumFamily::Compared::grid).family;
+  ASSERT_TRUE(found);
+  EXPECT_THAT(found->words(), testing::HasSubstr("compared with 649 others"));  // 24 and 5⁴
+}
+
 TEST(SumFamily, ReportsWhyADesignHasNoForm) {
   const auto some = [](const Eigen::VectorXd& v) {
     return v(0) > 0.9 ? design::PackedOrReason{{}, "frequency-dependent elements"}

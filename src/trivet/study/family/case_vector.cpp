@@ -68,8 +68,6 @@ Eigen::VectorXd triangle_scale(const Eigen::MatrixXd& matrix) {
   return lower_triangle(root * root.transpose());
 }
 
-Eigen::Index matrix_entries(Eigen::Index n) { return 4 * (n * (n + 1) / 2); }
-
 /// Compression or deflection of a mount as linear functions of the displacements, with their constants.
 std::pair<Eigen::VectorXd, double> mount_row(const model::System& system, const assembly::Assembled& assembled,
                                              const RequirementResult& result) {
@@ -139,7 +137,7 @@ CaseVector::CaseVector(const project::Case& variant, const project::Analyses& re
   second_order_ = assembled.without_second_order != nullptr;
   has_static_stiffness_ = model::has_static_stiffness(variant.system);
   has_loads_ = has_loads_beside_weight(variant.system, assembled);
-  plan_searches(request);
+  plan_searches(request, variant.system, assembled);
   plan_rest(variant.system, assembled);
   plan_decoupling(variant.system, assembled);
   if (request.requirements) avoided_ = request.requirements->avoided;
@@ -147,23 +145,22 @@ CaseVector::CaseVector(const project::Case& variant, const project::Analyses& re
     covered_[r] = covered_[r] || results_[r].kind == RequirementKind::avoided_frequencies ||
         results_[r].kind == RequirementKind::separation;
   std::vector<design::DrivenDesign> designs;
-  has_damping_ratio_ = std::ranges::any_of(
-      results_, [](const RequirementResult& one) { return one.kind == RequirementKind::damping_ratio; });
   reason_ = form(variant.system, assembled, designs);
   if (!reason_.empty()) {
     covered_.assign(covered_.size(), false);
     return;
   }
-  Eigen::Index at = matrix_entries(n_);
+  Eigen::Index at = design::matrix_entries(n_);
   for (std::size_t s = 0; s < searches_.size(); ++s) {
     searches_[s].at = at;
-    searches_[s].size = packed(designs[s]).size() - matrix_entries(n_);
+    searches_[s].size = packed(designs[s]).size() - design::matrix_entries(n_);
     searches_[s].first = std::move(designs[s]);
     at += searches_[s].size;
   }
 }
 
-void CaseVector::plan_searches(const project::Analyses& request) {
+void CaseVector::plan_searches(const project::Analyses& request, const model::System& system,
+                               const assembly::Assembled& assembled) {
   const project::Requirements required = request.requirements.value_or(project::Requirements());
   for (std::size_t r = 0; r < results_.size(); ++r) {
     const RequirementResult& result = results_[r];
@@ -180,6 +177,59 @@ void CaseVector::plan_searches(const project::Analyses& request) {
     chosen.results.push_back(r);
     covered_[r] = true;
   }
+  for (Search& search : searches_) set_curves(search);
+  unite_searches(system, assembled);
+}
+
+void CaseVector::unite_searches(const model::System& system, const assembly::Assembled& assembled) {
+  const auto peaks = std::ranges::find_if(searches_, &Search::count_peaks);
+  if (peaks == searches_.end()) return;
+  const auto amplitudes = std::ranges::find_if(searches_, [&](const Search& one) {
+    RequirementResult first = results_[one.results.front()];
+    const bool is_range = first.band.from < first.band.to;
+    first.band = peaks->band;
+    return !one.count_peaks && is_range && have_same_drive(first, results_[peaks->results.front()]);
+  });
+  if (amplitudes == searches_.end()) return;
+  Search both = *peaks;
+  both.band = amplitudes->band;
+  both.results.insert(both.results.begin(), amplitudes->results.begin(), amplitudes->results.end());
+  set_curves(both);
+  if (!design_of(both, system, assembled).design) return;
+  *peaks = std::move(both);
+  searches_.erase(amplitudes);
+}
+
+void CaseVector::set_curves(Search& search) const {
+  std::vector<std::size_t> named;  // results, one for each curve
+  search.curves.clear();
+  for (const std::size_t r : search.results) {
+    const auto same = std::ranges::find_if(named, [&](std::size_t other) {
+      return results_[other].subject == results_[r].subject && results_[other].quantity == results_[r].quantity &&
+          results_[other].transmitted == results_[r].transmitted;
+    });
+    search.curves.push_back(same - named.begin());
+    if (same == named.end()) named.push_back(r);
+  }
+}
+
+design::DesignOrReason<design::DrivenDesign> CaseVector::design_of(const Search& search, const model::System& system,
+                                                                   const assembly::Assembled& assembled) const {
+  std::vector<assembly::Channel> channels;
+  assembly::Loading loading(Eigen::VectorXd::Zero(n_));
+  try {
+    for (std::size_t k = 0; k < search.results.size(); ++k) {
+      if (search.curves[k] < std::ssize(channels)) continue;
+      RequirementCurve curve = requirement_curve(system, assembled, results_[search.results[k]]);
+      if (channels.empty()) loading = std::move(curve.loading);
+      channels.push_back(std::move(curve.channel));
+    }
+  } catch (const foundation::NotComputable& refused) {
+    return {{}, refused.what()};
+  } catch (const foundation::InvalidInput& refused) {
+    return {{}, refused.what()};
+  }
+  return design::driven_design(assembled, channels, loading, !search.count_peaks && std::isfinite(search.band.to));
 }
 
 void CaseVector::plan_rest(const model::System& system, const assembly::Assembled& assembled) {
@@ -216,22 +266,10 @@ void CaseVector::plan_decoupling(const model::System& system, const assembly::As
 
 std::string CaseVector::form(const model::System& system, const assembly::Assembled& assembled,
                              std::vector<design::DrivenDesign>& designs) const {
-  if (!numerics::is_positive_definite(assembled.matrices.K)) return "rigid-body modes or unstable motions";
   if (second_order_ && !numerics::is_positive_definite(assembled.first_order().matrices.K)) return no_rest;
   if (assembled.hangs_aside) return "a hung body beside its plumb line";
   for (const Search& search : searches_) {
-    std::vector<RequirementCurve> curves;
-    std::vector<assembly::Channel> channels;
-    for (const std::size_t result : search.results) try {
-        curves.push_back(requirement_curve(system, assembled, results_[result]));
-        channels.push_back(curves.back().channel);
-      } catch (const foundation::NotComputable& refused) {
-        return refused.what();
-      } catch (const foundation::InvalidInput& refused) {
-        return refused.what();
-      }
-    const bool within_band = !search.count_peaks && std::isfinite(search.band.to);
-    auto found = design::driven_design(assembled, channels, curves.front().loading, within_band);
+    auto found = design_of(search, system, assembled);
     if (!found.design) return found.reason;
     designs.push_back(std::move(*found.design));
   }
@@ -256,7 +294,7 @@ design::PackedOrReason CaseVector::pack(const model::System& system) const {
         !reason.empty())
       return {{}, reason};
   PackedList list;
-  const Eigen::Index matrices = matrix_entries(n_);
+  const Eigen::Index matrices = design::matrix_entries(n_);
   list.add(packed(designs.front()).head(matrices), scales(designs.front()).head(matrices));
   for (std::size_t s = 0; s < searches_.size(); ++s)
     list.add(packed(designs[s]).tail(searches_[s].size), scales(designs[s]).tail(searches_[s].size));
@@ -300,63 +338,65 @@ design::PackedOrReason CaseVector::pack(const model::System& system) const {
   return {list.list(), ""};
 }
 
-CaseVector::Unpacked CaseVector::parted(const Eigen::MatrixXd& entries) const {
+CaseVector::Unpacked CaseVector::parted(Eigen::MatrixXd entries) const {
   Unpacked designs;
-  const Eigen::Index matrices = matrix_entries(n_), triangle = matrices / 4;
-  designs.free.A = entries.leftCols(triangle).array();
-  designs.free.K = entries.middleCols(2 * triangle, triangle).array();
-  designs.free.load = Eigen::ArrayXXd::Zero(1, n_);
-  if (has_damping_ratio_) {
-    designs.damping = entries.middleCols(triangle, triangle).array();
-    designs.loss = entries.middleCols(3 * triangle, triangle).array();
-  }
-  Eigen::Index at = matrices;
-  for (const Search& search : searches_) {
-    Eigen::MatrixXd own(entries.rows(), matrices + search.size);
-    own << entries.leftCols(matrices), entries.middleCols(search.at, search.size);
-    designs.searched.push_back(design::unpacked_like(search.first, own));
-    at += search.size;
-  }
+  const Eigen::Index triangle = n_ * (n_ + 1) / 2;
+  Eigen::Index at = design::matrix_entries(n_);
+  for (const Search& search : searches_) at += search.size;
   const auto next = [&](Eigen::Index columns) -> Eigen::MatrixXd {
     at += columns;
     return entries.middleCols(at - columns, columns);
   };
-  designs.rest_K = designs.free.K;
-  if (loads()) designs.load = next(n_);
-  if (loads() && has_loads_) designs.beside = next(n_);
-  designs.rest_stiffness = designs.rest_K;
-  if (loads() && has_static_stiffness_) designs.rest_stiffness = next(triangle).array();
-  designs.standing = designs.rest_stiffness;
+  if (loads()) {
+    designs.load = next(n_);
+    if (has_loads_) designs.beside = next(n_);
+    designs.rest_stiffness = has_static_stiffness_ ? next(triangle) : Eigen::MatrixXd(stiffness_in(entries));
+    designs.standing = designs.rest_stiffness;
+  }
   if (second_order_) designs.constant = next(triangle);
   for (Eigen::Index k = 0; second_order_ && k < n_; ++k) designs.per_coordinate.push_back(next(triangle));
   for (std::size_t i = 0; i < at_rest_.size(); ++i) designs.rows.push_back(next(n_ + 1));
   for (std::size_t i = 0; i < decoupled_.size(); ++i) designs.bodies.push_back(next(mass_entries));
+  designs.falls.assign(to_size(entries.rows()), false);
+  designs.entries = std::move(entries);
   return designs;
 }
 
-CaseVector::Unpacked CaseVector::unpacked(const Eigen::MatrixXd& entries) const {
-  Unpacked designs = parted(entries);
-  designs.falls.assign(to_size(entries.rows()), false);
+CaseVector::Unpacked CaseVector::unpacked(Eigen::MatrixXd entries) const {
+  Unpacked designs = parted(std::move(entries));
   if (!second_order_) return designs;
-  for (Eigen::Index d = 0; d < entries.rows(); ++d) {
+  auto stiffness = stiffness_in(designs.entries);
+  for (Eigen::Index d = 0; d < designs.count(); ++d) {
     const Eigen::MatrixXd first = numerics::unpacked(designs.rest_stiffness, d);
-    if (!numerics::is_positive_definite(first)) {
-      designs.falls[d] = true;
-      continue;
-    }
+    designs.falls[d] = true;
+    if (!numerics::is_positive_definite(first)) continue;
     const Eigen::VectorXd rest = numerics::cholesky_solution(first, Eigen::VectorXd(designs.load.row(d).transpose()));
-    Eigen::ArrayXd added = designs.constant.row(d).transpose().array();
-    for (Eigen::Index k = 0; k < n_; ++k) added += rest(k) * designs.per_coordinate[k].row(d).transpose().array();
-    designs.free.K.row(d) += added.transpose();
-    designs.standing.row(d) += added.transpose();
-    if (!numerics::is_positive_definite(numerics::unpacked(designs.free.K, d)) ||
-        !numerics::is_positive_definite(numerics::unpacked(designs.standing, d))) {
-      designs.falls[d] = true;
-      designs.free.K.row(d) = designs.rest_K.row(d);
-    }
+    Eigen::ArrayXXd added = designs.constant.row(d).array();
+    for (Eigen::Index k = 0; k < n_; ++k) added += rest(k) * designs.per_coordinate[k].row(d).array();
+    designs.standing.row(d) += added;
+    const Eigen::ArrayXXd of_vibration = stiffness.row(d).array() + added;
+    if (!numerics::is_positive_definite(numerics::unpacked(of_vibration, 0)) ||
+        !numerics::is_positive_definite(numerics::unpacked(designs.standing, d)))
+      continue;
+    designs.falls[d] = false;
+    stiffness.row(d) = of_vibration.matrix();
   }
-  for (numerics::DrivenDesigns& searched : designs.searched) searched.K = designs.free.K;
   return designs;
+}
+
+numerics::Designs CaseVector::free(const Unpacked& designs) const {
+  const Eigen::Index triangle = n_ * (n_ + 1) / 2;
+  return {designs.entries.leftCols(triangle).array(), designs.entries.middleCols(triangle, triangle).array(),
+          designs.entries.middleCols(2 * triangle, triangle).array(), Eigen::ArrayXXd::Zero(1, n_)};
+}
+
+Eigen::ArrayXXd CaseVector::loss(const Unpacked& designs) const {
+  const Eigen::Index triangle = n_ * (n_ + 1) / 2;
+  return designs.entries.middleCols(3 * triangle, triangle).array();
+}
+
+numerics::DrivenDesigns CaseVector::searched(const Unpacked& designs, const Search& search) const {
+  return design::unpacked_like(search.first, designs.entries, search.at);
 }
 
 CaseVector::Rest CaseVector::rest_of(const Unpacked& designs, Eigen::Index design) {
@@ -372,23 +412,21 @@ CaseVector::Rest CaseVector::rest_of(const Unpacked& designs, Eigen::Index desig
           numerics::cholesky_solution(numerics::unpacked(designs.standing, design), beside)};
 }
 
-CaseVector::Unpacked CaseVector::changes(const Unpacked& here, const Eigen::MatrixXd& slopes) const {
-  Unpacked changes = parted(slopes);
+CaseVector::Unpacked CaseVector::changes(const Unpacked& here, Eigen::MatrixXd slopes) const {
+  Unpacked changes = parted(std::move(slopes));
   if (!second_order_) return changes;
   const Eigen::MatrixXd stiffness = numerics::unpacked(here.rest_stiffness, 0);
   if (!numerics::is_positive_definite(stiffness)) return changes;  // it has no margin either
   const Eigen::VectorXd load = here.load.row(0).transpose(), rest = numerics::cholesky_solution(stiffness, load);
-  for (Eigen::Index j = 0; j < slopes.rows(); ++j) {
+  for (Eigen::Index j = 0; j < changes.count(); ++j) {
     const Eigen::VectorXd pull = changes.load.row(j).transpose() - numerics::unpacked(changes.rest_stiffness, j) * rest,
                           moved = numerics::cholesky_solution(stiffness, pull);
-    Eigen::ArrayXd added = changes.constant.row(j).transpose().array();
+    Eigen::RowVectorXd added = changes.constant.row(j);
     for (Eigen::Index k = 0; k < n_; ++k)
-      added +=
-          (moved(k) * here.per_coordinate[k].row(0) + rest(k) * changes.per_coordinate[k].row(j)).transpose().array();
-    changes.free.K.row(j) += added.transpose();
-    changes.standing.row(j) += added.transpose();
+      added += moved(k) * here.per_coordinate[k].row(0) + rest(k) * changes.per_coordinate[k].row(j);
+    stiffness_in(changes.entries).row(j) += added;
+    changes.standing.row(j) += added.array();
   }
-  for (numerics::DrivenDesigns& searched : changes.searched) searched.K = changes.free.K;
   return changes;
 }
 

@@ -39,14 +39,15 @@ class CaseVector {
   /// The numbers of a changed model, or why it has another form.
   [[nodiscard]] design::PackedOrReason pack(const model::System& system) const;
 
-  /// Results that are searched together.
+  /// Results that are searched together: amplitudes and peaks under one loading.
   struct Search {
-    assembly::Band band;  ///< from = to: one frequency
-    bool count_peaks = false;
+    assembly::Band band;       ///< of the amplitudes; from = to: one frequency
+    bool count_peaks = false;  ///< of some results, at all frequencies
     double min_prominence = 1e-6;
     std::vector<std::size_t> results;
-    design::DrivenDesign first;  ///< of the given model
-    Eigen::Index at = 0;         ///< where its loads and rows begin in a list
+    std::vector<Eigen::Index> curves;  ///< of each result
+    design::DrivenDesign first;        ///< of the given model
+    Eigen::Index at = 0;               ///< where its loads and rows begin in a list
     Eigen::Index size = 0;
   };
   /// A linear function of the static displacements.
@@ -65,25 +66,29 @@ class CaseVector {
   [[nodiscard]] const std::vector<Decoupled>& decoupled() const { return decoupled_; }
   [[nodiscard]] const std::vector<assembly::Band>& avoided() const { return avoided_; }
 
-  /// One or more lists as designs, one design per row of `entries`.
+  /// One or more lists as designs, one design per row.
   struct Unpacked {
-    numerics::Designs free;                         ///< A and K alone
-    Eigen::ArrayXXd damping, loss;                  ///< B and D, designs × n(n+1)/2; empty without damping ratios
-    std::vector<numerics::DrivenDesigns> searched;  ///< per search
-    Eigen::ArrayXXd rest_K;                         ///< of the first order, of vibration
-    Eigen::MatrixXd constant;                       ///< what forces at rest add to it, without displacements
-    std::vector<Eigen::MatrixXd> per_coordinate;    ///< and per displacement at rest
-    std::vector<bool> falls;                        ///< designs whose weight makes them unstable; K is rest_K
-    Eigen::MatrixXd load;                           ///< designs × n, at rest
-    Eigen::MatrixXd beside;                         ///< its part that meets `standing`; empty if there is none
-    Eigen::ArrayXXd rest_stiffness;                 ///< K₀ of static results, packed as in `free`
-    Eigen::ArrayXXd standing;                       ///< the same with what forces at rest add
-    std::vector<Eigen::MatrixXd> rows;              ///< per value at rest: designs × (n + 1), with its constant
-    std::vector<Eigen::MatrixXd> bodies;            ///< per decoupled body: designs × 10, see mass_numbers
+    Eigen::MatrixXd entries;                      ///< K is that of vibration
+    Eigen::ArrayXXd rest_stiffness;               ///< K₀ of static results, packed; empty without loads at rest
+    Eigen::ArrayXXd standing;                     ///< the same with what forces at rest add
+    Eigen::MatrixXd constant;                     ///< what these add without displacements
+    std::vector<Eigen::MatrixXd> per_coordinate;  ///< and per displacement at rest
+    std::vector<bool> falls;                      ///< designs whose weight makes them unstable; K is without it
+    Eigen::MatrixXd load;                         ///< designs × n, at rest
+    Eigen::MatrixXd beside;                       ///< its part that meets `standing`; empty if there is none
+    std::vector<Eigen::MatrixXd> rows;            ///< per value at rest: designs × (n + 1), with its constant
+    std::vector<Eigen::MatrixXd> bodies;          ///< per decoupled body: designs × 10, see mass_numbers
+    [[nodiscard]] Eigen::Index count() const { return entries.rows(); }
   };
-  [[nodiscard]] Unpacked unpacked(const Eigen::MatrixXd& entries) const;
+  [[nodiscard]] Unpacked unpacked(Eigen::MatrixXd entries) const;
   /// Changes of one design, from changes of its list, one per row.
-  [[nodiscard]] Unpacked changes(const Unpacked& here, const Eigen::MatrixXd& slopes) const;
+  [[nodiscard]] Unpacked changes(const Unpacked& here, Eigen::MatrixXd slopes) const;
+  /// A, B and K of designs, without a load.
+  [[nodiscard]] numerics::Designs free(const Unpacked& designs) const;
+  /// D of designs, packed.
+  [[nodiscard]] Eigen::ArrayXXd loss(const Unpacked& designs) const;
+  /// Designs with the loads and rows of a search.
+  [[nodiscard]] numerics::DrivenDesigns searched(const Unpacked& designs, const Search& search) const;
   [[nodiscard]] Eigen::Index coordinates() const { return n_; }
 
   /// Displacements of one design at rest, as response::StaticSolution has them; NaN if it has none.
@@ -94,10 +99,22 @@ class CaseVector {
 
  private:
   /// With the stiffness of the first order.
-  [[nodiscard]] Unpacked parted(const Eigen::MatrixXd& entries) const;
+  [[nodiscard]] Unpacked parted(Eigen::MatrixXd entries) const;
+  /// Columns of K in a list.
+  [[nodiscard]] auto stiffness_in(Eigen::MatrixXd& entries) const {
+    const Eigen::Index triangle = n_ * (n_ + 1) / 2;
+    return entries.middleCols(2 * triangle, triangle);
+  }
   /// Do designs contain their loads at rest?
   [[nodiscard]] bool loads() const { return second_order_ || !at_rest_.empty(); }
-  void plan_searches(const project::Analyses& request);
+  void plan_searches(const project::Analyses& request, const model::System& system,
+                     const assembly::Assembled& assembled);
+  /// Searches of peaks take over the amplitudes under the same loading if all their curves have one form.
+  void unite_searches(const model::System& system, const assembly::Assembled& assembled);
+  void set_curves(Search& search) const;
+  [[nodiscard]] design::DesignOrReason<design::DrivenDesign> design_of(const Search& search,
+                                                                       const model::System& system,
+                                                                       const assembly::Assembled& assembled) const;
   void plan_rest(const model::System& system, const assembly::Assembled& assembled);
   void plan_decoupling(const model::System& system, const assembly::Assembled& assembled);
   [[nodiscard]] std::string form(const model::System& system, const assembly::Assembled& assembled,
@@ -105,7 +122,6 @@ class CaseVector {
 
   std::vector<RequirementResult> results_;
   std::vector<bool> covered_;
-  bool has_damping_ratio_ = false;
   std::vector<Search> searches_;
   std::vector<RestValue> at_rest_;
   std::vector<Decoupled> decoupled_;

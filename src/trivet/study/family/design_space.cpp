@@ -68,6 +68,12 @@ model::System DesignSpace::system(const project::Case& variant, const Eigen::Vec
   throw foundation::NotComputable("the model cannot be read");
 }
 
+DesignNumbers DesignSpace::numbers(const project::Case& variant) const {
+  DesignNumbers numbers{{}, [&](const Eigen::VectorXd& values) { return system(variant, values); }};
+  for (const project::DesignAxis& axis : axes_) numbers.variables.push_back({axis.from, axis.to, axis.name});
+  return numbers;
+}
+
 namespace {
 
 std::string in_unit(double value, const project::DesignAxis& axis) {

@@ -10,6 +10,7 @@
 #include "trivet/foundation/problems.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/project.h"
+#include "trivet/study/family/design_batch.h"
 
 namespace trivet::study {
 
@@ -28,6 +29,9 @@ class DesignSpace {
 
   /// The model of a case with these values. @throws foundation::NotComputable with the first reason if it is not valid
   [[nodiscard]] model::System system(const project::Case& variant, const Eigen::VectorXd& values) const;
+
+  /// Its designs of a case; used as long as both exist.
+  [[nodiscard]] DesignNumbers numbers(const project::Case& variant) const;
 
   /// Values that the file has; none for a parameter whose places differ.
   [[nodiscard]] const std::vector<std::optional<double>>& given() const { return given_; }

@@ -8,7 +8,6 @@
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/batch/driven_peaks.h"
 #include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/roots/design_modes.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -69,35 +68,47 @@ void set_curves_at(const CaseVector& of, const numerics::DrivenDesigns& designs,
                    Eigen::ArrayXXd& margins) {
   for (std::size_t k = 0; k < search.results.size(); ++k)
     for (Eigen::Index d = 0; d < margins.rows(); ++d) {
-      const double value = packed_magnitude(designs, d, k, search.band.from);
+      const double value = packed_magnitude(designs, d, to_size(search.curves[k]), search.band.from);
       margins(d, to_index(search.results[k])) =
           std::isnan(value) ? unknown : margin_of(of.results()[search.results[k]].allowed, value);
     }
 }
 
-void set_curves(const CaseVector& of, const CaseVector::Unpacked& designs, Eigen::ArrayXXd& margins) {
-  for (std::size_t s = 0; s < of.searches().size(); ++s) {
-    const CaseVector::Search& search = of.searches()[s];
-    if (search.band.from == search.band.to) {
-      set_curves_at(of, designs.searched[s], search, margins);
-      continue;
-    }
-    const numerics::DesignPeaks found = numerics::driven_peaks(designs.searched[s],
-                                                               {.from = search.band.from,
-                                                                .to = search.band.to,
-                                                                .count_peaks = search.count_peaks,
-                                                                .min_prominence = search.min_prominence});
+bool is_good(numerics::DesignStatus status) {
+  return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::fallback;
+}
+
+/// Designs in which an amplitude is highest outside its band.
+std::vector<Eigen::Index> outside_band(const CaseVector& of, const CaseVector::Search& search,
+                                       const numerics::DesignPeaks& found) {
+  std::vector<Eigen::Index> designs;
+  for (Eigen::Index d = 0; d < found.highest.rows(); ++d) {
+    bool outside = false;
     for (std::size_t k = 0; k < search.results.size(); ++k) {
-      const auto column = to_index(search.results[k]);
-      const design::DesignRule rule{
-          search.count_peaks ? design::DesignRule::Kind::no_peak : design::DesignRule::Kind::amplitude, 0,
-          of.results()[search.results[k]].allowed};
-      for (Eigen::Index d = 0; d < margins.rows(); ++d) {
-        const double value = search.count_peaks ? found.largest_rise(d, to_index(k)) : found.highest(d, to_index(k));
-        margins(d, column) = found.status[d] == numerics::DesignStatus::proven ? design::margin(rule, value) : unknown;
-      }
+      const double at = found.highest_at(d, search.curves[k]);
+      outside = outside ||
+          (of.results()[search.results[k]].kind != RequirementKind::no_peak &&
+           !(at >= search.band.from && at <= search.band.to));
     }
+    if (outside && is_good(found.status[d])) designs.push_back(d);
   }
+  return designs;
+}
+
+void set_found(const CaseVector& of, const CaseVector::Search& search, const numerics::DesignPeaks& found,
+               CurveMargins& result) {
+  for (std::size_t k = 0; k < search.results.size(); ++k) {
+    const RequirementResult& one = of.results()[search.results[k]];
+    const bool peaks = one.kind == RequirementKind::no_peak;
+    const design::DesignRule rule{peaks ? design::DesignRule::Kind::no_peak : design::DesignRule::Kind::amplitude, 0,
+                                  one.allowed};
+    const auto values = (peaks ? found.largest_rise : found.highest).col(search.curves[k]);
+    for (Eigen::Index d = 0; d < values.size(); ++d)
+      result.margins(d, to_index(search.results[k])) =
+          is_good(found.status[d]) ? design::margin(rule, values(d)) : unknown;
+  }
+  for (std::size_t d = 0; d < result.status.size(); ++d)
+    result.status[d] = std::max(result.status[d], found.status[d]);  // the worse of both
 }
 
 double margin_of_frequencies(const CaseVector& of, std::size_t result, std::size_t window,
@@ -121,7 +132,7 @@ void set_frequencies(const CaseVector& of, const CaseVector::Unpacked& designs, 
     const RequirementKind kind = of.results()[r].kind;
     const bool avoided = kind == RequirementKind::avoided_frequencies;
     if (!avoided && kind != RequirementKind::separation) continue;
-    if (modes.lambda.size() == 0) modes = numerics::design_modes(designs.free, {.shapes = false, .threads = 1});
+    if (modes.lambda.size() == 0) modes = numerics::design_modes(of.free(designs), {.shapes = false, .threads = 1});
     for (Eigen::Index d = 0; d < margins.rows(); ++d)
       margins(d, to_index(r)) = margin_of_frequencies(of, r, window, modes.lambda.row(d).transpose());
     if (avoided) ++window;
@@ -146,10 +157,12 @@ double decoupling(const CaseVector::Decoupled& body, const MassNumbers& numbers,
 }
 
 void set_decoupling(const CaseVector& of, const CaseVector::Unpacked& designs, Eigen::ArrayXXd& margins) {
+  if (of.decoupled().empty()) return;
+  const numerics::Designs all = of.free(designs);
   for (std::size_t i = 0; i < of.decoupled().size(); ++i) {
     const CaseVector::Decoupled& body = of.decoupled()[i];
     const numerics::DesignModes modes =
-        numerics::design_modes(part_of_designs(designs.free, body.rows), {.shapes = true, .threads = 1});
+        numerics::design_modes(part_of_designs(all, body.rows), {.shapes = true, .threads = 1});
     const RequirementResult& result = of.results()[body.result];
     for (Eigen::Index d = 0; d < margins.rows(); ++d) {
       const double share = decoupling(body, designs.bodies[i].row(d).transpose(), modes.shapes.row(d).transpose());
@@ -198,9 +211,39 @@ numerics::Designs part_of_designs(const numerics::Designs& all, const std::vecto
   return part;
 }
 
-Eigen::ArrayXXd packed_quick_margins(const CaseVector& of, const Eigen::MatrixXd& entries) {
-  Eigen::ArrayXXd margins = unlimited(of, entries.rows());
-  const CaseVector::Unpacked designs = of.unpacked(entries);
+numerics::DesignPeaks searched_peaks(const CaseVector& of, const CaseVector::Unpacked& designs,
+                                     const CaseVector::Search& search) {
+  numerics::DrivenPeakOptions options{.count_peaks = search.count_peaks, .min_prominence = search.min_prominence};
+  if (!search.count_peaks) options.from = search.band.from, options.to = search.band.to;
+  numerics::DesignPeaks found = design::peaks_of(search.first, designs.entries, search.at, options);
+  if (!search.count_peaks) return found;
+  // Peaks count at all frequencies, amplitudes only in the band; the highest one is rarely outside.
+  const std::vector<Eigen::Index> again = outside_band(of, search, found);
+  if (again.empty()) return found;
+  const numerics::DesignPeaks inside =
+      design::peaks_of(search.first, designs.entries(again, Eigen::all), search.at,
+                       {.from = search.band.from, .to = search.band.to, .count_peaks = false});
+  for (std::size_t k = 0; k < again.size(); ++k) {
+    found.highest.row(again[k]) = inside.highest.row(to_index(k));
+    found.status[again[k]] = std::max(found.status[again[k]], inside.status[k]);
+  }
+  return found;
+}
+
+CurveMargins curve_margins(const CaseVector& of, const CaseVector::Unpacked& designs) {
+  CurveMargins result{unlimited(of, designs.count()),
+                      std::vector(to_size(designs.count()), numerics::DesignStatus::proven)};
+  for (const CaseVector::Search& search : of.searches())
+    if (search.band.from == search.band.to) set_curves_at(of, of.searched(designs, search), search, result.margins);
+    else set_found(of, search, searched_peaks(of, designs, search), result);
+  leave_falling(designs, result.margins);
+  for (std::size_t d = 0; d < result.status.size(); ++d)
+    if (designs.falls[d]) result.status[d] = numerics::DesignStatus::undecided;
+  return result;
+}
+
+Eigen::ArrayXXd quick_margins(const CaseVector& of, const CaseVector::Unpacked& designs) {
+  Eigen::ArrayXXd margins = unlimited(of, designs.count());
   set_frequencies(of, designs, margins);
   set_decoupling(of, designs, margins);
   set_rest(of, designs, margins);
@@ -208,19 +251,12 @@ Eigen::ArrayXXd packed_quick_margins(const CaseVector& of, const Eigen::MatrixXd
   return margins;
 }
 
-Eigen::ArrayXXd packed_curve_margins(const CaseVector& of, const Eigen::MatrixXd& entries) {
-  Eigen::ArrayXXd margins = unlimited(of, entries.rows());
-  const CaseVector::Unpacked designs = of.unpacked(entries);
-  set_curves(of, designs, margins);
-  leave_falling(designs, margins);
-  return margins;
-}
-
 Eigen::ArrayXXd packed_margins(const CaseVector& of, const Eigen::MatrixXd& entries) {
-  Eigen::ArrayXXd margins = packed_quick_margins(of, entries);
   const CaseVector::Unpacked designs = of.unpacked(entries);
-  set_curves(of, designs, margins);
-  leave_falling(designs, margins);
+  Eigen::ArrayXXd margins = quick_margins(of, designs);
+  const Eigen::ArrayXXd of_curves = curve_margins(of, designs).margins;
+  for (const CaseVector::Search& search : of.searches())
+    for (const std::size_t r : search.results) margins.col(to_index(r)) = of_curves.col(to_index(r));
   return margins;
 }
 

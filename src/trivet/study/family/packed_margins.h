@@ -5,6 +5,7 @@
 
 #include <complex>
 
+#include "trivet/numerics/batch/design_peaks.h"
 #include "trivet/numerics/roots/designs.h"
 #include "trivet/study/family/case_vector.h"
 
@@ -23,15 +24,24 @@ struct PackedCurve {
 [[nodiscard]] double packed_magnitude(const numerics::DrivenDesigns& designs, Eigen::Index design, std::size_t curve,
                                       double omega);
 
-/// Margins of the covered requirements of many designs at once, as `requirement_values` computes them for one: designs
-/// × requirements; infinite for those that are not covered, NaN where the kernels prove nothing (no positive definite
-/// matrices, roots that lost digits). On one thread.
-/// @param entries  one packed design per row
+/// Margins of amplitudes, isolations and peaks of many designs at once, designs × requirements; infinite for all
+/// others, NaN where the kernels prove nothing.
+struct CurveMargins {
+  Eigen::ArrayXXd margins;
+  std::vector<numerics::DesignStatus> status;  ///< per design: how its curves were searched, the worst of all
+};
+[[nodiscard]] CurveMargins curve_margins(const CaseVector& of, const CaseVector::Unpacked& designs);
+
+/// Margins of all other covered requirements, as `requirement_values` computes them for one: NaN where the kernels
+/// prove nothing (no positive definite matrices).
+[[nodiscard]] Eigen::ArrayXXd quick_margins(const CaseVector& of, const CaseVector::Unpacked& designs);
+
+/// Both. On one thread. @param entries  one packed design per row
 [[nodiscard]] Eigen::ArrayXXd packed_margins(const CaseVector& of, const Eigen::MatrixXd& entries);
 
-/// The same in two parts: everything but amplitudes and peaks; and these alone, which take most of the time.
-[[nodiscard]] Eigen::ArrayXXd packed_quick_margins(const CaseVector& of, const Eigen::MatrixXd& entries);
-[[nodiscard]] Eigen::ArrayXXd packed_curve_margins(const CaseVector& of, const Eigen::MatrixXd& entries);
+/// Highest amplitudes of the curves of a search in its band, and peaks at all frequencies.
+[[nodiscard]] numerics::DesignPeaks searched_peaks(const CaseVector& of, const CaseVector::Unpacked& designs,
+                                                   const CaseVector::Search& search);
 
 /// A and K of some rows of all designs.
 [[nodiscard]] numerics::Designs part_of_designs(const numerics::Designs& all, const std::vector<Eigen::Index>& rows);

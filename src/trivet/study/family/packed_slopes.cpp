@@ -30,6 +30,8 @@ PackedSlopes::PackedSlopes(const CaseVector& of, const Eigen::VectorXd& entries,
     : of_(of),
       here_(of.unpacked(entries.transpose())),
       change_(of.changes(here_, slopes.transpose())),
+      here_free_(of.free(here_)),
+      change_free_(of.free(change_)),
       parameters_(slopes.cols()),
       of_decoupled_(of.decoupled().size()) {}
 
@@ -38,16 +40,18 @@ Eigen::MatrixXd PackedSlopes::height_slopes(std::size_t result, const std::vecto
     const std::vector<std::size_t>& results = of_.searches()[s].results;
     const auto at = std::ranges::find(results, result);
     if (at == results.end()) continue;
-    const std::size_t curve = to_size(at - results.begin());
+    const std::size_t curve = to_size(of_.searches()[s].curves[at - results.begin()]);
+    const numerics::DrivenDesigns own = of_.searched(here_, of_.searches()[s]),
+                                  moved = of_.searched(change_, of_.searches()[s]);
     Eigen::MatrixXd slopes(to_index(frequencies.size()), parameters_);
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
       const double omega = std::max(frequencies[i], almost_at_rest());
-      const PackedCurve here = packed_curve(here_.searched[s], 0, curve, omega);
+      const PackedCurve here = packed_curve(own, 0, curve, omega);
       const numerics::PivotedLu<Complex> solver(here.stiffness);
       const Eigen::VectorXcd q = solver.solve(here.load), adjoint = solver.solve(here.row);
       const Complex y = with(here.row, q) + here.constant;
       for (Eigen::Index j = 0; j < parameters_; ++j) {
-        const PackedCurve change = packed_curve(change_.searched[s], j, curve, omega);
+        const PackedCurve change = packed_curve(moved, j, curve, omega);
         const Complex dy = with(adjoint, change.load - change.stiffness * q) + with(change.row, q) + change.constant;
         slopes(to_index(i), j) = (std::conj(y) * dy).real() / std::norm(y);
       }
@@ -59,7 +63,7 @@ Eigen::MatrixXd PackedSlopes::height_slopes(std::size_t result, const std::vecto
 
 double PackedSlopes::almost_at_rest() const {
   constexpr double share = 1e-6;  // of the lowest natural frequency: the slopes are those at rest to 1e-12
-  const Eigen::MatrixXd K = numerics::unpacked(here_.free.K, 0), A = numerics::unpacked(here_.free.A, 0);
+  const Eigen::MatrixXd K = numerics::unpacked(here_free_.K, 0), A = numerics::unpacked(here_free_.A, 0);
   double square = foundation::infinity;  // not below the lowest ω²
   for (Eigen::Index i = 0; i < K.rows(); ++i)
     if (A(i, i) > 0) square = std::min(square, K(i, i) / A(i, i));
@@ -82,7 +86,7 @@ PackedSlopes::Modes PackedSlopes::modes(const numerics::Designs& here, const num
 }
 
 Eigen::RowVectorXd PackedSlopes::frequency_slopes(int mode) const {
-  if (!all_) all_ = modes(here_.free, change_.free);
+  if (!all_) all_ = modes(here_free_, change_free_);
   const Eigen::Index k = mode - 1;
   const double square = all_->squares(k);
   Eigen::RowVectorXd slopes(parameters_);
@@ -126,7 +130,7 @@ Eigen::RowVectorXd PackedSlopes::decoupling_slopes(std::size_t result, int mode)
   const auto found = std::ranges::find_if(all, [&](const auto& one) { return one.result == result; });
   const std::size_t number = to_size(found - all.begin());
   std::optional<Modes>& own = of_decoupled_[number];
-  if (!own) own = modes(part_of_designs(here_.free, found->rows), part_of_designs(change_.free, found->rows));
+  if (!own) own = modes(part_of_designs(here_free_, found->rows), part_of_designs(change_free_, found->rows));
   const auto n = to_index(found->rows.size());
   const Eigen::Index k = mode - 1;
   const MassNumbers numbers = here_.bodies[number].row(0).transpose();
@@ -168,19 +172,21 @@ Eigen::RowVectorXd PackedSlopes::decoupling_slopes(std::size_t result, int mode)
 Eigen::RowVectorXd PackedSlopes::damping_ratio_slopes(Complex root) const {
   const Complex lambda =
       root.imag() < 0 ? std::conj(root) : root;  // the same damping ratio; loss factors are for ω > 0
-  const auto matrices = [](const CaseVector::Unpacked& of, Eigen::Index design) {
-    return numerics::DynamicMatrices{numerics::unpacked(of.free.A, design), numerics::unpacked(of.damping, design),
-                                     numerics::unpacked(of.free.K, design), numerics::unpacked(of.loss, design)};
+  const auto matrices = [](const numerics::Designs& of, const Eigen::ArrayXXd& loss, Eigen::Index design) {
+    numerics::DynamicMatrices one = numerics::matrices_of(of, design);
+    one.K_loss = numerics::unpacked(loss, design);
+    return one;
   };
   const auto stiffness = [&](const numerics::DynamicMatrices& m) -> Eigen::MatrixXcd {
     return m.complex_stiffness() + lambda * m.B.cast<Complex>() + lambda * lambda * m.A.cast<Complex>();
   };
-  const numerics::DynamicMatrices here = matrices(here_, 0);
+  const numerics::DynamicMatrices here = matrices(here_free_, of_.loss(here_), 0);
   const Eigen::VectorXcd v = modal::null_vectors(stiffness(here), numerics::unit_scale(here), 1).right.col(0);
   const Complex rate = with(v, (2.0 * lambda * here.A.cast<Complex>() + here.B.cast<Complex>()) * v);
+  const Eigen::ArrayXXd loss = of_.loss(change_);
   Eigen::RowVectorXd slopes(parameters_);
   for (Eigen::Index j = 0; j < parameters_; ++j) {
-    const Complex change = -with(v, stiffness(matrices(change_, j)) * v) / rate;
+    const Complex change = -with(v, stiffness(matrices(change_free_, loss, j)) * v) / rate;
     slopes(j) = change.real() / lambda.real() - (std::conj(lambda) * change).real() / std::norm(lambda);
   }
   return slopes;

@@ -38,6 +38,7 @@ class PackedSlopes {
 
   const CaseVector& of_;
   CaseVector::Unpacked here_, change_;  ///< one design; one per parameter
+  numerics::Designs here_free_, change_free_;
   Eigen::Index parameters_ = 0;
   mutable std::optional<Modes> all_;                        ///< of the whole system, when first needed
   mutable std::vector<std::optional<Modes>> of_decoupled_;  ///< of single bodies

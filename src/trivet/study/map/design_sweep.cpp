@@ -9,21 +9,18 @@
 #include <optional>
 
 #include "trivet/design/design_rules.h"
-#include "trivet/design/driven_design.h"
-#include "trivet/design/plain_design.h"
-#include "trivet/design/sum_family.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/judging/changed_case.h"
-#include "trivet/numerics/batch/driven_peaks.h"
-#include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/shared_keys.h"
 #include "trivet/response/steady/peaks.h"
 #include "trivet/study/analyses/analysis_commands.h"
+#include "trivet/study/family/design_batch.h"
+#include "trivet/study/family/packed_margins.h"
 
 namespace trivet::study {
 namespace {
@@ -35,7 +32,7 @@ constexpr const char* no_number =
     "the model has no such number; name one that the file has, such as elements.mount.scale, bodies.engine.mass, or x, "
     "y "
     "or z of an array of three; a key that is not written gets a value first: project.changed({...})";
-constexpr std::size_t lane_piece = 256;  // designs; their matrices fit in the cache
+constexpr std::size_t swept_piece = 256;  // designs; their matrices fit in the cache
 
 /// The designs of a sweep, and the results of each.
 class Sweep {
@@ -51,6 +48,7 @@ class Sweep {
   }
 
   [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] const std::vector<std::string>& excitations() const { return excitations_; }
 
   [[nodiscard]] Eigen::VectorXd values(std::size_t design) const {
     Eigen::VectorXd values(to_index(numbers_.size()));
@@ -99,66 +97,28 @@ class Sweep {
   std::size_t count_ = 1;
 };
 
-numerics::DesignPeaks peaks_of(const design::PlainDesign& first, const Eigen::MatrixXd& entries,
-                               const assembly::Band& band) {
-  numerics::DesignPeakOptions options{.from = band.from, .to = band.to, .count_peaks = false, .threads = 1};
-  options.rows = first.rows.array();
-  if (!first.rows_on_velocity.isZero(0)) options.rows_on_velocity = first.rows_on_velocity.array();
-  options.derivative = first.derivative;
-  return numerics::design_peaks(design::unpacked_like(first, entries), options);
-}
-
-numerics::DesignPeaks peaks_of(const design::DrivenDesign& first, const Eigen::MatrixXd& entries,
-                               const assembly::Band& band) {
-  return numerics::driven_peaks(design::unpacked_like(first, entries),
-                                {.from = band.from, .to = band.to, .count_peaks = false});
-}
-
-/// A design for the kernels. @param form  design::plain_design or design::driven_design
-template <typename Design, typename Form>
-design::DesignOrReason<Design> formed(const Sweep& sweep, const model::System& system, const Form& form) {
-  const assembly::Assembled assembled = assembly::assemble(system);
-  design::DesignOrReason<Design> found =
-      form(assembled, sweep.channels(system, assembled), sweep.loading(system, assembled));
-  if (found.design && !numerics::is_positive_definite(found.design->K))
-    return {{}, "rigid-body modes or unstable motions"};
-  return found;
-}
-
-/// All designs interpolated, or why they cannot be.
-template <typename Design>
-struct Family {
-  std::optional<Design> first;
-  std::optional<design::SumFamily> family;
-  std::string reason;
-};
-
-template <typename Design, typename Form>
-Family<Design> fitted(const Sweep& sweep, const SweepRequest& request, const model::System& given, const Form& form) {
-  Family<Design> result;
-  design::DesignOrReason<Design> first = formed<Design>(sweep, given, form);
-  result.first = std::move(first.design);
-  result.reason = std::move(first.reason);
-  if (!result.first) return result;
-  std::vector<design::SumVariable> variables;
+/// All designs as sums, their results as amplitudes without a bound.
+DesignBatch batch_of(const Sweep& sweep, const SweepRequest& request, const project::Case& variant,
+                     const std::vector<std::string>& results) {
+  std::vector<RequirementResult> amplitudes;
+  for (const std::string& name : results) {
+    RequirementResult& one = amplitudes.emplace_back();
+    one.subject = name;
+    one.quantity = request.quantity;
+    one.excitations = sweep.excitations();
+    one.band = request.band;
+  }
+  DesignNumbers numbers;
   for (const SweptNumber& number : request.numbers) {
     const auto [least, most] = std::ranges::minmax_element(number.values);
-    variables.push_back({*least, *most, number.path});
+    numbers.variables.push_back({*least, *most, number.path});
   }
-  design::SumFamilyOrReason found = design::SumFamily::fitted(
-      [&](const Eigen::VectorXd& values) -> design::PackedOrReason {
-        const auto system = sweep.system(values);
-        if (!system) return {{}, "some designs are no valid model"};
-        const design::DesignOrReason<Design> one = formed<Design>(sweep, *system, form);
-        if (!one.design) return {{}, one.reason};
-        const std::string other = design::reason_for_separate_families(*result.first, *one.design);
-        if (!other.empty()) return {{}, other};
-        return {design::PackedDesign{design::packed(*one.design), design::scales(*one.design)}, ""};
-      },
-      variables);
-  result.family = std::move(found.family);
-  result.reason = std::move(found.reason);
-  return result;
+  numbers.model = [&](const Eigen::VectorXd& values) {
+    auto system = sweep.system(values);
+    if (!system) throw foundation::NotComputable(foundation::message(system.error().list().front()));
+    return std::move(*system);
+  };
+  return {numbers, variant, {}, amplitudes};
 }
 
 /// Computes designs and counts how.
@@ -192,19 +152,21 @@ class Results {
     }
   }
 
-  template <typename Design>
-  void in_kernels(const Family<Design>& family, const assembly::Band& band, std::size_t first, std::size_t last) {
+  void in_kernels(const DesignBatch& batch, std::size_t first, std::size_t last) {
     Eigen::MatrixXd points(to_index(last - first), sweep_.values(first).size());
     for (std::size_t i = first; i < last; ++i) points.row(to_index(i - first)) = sweep_.values(i).transpose();
-    const numerics::DesignPeaks peaks = peaks_of(*family.first, family.family->designs(points), band);
+    const CaseVector::Search& search = batch.packed().searches().front();
+    const CaseVector::Unpacked designs = batch.designs(points);
+    const numerics::DesignPeaks peaks = searched_peaks(batch.packed(), designs, search);
     std::size_t good = 0;
     for (std::size_t i = first; i < last; ++i) {
       const DesignStatus status = peaks.status[i - first];
-      if (status != DesignStatus::proven && status != DesignStatus::fallback) {
+      if (designs.falls[i - first] || (status != DesignStatus::proven && status != DesignStatus::fallback)) {
         one_by_one(i);
         continue;
       }
-      found_.highest.row(to_index(i)) = peaks.highest.row(to_index(i - first));
+      for (std::size_t c = 0; c < search.curves.size(); ++c)
+        found_.highest(to_index(i), to_index(c)) = peaks.highest(to_index(i - first), search.curves[c]);
       ++good;
     }
     const std::lock_guard lock(counting_);
@@ -278,23 +240,12 @@ DesignSweep design_sweep(const project::Case& variant, const SweepRequest& reque
   require_size(request, found.results.size());
   found.highest.resize(to_index(sweep.count()), to_index(found.results.size()));
   Results results(sweep, found);
-  const Family<design::PlainDesign> plain =
-      fitted<design::PlainDesign>(sweep, request, variant.system, design::plain_design);
-  const Family<design::DrivenDesign> driven = plain.family
-      ? Family<design::DrivenDesign>()
-      : fitted<design::DrivenDesign>(
-            sweep, request, variant.system,
-            [&](const assembly::Assembled& changed, const std::vector<assembly::Channel>& channels,
-                const assembly::Loading& loading) {
-              return design::driven_design(changed, channels, loading, std::isfinite(request.band.to));
-            });
-  const bool in_kernels = plain.family || driven.family;
-  if (!in_kernels) found.no_kernels = driven.reason;
-  foundation::parallel_for(sweep.count(),
-                           {.size = in_kernels ? lane_piece : 1, .progress = progress, .task = "designs"},
+  const DesignBatch batch = batch_of(sweep, request, variant, found.results);
+  found.no_kernels = batch.reason();
+  const bool at_once = batch.reason().empty();
+  foundation::parallel_for(sweep.count(), {.size = at_once ? swept_piece : 1, .progress = progress, .task = "designs"},
                            [&](std::size_t first, std::size_t last) {
-                             if (plain.family) return results.in_kernels(plain, request.band, first, last);
-                             if (driven.family) return results.in_kernels(driven, request.band, first, last);
+                             if (at_once) return results.in_kernels(batch, first, last);
                              for (std::size_t i = first; i < last; ++i) results.one_by_one(i);
                            });
   return found;

@@ -32,13 +32,6 @@ void consider(double margin, std::size_t rule, DesignOutcome& outcome) {
   }
 }
 
-design::EvaluationOptions without_family_for(const project::MapRequest& request, design::EvaluationOptions options) {
-  const bool uses_it = !request.limits.empty() || !request.no_peak.empty() ||
-      (request.requirements && (!request.requirements->avoided.empty() || request.requirements->separation > 0));
-  options.fast = options.fast && uses_it;
-  return options;
-}
-
 const foundation::Problem& first_error(const foundation::Problems& problems) {
   return *std::ranges::find(problems.list(), foundation::Severity::error, &foundation::Problem::severity);
 }
@@ -94,7 +87,7 @@ MapJudge::Part::Part(const project::Case& of_case, project::MapRequest requested
                      const design::EvaluationOptions& options)
     : variant(of_case),
       request(std::move(requested)),
-      evaluation(variant, request, without_family_for(request, options)),
+      evaluation(variant, request, options, MapRequirements::frequencies(request, of_case.system)),
       requirements(variant, request, evaluation.has_family()) {}
 
 MapJudge::MapJudge(const project::Project& project, const project::Case& variant, const project::MapRequest& request,
@@ -171,14 +164,17 @@ void MapJudge::judge_frequencies(const Part& part, const Points& points, Outcome
   if (first == part.requirements.rules().size()) return;
   constexpr std::size_t piece = 256;
   foundation::parallel_for(points.size(), {.size = piece, .threads = threads_}, [&](std::size_t from, std::size_t to) {
-    const auto squared = part.evaluation.squared_frequencies(
+    const Eigen::ArrayXXd margins = part.evaluation.frequency_margins(
         {points.begin() + static_cast<std::ptrdiff_t>(from), points.begin() + static_cast<std::ptrdiff_t>(to)});
     for (std::size_t k = from; k < to; ++k) {
       if (!outcomes[k].known()) continue;
-      const auto margins = part.requirements.frequency_margins(squared->row(to_index(k - from)).transpose());
-      for (std::size_t r = 0; margins && r < margins->size(); ++r)
-        consider((*margins)[r], part.first_requirement() + first + r, outcomes[k]);
-      if (!margins) judge_separately(part, k, points[k], Kinds::frequencies, outcomes[k]);
+      const auto of_design = margins.row(to_index(k - from));
+      if (of_design.isNaN().any()) {
+        judge_separately(part, k, points[k], Kinds::frequencies, outcomes[k]);
+        continue;
+      }
+      for (Eigen::Index r = 0; r < of_design.size(); ++r)
+        consider(of_design(r), part.first_requirement() + first + to_size(r), outcomes[k]);
     }
   });
 }
@@ -285,7 +281,7 @@ design::EvaluationReport MapJudge::report() const {
     if (by_matrices < rules.size())
       report.further.push_back(
           fmt::format("natural frequencies{} of the {}: {}", of_case,
-                      part->evaluation.rules().empty() ? part->evaluation.report().family : "interpolated matrices",
+                      part->evaluation.rules().empty() ? part->evaluation.report().family : "matrices as sums",
                       words_of(rules, by_matrices, rules.size())));
     if (by_matrices > 0)
       report.further.push_back(fmt::format("judged design by design{}: {}", of_case, words_of(rules, 0, by_matrices)));

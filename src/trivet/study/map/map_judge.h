@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "trivet/design/design_evaluation.h"
 #include "trivet/design/missing_reasons.h"
+#include "trivet/study/map/design_evaluation.h"
 #include "trivet/study/map/map_requirements.h"
 
 namespace trivet::study {
@@ -45,7 +45,7 @@ class MapJudge {
     Part(const project::Case& of_case, project::MapRequest requested, const design::EvaluationOptions& options);
     const project::Case& variant;
     const project::MapRequest request;
-    design::DesignEvaluation evaluation;  ///< limits and peaks
+    DesignEvaluation evaluation;  ///< limits and peaks
     MapRequirements requirements;
     std::size_t first_rule = 0;
     [[nodiscard]] std::size_t first_requirement() const { return first_rule + evaluation.rules().size(); }
@@ -57,7 +57,7 @@ class MapJudge {
   /// A case of `hold_in`. @throws foundation::NotComputable  naming the case
   void add_further(const project::Case& variant, const project::MapRequest& request,
                    const design::EvaluationOptions& options);
-  enum class Kinds { frequencies, others };  // requirements by interpolated matrices; all others
+  enum class Kinds { frequencies, others };  // natural frequencies, judged for many designs at once; all others
   void judge_frequencies(const Part& part, const Points& points, Outcomes& outcomes);
   void judge_separately(const Part& part, std::size_t index, const design::DesignPoint& point, Kinds kinds,
                         design::DesignOutcome& outcome);

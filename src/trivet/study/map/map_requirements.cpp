@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/map/map_requirements.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
-#include "trivet/foundation/constants.h"
 #include "trivet/study/analyses/case_context.h"
-#include "trivet/study/requirements/free_motion.h"
-#include "trivet/study/requirements/margin.h"
 #include "trivet/study/requirements/requirement_values.h"
 
 namespace trivet::study {
@@ -76,22 +71,14 @@ std::vector<RequirementResult> MapRequirements::frequency_results(const model::S
   return judged_frequencies(frequencies_, system);
 }
 
-std::optional<std::vector<double>> MapRequirements::frequency_margins(const Eigen::ArrayXd& squared_frequencies) const {
-  if (any_may_be_free(squared_frequencies)) return std::nullopt;
-  std::vector<double> frequencies, margins;
-  for (const double squared : squared_frequencies) frequencies.push_back(std::sqrt(squared));
-  for (const assembly::Band& window : frequencies_.avoided) {
-    double least = foundation::infinity;
-    for (const double omega : frequencies) least = std::min(least, margin_outside(window, omega));
-    margins.push_back(least);
+std::vector<RequirementResult> MapRequirements::frequencies(const project::MapRequest& request,
+                                                            const model::System& system) {
+  project::Requirements alone;
+  if (request.requirements) {
+    alone.avoided = request.requirements->avoided;
+    alone.separation = request.requirements->separation;
   }
-  if (const double separation = frequencies_.separation; separation > 0) {
-    double least = foundation::infinity;
-    for (std::size_t i = 0; i + 1 < frequencies.size(); ++i)
-      least = std::min(least, margin_of_least(separation, frequencies[i + 1] / frequencies[i]));
-    margins.push_back(least);
-  }
-  return margins;
+  return judged_frequencies(alone, system);
 }
 
 }  // namespace trivet::study

@@ -208,9 +208,10 @@ std::string DesignObjective::first_failure() const {
   return first_failure_.empty() && quick_ ? quick_->first_failure() : first_failure_;
 }
 
-const std::vector<CaseSurrogate>& DesignObjective::families() const {
+const std::vector<DesignBatch>& DesignObjective::families() const {
   std::call_once(fitting_, [&] {
-    for (std::size_t c = 0; c < cases_.size(); ++c) families_.emplace_back(space_, *cases_[c], requests_[c], given_[c]);
+    for (std::size_t c = 0; c < cases_.size(); ++c)
+      families_.emplace_back(space_.numbers(*cases_[c]), *cases_[c], requests_[c], given_[c]);
   });
   return families_;
 }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "trivet/numerics/search/max_min.h"
-#include "trivet/study/family/case_surrogate.h"
+#include "trivet/study/family/design_batch.h"
 #include "trivet/study/family/design_neighbours.h"
 #include "trivet/study/family/design_space.h"
 #include "trivet/study/family/objectives.h"
@@ -64,7 +64,7 @@ class DesignObjective {
   [[nodiscard]] std::string words_at_level(const Place& place) const;
 
   /// The cases as families, in which many designs are judged without their models; fitted when first needed.
-  [[nodiscard]] const std::vector<CaseSurrogate>& families() const;
+  [[nodiscard]] const std::vector<DesignBatch>& families() const;
 
   /// Is a design judged by following branches of steady motions? Then it takes long, and its slopes longer.
   [[nodiscard]] bool is_expensive() const;
@@ -125,7 +125,7 @@ class DesignObjective {
   std::vector<Place> places_;
   std::vector<bool> is_objective_;
   mutable std::once_flag fitting_;
-  mutable std::vector<CaseSurrogate> families_;
+  mutable std::vector<DesignBatch> families_;
   mutable std::atomic<std::size_t> evaluations_ = 0, failed_ = 0, differences_ = 0;
   mutable std::mutex noting_;
   mutable std::string first_failure_;

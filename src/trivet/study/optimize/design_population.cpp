@@ -104,7 +104,7 @@ class Population {
 
 bool can_evolve(const DesignObjective& objective) {
   return objective.minimized().weights().empty() &&
-      std::ranges::all_of(objective.families(), [](const CaseSurrogate& one) { return one.judges(); });
+      std::ranges::all_of(objective.families(), [](const DesignBatch& one) { return one.judges(); });
 }
 
 std::vector<Eigen::VectorXd> evolved_designs(const DesignObjective& objective,

@@ -183,10 +183,10 @@ class Description {
 
   void describe_families() {
     for (std::size_t c = 0; c < objective_.cases().size(); ++c) {
-      const CaseSurrogate& one = objective_.families()[c];
+      const DesignBatch& one = objective_.families()[c];
       const std::string& name = objective_.cases()[c]->name;
       const std::string of_case = name.empty() ? "" : "case " + name + ": ";
-      if (one.reason().empty()) result_.families.push_back(of_case + one.words());
+      if (one.reason().empty()) result_.families.push_back(of_case + one.family().words());
       else result_.no_families.push_back(of_case + one.reason());
     }
   }

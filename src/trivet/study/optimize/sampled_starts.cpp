@@ -17,6 +17,10 @@ namespace {
 constexpr std::size_t look_piece = 512;  // designs; their matrices fit in the cache
 constexpr std::size_t small_piece = 32;  // of a population, for several threads
 
+Eigen::ArrayXXd of_curves(const CaseVector& of, const CaseVector::Unpacked& designs) {
+  return curve_margins(of, designs).margins;
+}
+
 /// Designs judged by the kernels of all cases.
 class Looks {
  public:
@@ -36,7 +40,7 @@ class Looks {
       const auto from = all.begin() + static_cast<std::ptrdiff_t>(first);
       const std::vector<std::size_t> next(from, from + static_cast<std::ptrdiff_t>(std::min(batch, count - first)));
       if (judged.size() >= wanted && rank_of(judged[wanted - 1]) >= rank_of(next.front())) break;
-      lower(next, &packed_curve_margins);
+      lower(next, &of_curves);
       judged.insert(judged.end(), next.begin(), next.end());
       std::ranges::stable_sort(judged, by_rank);
     }
@@ -48,7 +52,7 @@ class Looks {
     std::vector<std::size_t> left = judge_quickly(shares);
     const std::size_t count = left.size();
     if (!needed.empty()) std::erase_if(left, [&](std::size_t design) { return rank_of(design) <= needed[design]; });
-    lower(left, &packed_curve_margins);
+    lower(left, &of_curves);
     std::vector<double> result;
     for (std::size_t i = 0; i < count; ++i) result.push_back(rank_of(i));
     return result;
@@ -63,7 +67,7 @@ class Looks {
     std::iota(all.begin(), all.end(), std::size_t{0});
     objectives_.assign(count, DesignObjective::most);
     constraints_.assign(count, DesignObjective::most);
-    lower(all, &packed_quick_margins);
+    lower(all, &quick_margins);
     return all;
   }
 
@@ -71,7 +75,7 @@ class Looks {
 
   /// Lowers objectives and constraints to the margins that a kernel finds.
   void lower(const std::vector<std::size_t>& which,
-             Eigen::ArrayXXd (*kernel)(const CaseVector&, const Eigen::MatrixXd&)) {
+             Eigen::ArrayXXd (*kernel)(const CaseVector&, const CaseVector::Unpacked&)) {
     const std::size_t piece = to_size(shares_->rows()) > look_piece ? look_piece : small_piece;
     foundation::parallel_for(which.size(), {.size = piece, .progress = progress_, .task = "looking"},
                              [&](std::size_t first, std::size_t last) {
@@ -80,9 +84,9 @@ class Looks {
                                  values.row(to_index(i - first)) =
                                      objective_.space().values(shares_->row(to_index(which[i])).transpose());
                                for (std::size_t c = 0; c < objective_.families().size(); ++c) {
-                                 const CaseSurrogate& one = objective_.families()[c];
+                                 const DesignBatch& one = objective_.families()[c];
                                  if (!one.reason().empty()) continue;
-                                 const Eigen::ArrayXXd margins = kernel(one.packed(), one.family().designs(values));
+                                 const Eigen::ArrayXXd margins = kernel(one.packed(), one.designs(values));
                                  for (std::size_t i = first; i < last; ++i)
                                    set(which[i], c, margins.row(to_index(i - first)).transpose());
                                }
@@ -137,7 +141,7 @@ std::vector<double> family_ranks(const DesignObjective& objective, const Eigen::
 
 SampledStarts sampled_starts(const DesignObjective& objective, std::size_t wanted, const foundation::Progress& progress,
                              std::size_t among) {
-  const bool any = std::ranges::any_of(objective.families(), [](const CaseSurrogate& one) { return one.judges(); });
+  const bool any = std::ranges::any_of(objective.families(), [](const DesignBatch& one) { return one.judges(); });
   const std::size_t count = any ? std::max(among, wanted) : wanted;
   const Eigen::MatrixXd shares = sobol_points(to_index(objective.space().size()), count);
   SampledStarts looks;

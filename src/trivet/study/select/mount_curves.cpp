@@ -107,7 +107,7 @@ std::vector<double> MountCurves::least_margins(const std::vector<std::size_t>& c
           Eigen::MatrixXd entries(to_index(last - first), one.given.size());
           for (std::size_t i = first; i < last; ++i)
             entries.row(to_index(i - first)) = sum(one, combinations[i]).transpose();
-          const Eigen::ArrayXXd margins = packed_curve_margins(one.packed, entries);
+          const Eigen::ArrayXXd margins = curve_margins(one.packed, one.packed.unpacked(std::move(entries))).margins;
           for (std::size_t r = 0; r < one.packed.results().size(); ++r) {
             const bool counts = !of_isolations || one.packed.results()[r].kind == RequirementKind::isolation;
             for (std::size_t i = first; counts && i < last; ++i)
