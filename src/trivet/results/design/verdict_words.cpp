@@ -18,8 +18,8 @@
 namespace trivet::results {
 namespace {
 
-using study::RequirementKind;
 using study::RequirementResult;
+using study::ShownValue;
 
 /// "60.7 % (T = 0.393, −8.11 dB)", or "amplified: T = 6.41, +16.1 dB".
 std::string isolation_cell(double transmissibility) {
@@ -56,14 +56,14 @@ std::string with_shown_band(const std::string& words, const RequirementResult& r
 }  // namespace
 
 Kind kind_of_numbers(const RequirementResult& r) {
-  if (r.kind == RequirementKind::avoided_frequencies) return Kind::frequency;
-  const bool harmonic = r.kind == RequirementKind::amplitude || r.kind == RequirementKind::mount_dynamic_deflection;
-  return harmonic ? Kind::amplitude : Kind::quantity;
+  const ShownValue shown = study::requirement_row(r.kind).shown;
+  if (shown == ShownValue::frequency) return Kind::frequency;
+  return shown == ShownValue::amplitude ? Kind::amplitude : Kind::quantity;
 }
 
 DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayUnits& display) {
   const Kind kind = kind_of_numbers(r);
-  if (r.kind == RequirementKind::rms) return root_mean_square_unit(display, r.unit);
+  if (study::requirement_row(r.kind).shown == ShownValue::rms) return root_mean_square_unit(display, r.unit);
   if (kind == Kind::frequency) return {frequency_unit(display), "", shown_frequency(display, 1), false};
   if (kind == Kind::amplitude) return amplitude_unit(display, r.unit);
   DisplayUnit unit = display_unit(display, r.unit);
@@ -85,25 +85,20 @@ std::string requirement_words(const RequirementResult& r, const project::Display
 std::string judged_value(const RequirementResult& r, const project::DisplayUnits& display) {
   if (!r.value) return "";
   if (std::isinf(*r.value)) return "∞";
-  switch (r.kind) {
-    case RequirementKind::limit_line:
-    case RequirementKind::band_line:
+  switch (study::requirement_row(r.kind).shown) {
+    case ShownValue::share_of_line:
       return level_on_line(r, display);
-    case RequirementKind::no_peak:
-    case RequirementKind::decoupling:
-    case RequirementKind::no_contact:
+    case ShownValue::share:
       return fmt::format("{:.4g} %", 100 * *r.value);
-    case RequirementKind::isolation:
+    case ShownValue::isolation:
       return isolation_cell(*r.value);
-    case RequirementKind::no_jump:
+    case ShownValue::count:
       return fmt::format("{:g}", *r.value);
-    case RequirementKind::avoided_frequencies:
+    case ShownValue::frequency:
       return shown_quantity({.value = *r.value, .kind = Kind::frequency}, display);
-    case RequirementKind::separation:
-    case RequirementKind::damping_ratio:
+    case ShownValue::number:
       return fmt::format("{:.5g}", *r.value);
-    case RequirementKind::price:
-    case RequirementKind::mount_mass:
+    case ShownValue::sum:
       return fmt::format("{:.6g} {}", *r.value * requirement_unit(r, display).factor,
                          requirement_unit(r, display).unit);
     default:

@@ -142,8 +142,7 @@ CaseVector::CaseVector(const project::Case& variant, const project::Analyses& re
   plan_decoupling(variant.system, assembled);
   if (request.requirements) avoided_ = request.requirements->avoided;
   for (std::size_t r = 0; r < results_.size(); ++r)
-    covered_[r] = covered_[r] || results_[r].kind == RequirementKind::avoided_frequencies ||
-        results_[r].kind == RequirementKind::separation;
+    covered_[r] = covered_[r] || requirement_row(results_[r].kind).packed == PackedPart::frequencies;
   std::vector<design::DrivenDesign> designs;
   reason_ = form(variant.system, assembled, designs);
   if (!reason_.empty()) {
@@ -165,7 +164,7 @@ void CaseVector::plan_searches(const project::Analyses& request, const model::Sy
   for (std::size_t r = 0; r < results_.size(); ++r) {
     const RequirementResult& result = results_[r];
     const bool peaks = result.kind == RequirementKind::no_peak;
-    if (result.kind != RequirementKind::amplitude && result.kind != RequirementKind::isolation && !peaks) continue;
+    if (requirement_row(result.kind).packed != PackedPart::curve) continue;
     Search search;
     search.count_peaks = peaks;
     search.band = result.band;
@@ -235,7 +234,7 @@ design::DesignOrReason<design::DrivenDesign> CaseVector::design_of(const Search&
 void CaseVector::plan_rest(const model::System& system, const assembly::Assembled& assembled) {
   for (std::size_t r = 0; r < results_.size(); ++r) {
     const RequirementKind kind = results_[r].kind;
-    if (kind != RequirementKind::static_value && !is_mount(kind)) continue;
+    if (requirement_row(kind).packed != PackedPart::rest) continue;
     if (has_loads_ && kind == RequirementKind::static_value &&
         contains_forces_at_rest(system, assembled, results_[r].subject))
       continue;
@@ -251,7 +250,7 @@ void CaseVector::plan_decoupling(const model::System& system, const assembly::As
   const auto& bodies = system.bodies();
   if (assembled.layout.of_bodies() != n_) return;
   for (std::size_t r = 0; r < results_.size(); ++r) {
-    if (results_[r].kind != RequirementKind::decoupling) continue;
+    if (requirement_row(results_[r].kind).packed != PackedPart::bodies) continue;
     const auto at = std::ranges::find_if(bodies, [&](const auto& body) { return body.name == results_[r].subject; });
     Decoupled one{r, to_size(at - bodies.begin()), {}, {}};
     for (int j = 0; j < 6; ++j)

@@ -32,7 +32,8 @@ class CaseVector {
   [[nodiscard]] bool covers(std::size_t result) const { return covered_[result]; }
   /// True if a requirement has slopes without models: those that are covered, and damping ratios.
   [[nodiscard]] bool gives_slopes(std::size_t result) const {
-    return covered_[result] || (reason_.empty() && results_[result].kind == RequirementKind::damping_ratio);
+    return covered_[result] ||
+        (reason_.empty() && requirement_row(results_[result].kind).slopes == MarginSlopes::roots);
   }
   [[nodiscard]] const std::vector<RequirementResult>& results() const { return results_; }
 

@@ -131,7 +131,7 @@ void set_frequencies(const CaseVector& of, const CaseVector::Unpacked& designs, 
   for (std::size_t r = 0; r < of.results().size(); ++r) {
     const RequirementKind kind = of.results()[r].kind;
     const bool avoided = kind == RequirementKind::avoided_frequencies;
-    if (!avoided && kind != RequirementKind::separation) continue;
+    if (requirement_row(kind).packed != PackedPart::frequencies) continue;
     if (modes.lambda.size() == 0) modes = numerics::design_modes(of.free(designs), {.shapes = false, .threads = 1});
     for (Eigen::Index d = 0; d < margins.rows(); ++d)
       margins(d, to_index(r)) = margin_of_frequencies(of, r, window, modes.lambda.row(d).transpose());

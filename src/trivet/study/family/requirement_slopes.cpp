@@ -33,30 +33,15 @@ RequirementSlopes::RequirementSlopes(const CaseContext& context, const DesignNei
     : c_(context), neighbours_(neighbours) {}
 
 bool RequirementSlopes::are_missing(RequirementKind kind, const model::System& system) {
-  switch (kind) {
-    case RequirementKind::band_line:
-    case RequirementKind::operation:
-    case RequirementKind::largest:
-    case RequirementKind::no_jump:
-    case RequirementKind::no_contact:
-    case RequirementKind::steady:
-    case RequirementKind::mount_shock_deflection:
-    case RequirementKind::clearance:
-      return true;
-    case RequirementKind::rms:
-      return is_frequency_dependent(system);
-    default:
-      return false;
-  }
+  const MarginSlopes slopes = requirement_row(kind).slopes;
+  return slopes == MarginSlopes::differences || (slopes == MarginSlopes::variance && is_frequency_dependent(system));
 }
 
 Eigen::MatrixXd RequirementSlopes::of(const RequirementResult& result, const Candidates& candidates) const {
-  const bool of_a_curve = result.kind == RequirementKind::amplitude || result.kind == RequirementKind::no_peak ||
-      result.kind == RequirementKind::limit_line || result.kind == RequirementKind::isolation ||
-      result.kind == RequirementKind::mount_dynamic_deflection;
+  const MarginSlopes from = requirement_row(result.kind).slopes;
   Eigen::MatrixXd slopes(to_index(candidates.size()), to_index(neighbours_.parameters()));
-  if (of_a_curve) slopes = of_curve(result, candidates);
-  else if (result.kind == RequirementKind::decoupling) slopes = of_decoupling(result, candidates);
+  if (from == MarginSlopes::curve) slopes = of_curve(result, candidates);
+  else if (from == MarginSlopes::shapes) slopes = of_decoupling(result, candidates);
   else
     for (std::size_t i = 0; i < candidates.size(); ++i) slopes.row(to_index(i)) = of_one(result, candidates[i]);
   for (Eigen::Index i = 0; i < slopes.rows(); ++i)
@@ -90,6 +75,8 @@ Eigen::MatrixXd RequirementSlopes::of_decoupling(const RequirementResult& result
 
 Eigen::RowVectorXd RequirementSlopes::of_one(const RequirementResult& result,
                                              const RequirementResult::Candidate& candidate) const {
+  if (requirement_row(result.kind).slopes == MarginSlopes::zero)
+    return Eigen::RowVectorXd::Zero(to_index(neighbours_.parameters()));
   switch (result.kind) {
     case RequirementKind::avoided_frequencies:
       return (candidate.below ? -1 : 1) * frequencies().slopes(candidate.mode);
@@ -110,9 +97,6 @@ Eigen::RowVectorXd RequirementSlopes::of_one(const RequirementResult& result,
     case RequirementKind::mount_load:
     case RequirementKind::mount_deflection:
       return of_mount(result);
-    case RequirementKind::price:
-    case RequirementKind::mount_mass:  // sums over chosen mounts: no parameter moves them
-      return Eigen::RowVectorXd::Zero(to_index(neighbours_.parameters()));
     default:
       throw foundation::InvalidInput("RequirementSlopes: this requirement has no slopes");
   }

@@ -27,22 +27,7 @@ constexpr std::size_t most_candidates = 8;
 /// Room for measures above 0: of peaks that are not gone, but lower than the least prominence that counts.
 constexpr double not_gone = 5;
 
-std::size_t places_of(RequirementKind kind) {
-  switch (kind) {
-    case RequirementKind::amplitude:
-    case RequirementKind::no_peak:
-    case RequirementKind::limit_line:
-    case RequirementKind::isolation:
-    case RequirementKind::mount_dynamic_deflection:
-    case RequirementKind::avoided_frequencies:
-    case RequirementKind::separation:
-    case RequirementKind::damping_ratio:
-    case RequirementKind::decoupling:
-      return most_candidates;
-    default:
-      return 1;
-  }
-}
+std::size_t places_of(RequirementKind kind) { return requirement_row(kind).has_candidates ? most_candidates : 1; }
 
 double logarithm(double margin) {
   if (!(margin > 0)) return DesignObjective::unusable;
@@ -61,9 +46,6 @@ std::vector<RequirementResult::Candidate> nearest(const RequirementResult& resul
                            [](const auto& a, const auto& b) { return a.angular_frequency < b.angular_frequency; });
   return candidates;
 }
-
-/// Sums over the chosen mounts: no parameter of a search moves them.
-bool is_constant(RequirementKind kind) { return kind == RequirementKind::price || kind == RequirementKind::mount_mass; }
 
 /// Only the requirements whose slopes are differences of their values; `no_jump`, with a margin of 0 or ∞, has none.
 /// The clearances are those of the model.
@@ -106,7 +88,7 @@ const RequirementResult& counterpart(const std::vector<RequirementResult>& found
 /// True if two or more modes share the frequency of a candidate, which a family has no slopes for.
 bool is_of_repeated_frequency(const modal::Modes& modes, RequirementKind kind,
                               const RequirementResult::Candidate& candidate) {
-  if (kind != RequirementKind::avoided_frequencies && kind != RequirementKind::separation) return false;
+  if (requirement_row(kind).slopes != MarginSlopes::frequencies) return false;
   return is_repeated_frequency(modes, candidate.mode) ||
       (kind == RequirementKind::separation && is_repeated_frequency(modes, candidate.mode + 1));
 }
@@ -324,8 +306,8 @@ void DesignObjective::set_slopes(std::size_t c, const CaseContext& context, cons
   bool differenced = false;
   for (std::size_t r = 0; r < found.size(); ++r) {
     const std::vector<RequirementResult::Candidate>& candidates = smooth[r].candidates;
-    if (candidates.empty() || is_constant(found[r].kind)) continue;
-    const bool of_roots = found[r].kind == RequirementKind::damping_ratio;
+    if (candidates.empty() || requirement_row(found[r].kind).slopes == MarginSlopes::zero) continue;
+    const bool of_roots = requirement_row(found[r].kind).slopes == MarginSlopes::roots;
     const bool by_family =
         families()[c].gives_slopes(r) && std::ranges::none_of(candidates, [&](const RequirementResult::Candidate& one) {
           return of_roots ? is_repeated_root(context.roots(), one)

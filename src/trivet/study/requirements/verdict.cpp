@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "trivet/design/design_rules.h"
@@ -130,41 +129,18 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   return result;
 }
 
-const char* name(RequirementKind kind) {
-  static constexpr std::array names = {"amplitude",
-                                       "no_peak",
-                                       "limit_line",
-                                       "band_line",
-                                       "operation",
-                                       "avoided_frequencies",
-                                       "separation",
-                                       "damping_ratio",
-                                       "decoupling",
-                                       "isolation",
-                                       "rms",
-                                       "largest",
-                                       "no_jump",
-                                       "no_contact",
-                                       "steady",
-                                       "static",
-                                       "mount_load",
-                                       "mount_deflection",
-                                       "mount_dynamic_deflection",
-                                       "mount_shock_deflection",
-                                       "price",
-                                       "mount_mass",
-                                       "clearance"};
-  static_assert(names.size() == static_cast<std::size_t>(RequirementKind::clearance) + 1);
-  return names[static_cast<std::size_t>(kind)];
-}
-
 const char* RequirementResult::level() const {
-  if (kind == RequirementKind::rms) return "rms";
-  if (kind == RequirementKind::operation) return unit == "1" ? "" : project::level_ending(level_of_limit);
-  const bool harmonic = kind == RequirementKind::amplitude || kind == RequirementKind::mount_dynamic_deflection;
-  // The largest magnitude of a motion, from rest: of a periodic one, or of one in time.
-  const bool largest = kind == RequirementKind::steady || kind == RequirementKind::largest;
-  return (harmonic || largest) && unit != "1" ? "0-p" : "";
+  switch (requirement_row(kind).shown) {
+    case ShownValue::rms:
+      return "rms";
+    case ShownValue::at_its_level:
+      return unit == "1" ? "" : project::level_ending(level_of_limit);
+    case ShownValue::amplitude:
+    case ShownValue::largest:
+      return unit == "1" ? "" : "0-p";
+    default:
+      return "";
+  }
 }
 
 bool RequirementResult::has_bound_in_units() const { return words.bound == "≤ " + value_words(allowed, unit); }

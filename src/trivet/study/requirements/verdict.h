@@ -11,36 +11,10 @@
 #include "trivet/study/analyses/load_case.h"
 #include "trivet/study/analyses/operation_types.h"
 #include "trivet/study/explain/stated_words.h"
+#include "trivet/study/requirements/requirement_kind.h"
 
 /// Does a machine meet its requirements, which one governs, and by what margin? Formulas: docs/design.md.
 namespace trivet::study {
-
-enum class RequirementKind {
-  amplitude,
-  no_peak,
-  limit_line,
-  band_line,  ///< a limit line over frequency bands, of random vibration or of the orders at a speed
-  operation,  ///< an amplitude at a speed of the machine, or over a range of them
-  avoided_frequencies,
-  separation,
-  damping_ratio,
-  decoupling,
-  isolation,
-  rms,
-  largest,
-  no_jump,
-  no_contact,
-  steady,
-  static_value,
-  mount_load,
-  mount_deflection,
-  mount_dynamic_deflection,
-  mount_shock_deflection,
-  price,
-  mount_mass,
-  clearance
-};
-[[nodiscard]] const char* name(RequirementKind kind);  ///< "amplitude", "no_peak" …
 
 /// A requirement in words, in SI.
 struct RequirementWords {

@@ -47,10 +47,8 @@ void MountCurves::add_case(const project::Case& variant) {
   const CaseContext context(variant.system, silent);
   foundation::Problems warnings;
   std::vector<RequirementResult> results = requirement_values(context, variant.analyses, warnings);
-  std::erase_if(results, [](const RequirementResult& one) {
-    return one.kind != RequirementKind::amplitude && one.kind != RequirementKind::no_peak &&
-        one.kind != RequirementKind::isolation;
-  });
+  std::erase_if(results,
+                [](const RequirementResult& one) { return requirement_row(one.kind).packed != PackedPart::curve; });
   Case one{CaseVector(variant, variant.analyses, results), {}, {}, {}};
   if (!results.empty()) {
     if (!one.packed.reason().empty()) throw NoCurves{one.packed.reason()};
