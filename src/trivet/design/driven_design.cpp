@@ -116,6 +116,11 @@ std::optional<numerics::DesignPeakOptions> plain_results(const DrivenDesign& des
   return results;
 }
 
+numerics::DesignPeaks undecided(Eigen::Index designs, Eigen::Index curves) {
+  const Eigen::ArrayXXd none = Eigen::ArrayXXd::Zero(designs, curves);
+  return {none, none, none.cast<int>(), none, std::vector(to_size(designs), numerics::DesignStatus::undecided)};
+}
+
 bool same_powers(const Terms& a, const Terms& b) {
   return std::equal(
       a.begin(), a.end(), b.begin(), b.end(),
@@ -132,7 +137,6 @@ DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
   if (assembled.frequency_dependent()) return {{}, "frequency-dependent elements"};
   if (!m.symmetric) return {{}, "matrices that are not symmetric"};
   if (to_index(numerics::massive_rows(m.A).size()) < n) return {{}, "coordinates without mass"};
-  if (n > numerics::most_driven_coordinates) return {{}, "more than twelve coordinates"};
   if (loading.longest_delay() > 0) return {{}, "motions with delays"};
   DrivenDesign design{m.A, m.B, m.K, m.lossy() ? m.K_loss : Eigen::MatrixXd::Zero(n, n), {}, {}};
   design.curves.resize(channels.size());
@@ -153,6 +157,8 @@ DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
     const bool moves = std::ranges::any_of(group.which, [&](auto k) { return design.curves[k].constant != 0.0; });
     if (load.size() == 1 && !moves) turn_to_real(load.front().value);
   }
+  if (n > numerics::most_driven_coordinates && !channels.empty() && !plain_results(design))
+    return {{}, "more than twelve coordinates"};
   if (!numerics::is_positive_definite(m.K)) return {{}, "rigid-body modes or unstable motions"};
   return {std::move(design), ""};
 }
@@ -258,6 +264,7 @@ numerics::DesignPeaks peaks_of(const DrivenDesign& first, const Eigen::MatrixXd&
         (loads == 0 || stays(at + n, n, Eigen::VectorXd::Zero(n)));
     if (!same) plain.reset();
   }
+  if (!plain && n > numerics::most_driven_coordinates) return undecided(entries.rows(), to_index(first.curves.size()));
   if (!plain) return numerics::driven_peaks(unpacked_like(first, entries, at), options);
   plain->from = options.from;
   plain->to = options.to;

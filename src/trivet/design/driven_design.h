@@ -16,7 +16,7 @@ namespace trivet::design {
 
 /// A design for kernels of many designs: real symmetric constant matrices with loss factors, K positive definite, loads
 /// with any phases and with powers of s = iω (an unbalance, a moving ground), results that may differ from design to
-/// design.
+/// design. With more than twelve coordinates, only viscous damping and one real load that is constant over ω.
 struct DrivenDesign {
   struct Term {
     int power = 0;
@@ -55,7 +55,8 @@ struct DrivenDesign {
 [[nodiscard]] numerics::DrivenDesigns unpacked_like(const DrivenDesign& first, const Eigen::MatrixXd& entries,
                                                     Eigen::Index at);
 /// Highest amplitudes and peaks of such designs, on one thread: by numerics::design_peaks if all of them have viscous
-/// damping, real loads that are constant over ω and the same real results, else by numerics::driven_peaks.
+/// damping, real loads that are constant over ω and the same real results, else by numerics::driven_peaks, which
+/// decides nothing above twelve coordinates.
 [[nodiscard]] numerics::DesignPeaks peaks_of(const DrivenDesign& first, const Eigen::MatrixXd& entries, Eigen::Index at,
                                              const numerics::DrivenPeakOptions& options);
 

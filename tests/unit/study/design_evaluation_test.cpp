@@ -104,6 +104,38 @@ TEST(DesignEvaluation, ResultsThatGrowBeyondTheBandAreJudgedByTheFamily) {
     EXPECT_NEAR(outcomes[0][i].margin, outcomes[1][i].margin, single_precision * outcomes[1][i].margin) << i;
 }
 
+/// Eighteen coordinates, more than kernels have lanes for; no design is assembled.
+TEST(DesignEvaluation, JudgesThreeBodiesWithViscousDampingWithoutTheirModels) {
+  std::string text = "trivet = 1\n";
+  for (int body = 0; body < 3; ++body) {
+    text +=
+        fmt::format("[bodies.b{0}]\nmass = {1}\ninertia = {{about = \"center_of_mass\", xx = 1, yy = 2, zz = 1.5}}\n",
+                    body, 10 + body);
+    text += fmt::format(
+        "[elements.e{0}]\ntype = \"bushing\"\non = \"b{0}\"\n{1}at = [0, 0.1, 0]\ntranslation = [900, 1100, 1300]\n"
+        "rotation = [90, 80, 70]\ndamping = {{translation = [3, 4, 5], rotation = [1, 1, 1]}}\n",
+        body, body > 0 ? fmt::format("from = \"b{}\"\n", body - 1) : "");
+  }
+  text +=
+      "[excitations.force]\ntype = \"harmonic\"\non = \"b2\"\nat = [0, 0, 0.1]\nforce = [1, 0, 2]\n[analyses.map]\n"
+      "x = {parameter = \"elements.e0.scale\", from = 0.5, to = 2, points = 3}\n"
+      "y = {parameter = \"bodies.b1.mass\", from = 8, to = 16, points = 3}\nlimits = {\"b2.z\" = \"30 mm\"}\n"
+      "no_peak = \"b0.x\"\n";
+  const project::Project project = test::project(text);
+  std::vector<std::vector<design::DesignOutcome>> outcomes;
+  for (const bool fast : {true, false}) {
+    const study::DesignMap map =
+        study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {0, fast}});
+    EXPECT_EQ(map.report.assembled_separately, fast ? 0u : 9u) << map.report.no_family;
+    outcomes.push_back(map.outcomes);
+  }
+  constexpr double single_precision = 1e-6;
+  for (std::size_t i = 0; i < outcomes[0].size(); ++i) {
+    EXPECT_EQ(outcomes[0][i].governing, outcomes[1][i].governing) << i;
+    EXPECT_NEAR(outcomes[0][i].margin, outcomes[1][i].margin, single_precision * outcomes[1][i].margin) << i;
+  }
+}
+
 TEST(DesignEvaluation, CountsDesignsByTheMethodThatJudgedThem) {
   const project::Project project = *judging::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {30, 30, {}});

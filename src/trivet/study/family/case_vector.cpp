@@ -130,7 +130,7 @@ spatial::MassProperties mass_of(const MassNumbers& numbers) {
 }
 
 CaseVector::CaseVector(const project::Case& variant, const project::Analyses& request,
-                       const std::vector<RequirementResult>& results)
+                       const std::vector<RequirementResult>& results, bool any_size)
     : results_(results), covered_(results.size(), false) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   n_ = assembled.matrices.size();
@@ -145,6 +145,7 @@ CaseVector::CaseVector(const project::Case& variant, const project::Analyses& re
     covered_[r] = covered_[r] || requirement_row(results_[r].kind).packed == PackedPart::frequencies;
   std::vector<design::DrivenDesign> designs;
   reason_ = form(variant.system, assembled, designs);
+  if (reason_.empty() && !any_size && n_ > numerics::most_driven_coordinates) reason_ = "more than twelve coordinates";
   if (!reason_.empty()) {
     covered_.assign(covered_.size(), false);
     return;

@@ -17,14 +17,15 @@ namespace trivet::study {
 /// the loss of K, loads and rows of results, the static load and what is computed from it, mass properties of bodies.
 /// A family of designs interpolates these lists.
 ///
-/// Requirements with kernels: amplitudes, peaks and transmissibilities of constant symmetric matrices of at most twelve
-/// coordinates, avoided natural frequencies and their separation, decoupling, values at rest, loads and deflections of
-/// mounts. The others, and all of them if the case has no such form, are judged one design at a time.
+/// Requirements with kernels: amplitudes, peaks and transmissibilities of constant symmetric matrices, avoided natural
+/// frequencies and their separation, decoupling, values at rest, loads and deflections of mounts. The others, and all
+/// of them if the case has no such form, are judged one design at a time.
 class CaseVector {
  public:
   /// @param request  requirements of the case  @param results  what they are and how they are judged as given
+  /// @param any_size  more than twelve coordinates too, for which a design takes milliseconds instead of microseconds
   CaseVector(const project::Case& variant, const project::Analyses& request,
-             const std::vector<RequirementResult>& results);
+             const std::vector<RequirementResult>& results, bool any_size = false);
 
   /// Why there is no such form; empty if there is.
   [[nodiscard]] const std::string& reason() const { return reason_; }

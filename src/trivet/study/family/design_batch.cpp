@@ -7,7 +7,7 @@ namespace trivet::study {
 
 DesignBatch::DesignBatch(const DesignNumbers& numbers, const project::Case& variant, const project::Analyses& request,
                          const std::vector<RequirementResult>& results)
-    : packed_(variant, request, results), reason_(packed_.reason()) {
+    : packed_(variant, request, results, numbers.any_size), reason_(packed_.reason()) {
   bool any = false;
   for (std::size_t r = 0; r < results.size(); ++r) {
     judges_ = judges_ || packed_.covers(r);

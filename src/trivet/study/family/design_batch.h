@@ -17,6 +17,7 @@ struct DesignNumbers {
   /// The model with these values. @throws foundation::NotComputable if there is none
   std::function<model::System(const Eigen::VectorXd& values)> model;
   design::SumFamily::Compared compared = design::SumFamily::Compared::spread;
+  bool any_size = false;  ///< see CaseVector: all designs are judged, whatever it takes
 };
 
 /// Many designs of one case, judged at once: a list of numbers for every design without its model (CaseVector), as sums

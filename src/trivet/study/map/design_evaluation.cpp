@@ -117,7 +117,8 @@ void DesignEvaluation::fit_batch(const std::vector<RequirementResult>& results) 
   batch_.emplace(DesignNumbers{{{request_.x.from, request_.x.to, request_.x.name},
                                 {request_.y.from, request_.y.to, request_.y.name}},
                                model,
-                               design::SumFamily::Compared::grid},
+                               design::SumFamily::Compared::grid,
+                               true},
                  case_, analyses, results);
   report_.no_family = batch_->reason();
   if (has_family()) report_.family = "matrices as " + batch_->family().words();

@@ -113,6 +113,7 @@ DesignBatch batch_of(const Sweep& sweep, const SweepRequest& request, const proj
     const auto [least, most] = std::ranges::minmax_element(number.values);
     numbers.variables.push_back({*least, *most, number.path});
   }
+  numbers.any_size = true;
   numbers.model = [&](const Eigen::VectorXd& values) {
     auto system = sweep.system(values);
     if (!system) throw foundation::NotComputable(foundation::message(system.error().list().front()));
