@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -21,16 +20,6 @@ namespace trivet::study {
 namespace {
 
 using design::DesignOutcome;
-
-/// Another rule of a design. As in design::governing, the first within a tie of the least margin governs, and violated
-/// rules go before met ones.
-void consider(double margin, std::size_t rule, DesignOutcome& outcome) {
-  const bool less = margin < outcome.margin * (1 - design::tie_of_margins) || (margin < 1 && outcome.margin >= 1);
-  if (less) {
-    outcome.margin = design::rounded_margin(margin);
-    outcome.governing = static_cast<std::uint8_t>(rule);
-  }
-}
 
 const foundation::Problem& first_error(const foundation::Problems& problems) {
   return *std::ranges::find(problems.list(), foundation::Severity::error, &foundation::Problem::severity);
@@ -73,27 +62,12 @@ bool takes_numbers(const project::Case& variant, const project::Case& base, cons
   return false;
 }
 
-std::string words_of(const std::vector<design::MapRule>& rules, std::size_t first, std::size_t last) {
-  constexpr std::size_t most = 4;
-  std::string words;
-  for (std::size_t r = first; r < std::min(last, first + most); ++r)
-    words += (r == first ? "" : ", ") + rules[r].stated();
-  return last - first > most ? words + fmt::format(" and {} more", last - first - most) : words;
-}
-
 }  // namespace
-
-MapJudge::Part::Part(const project::Case& of_case, project::MapRequest requested,
-                     const design::EvaluationOptions& options)
-    : variant(of_case),
-      request(std::move(requested)),
-      evaluation(variant, request, options, MapRequirements::frequencies(request, of_case.system)),
-      requirements(variant, request, evaluation.has_family()) {}
 
 MapJudge::MapJudge(const project::Project& project, const project::Case& variant, const project::MapRequest& request,
                    const design::EvaluationOptions& options)
     : threads_(options.threads) {
-  add_part(variant, request, options);
+  add_case(variant, request, options);
   const std::vector<std::string> hold_in = cases_to_hold(project);
   if (variant.name.empty())
     for (const project::Case& further : project.cases) {
@@ -113,7 +87,7 @@ void MapJudge::add_further(const project::Case& variant, const project::MapReque
     return foundation::NotComputable("map: in case " + foundation::quoted(variant.name) + " of hold_in: " + reason);
   };
   try {
-    add_part(variant, request_in(variant, request), options);
+    add_case(variant, request_in(variant, request), options);
   } catch (const foundation::NotComputable& reason) {
     throw refused(reason.what());
   } catch (const foundation::InvalidInput& reason) {
@@ -121,139 +95,55 @@ void MapJudge::add_further(const project::Case& variant, const project::MapReque
   }
 }
 
-void MapJudge::add_part(const project::Case& variant, const project::MapRequest& request,
+void MapJudge::add_case(const project::Case& variant, const project::MapRequest& request,
                         const design::EvaluationOptions& options) {
-  Part& part = *parts_.emplace_back(std::make_unique<Part>(variant, request, options));
-  part.first_rule = rules_.size();
-  for (const auto* rules : {&part.evaluation.rules(), &part.requirements.rules()})
-    for (design::MapRule rule : *rules) {
-      if (parts_.size() > 1) rule.set_case(variant.name);
-      rules_.push_back(std::move(rule));
-    }
+  cases_.push_back(std::make_unique<MapCase>(variant, request, options, !cases_.empty()));
+  for (design::MapRule rule : cases_.back()->rules()) {
+    if (cases_.size() > 1) rule.set_case(variant.name);
+    rules_.push_back(std::move(rule));
+  }
 }
 
 std::vector<DesignOutcome> MapJudge::evaluate(std::size_t count,
                                               const std::function<design::DesignPoint(std::size_t)>& point,
                                               const foundation::Progress& progress) {
-  if (parts_.size() == 1 && parts_.front()->requirements.is_empty())
-    return parts_.front()->evaluation.evaluate(count, point, progress);
-  Points points;
-  for (std::size_t k = 0; k < count; ++k) points.push_back(point(k));
-  Outcomes all(count, DesignOutcome{std::numeric_limits<float>::infinity(), 0});
-  for (const std::unique_ptr<Part>& part : parts_) {
-    if (!part->evaluation.rules().empty()) {
-      const Outcomes here = part->evaluation.evaluate(count, point, progress);
-      for (std::size_t k = 0; k < count; ++k) {
-        if (part == parts_.front() || (all[k].known() && !here[k].known())) all[k] = here[k];
-        else if (all[k].known()) consider(here[k].margin, part->first_rule + here[k].governing, all[k]);
-      }
-    }
-    judge_frequencies(*part, points, all);
-    if (part->requirements.first_by_matrices() == 0) continue;
-    foundation::parallel_for(count, {.threads = threads_, .progress = progress, .task = "requirements"},
-                             [&](std::size_t first, std::size_t last) {
-                               for (std::size_t k = first; k < last; ++k)
-                                 if (all[k].known()) judge_separately(*part, k, points[k], Kinds::others, all[k]);
-                             });
-  }
-  return all;
-}
-
-void MapJudge::judge_frequencies(const Part& part, const Points& points, Outcomes& outcomes) {
-  const std::size_t first = part.requirements.first_by_matrices();
-  if (first == part.requirements.rules().size()) return;
-  constexpr std::size_t piece = 256;
-  foundation::parallel_for(points.size(), {.size = piece, .threads = threads_}, [&](std::size_t from, std::size_t to) {
-    const Eigen::ArrayXXd margins = part.evaluation.frequency_margins(
-        {points.begin() + static_cast<std::ptrdiff_t>(from), points.begin() + static_cast<std::ptrdiff_t>(to)});
-    for (std::size_t k = from; k < to; ++k) {
-      if (!outcomes[k].known()) continue;
-      const auto of_design = margins.row(to_index(k - from));
-      if (of_design.isNaN().any()) {
-        judge_separately(part, k, points[k], Kinds::frequencies, outcomes[k]);
-        continue;
-      }
-      for (Eigen::Index r = 0; r < of_design.size(); ++r)
-        consider(of_design(r), part.first_requirement() + first + to_size(r), outcomes[k]);
-    }
-  });
-}
-
-void MapJudge::judge_separately(const Part& part, std::size_t index, const design::DesignPoint& point, Kinds kinds,
-                                DesignOutcome& outcome) {
-  ++separately_;
-  const std::string of_case = &part == parts_.front().get() ? "" : " in case " + foundation::quoted(part.variant.name);
-  const auto refuse = [&](const std::string& rule, const std::string& words, std::uint8_t kind) {
-    missing_.note(index, rule + of_case, words + of_case);
-    outcome = {0, kind};
-  };
-  const auto system = judging::changed_system(
-      part.variant, {{project::ModelNumber(part.request.x), point.x}, {project::ModelNumber(part.request.y), point.y}});
-  if (!system) {
-    const foundation::Problem& first = first_error(system.error());
-    return refuse(first.subject + ": " + first.rule,
-                  fmt::format("{}: {}; {}", first.subject, first.finding, first.rule), DesignOutcome::no_model);
-  }
-  try {
-    const bool others = kinds == Kinds::others;
-    const std::vector<RequirementResult> results =
-        others ? part.requirements.separate_results(*system) : part.requirements.frequency_results(*system);
-    const std::size_t first = part.first_requirement() + (others ? 0 : part.requirements.first_by_matrices());
-    for (std::size_t r = 0; r < results.size(); ++r) {
-      if (!results[r].value) {
-        const std::string words = results[r].words.text() + ": " + results[r].reason;
-        return refuse(words, words, DesignOutcome::not_computed);
-      }
-      consider(results[r].margin, first + r, outcome);
-    }
-  } catch (const foundation::NotComputable& reason) {
-    refuse(reason.what(), reason.what(), DesignOutcome::not_computed);
-  } catch (const foundation::InvalidInput& reason) {
-    refuse(reason.what(), reason.what(), DesignOutcome::not_computed);
-  }
-}
-
-bool MapJudge::is_at(const model::System& system, const design::DesignPoint& point) const {
-  return parts_.front()->evaluation.is_at(system, point);
-}
-
-void MapJudge::append(const Part& part, const model::System& system, design::JudgedDesign& result) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  if (!part.evaluation.rules().empty()) {
-    design::JudgedDesign judged = part.evaluation.judged_design(system);
-    if (result.margins.empty()) {
-      result = std::move(judged);
-    } else {
-      const auto add = [](std::vector<double>& all, const std::vector<double>& more) {
-        all.insert(all.end(), more.begin(), more.end());
-      };
-      add(result.rules.values, judged.rules.values);
-      add(result.rules.angular_frequencies, judged.rules.angular_frequencies);
-      add(result.margins, judged.margins);
-    }
-  }
-  if (part.requirements.is_empty()) return;
-  for (const RequirementResult& requirement : part.requirements.results(system)) {
-    if (!requirement.value) throw foundation::NotComputable(requirement.words.text() + ": " + requirement.reason);
-    result.rules.values.push_back(*requirement.value);
-    result.rules.angular_frequencies.push_back(requirement.angular_frequency.value_or(none));
-    result.margins.push_back(requirement.margin);
-  }
+  std::size_t piece = std::numeric_limits<std::size_t>::max();
+  for (const std::unique_ptr<MapCase>& one : cases_) piece = std::min(piece, one->piece());
+  std::vector<DesignOutcome> outcomes(count);
+  foundation::parallel_for(count, {.size = piece, .threads = threads_, .progress = progress, .task = "designs"},
+                           [&](std::size_t first, std::size_t last) {
+                             std::vector<design::DesignPoint> points;
+                             for (std::size_t k = first; k < last; ++k) points.push_back(point(k));
+                             Eigen::ArrayXXd margins(to_index(points.size()), to_index(rules_.size()));
+                             Eigen::Index rule = 0;
+                             for (const std::unique_ptr<MapCase>& one : cases_) {
+                               const auto own = to_index(one->rules().size());
+                               one->judge(first, points, margins.middleCols(rule, own), &outcomes[first]);
+                               rule += own;
+                             }
+                             std::vector<double> of_design(rules_.size());
+                             for (std::size_t k = first; k < last; ++k) {
+                               if (!outcomes[k].known()) continue;
+                               for (std::size_t r = 0; r < of_design.size(); ++r)
+                                 of_design[r] = margins(to_index(k - first), to_index(r));
+                               const design::Governing least = design::governing(of_design);
+                               outcomes[k].margin = design::rounded_margin(least.margin);
+                               outcomes[k].governing = static_cast<std::uint8_t>(least.rule);
+                             }
+                           });
+  return outcomes;
 }
 
 design::JudgedDesign MapJudge::judged_design(const model::System& system,
                                              const std::optional<design::DesignPoint>& design) const {
   design::JudgedDesign result;
-  append(*parts_.front(), system, result);
-  for (std::size_t p = 1; design && p < parts_.size(); ++p) {
-    const Part& part = *parts_[p];
-    const auto there = judging::changed_system(
-        part.variant,
-        {{project::ModelNumber(part.request.x), design->x}, {project::ModelNumber(part.request.y), design->y}});
+  cases_.front()->add_judged(system, result);
+  for (std::size_t p = 1; design && p < cases_.size(); ++p) {
+    const auto there = cases_[p]->system_at(*design);
     if (!there)
-      throw foundation::NotComputable("in case " + foundation::quoted(part.variant.name) + ": " +
+      throw foundation::NotComputable("in case " + foundation::quoted(cases_[p]->name()) + ": " +
                                       first_error(there.error()).finding);
-    append(part, *there, result);
+    cases_[p]->add_judged(*there, result);
   }
   result.rules.values.resize(rules_.size(), std::numeric_limits<double>::quiet_NaN());
   result.rules.angular_frequencies.resize(rules_.size(), std::numeric_limits<double>::quiet_NaN());
@@ -263,36 +153,19 @@ design::JudgedDesign MapJudge::judged_design(const model::System& system,
 }
 
 design::EvaluationReport MapJudge::report() const {
-  design::EvaluationReport report = parts_.front()->evaluation.report();
-  report.with_requirements = separately_;
-  for (const std::unique_ptr<Part>& part : parts_) {
-    std::string of_case;
-    if (part != parts_.front()) {
-      of_case = " in case " + foundation::quoted(part->variant.name);
-      if (!part->evaluation.rules().empty())
-        report.further.push_back(of_case.substr(1) + ": " + part->evaluation.report().summary());
-      for (design::MissingReason reason : part->evaluation.report().missing) {
-        reason.words += of_case;
-        report.missing.push_back(std::move(reason));
-      }
-    }
-    const std::vector<design::MapRule>& rules = part->requirements.rules();
-    const std::size_t by_matrices = part->requirements.first_by_matrices();
-    if (by_matrices < rules.size())
-      report.further.push_back(
-          fmt::format("natural frequencies{} of the {}: {}", of_case,
-                      part->evaluation.rules().empty() ? part->evaluation.report().family : "matrices as sums",
-                      words_of(rules, by_matrices, rules.size())));
-    if (by_matrices > 0)
-      report.further.push_back(fmt::format("judged design by design{}: {}", of_case, words_of(rules, 0, by_matrices)));
+  design::EvaluationReport report = cases_.front()->report();
+  for (std::size_t p = 1; p < cases_.size(); ++p) {
+    const design::EvaluationReport further = cases_[p]->report();
+    report.with_requirements += further.with_requirements;
+    report.further.insert(report.further.end(), further.further.begin(), further.further.end());
+    report.missing.insert(report.missing.end(), further.missing.begin(), further.missing.end());
   }
-  for (const design::MissingReason& reason : missing_.list()) report.missing.push_back(reason);
   return report;
 }
 
 foundation::Problems MapJudge::warnings() const {
   foundation::Problems all = warnings_;
-  for (const std::unique_ptr<Part>& part : parts_) all.add(part->requirements.warnings());
+  for (const std::unique_ptr<MapCase>& one : cases_) all.add(one->warnings());
   return all;
 }
 
