@@ -94,7 +94,6 @@ class Comparison {
         values_(space_.values(shares_)),
         system_(space_.system(base_, values_)),
         context_(system_, silent_),
-        neighbours_(space_, base_, values_),
         moved_(space_.size()) {
     foundation::Problems warnings;
     results_ = study::requirement_values(context_, base_.analyses, warnings);
@@ -125,12 +124,13 @@ class Comparison {
 
   /// Compares all candidates of all requirements. @returns their number
   int compare() {
-    const study::RequirementSlopes slopes(context_, neighbours_);
+    const study::RequirementSlopes slopes(context_, space_, base_, values_);
     int compared = 0;
-    for (const RequirementResult& result : results_) {
+    for (std::size_t r = 0; r < results_.size(); ++r) {
+      const RequirementResult& result = results_[r];
       std::vector<Candidate> candidates = result.candidates;
       if (candidates.empty()) candidates = {{result.margin}};
-      const Eigen::MatrixXd found = slopes.of(result, candidates);
+      const Eigen::MatrixXd found = slopes.of(r, result, candidates);
       for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (!(candidates[i].margin > 0)) continue;
         expect_equal(result, candidates[i], found.row(to_index(i)));
@@ -337,7 +337,6 @@ class Comparison {
   const Eigen::VectorXd shares_, values_;
   const model::System system_;
   const study::CaseContext context_;
-  const study::DesignNeighbours neighbours_;
   std::vector<RequirementResult> results_;
   std::vector<std::pair<std::string, assembly::MotionQuantity>> channels_;
   mutable std::map<const QuadMachine*, std::vector<Quad>> variances_;

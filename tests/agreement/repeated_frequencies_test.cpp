@@ -52,7 +52,7 @@ struct Square {
     std::vector<response::MatrixRates> rates;
     for (std::size_t j = 0; j < space.size(); ++j)
       rates.push_back(response::matrix_rates(neighbours.along(j), assembled));
-    return {modes, assembled.matrices, rates, neighbours.towards()};
+    return {modes, assembled.matrices, rates, space.towards(values)};
   }
 
   /// ln ω of the first two modes, `step` away in a direction: all numbers are linear in the parameters.

@@ -44,11 +44,10 @@ std::vector<Nodes> stencils(const project::DesignAxis& axis, double value) {
 
 DesignNeighbours::DesignNeighbours(const DesignSpace& space, const project::Case& variant,
                                    const Eigen::VectorXd& values)
-    : along_(space.size()), towards_(values.size()) {
+    : along_(space.size()) {
   for (std::size_t j = 0; j < space.size(); ++j) {
     const project::DesignAxis& axis = space.axes()[j];
     const double value = values(to_index(j));
-    towards_(to_index(j)) = axis.share(value) <= 0.5 ? axis.to - value : axis.from - value;
     const auto choices = stencils(axis, value);
     for (std::size_t i = 0; i < choices.size(); ++i) {
       try {  // next to a design there may be no valid model

@@ -20,8 +20,6 @@ class DesignNeighbours {
   /// @throws foundation::NotComputable if there is no valid model on any side of it
   DesignNeighbours(const DesignSpace& space, const project::Case& variant, const Eigen::VectorXd& values);
 
-  /// How far each parameter may still move: to the farther end of its range, with the sign.
-  [[nodiscard]] const Eigen::VectorXd& towards() const { return towards_; }
   [[nodiscard]] std::size_t parameters() const { return along_.size(); }
   /// Those along one parameter; weights per unit of its axis.
   [[nodiscard]] const response::WeightedModels& along(std::size_t parameter) const { return along_[parameter]; }
@@ -39,7 +37,6 @@ class DesignNeighbours {
 
   std::vector<Kept> kept_;
   std::vector<response::WeightedModels> along_;
-  Eigen::VectorXd towards_;
 };
 
 }  // namespace trivet::study

@@ -57,6 +57,13 @@ double DesignSpace::slope(std::size_t axis, double share) const {
   return a.logarithmic ? a.at(share) * std::log(a.to / a.from) : a.to - a.from;
 }
 
+Eigen::VectorXd DesignSpace::towards(const Eigen::VectorXd& values) const {
+  Eigen::VectorXd result(values.size());
+  for (Eigen::Index j = 0; j < values.size(); ++j)
+    result(j) = (axes_[j].share(values(j)) <= 0.5 ? axes_[j].to : axes_[j].from) - values(j);
+  return result;
+}
+
 model::System DesignSpace::system(const project::Case& variant, const Eigen::VectorXd& values) const {
   project::Design design;
   for (std::size_t j = 0; j < numbers_.size(); ++j) design.emplace_back(numbers_[j], values(to_index(j)));

@@ -27,6 +27,9 @@ class DesignSpace {
   /// d value / d share of one parameter.
   [[nodiscard]] double slope(std::size_t axis, double share) const;
 
+  /// How far each parameter may still move from these values: to the farther end of its range, with the sign.
+  [[nodiscard]] Eigen::VectorXd towards(const Eigen::VectorXd& values) const;
+
   /// The model of a case with these values. @throws foundation::NotComputable with the first reason if it is not valid
   [[nodiscard]] model::System system(const project::Case& variant, const Eigen::VectorXd& values) const;
 

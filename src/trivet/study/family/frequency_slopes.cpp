@@ -92,8 +92,19 @@ std::vector<Eigen::MatrixXcd> FrequencySlopes::changes(const Subspace& subspace)
   return result;
 }
 
+Eigen::RowVectorXd FrequencySlopes::slopes_of_single(const modal::Mode& mode) const {
+  const Eigen::VectorXd& shape = mode.coordinates;
+  const double square = mode.eigenvalue_squared, mass = shape.dot(matrices_.A * shape);
+  Eigen::RowVectorXd slopes(to_index(rates_.size()));
+  for (std::size_t j = 0; j < rates_.size(); ++j)
+    slopes(to_index(j)) =
+        (shape.dot(rates_[j].K * shape) - square * shape.dot(rates_[j].A * shape)) / (2 * square * mass);
+  return slopes;
+}
+
 Eigen::RowVectorXd FrequencySlopes::slopes(int number) const {
   const Subspace subspace = subspace_of(to_size(number - 1));
+  if (subspace.size == 1 && matrices_.symmetric) return slopes_of_single(modes_.list[subspace.first]);
   return separated_motions(changes(subspace), towards_, real_part).row(number - 1 - to_index(subspace.first));
 }
 
@@ -102,12 +113,6 @@ Eigen::VectorXd FrequencySlopes::slopes_along(int number, const Eigen::VectorXd&
   Eigen::MatrixXcd along = direction(0) * per_parameter.front();
   for (std::size_t j = 1; j < per_parameter.size(); ++j) along += direction(to_index(j)) * per_parameter[j];
   return separated_motions({along}, Eigen::VectorXd::Ones(1), real_part).col(0);
-}
-
-bool is_repeated_frequency(const modal::Modes& modes, int number) {
-  const std::size_t mode = to_size(number - 1);
-  return (mode > 0 && are_equal(modes.list[mode - 1], modes.list[mode])) ||
-      (mode + 1 < modes.list.size() && are_equal(modes.list[mode], modes.list[mode + 1]));
 }
 
 }  // namespace trivet::study

@@ -45,6 +45,7 @@ class FrequencySlopes {
     std::size_t first = 0, size = 1;
   };
   [[nodiscard]] Subspace subspace_of(std::size_t mode) const;
+  [[nodiscard]] Eigen::RowVectorXd slopes_of_single(const modal::Mode& mode) const;
   /// d ln ω as a matrix over the subspace, per parameter.
   [[nodiscard]] std::vector<Eigen::MatrixXcd> changes(const Subspace& subspace) const;
 
@@ -53,8 +54,5 @@ class FrequencySlopes {
   std::vector<response::MatrixRates> rates_;
   Eigen::VectorXd towards_;
 };
-
-/// True if the frequency of a mode belongs to a neighbouring mode too. @param number  of a mode
-[[nodiscard]] bool is_repeated_frequency(const modal::Modes& modes, int number);
 
 }  // namespace trivet::study

@@ -33,12 +33,13 @@ Eigen::VectorXcd sum_of(const std::vector<numerics::DesignTerm>& terms, Eigen::I
 
 }  // namespace
 
-PackedCurve packed_curve(const numerics::DrivenDesigns& designs, Eigen::Index design, std::size_t curve, double omega) {
+CurveEquations packed_curve(const numerics::DrivenDesigns& designs, Eigen::Index design, std::size_t curve,
+                            double omega) {
   const Complex s(0, omega);
   const numerics::DesignCurve& one = designs.curves[curve];
   const Eigen::MatrixXd K = numerics::unpacked(designs.K, design), D = numerics::unpacked(designs.D, design),
                         B = numerics::unpacked(designs.B, design), A = numerics::unpacked(designs.A, design);
-  PackedCurve at;
+  CurveEquations at;
   at.stiffness = (K - omega * omega * A).cast<Complex>();
   at.stiffness.imag() = D + omega * B;
   at.load = sum_of(designs.loads[one.load], design, K.rows(), s);
@@ -48,7 +49,7 @@ PackedCurve packed_curve(const numerics::DrivenDesigns& designs, Eigen::Index de
 }
 
 double packed_magnitude(const numerics::DrivenDesigns& designs, Eigen::Index design, std::size_t curve, double omega) {
-  const PackedCurve here = packed_curve(designs, design, curve, omega);
+  const CurveEquations here = packed_curve(designs, design, curve, omega);
   const Eigen::VectorXcd q = numerics::PivotedLu<Complex>(here.stiffness).solve(here.load);
   const double size = std::abs(here.row.cwiseProduct(q).sum() + here.constant);
   return std::isfinite(size) ? size : std::numeric_limits<double>::quiet_NaN();

@@ -11,14 +11,14 @@
 
 namespace trivet::study {
 
-/// One curve of one design at one s = iω: y = cᵀq + constant with Z q = h.
-struct PackedCurve {
-  Eigen::MatrixXcd stiffness;  ///< Z
-  Eigen::VectorXcd load, row;  ///< h, c
-  std::complex<double> constant;
+/// A result at one frequency: y = cᵀq + y₀ with Zq = h; or the changes of these.
+struct CurveEquations {
+  Eigen::MatrixXcd stiffness;     ///< Z
+  Eigen::VectorXcd load, row;     ///< h, c
+  std::complex<double> constant;  ///< y₀
 };
-[[nodiscard]] PackedCurve packed_curve(const numerics::DrivenDesigns& designs, Eigen::Index design, std::size_t curve,
-                                       double omega);
+[[nodiscard]] CurveEquations packed_curve(const numerics::DrivenDesigns& designs, Eigen::Index design,
+                                          std::size_t curve, double omega);
 
 /// |y| at one frequency; NaN at an undamped resonance.
 [[nodiscard]] double packed_magnitude(const numerics::DrivenDesigns& designs, Eigen::Index design, std::size_t curve,

@@ -1,80 +1,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/family/slopes.h"
 
-#include <algorithm>
 #include <cmath>
-#include <complex>
-#include <utility>
-#include <vector>
 
 #include "trivet/foundation/index.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/modal/roots.h"
-#include "trivet/modal/suspension.h"
 #include "trivet/numerics/linalg/decompositions.h"
-#include "trivet/response/steady/at_rest.h"
-#include "trivet/response/steady/static_response.h"
 #include "trivet/study/family/frequency_slopes.h"
-#include "trivet/study/requirements/nearest_to_line.h"
-#include "trivet/study/requirements/requirement_list.h"
 
 namespace trivet::study {
 
+using Complex = std::complex<double>;
+
+void add(CurveEquations& to, double weight, const CurveEquations& other) {
+  to.stiffness += weight * other.stiffness;
+  to.load += weight * other.load;
+  to.row += weight * other.row;
+  to.constant += weight * other.constant;
+}
+
+void add(RestEquations& to, double weight, const RestEquations& other) {
+  to.first += weight * other.first;
+  to.whole += weight * other.whole;
+  to.loads.on_first += weight * other.loads.on_first;
+  to.loads.on_whole += weight * other.loads.on_whole;
+  to.row.row += weight * other.row.row;
+  to.row.beside += weight * other.row.beside;
+  to.row.at_rest += weight * other.row.at_rest;
+}
+
 namespace {
 
-std::complex<double> bilinear(const Eigen::VectorXcd& row, const Eigen::VectorXcd& column) {
-  return row.cwiseProduct(column).sum();
-}
+/// Σ a_i b_i, without conjugation.
+Complex bilinear(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) { return a.cwiseProduct(b).sum(); }
 
-/// A frequency so low that the slopes are those at rest to 1e-12, where no equation is singular.
-double almost_at_rest(const modal::Modes& modes) {
-  constexpr double share = 1e-6;
-  for (const modal::Mode& mode : modes.list)
-    if (const double omega = mode.angular_frequency.value_or(0); omega > 0) return share * omega;
-  return share;
-}
+/// Factors of Z in coordinates scaled to a unit diagonal: light and stiff coordinates keep their digits.
+class ScaledFactors {
+ public:
+  explicit ScaledFactors(const Eigen::MatrixXcd& stiffness)
+      : scale_(stiffness.diagonal().unaryExpr([](const Complex& entry) {
+          const double size = std::abs(entry);
+          return size > 0 ? 1 / std::sqrt(size) : 1.0;
+        })),
+        factors_(Eigen::MatrixXcd(scale_.asDiagonal() * stiffness * scale_.asDiagonal())) {}
+  [[nodiscard]] Eigen::VectorXcd solution(const Eigen::VectorXcd& right) const {
+    return scale_.asDiagonal() * factors_.solve(Eigen::VectorXcd(scale_.asDiagonal() * right));
+  }
+
+ private:
+  Eigen::VectorXd scale_;
+  numerics::PivotedLu<Complex> factors_;
+};
 
 }  // namespace
 
-Eigen::MatrixXd curve_slopes(const CaseContext& c, const DesignNeighbours& neighbours, const RequirementResult& result,
-                             const std::vector<double>& frequencies) {
-  const auto driven = [&](const model::System& system, const assembly::Assembled& assembled) {
-    RequirementCurve curve = requirement_curve(system, assembled, result);
-    return DrivenResult(assembled, std::move(curve.channel), std::move(curve.loading));
-  };
-  struct Solved {
-    double omega;
-    response::Dynamics equations;
-    Eigen::VectorXcd q, adjoint;
-    std::complex<double> y;
-  };
-  std::vector<Solved> here;
-  const DrivenResult given = driven(c.system, c.assembled);
-  for (const double at : frequencies) {
-    const double omega = std::max(at, almost_at_rest(c.modes));
-    response::Dynamics equations = given.at(omega);
-    const response::Motion motion = response::motion(equations);
-    Eigen::VectorXcd adjoint = response::adjoint(equations)[0];
-    here.push_back({omega, std::move(equations), motion.coordinates[0], std::move(adjoint), motion.value[0]});
+Eigen::MatrixXd curve_slopes(const std::vector<CurveEquations>& here, std::size_t parameters,
+                             const std::function<std::vector<CurveEquations>(std::size_t)>& changes) {
+  std::vector<Eigen::VectorXcd> q, adjoint;
+  std::vector<Complex> y;
+  for (const CurveEquations& one : here) {
+    const ScaledFactors factors(one.stiffness);
+    const bool symmetric = one.stiffness == one.stiffness.transpose();
+    q.push_back(factors.solution(one.load));
+    adjoint.push_back((symmetric ? factors : ScaledFactors(one.stiffness.transpose())).solution(one.row));
+    y.push_back(bilinear(one.row, q.back()) + one.constant);
   }
-  Eigen::MatrixXd slopes(to_index(frequencies.size()), to_index(neighbours.parameters()));
-  for (std::size_t j = 0; j < neighbours.parameters(); ++j) {
-    std::vector<response::Dynamics> change;
-    for (const Solved& solved : here) change.emplace_back(solved.equations).add(-1, solved.equations);
-    for (const response::WeightedModel& model : neighbours.along(j)) {
-      const DrivenResult there = driven(*model.system, *model.assembled);
-      for (std::size_t i = 0; i < here.size(); ++i) {
-        response::Dynamics apart = there.at(here[i].omega);
-        apart.add(-1, here[i].equations);  // entries that do not change leave no round-off
-        change[i].add(model.weight, apart);
-      }
-    }
+  Eigen::MatrixXd slopes(to_index(here.size()), to_index(parameters));
+  for (std::size_t j = 0; j < parameters; ++j) {
+    const std::vector<CurveEquations> change = changes(j);
     for (std::size_t i = 0; i < here.size(); ++i) {
-      const Eigen::VectorXcd& q = here[i].q;
-      const std::complex<double> y = here[i].y;
-      const std::complex<double> dy = bilinear(here[i].adjoint, change[i].load[0] - change[i].stiffness[0] * q) +
-          bilinear(change[i].channel[0], q) + change[i].direct[0];
-      slopes(to_index(i), to_index(j)) = (dy / y).real();
+      const Complex dy = bilinear(adjoint[i], change[i].load - change[i].stiffness * q[i]) +
+          bilinear(change[i].row, q[i]) + change[i].constant;
+      slopes(to_index(i), to_index(j)) = (dy / y[i]).real();
     }
   }
   return slopes;
@@ -82,26 +80,44 @@ Eigen::MatrixXd curve_slopes(const CaseContext& c, const DesignNeighbours& neigh
 
 namespace {
 
-/// Derivatives of what the modes of a body depend on, per parameter.
-std::vector<modal::OwnSystem> own_rates(const DesignNeighbours& neighbours, const modal::OwnSystem& here,
-                                        std::size_t body) {
-  std::vector<modal::OwnSystem> rates;
-  for (std::size_t j = 0; j < neighbours.parameters(); ++j) {
-    modal::OwnSystem& rate = rates.emplace_back(here);
-    rate.matrices.A.setZero();
-    rate.matrices.K.setZero();
-    for (Eigen::MatrixXd& energy : rate.energy) energy.setZero();
-    for (const response::WeightedModel& model : neighbours.along(j)) {
-      const modal::OwnSystem there = modal::own_system(model.system->bodies()[body], *model.assembled,
-                                                       modal::rows_of(*model.system, *model.assembled, body));
-      rate.matrices.A += model.weight * (there.matrices.A - here.matrices.A);
-      rate.matrices.K += model.weight * (there.matrices.K - here.matrices.K);
-      for (std::size_t k = 0; k < rate.energy.size(); ++k)
-        rate.energy[k] += model.weight * (there.energy[k] - here.energy[k]);
-    }
-  }
-  return rates;
+/// D K D x = D b, refined once: light and stiff coordinates keep their digits.
+Eigen::VectorXd solution_at_rest(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& scale,
+                                 const Eigen::VectorXd& load) {
+  const numerics::PivotedLu<double> factors(Eigen::MatrixXd(scale.asDiagonal() * stiffness * scale.asDiagonal()));
+  const auto solve = [&](const Eigen::VectorXd& b) -> Eigen::VectorXd {
+    return scale.asDiagonal() * factors.solve(Eigen::VectorXd(scale.asDiagonal() * b));
+  };
+  const Eigen::VectorXd first = solve(load);
+  return first + solve(load - stiffness * first);
 }
+
+}  // namespace
+
+Eigen::RowVectorXd rest_slopes(const RestEquations& here, const Eigen::VectorXd& scale, std::size_t parameters,
+                               const std::function<RestEquations(std::size_t)>& change_of) {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(scale.size());
+  // K₀ that does not hold the machine bears no load: its inverse is not needed.
+  const bool bears = !here.loads.on_first.isZero(0), has_others = !here.loads.on_whole.isZero(0);
+  const auto solution = [&](bool wanted, const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& load) {
+    return wanted ? solution_at_rest(stiffness, scale, load) : none;
+  };
+  const Eigen::VectorXd by_weight = solution(bears, here.first, here.loads.on_first),
+                        by_loads = solution(has_others, here.whole, here.loads.on_whole),
+                        mu = solution(bears, here.first.transpose(), here.row.row.transpose()),
+                        lambda = solution(has_others, here.whole.transpose(), here.row.beside.transpose());
+  const double value = here.row.row.dot(by_weight) + here.row.beside.dot(by_loads) + here.row.at_rest;
+  Eigen::RowVectorXd slopes(to_index(parameters));
+  for (std::size_t j = 0; j < parameters; ++j) {
+    const RestEquations change = change_of(j);
+    const double dy = mu.dot(change.loads.on_first - change.first * by_weight) +
+        lambda.dot(change.loads.on_whole - change.whole * by_loads) + change.row.row.dot(by_weight) +
+        change.row.beside.dot(by_loads) + change.row.at_rest;
+    slopes(to_index(j)) = dy / value;
+  }
+  return slopes;
+}
+
+namespace {
 
 /// Derivatives of a shape, one column per parameter, in scaled coordinates and with the scaled frequency as one unknown
 /// more. The smallest solution leaves shapes of equal frequencies as they are.
@@ -142,142 +158,54 @@ Eigen::RowVectorXd share_slopes(const modal::OwnSystem& own, const modal::OwnMod
 
 }  // namespace
 
-Eigen::MatrixXd decoupling_slopes(const CaseContext& c, const DesignNeighbours& neighbours, std::size_t body,
+Eigen::MatrixXd decoupling_slopes(const modal::OwnSystem& own, const std::vector<modal::OwnSystem>& rates,
                                   const std::vector<std::size_t>& modes) {
-  const modal::OwnSystem own =
-      modal::own_system(c.system.bodies()[body], c.assembled, modal::rows_of(c.system, c.assembled, body));
   const modal::OwnModes found = modal::own_modes(own);
-  const std::vector<modal::OwnSystem> rates = own_rates(neighbours, own, body);
-  Eigen::MatrixXd slopes(to_index(modes.size()), to_index(neighbours.parameters()));
+  Eigen::MatrixXd slopes(to_index(modes.size()), to_index(rates.size()));
   for (std::size_t i = 0; i < modes.size(); ++i)
     slopes.row(to_index(i)) = share_slopes(own, found, to_index(modes[i]), rates);
   return slopes;
 }
 
-namespace {
-
-/// D K D x = D b, refined once: light and stiff coordinates keep their digits.
-Eigen::VectorXd solution_at_rest(const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& scale,
-                                 const Eigen::VectorXd& load) {
-  const numerics::PivotedLu<double> factors(Eigen::MatrixXd(scale.asDiagonal() * stiffness * scale.asDiagonal()));
-  const auto solve = [&](const Eigen::VectorXd& b) -> Eigen::VectorXd {
-    return scale.asDiagonal() * factors.solve(Eigen::VectorXd(scale.asDiagonal() * b));
-  };
-  const Eigen::VectorXd first = solve(load);
-  return first + solve(load - stiffness * first);
+Eigen::MatrixXcd RootEquations::stiffness(const assembly::Assembled& assembled) const {
+  if (exact) return assembled.dynamic_stiffness(Complex(0, -1) * lambda, lambda.imag());
+  const numerics::DynamicMatrices& m = assembled.matrices;
+  return m.complex_stiffness() + lambda * m.B + lambda * lambda * m.A;
 }
 
-/// Loads and stiffnesses of a machine at rest.
-struct Statics {
-  Eigen::MatrixXd first, whole;  ///< K₀, K
-  response::RestLoads loads;
-};
-Statics statics_of(const response::AtRest& at_rest) {
-  const assembly::Assembled& whole = at_rest.assembled();
-  return {whole.first_order().matrices.K, whole.matrices.K, response::rest_loads(at_rest.system(), whole)};
+Eigen::MatrixXcd RootEquations::slope(const assembly::Assembled& assembled) const {
+  if (exact) return modal::stiffness_slope(assembled, lambda);
+  return 2.0 * lambda * assembled.matrices.A + assembled.matrices.B.cast<Complex>();
 }
 
-}  // namespace
-
-Eigen::RowVectorXd rest_slopes(const CaseContext& c, const DesignNeighbours& neighbours, const RestRowOf& row_of) {
-  const response::AtRest at_rest(c.system, c.assembled);
-  const Eigen::VectorXd scale = numerics::unit_scale(c.assembled.matrices);
-  const response::RestRow here = row_of(at_rest.system(), at_rest.assembled());
-  const Statics rest = statics_of(at_rest);
-  const Eigen::VectorXd none = Eigen::VectorXd::Zero(scale.size());
-  // K₀ that does not hold the machine bears no load: its inverse is not needed.
-  const bool bears = !rest.loads.on_first.isZero(0), has_others = !rest.loads.on_whole.isZero(0);
-  const auto solution = [&](bool wanted, const Eigen::MatrixXd& stiffness, const Eigen::VectorXd& load) {
-    return wanted ? solution_at_rest(stiffness, scale, load) : none;
-  };
-  const Eigen::VectorXd by_weight = solution(bears, rest.first, rest.loads.on_first),
-                        by_loads = solution(has_others, rest.whole, rest.loads.on_whole),
-                        mu = solution(bears, rest.first.transpose(), here.row.transpose()),
-                        lambda = solution(has_others, rest.whole.transpose(), here.beside.transpose());
-  const double value = here.row.dot(by_weight) + here.beside.dot(by_loads) + here.at_rest;
-  Eigen::RowVectorXd slopes(to_index(neighbours.parameters()));
-  for (std::size_t j = 0; j < neighbours.parameters(); ++j) {
-    double change = 0;
-    for (const response::WeightedModel& model : neighbours.along(j)) {
-      const response::AtRest near(*model.system, *model.assembled);
-      const response::RestRow there = row_of(near.system(), near.assembled());
-      const Statics moved = statics_of(near);
-      const Eigen::VectorXd on_weight =
-          moved.loads.on_first - rest.loads.on_first - (moved.first - rest.first) * by_weight;
-      const Eigen::VectorXd on_loads =
-          moved.loads.on_whole - rest.loads.on_whole - (moved.whole - rest.whole) * by_loads;
-      change += model.weight *
-          (mu.dot(on_weight) + lambda.dot(on_loads) + (there.row - here.row).dot(by_weight) +
-           (there.beside - here.beside).dot(by_loads) + there.at_rest - here.at_rest);
-    }
-    slopes(to_index(j)) = change / value;
-  }
-  return slopes;
-}
-
-namespace {
-
-using Complex = std::complex<double>;
-
-/// Relative distance below which roots are one subspace.
-constexpr double one_root = 1e-6;
-
-/// Z and dZ/dλ of the system that a root belongs to.
-class SystemOfRoot {
- public:
-  SystemOfRoot(const modal::Root& root, bool frequency_dependent) : exact_(frequency_dependent && root.exact) {}
-
-  [[nodiscard]] Eigen::MatrixXcd stiffness(const assembly::Assembled& assembled, Complex lambda) const {
-    if (exact_) return assembled.dynamic_stiffness(Complex(0, -1) * lambda, lambda.imag());
-    const numerics::DynamicMatrices& m = assembled.matrices;
-    return m.complex_stiffness() + lambda * m.B + lambda * lambda * m.A;
-  }
-  [[nodiscard]] Eigen::MatrixXcd slope(const assembly::Assembled& assembled, Complex lambda) const {
-    if (exact_) return modal::stiffness_slope(assembled, lambda);
-    return 2.0 * lambda * assembled.matrices.A + assembled.matrices.B.cast<Complex>();
-  }
-  [[nodiscard]] Eigen::VectorXd scale(const assembly::Assembled& assembled) const {
-    return numerics::unit_scale(exact_ ? assembled.constant : assembled.matrices);
-  }
-
- private:
-  bool exact_;
-};
-
-}  // namespace
-
-Eigen::RowVectorXd damping_ratio_slopes(const CaseContext& c, const DesignNeighbours& neighbours, std::size_t index,
-                                        const Eigen::VectorXd& towards) {
+Eigen::RowVectorXd damping_ratio_slopes(
+    const CaseContext& c, std::size_t index, const Eigen::VectorXd& towards,
+    const std::function<Eigen::MatrixXcd(const RootEquations&, std::size_t)>& change) {
+  constexpr double one_root = 1e-6;  // relative distance below which roots are one subspace
   const std::vector<modal::Root>& roots = c.roots().list;
   const Complex given = roots[index].eigenvalue;
-  Complex lambda = 0;
+  RootEquations root{0, c.assembled.frequency_dependent() && roots[index].exact};
   Eigen::Index count = 0, place = 0;
   for (std::size_t i = 0; i < roots.size(); ++i) {
     if (std::abs(roots[i].eigenvalue - given) > one_root * std::abs(given)) continue;
     if (i == index) place = count;
-    lambda += roots[i].eigenvalue;
+    root.lambda += roots[i].eigenvalue;
     ++count;
   }
-  lambda /= static_cast<double>(count);
-  if (lambda.imag() < 0) lambda = std::conj(lambda);  // the same damping ratio, and where laws are defined
-  const SystemOfRoot system(roots[index], c.assembled.frequency_dependent());
-  const Eigen::MatrixXcd here = system.stiffness(c.assembled, lambda);
-  const modal::NullVectors vectors = modal::null_vectors(here, system.scale(c.assembled), count);
+  root.lambda /= static_cast<double>(count);
+  // The same damping ratio, and where laws are defined.
+  if (root.lambda.imag() < 0) root.lambda = std::conj(root.lambda);
+  const Eigen::VectorXd scale = numerics::unit_scale(root.exact ? c.assembled.constant : c.assembled.matrices);
+  const modal::NullVectors vectors = modal::null_vectors(root.stiffness(c.assembled), scale, count);
   const numerics::PivotedLu<Complex> rate(
-      Eigen::MatrixXcd(vectors.left.transpose() * system.slope(c.assembled, lambda) * vectors.right));
+      Eigen::MatrixXcd(vectors.left.transpose() * root.slope(c.assembled) * vectors.right));
   std::vector<Eigen::MatrixXcd> changes;
-  for (std::size_t j = 0; j < neighbours.parameters(); ++j) {
-    Eigen::MatrixXcd change = Eigen::MatrixXcd::Zero(here.rows(), here.cols());
-    for (const response::WeightedModel& model : neighbours.along(j))
-      change += model.weight * (system.stiffness(*model.assembled, lambda) - here);
-    changes.push_back(-rate.solve(Eigen::MatrixXcd(vectors.left.transpose() * change * vectors.right)));
-  }
-  return separated_motions(changes, towards,
-                           [&](Complex of_root) {
-                             return of_root.real() / lambda.real() -
-                                 (std::conj(lambda) * of_root).real() / std::norm(lambda);
-                           })
-      .row(place);
+  for (std::size_t j = 0; j < to_size(towards.size()); ++j)
+    changes.push_back(-rate.solve(Eigen::MatrixXcd(vectors.left.transpose() * change(root, j) * vectors.right)));
+  const auto measure = [&](Complex of_root) {
+    return of_root.real() / root.lambda.real() - (std::conj(root.lambda) * of_root).real() / std::norm(root.lambda);
+  };
+  return separated_motions(changes, towards, measure).row(place);
 }
 
 }  // namespace trivet::study

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -11,10 +10,6 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/analysis_types.h"
 #include "trivet/study/analyses/case_context.h"
-#include "trivet/study/family/design_neighbours.h"
-#include "trivet/study/family/frequency_slopes.h"
-#include "trivet/study/family/packed_slopes.h"
-#include "trivet/study/family/requirement_slopes.h"
 #include "trivet/study/requirements/overruled_cases.h"
 #include "trivet/study/requirements/requirement_values.h"
 
@@ -83,33 +78,6 @@ const RequirementResult& counterpart(const std::vector<RequirementResult>& found
   for (const RequirementResult& one : there)
     if (is_same(one, found[result]) && before-- == 0) return one;
   throw foundation::NotComputable("a neighbouring design has other requirements");
-}
-
-/// True if two or more modes share the frequency of a candidate, which a family has no slopes for.
-bool is_of_repeated_frequency(const modal::Modes& modes, RequirementKind kind,
-                              const RequirementResult::Candidate& candidate) {
-  if (requirement_row(kind).slopes != MarginSlopes::frequencies) return false;
-  return is_repeated_frequency(modes, candidate.mode) ||
-      (kind == RequirementKind::separation && is_repeated_frequency(modes, candidate.mode + 1));
-}
-
-/// True if another root is within the distance below which roots are one subspace (root_slopes.cpp).
-bool is_repeated_root(const modal::Roots& roots, const RequirementResult::Candidate& candidate) {
-  constexpr double one_subspace = 1e-6;
-  const std::complex<double> own = roots.list[candidate.mode - 1].eigenvalue;
-  return std::ranges::count_if(roots.list, [&](const modal::Root& other) {
-           return std::abs(other.eigenvalue - own) <= one_subspace * std::abs(own);
-         }) > 1;
-}
-
-Eigen::MatrixXd slopes_of_roots(const PackedSlopes& of_family, const modal::Roots& roots,
-                                const std::vector<RequirementResult::Candidate>& candidates) {
-  std::vector<Eigen::RowVectorXd> rows;
-  for (const RequirementResult::Candidate& one : candidates)
-    rows.push_back(of_family.damping_ratio_slopes(roots.list[one.mode - 1].eigenvalue));
-  Eigen::MatrixXd slopes(to_index(rows.size()), rows.front().size());
-  for (std::size_t i = 0; i < rows.size(); ++i) slopes.row(to_index(i)) = rows[i];
-  return slopes;
 }
 
 /// In some designs a mount has a load in a direction without a range: one more result, which is not judged.
@@ -288,44 +256,26 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
     if (is_objective_[i]) least_objective = std::min(least_objective, values(i));
   for (Smooth& one : smooth)
     one.keep_near(values, is_objective_, minimized_.are_separate() ? one.least(values) : least_objective);
-  std::optional<DesignNeighbours> neighbours;  // models that are read again: only for what a family does not give
-  set_slopes(c, context, design, found, smooth, neighbours, *slopes);
-  if (!absences.empty()) {
-    if (!neighbours) neighbours.emplace(space_, *cases_[c], design);
-    add_absences(absences, found, *neighbours, references_[c], *slopes);
-  }
+  const RequirementSlopes exact(context, space_, *cases_[c], design, &families()[c]);
+  set_slopes(c, exact, found, smooth, *slopes);
+  if (!absences.empty()) add_absences(absences, found, exact.neighbours(), references_[c], *slopes);
   for (std::size_t j = 0; j < space_.size(); ++j)
     slopes->block(first, to_index(j), place - first, 1) *= space_.slope(j, shares(to_index(j)));
 }
 
-void DesignObjective::set_slopes(std::size_t c, const CaseContext& context, const Eigen::VectorXd& design,
+void DesignObjective::set_slopes(std::size_t c, const RequirementSlopes& exact,
                                  const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
-                                 std::optional<DesignNeighbours>& neighbours, Eigen::MatrixXd& slopes) const {
-  std::optional<PackedSlopes> of_family;
-  std::optional<RequirementSlopes> of_models;
+                                 Eigen::MatrixXd& slopes) const {
   bool differenced = false;
   for (std::size_t r = 0; r < found.size(); ++r) {
     const std::vector<RequirementResult::Candidate>& candidates = smooth[r].candidates;
     if (candidates.empty() || requirement_row(found[r].kind).slopes == MarginSlopes::zero) continue;
-    const bool of_roots = requirement_row(found[r].kind).slopes == MarginSlopes::roots;
-    const bool by_family =
-        families()[c].gives_slopes(r) && std::ranges::none_of(candidates, [&](const RequirementResult::Candidate& one) {
-          return of_roots ? is_repeated_root(context.roots(), one)
-                          : is_of_repeated_frequency(context.modes, found[r].kind, one);
-        });
-    if (by_family && !of_family)
-      of_family.emplace(families()[c].packed(), families()[c].family().at(design),
-                        families()[c].family().slopes(design));
-    if (!by_family && !neighbours) neighbours.emplace(space_, *cases_[c], design);
     differenced = differenced || is_differenced(c, r);
     if (is_differenced(c, r)) continue;
-    if (!by_family && !of_models) of_models.emplace(context, *neighbours);
-    const Eigen::MatrixXd exact = by_family && of_roots ? slopes_of_roots(*of_family, context.roots(), candidates)
-        : by_family                                     ? of_family->slopes(r, found[r], candidates)
-                                                        : of_models->of(found[r], candidates);
-    for (std::size_t i = 0; i < smooth[r].rows.size(); ++i) slopes.row(smooth[r].rows[i]) = exact.row(to_index(i));
+    const Eigen::MatrixXd of_result = exact.of(r, found[r], candidates);
+    for (std::size_t i = 0; i < smooth[r].rows.size(); ++i) slopes.row(smooth[r].rows[i]) = of_result.row(to_index(i));
   }
-  if (differenced) add_differences(c, found, smooth, *neighbours, slopes);
+  if (differenced) add_differences(c, found, smooth, exact.neighbours(), slopes);
 }
 
 double DesignObjective::Smooth::least(const Eigen::VectorXd& values) const {

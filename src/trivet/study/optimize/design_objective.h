@@ -12,9 +12,9 @@
 
 #include "trivet/numerics/search/max_min.h"
 #include "trivet/study/family/design_batch.h"
-#include "trivet/study/family/design_neighbours.h"
 #include "trivet/study/family/design_space.h"
 #include "trivet/study/family/objectives.h"
+#include "trivet/study/family/requirement_slopes.h"
 #include "trivet/study/requirements/peak_absence.h"
 #include "trivet/study/requirements/verdict.h"
 
@@ -92,9 +92,8 @@ class DesignObjective {
   /// True if the slopes of a requirement are differences of its values in neighbouring designs.
   [[nodiscard]] bool is_differenced(std::size_t c, std::size_t r) const;
   /// Slopes of what is near deciding, per unit of the axes.
-  void set_slopes(std::size_t c, const CaseContext& context, const Eigen::VectorXd& design,
-                  const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
-                  std::optional<DesignNeighbours>& neighbours, Eigen::MatrixXd& slopes) const;
+  void set_slopes(std::size_t c, const RequirementSlopes& exact, const std::vector<RequirementResult>& found,
+                  const std::vector<Smooth>& smooth, Eigen::MatrixXd& slopes) const;
   /// A curve that is to have no peak, near to having one.
   struct Absence {
     std::size_t result = 0;
