@@ -60,10 +60,13 @@ class Sweep {
     return values;
   }
 
-  [[nodiscard]] foundation::Expected<model::System> system(const Eigen::VectorXd& values) const {
+  /// @throws foundation::NotComputable if it is not valid
+  [[nodiscard]] model::System system(const Eigen::VectorXd& values) const {
     project::Design design;
     for (std::size_t i = 0; i < numbers_.size(); ++i) design.emplace_back(numbers_[i], values(to_index(i)));
-    return judging::changed_system(case_, design);
+    auto changed = judging::changed_system(case_, design);
+    if (!changed) throw foundation::NotComputable(foundation::message(changed.error().list().front()));
+    return std::move(*changed);
   }
 
   [[nodiscard]] std::vector<assembly::Channel> channels(const model::System& system,
@@ -114,11 +117,7 @@ DesignBatch batch_of(const Sweep& sweep, const SweepRequest& request, const proj
     numbers.variables.push_back({*least, *most, number.path});
   }
   numbers.any_size = true;
-  numbers.model = [&](const Eigen::VectorXd& values) {
-    auto system = sweep.system(values);
-    if (!system) throw foundation::NotComputable(foundation::message(system.error().list().front()));
-    return std::move(*system);
-  };
+  numbers.model = [&](const Eigen::VectorXd& values) { return sweep.system(values); };
   return {numbers, variant, {}, amplitudes};
 }
 
@@ -128,21 +127,16 @@ class Results {
   Results(const Sweep& sweep, DesignSweep& found) : sweep_(sweep), found_(found) {}
 
   void one_by_one(std::size_t design) {
-    const auto system = sweep_.system(sweep_.values(design));
     std::string failure;
-    if (system) {
-      try {
-        found_.highest.row(to_index(design)) = sweep_.one(*system).transpose();
-        const std::lock_guard lock(counting_);
-        ++found_.one_by_one;
-        return;
-      } catch (const foundation::NotComputable& reason) {
-        failure = reason.what();
-      } catch (const InvalidInput& reason) {
-        failure = reason.what();
-      }
-    } else {
-      failure = foundation::message(system.error().list().front());
+    try {
+      found_.highest.row(to_index(design)) = sweep_.one(sweep_.system(sweep_.values(design))).transpose();
+      const std::lock_guard lock(counting_);
+      ++found_.one_by_one;
+      return;
+    } catch (const foundation::NotComputable& reason) {
+      failure = reason.what();
+    } catch (const InvalidInput& reason) {
+      failure = reason.what();
     }
     found_.highest.row(to_index(design)).setConstant(without_value);
     const std::lock_guard lock(counting_);
