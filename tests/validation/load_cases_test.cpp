@@ -7,13 +7,14 @@
 #include "support/matchers.h"
 #include "trivet/elements/law.h"
 #include "trivet/identification/stiffness_fit.h"
-#include "trivet/identification/student_distribution.h"
+#include "trivet/numerics/sampling/student_distribution.h"
 
 /// Synthetic rigs with a known matrix.
 namespace load_cases_test {
 
 using namespace trivet;
 using namespace trivet::identification;
+using numerics::student_quantile;
 
 const Eigen::Vector3d arm(0.01, -0.02, 0.12);
 

@@ -8,12 +8,12 @@
 
 #include "support/matchers.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/identification/student_distribution.h"
+#include "trivet/numerics/sampling/student_distribution.h"
 
 namespace student_distribution_test {
 
 using namespace trivet;
-using identification::student_quantile;
+using numerics::student_quantile;
 
 TEST(StudentQuantile, MeetsALongerTable) {
   constexpr double longer_table = 5e-7;  // six decimals

@@ -10,7 +10,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/identification/student_distribution.h"
+#include "trivet/numerics/sampling/student_distribution.h"
 
 namespace trivet::identification {
 namespace {
@@ -143,7 +143,7 @@ void fill(const HarmonicFit& fit, int order, const Eigen::VectorXd& phase, doubl
   }
   const auto value = quantities(x, f),
              deviation = deviations(x, f, fit.unit_covariance.bottomRightCorner(count, count), fit.noise);
-  const double factor = widening * student_quantile(confidence, freedom);
+  const double factor = widening * numerics::student_quantile(confidence, freedom);
   const auto estimate = [&](std::size_t q) { return Estimate{value[q], factor * deviation[q]}; };
   loop.amplitude = estimate(0);
   loop.stiffness = estimate(1);

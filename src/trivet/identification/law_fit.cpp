@@ -11,7 +11,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/identification/levenberg_marquardt.h"
-#include "trivet/identification/student_distribution.h"
+#include "trivet/numerics/sampling/student_distribution.h"
 
 namespace trivet::identification {
 namespace {
@@ -175,7 +175,7 @@ LawFit fitted(const Scaled& data, const std::vector<StiffnessPoint>& points, con
   constexpr double exact = 1e-24;  // squared residuals of noise-free data, by rounding
   const double squares = std::max(minimum.residuals.squaredNorm(), exact * count);
   const double freedom = count - constants;
-  const double factor = freedom > 0 ? student_quantile(confidence, freedom) * std::sqrt(squares / freedom)
+  const double factor = freedom > 0 ? numerics::student_quantile(confidence, freedom) * std::sqrt(squares / freedom)
                                     : std::numeric_limits<double>::infinity();
   LawFit law;
   law.law = family.name;

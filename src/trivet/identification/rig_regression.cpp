@@ -7,8 +7,8 @@
 
 #include "trivet/elements/law.h"
 #include "trivet/foundation/index.h"
-#include "trivet/identification/student_distribution.h"
 #include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/sampling/student_distribution.h"
 
 namespace trivet::identification {
 
@@ -105,7 +105,7 @@ double half_width(const Regression& regression, const RegressionFit& fit, const 
   const double total = variance.sum();
   if (total == 0) return 0;
   const double share = (variance / total).array().square().cwiseQuotient(fit.group_freedom.array().max(1e-3)).sum();
-  return student_quantile(confidence, 1 / share) * std::sqrt(total);
+  return numerics::student_quantile(confidence, 1 / share) * std::sqrt(total);
 }
 
 Eigen::MatrixXd covariance(const RegressionFit& fit) {
@@ -204,7 +204,8 @@ Contradiction worst(const Regression& regression, const RegressionFit& fit, doub
   Eigen::VectorXd limits = Eigen::VectorXd::Zero(regression.groups);
   for (int g = 0; g < regression.groups; ++g)
     if (fit.group_freedom(g) >= 2)
-      limits(g) = student_quantile(1 - risk / static_cast<double>(fit.residual.size()), fit.group_freedom(g) - 1);
+      limits(g) =
+          numerics::student_quantile(1 - risk / static_cast<double>(fit.residual.size()), fit.group_freedom(g) - 1);
   for (Eigen::Index r = 0; r < fit.residual.size(); ++r) {
     const int group = regression.group[r];
     const double freedom = fit.group_freedom(group) - 1, limit = limits(group);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/identification/student_distribution.h"
+#include "trivet/numerics/sampling/student_distribution.h"
 
 #include <boost/math/distributions/students_t.hpp>
 #include <string>
 
 #include "trivet/foundation/invalid_input.h"
 
-namespace trivet::identification {
+namespace trivet::numerics {
 namespace {
 
 namespace policies = boost::math::policies;
@@ -28,4 +28,4 @@ double student_quantile(double confidence, double degrees_of_freedom) {
   return quantile(complement(student, above));
 }
 
-}  // namespace trivet::identification
+}  // namespace trivet::numerics
