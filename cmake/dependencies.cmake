@@ -7,6 +7,7 @@ find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Boost 1.74 REQUIRED CONFIG)  # headers of Boost.Math, included by source files only
 find_package(hwy REQUIRED)
+find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)  # headers of counter-based random numbers
 if(TRIVET_PORTABLE)
   include(static_libraries)
 else()
