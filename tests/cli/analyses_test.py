@@ -66,10 +66,15 @@ def trivet(*arguments, code=0, **options):
 
 
 def analyses():
-    """All tables of [analyses] except the map and the search, the operation, the limit lines and the measurements;
+    """All tables of [analyses] except the map, the search and the sample, the operation, the limit lines and the measurements;
     MACHINE or an example must contain each."""
     analyses = json.loads(trivet("schema").stdout)["properties"]["analyses"]["properties"]
-    return [*(name for name in analyses if name not in ("map", "optimize")), "operation", "limit_lines", "measurements"]
+    return [
+        *(name for name in analyses if name not in ("map", "optimize", "sample")),
+        "operation",
+        "limit_lines",
+        "measurements",
+    ]
 
 
 ANALYSES = analyses()

@@ -9,6 +9,7 @@
 #include "trivet/judging/checked_case.h"
 #include "trivet/judging/rest_checks.h"
 #include "trivet/judging/suspicions.h"
+#include "trivet/judging/tolerance_reach.h"
 #include "trivet/project/read_case.h"
 #include "trivet/project/text/source_file.h"
 #include "trivet/project/written_project.h"
@@ -67,6 +68,11 @@ class CaseReader {
     std::optional<Case> variant = checked_case(std::move(*read), filter_, base, problems);
     if (!variant) return std::nullopt;
     judge(*variant, filter_, book_, problems);
+    if (!base && project::is_requested("tolerances", filter_, "")) {
+      const foundation::Problems reach = tolerance_reach(*variant);
+      problems.add(reach);
+      variant->warnings.add(reach);
+    }
     variant->changes = std::move(written.changes);
     return variant;
   }

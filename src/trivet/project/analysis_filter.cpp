@@ -32,6 +32,8 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
       {"requirements", [](Analyses& a) { a.requirements.reset(); }},
       {"parameters", [](Analyses& a) { a.parameters.clear(); }},
       {"optimize", [](Analyses& a) { a.optimize.reset(); }},
+      {"tolerances", [](Analyses& a) { a.tolerances.clear(); }},
+      {"sample", [](Analyses& a) { a.sample.reset(); }},
   };
   return list;
 }
@@ -40,7 +42,7 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
 /// itself; empty for a part of the model.
 std::string analysis_of(const std::string& subject) {
   std::string first = subject.substr(0, subject.find('.'));
-  for (const char* table : {"limits", "limit_lines", "measurements", "requirements", "parameters"})
+  for (const char* table : {"limits", "limit_lines", "measurements", "requirements", "parameters", "tolerances"})
     if (first == table) return first;
   for (const AnalysisReader& reader : analysis_readers())
     if (reader.at_top && first == reader.name) return first;

@@ -128,8 +128,8 @@ std::optional<ReadCase> read_case(Node written, const std::string& name, foundat
 }
 
 Node without_analyses(Node document) {
-  for (const char* analysis :
-       {"analyses", "limits", "limit_lines", "measurements", "requirements", "parameters", "cases", "operation"})
+  for (const char* analysis : {"analyses", "limits", "limit_lines", "measurements", "requirements", "parameters",
+                               "tolerances", "cases", "operation"})
     if (const auto at = std::ranges::find(document.keys, analysis); at != document.keys.end()) {
       document.items.erase(document.items.begin() + (at - document.keys.begin()));
       document.keys.erase(at);

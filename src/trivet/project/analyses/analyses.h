@@ -14,8 +14,10 @@
 #include "trivet/assembly/band.h"
 #include "trivet/assembly/channels.h"
 #include "trivet/project/analyses/analysis_types.h"
+#include "trivet/project/analyses/design_axis.h"
 #include "trivet/project/analyses/limit_line_request.h"
 #include "trivet/project/analyses/requirements.h"
+#include "trivet/project/analyses/tolerances.h"
 #include "trivet/project/text/document.h"
 #include "trivet/project/text/units.h"
 
@@ -106,29 +108,6 @@ struct MountChoice {
 /// The change that puts one of the mounts at all places.
 [[nodiscard]] Node change_of(const MountChoice& choice, std::size_t mount);
 
-/// Where a parameter acts: the number at this path is `factor` times its value.
-struct ParameterPlace {
-  std::string path;  ///< as in --set
-  double factor = 1;
-  bool operator==(const ParameterPlace&) const = default;
-};
-
-/// A number that varies from design to design: an axis of a map, or [parameters.NAME].
-struct DesignAxis {
-  std::string parameter;    ///< dotted path of the first place
-  std::string name;         ///< name in tables and pictures; the path by default
-  double from = 0, to = 1;  ///< in `unit`
-  std::string unit;         ///< as written with from and to; empty: that of a bare number (SI)
-  bool logarithmic = false;
-  int points = 101;                    ///< of a map
-  std::vector<ParameterPlace> places;  ///< all of them
-  std::optional<Quantity> quantity;    ///< of the number at the first place; none if it cannot be read
-
-  [[nodiscard]] double at(double share) const;     ///< the value at 0 … 1 of the axis, ends exact
-  [[nodiscard]] double share(double value) const;  ///< inverse of `at`, also beyond the ends
-  bool operator==(const DesignAxis&) const = default;
-};
-
 /// Of the frequencies of a response.
 enum class Spacing { automatic, linear, logarithmic };
 
@@ -195,6 +174,8 @@ struct Analyses {
   std::vector<DesignAxis> parameters;  ///< [parameters.NAME]
   std::vector<MountChoice> choices;    ///< those that choose mounts
   std::optional<OptimizeRequest> optimize;
+  std::vector<Tolerance> tolerances;  ///< [tolerances.NAME]
+  std::optional<SampleRequest> sample;
   // The independent ones: analysis_table.h
   std::optional<OperationAnalysis> operation;
   std::optional<RandomAnalysis> random;

@@ -160,6 +160,7 @@ Analyses read_analyses(TableReader& root, const SymbolTable& symbols) {
   const ResultNames names(symbols);
   bool quantity_is_clear = true;
   analyses.parameters = read_parameters(root);
+  analyses.tolerances = read_tolerances(root);
   if (const Node* table = root.table("analyses")) {
     TableReader reader(*table, "analyses", root.problems());
     if (const Node* node = reader.table("modes")) {
@@ -190,6 +191,7 @@ Analyses read_analyses(TableReader& root, const SymbolTable& symbols) {
     read_independent_analyses(reader, false, names, symbols, analyses);
     read_map(root, reader, names, symbols, analyses);
     read_optimize(root, reader, names, symbols, analyses);
+    analyses.sample = read_sample(root, reader);
     reader.finish();
   }
   read_independent_analyses(root, true, names, symbols, analyses);

@@ -51,8 +51,9 @@ std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string
   return good ? number : std::nullopt;
 }
 
-/// The places of `path`: a text, a list of texts, or {path = factor}.
-std::vector<ParameterPlace> read_places(TableReader& root, TableReader& reader) {
+}  // namespace
+
+std::vector<ParameterPlace> read_places(TableReader& root, TableReader& reader, const std::string& noun) {
   std::vector<ParameterPlace> places;
   const Node* node = reader.node("path");
   const std::string remedy =
@@ -80,35 +81,34 @@ std::vector<ParameterPlace> read_places(TableReader& root, TableReader& reader) 
     add(*node);
   }
   const bool several = node->kind == Node::Kind::array || node->kind == Node::Kind::table;
-  if (several && node->items.empty()) reader.error("path", "no path", "a parameter moves at least one number", remedy);
+  if (several && node->items.empty())
+    reader.error("path", "no path", "a " + noun + " moves at least one number", remedy);
   for (const ParameterPlace& place : places) check_model_path(root, reader, "path", place.path);
   return places;
 }
 
-/// Reports numbers that two places move.
-void refuse_shared_numbers(const std::vector<DesignAxis>& parameters, TableReader& root) {
+void refuse_shared_numbers(const std::vector<NamedPlaces>& all, const std::string& table, const std::string& noun,
+                           TableReader& root) {
   struct Known {
     std::vector<std::string> keys;
     std::string name;
   };
   std::vector<Known> known;
-  for (const DesignAxis& parameter : parameters)
-    for (const ParameterPlace& place : parameter.places) {
+  for (const NamedPlaces& one : all)
+    for (const ParameterPlace& place : one.places) {
       const std::vector<std::string> keys = path_keys(place.path);
       const auto same = std::ranges::find(known, keys, &Known::keys);
       if (same != known.end())
         root.problems()
-            .error("parameters." + parameter.name + ".path", foundation::quoted(place.path),
-                   same->name == parameter.name
-                       ? "the parameter names this number twice"
-                       : "the parameter " + foundation::quoted(same->name) + " moves this number too",
-                   "a number has one parameter: remove it from one of them")
-            .origin = deepest(*root.node("parameters"), parameter.name + ".path").origin;
-      known.push_back({keys, parameter.name});
+            .error(table + "." + one.name + ".path", foundation::quoted(place.path),
+                   same->name == one.name
+                       ? "the " + noun + " names this number twice"
+                       : "the " + noun + " " + foundation::quoted(same->name) + " moves this number too",
+                   "a number has one " + noun + ": remove it from one of them")
+            .origin = deepest(*root.node(table), one.name + ".path").origin;
+      known.push_back({keys, one.name});
     }
 }
-
-}  // namespace
 
 void check_model_path(TableReader& root, TableReader& reader, const std::string& key, const std::string& path) {
   const std::string shown = "\"" + path.substr(0, 80) + "\"";
@@ -194,14 +194,16 @@ std::vector<DesignAxis> read_parameters(TableReader& root) {
     TableReader reader(table->items[i], subject, root.problems());
     DesignAxis axis;
     axis.name = table->keys[i];
-    axis.places = read_places(root, reader);
+    axis.places = read_places(root, reader, "parameter");
     if (!axis.places.empty()) axis.parameter = axis.places.front().path;
     axis.quantity = quantity_at(root.content(), path_keys(axis.parameter));
     read_range(reader, axis);
     reader.finish();
     parameters.push_back(std::move(axis));
   }
-  refuse_shared_numbers(parameters, root);
+  std::vector<NamedPlaces> named;
+  for (const DesignAxis& axis : parameters) named.push_back({axis.name, axis.places});
+  refuse_shared_numbers(named, "parameters", "parameter", root);
   return parameters;
 }
 

@@ -22,6 +22,12 @@ void check_requirements(const model::System& system, const Analyses& request, fo
 void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& names, const SymbolTable& symbols,
                    Analyses& result);
 
+/// Reads [tolerances.NAME].
+[[nodiscard]] std::vector<Tolerance> read_tolerances(TableReader& root);
+
+/// Reads [analyses.sample]; none if it is not requested.
+[[nodiscard]] std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyses);
+
 /// Reports requested results that do not exist because no element holds that direction of a node.
 void refuse_left_out_results(const model::System& system, const Analyses& request, foundation::Problems& problems);
 

@@ -56,7 +56,8 @@ const Words nonlinear_laws = {"law",
                               "amplitude_dependent"};
 const Words optimising = {"optimise", "optimize", "optimisation", "optimization", "optimum", "objective",
                           "minimise", "minimize", "select",       "selection",    "choose"};
-const Words scattering = {"sample", "samples", "tolerance", "tolerances", "robust"};
+const Words scattering = {"sample", "samples",    "sampling", "tolerance",  "tolerances",
+                          "robust", "robustness", "yield",    "monte_carlo"};
 const Words nonlinear_analyses = {"nonlinear",       "continuation", "harmonic_balance", "backbone",  "backbones",
                                   "nonlinear_modes", "limit_cycle",  "limit_cycles",     "stability", "bifurcations"};
 const Words turning = {"gyroscopic", "gyroscopic_moment", "spin", "spin_speed", "rotor", "rotors"};
@@ -68,8 +69,10 @@ const UnsupportedKey of_elements = {
 const UnsupportedKey of_designs = {
     "the best design is requested in [analyses.optimize], and mounts are chosen by trivet select",
     "write [parameters] and [requirements], and then [analyses.optimize] (docs/design.md); or remove the key"};
-const UnsupportedKey of_scatter = {"tolerances and samples of designs are outside this version",
-                                   "a case with changed numbers shows one deviation: [cases]; or remove the key"};
+const UnsupportedKey of_scatter = {
+    "numbers that differ from machine to machine are tables of [tolerances], their study is [analyses.sample]",
+    "write [tolerances.NAME] with path and half_width, and sample = {} in [analyses] (docs/sample.md); or remove the "
+    "key"};
 const UnsupportedKey of_motions = {"no such analysis: nonlinear machines have steady and backbone",
                                    "see docs/nonlinear.md; or remove the key"};
 const UnsupportedKey of_shafts = {

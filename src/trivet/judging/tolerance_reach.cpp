@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/judging/tolerance_reach.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "trivet/foundation/plain_text.h"
+#include "trivet/judging/changed_case.h"
+#include "trivet/project/model_number.h"
+#include "trivet/project/text/model_path.h"
+#include "trivet/project/text/shared_keys.h"
+
+namespace trivet::judging {
+namespace {
+
+/// The share of draws that take the number at a place to 0 or to the other side of it.
+double share_beyond_zero(const project::Tolerance& tolerance, std::size_t place, double given) {
+  const double factor = tolerance.places[place].factor;
+  const double at_zero = tolerance.relative ? 1 - 1 / factor : -given / factor;
+  const double below = numerics::share_up_to(tolerance.distribution, at_zero);
+  const bool falls = tolerance.relative ? factor > 0 : (given > 0) == (factor > 0);
+  return falls ? below : 1 - below;
+}
+
+/// Why the model has no number on the other side of zero; none if it has.
+std::optional<foundation::Problem> refusal_beyond_zero(const project::Case& base, const project::ModelNumber& number,
+                                                       double given) {
+  constexpr double just_beyond = -1e-3;
+  const auto system = changed_system(base, {{number, just_beyond * given}});
+  if (system) return std::nullopt;
+  for (const foundation::Problem& problem : system.error().list())
+    if (problem.severity == foundation::Severity::error) return problem;
+  return std::nullopt;
+}
+
+std::string percent(double share) {
+  return share < 1e-4 ? fmt::format("{:.1g} %", 100 * share) : fmt::format("{:.3g} %", 100 * share);
+}
+
+/// A truncation that keeps a number on its side of zero, as the standard deviation is written.
+std::string end_before_zero(const project::Case& base, const project::Tolerance& tolerance, const std::string& path,
+                            double given) {
+  constexpr double share = 0.9;
+  if (tolerance.relative) return "\"90 %\"";
+  const auto quantity = project::quantity_at(base.document, project::path_keys(path));
+  const std::string unit = quantity ? project::printed_si_unit(*quantity) : "";
+  return unit.empty() ? fmt::format("{:.6g}", share * std::abs(given))
+                      : fmt::format("\"{:.6g} {}\"", share * std::abs(given), unit);
+}
+
+/// The place of a tolerance that reaches zero most often.
+struct Beyond {
+  double share = 0;
+  std::string path;
+  double given = 0;
+  foundation::Problem refusal;
+};
+
+void add_beyond_zero(const project::Case& base, const project::Tolerance& tolerance, const Beyond& worst,
+                     foundation::Problems& found) {
+  using numerics::DistributionShape;
+  const DistributionShape shape = tolerance.distribution.shape;
+  const bool unbounded = shape == DistributionShape::normal || shape == DistributionShape::lognormal;
+  const std::string subject = "tolerances." + tolerance.name;
+  const std::string finding =
+      fmt::format("{} of its numbers at {} are ≤ 0", percent(worst.share), foundation::quoted(worst.path));
+  const std::string rule = fmt::format("the model has none of these: {}", worst.refusal.rule);
+  const std::string remedy = unbounded
+      ? "add truncated_at = " + end_before_zero(base, tolerance, worst.path, worst.given) + ", or a lower deviation"
+      : shape == DistributionShape::measured ? "check the measured numbers"
+                                             : "lower its half width, or take standard_deviation with truncated_at";
+  foundation::Problem& problem = worst.share > most_impossible
+      ? found.error(subject, finding, rule, remedy)
+      : found.warning(subject, finding, rule + "; these designs count as failed", remedy);
+  problem.origin = project::deepest(base.written, subject).origin;
+}
+
+}  // namespace
+
+foundation::Problems tolerance_reach(const project::Case& base) {
+  constexpr double occurs = 1e-9;  // in the largest study
+  foundation::Problems found;
+  for (const project::Tolerance& tolerance : base.analyses.tolerances) {
+    std::optional<Beyond> worst;
+    for (std::size_t place = 0; place < tolerance.places.size(); ++place) {
+      const std::string& path = tolerance.places[place].path;
+      const project::ModelNumber number(path, "");
+      const auto given = number.read(base);
+      if (!given || *given == 0) continue;
+      const double share = share_beyond_zero(tolerance, place, *given);
+      if (share < occurs || (worst && share <= worst->share)) continue;
+      if (const auto refusal = refusal_beyond_zero(base, number, *given)) worst = {share, path, *given, *refusal};
+    }
+    if (worst) add_beyond_zero(base, tolerance, *worst, found);
+  }
+  return found;
+}
+
+}  // namespace trivet::judging
