@@ -23,6 +23,8 @@ EXPLAINED = {
     "measurements": "measurements.md",
     "map": "map.md",
     "optimize": "design.md#trivet-optimize",
+    "sample": "sample.md",
+    "tolerances": "sample.md#tolerances",
     "random": "random.md",
     "transient": "transient.md",
     "steady": "nonlinear.md",

@@ -180,6 +180,9 @@ service_speed = "980 rpm"
     ("docs/design.md", "trivet select"): MOUNTS,
     ("docs/design.md", "trivet optimize"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/design.md", "Fronts"): SUSPENDED,
+    ("docs/sample.md", "Designs within tolerances"): FRAME.replace("frame", "machine")
+    + mounts("machine")
+    + "[requirements]\ndamping_ratio = 0.01\n",
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/plausibility.md", "If the number is right"): STARTER,
     ("docs/map.md", "Several pairs of parameters"): FRAME
@@ -231,6 +234,9 @@ FILES = {
     (KEYS, "Flexible foundations"): {
         "y.csv": "frequency_hz,y_z_z,y_z_z_im\n1,1e-5,0\n10,1e-5,0\n100,1e-5,0\n",
         "slab.uff": mobility_of_feet(),
+    },
+    ("docs/sample.md", "Designs within tolerances"): {
+        "batch.csv": "scale\n" + "".join(f"{0.9 + 0.01 * i:.2f}\n" for i in range(20))
     },
     (KEYS, "solid_mount"): {"mount.step": SOURCE / "tests/samples/data/rubber_on_steel.step"},
     (KEYS, "imported"): {"mount.mtx": SOURCE / "tests/data/matrices/beam_coordinate_symmetric.mtx"},

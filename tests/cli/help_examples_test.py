@@ -29,6 +29,7 @@ MACHINES = {
     "explain": "measured_response/machine.toml",
     "measurements": "measured_response/machine.toml",
     "select": "genset/mounts.toml",
+    "sample": "paper/robust.toml",
 }
 ADDED = {"earthquake": '[analyses.earthquake]\ndirection = "x"\nrows = [[0.001, 3], [10, 2]]\n'}
 

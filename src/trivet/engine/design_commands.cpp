@@ -18,11 +18,13 @@
 #include "trivet/results/design/map_document.h"
 #include "trivet/results/design/map_json.h"
 #include "trivet/results/design/optimization_results.h"
+#include "trivet/results/design/sample_document.h"
 #include "trivet/results/design/selection_document.h"
 #include "trivet/results/design/verdict_results.h"
 #include "trivet/results/format/written_results.h"
 #include "trivet/study/optimize/design_front.h"
 #include "trivet/study/optimize/optimization.h"
+#include "trivet/study/sample/sample.h"
 #include "trivet/study/select/mount_selection.h"
 
 namespace trivet::engine {
@@ -139,6 +141,21 @@ Result map(const Task& task) {
                               }));
   result.arrays = [held, &variant] { return results::result_arrays("map", variant, held->found); };
   result.held = held;
+  return result;
+}
+
+Result sample(const Task& task) {
+  const auto held = hold(task, study::sample(*task.project, task.progress));
+  Result result;
+  result.warnings = task.project->base().warnings;
+  const auto document = [held, warnings = result.warnings](const project::DisplayUnits& display) {
+    auto shown = std::make_shared<study::Sample>(held->found);
+    for (study::SampledCaseResult& one : shown->cases) one.display = display;
+    documents::Document found = results::sample_document(*shown, warnings);
+    found.held = shown;
+    return found;
+  };
+  set_forms(document, held, task.variant.display, {"sample.csv"}, result);
   return result;
 }
 
@@ -315,6 +332,15 @@ std::vector<Command> design_commands() {
        .examples = {"trivet optimize machine.toml --write best.toml",
                     "trivet optimize machine.toml --time-limit \"10 min\""},
        .run = optimize},
+      {.name = "sample",
+       .about = "the share of machines built within [tolerances] that meet every requirement, and what breaks first",
+       .group = Group::design,
+       .of_one_case = false,
+       .case_alone = "sample this case alone, as one in which the design has to hold",
+       .looks_at = with({"sample", "tolerances"}),
+       .csv = true,
+       .examples = {"trivet sample machine.toml", "trivet sample machine.toml --set analyses.sample.seed=2 --csv"},
+       .run = sample},
       {.name = "select",
        .about = "the mounts of a catalogue with the largest least margin of all requirements",
        .group = Group::design,

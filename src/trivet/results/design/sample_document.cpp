@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/design/sample_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "trivet/results/design/verdict_words.h"
+#include "trivet/results/format/json_parts.h"
+
+namespace trivet::results {
+namespace {
+
+using numerics::ConfidenceInterval;
+using study::Sample;
+using study::SampledCaseResult;
+using study::SampledRequirement;
+using study::Spread;
+using study::Yield;
+
+/// Decimals of a percentage that is known to this share: two digits of what is not known.
+int decimals_of(double unsure) {
+  constexpr int most = 9;
+  if (!(unsure > 0)) return 1;
+  return std::clamp(1 - static_cast<int>(std::floor(std::log10(100 * unsure))), 0, most);
+}
+
+enum class Rounded { near, down, up };
+
+std::string percent(double share, int decimals, Rounded rounded = Rounded::near) {
+  const double unit = std::pow(10.0, decimals), scaled = 100 * share * unit;
+  const double whole = rounded == Rounded::down ? std::floor(scaled)
+      : rounded == Rounded::up                  ? std::ceil(scaled)
+                                                : std::round(scaled);
+  return fmt::format("{:.{}f}", whole / unit, decimals);
+}
+
+std::string confidence_words() { return fmt::format("{:.0f} %", 100 * study::sample_confidence); }
+
+struct DrawnRequirement {
+  const Sample* sample;
+  const SampledCaseResult* in;
+  const SampledRequirement* result;
+};
+using DrawnRequirements = Rows<DrawnRequirement>;
+
+std::optional<double> or_none(double number) { return std::isnan(number) ? std::nullopt : std::optional(number); }
+
+/// A number of the spread of the margins.
+auto margin(double Spread::* member) {
+  return [member](const DrawnRequirement& one) { return or_none(one.result->margin.*member); };
+}
+/// A number of the spread of the values; none where there are none.
+auto value(double Spread::* member) {
+  return [member](const DrawnRequirement& one) {
+    return one.result->value ? or_none(*one.result->value.*member) : std::nullopt;
+  };
+}
+auto end_of_margins(double numerics::Extremes::* member) {
+  return [member](const DrawnRequirement& one) {
+    const numerics::Extremes& ends = one.result->margin.extremes;
+    return ends.any ? std::optional(ends.*member) : std::nullopt;
+  };
+}
+auto end_of_values(double numerics::Extremes::* member) {
+  return [member](const DrawnRequirement& one) {
+    return one.result->value ? std::optional(one.result->value->extremes.*member) : std::nullopt;
+  };
+}
+auto interval(double ConfidenceInterval::* member) {
+  return [member](const DrawnRequirement& one) { return one.result->yield.interval.*member; };
+}
+
+std::uint64_t violating(const Sample& sample) { return sample.request.designs - sample.yield.met - sample.failed; }
+
+/// Of the designs that violate a requirement, the share in which this one has the least margin.
+std::optional<double> share_of_first(const DrawnRequirement& one) {
+  const std::uint64_t all = violating(*one.sample);
+  return all > 0 ? std::optional(static_cast<double>(one.result->first) / static_cast<double>(all)) : std::nullopt;
+}
+
+std::vector<Column> subject_columns(const DrawnRequirements& row) {
+  const auto given = [](auto words) {
+    return [words](const DrawnRequirement& one) { return words(one.result->given); };
+  };
+  return {
+      row("case", Kind::words, "", [](const DrawnRequirement& one) { return one.in->case_name; }, {.forms = in_csv}),
+      row("kind", Kind::words, "", given([](const auto& r) { return study::name(r.kind); }),
+          {.forms = in_json | in_csv}),
+      row("subject", Kind::words, "", given([](const auto& r) { return r.subject; }), {.forms = in_json | in_csv}),
+      row("requirement", Kind::words, "", given([](const auto& r) { return r.words.text(); }),
+          {.forms = in_json | in_csv}),
+      row("requirement", Kind::words, "requirement",
+          [](const DrawnRequirement& one) { return requirement_words(one.result->given, one.in->display); },
+          {.forms = for_people}),
+      row("unit", Kind::words, "", given([](const auto& r) { return r.unit; })),
+      row("allowed", Kind::quantity, "", given([](const auto& r) { return r.allowed; }), {.forms = in_json | in_csv})};
+}
+
+std::vector<Column> yield_columns(const DrawnRequirements& row) {
+  const ColumnOptions data = {.forms = in_json | in_csv};
+  return {row("yield", Kind::share, "", interval(&ConfidenceInterval::estimate), data),
+          row("yield_from", Kind::share, "", interval(&ConfidenceInterval::from), data),
+          row("yield_to", Kind::share, "", interval(&ConfidenceInterval::to), data),
+          row(
+              "met", Kind::number, "", [](const DrawnRequirement& one) { return one.result->yield.met; }, data),
+          row("alone", Kind::words, "met",
+              [](const DrawnRequirement& one) {
+                const ConfidenceInterval& of = one.result->yield.interval;
+                return percent(of.estimate, decimals_of(std::max(of.to - of.estimate, of.estimate - of.from))) + " %";
+              },
+              {.forms = for_people}),
+          row(
+              "first", Kind::number, "", [](const DrawnRequirement& one) { return one.result->first; }, data),
+          row("breaks_first", Kind::share, "breaks first", share_of_first, {.digits = 3})};
+}
+
+std::vector<Column> margin_columns(const DrawnRequirements& row) {
+  using numerics::Extremes;
+  const ColumnOptions shown = {.digits = 4};
+  const auto design = [](std::uint64_t Extremes::* member) {
+    return [member](const DrawnRequirement& one) { return one.result->margin.extremes.*member; };
+  };
+  const ColumnOptions data = {.forms = in_json | in_csv};
+  return {row("margin_least", Kind::number, "least margin", end_of_margins(&Extremes::least), shown),
+          row("margin_least_design", Kind::number, "", design(&Extremes::least_at), data),
+          row("margin_low", Kind::number, "5 %", margin(&Spread::low), shown),
+          row("margin_median", Kind::number, "50 %", margin(&Spread::median), shown),
+          row("margin_high", Kind::number, "95 %", margin(&Spread::high), shown),
+          row("margin_largest", Kind::number, "", end_of_margins(&Extremes::largest), data),
+          row("margin_largest_design", Kind::number, "", design(&Extremes::largest_at), data)};
+}
+
+std::vector<Column> value_columns(const DrawnRequirements& row, const std::function<Kind(std::size_t)>& kind_in_row) {
+  using numerics::Extremes;
+  std::vector<Column> columns;
+  const auto add = [&](const char* name, const char* heading, auto get) {
+    columns.push_back(row(name, Kind::quantity, heading, get,
+                          {.digits = 4, .forms = *heading ? everywhere : unsigned{in_json | in_csv}}));
+    columns.back().kind_in_row = kind_in_row;
+  };
+  add("value_given", "", [](const DrawnRequirement& one) { return one.result->given.value; });
+  add("value_least", "", end_of_values(&Extremes::least));
+  add("value_low", "value 5 %", value(&Spread::low));
+  add("value_median", "50 %", value(&Spread::median));
+  add("value_high", "95 %", value(&Spread::high));
+  add("value_largest", "", end_of_values(&Extremes::largest));
+  add("value_mean", "", [](const DrawnRequirement& one) { return one.result->mean; });
+  add("value_deviation", "", [](const DrawnRequirement& one) { return one.result->deviation; });
+  return columns;
+}
+
+Table requirement_table(const Sample& sample, const std::vector<const SampledCaseResult*>& cases) {
+  std::vector<DrawnRequirement> list;
+  for (const SampledCaseResult* one : cases)
+    for (const SampledRequirement& result : one->requirements) list.push_back({&sample, one, &result});
+  const auto kind_in_row = [list](std::size_t i) { return kind_of_numbers(list[i].result->given); };
+  const DrawnRequirements row(std::move(list));
+  Table table{.key = "requirements", .file = "sample.csv", .rows = row.size()};
+  for (std::vector<Column>& columns :
+       std::array{subject_columns(row), yield_columns(row), margin_columns(row), value_columns(row, kind_in_row)})
+    std::ranges::move(columns, std::back_inserter(table.columns));
+  return table;
+}
+
+Json yield_json(const Yield& yield) {
+  return {{"share", yield.interval.estimate},
+          {"from", yield.interval.from},
+          {"to", yield.interval.to},
+          {"met", yield.met},
+          {"interval", yield.of_replicates ? "replicates" : "Clopper-Pearson"}};
+}
+
+Json design_json(const std::optional<study::NamedDesign>& design) {
+  if (!design) return nullptr;
+  Json numbers = Json::object();
+  for (const study::NamedDesign::Number& one : design->numbers) numbers[one.path] = json::number(one.value);
+  return {{"design", design->number}, {"numbers", std::move(numbers)}};
+}
+
+std::string design_words(const study::NamedDesign& design) {
+  std::string words = fmt::format("design {}", design.number);
+  for (const study::NamedDesign::Number& one : design.numbers)
+    words += fmt::format(
+        "{}{} = {:.5g}{}", &one == &design.numbers.front() ? ": " : ", ", one.path, one.value,
+        one.quantity && *one.quantity != project::Quantity::pure ? " " + project::printed_si_unit(*one.quantity) : "");
+  return words;
+}
+
+void say(Document& document, std::string words, unsigned forms = for_people) {
+  document.add(Sentence{.parts = {std::move(words)}, .forms = forms});
+}
+
+/// Which requirement decides most of the designs that violate one.
+std::string first_words(const Sample& sample) {
+  const SampledRequirement* most = nullptr;
+  const SampledCaseResult* in = nullptr;
+  for (const SampledCaseResult& one : sample.cases)
+    for (const SampledRequirement& result : one.requirements)
+      if (result.first > 0 && (!most || result.first > most->first)) most = &result, in = &one;
+  if (!most) return "";
+  return fmt::format("Breaks first: {}{}, in {:.3g} % of the designs that violate a requirement.",
+                     requirement_words(most->given, in->display),
+                     in->case_name.empty() ? "" : " in case " + in->case_name,
+                     100 * static_cast<double>(most->first) / static_cast<double>(violating(sample)));
+}
+
+void add_failures(const Sample& sample, Document& document) {
+  if (sample.failed == 0) return;
+  const double share = static_cast<double>(sample.failed) / static_cast<double>(sample.request.designs);
+  say(document,
+      fmt::format("{} design{} ({:.3g} %) could not be judged and count{} as failed. The first is {}: {}.",
+                  sample.failed, sample.failed == 1 ? "" : "s", 100 * share, sample.failed == 1 ? "s" : "",
+                  design_words(*sample.first_failed), sample.first_failure));
+}
+
+std::string method_words(const Sample& sample) {
+  const std::string numbers = sample.request.sobol
+      ? fmt::format("Scrambled Sobol numbers in {} replicates", sample.replicates)
+      : std::string("Random numbers");
+  return fmt::format("{}, seed {}; {} number{} drawn for each design. Quantiles are within 0.1 %. {}", numbers,
+                     sample.request.seed, sample.draws, sample.draws == 1 ? "" : "s",
+                     sample.yield.of_replicates ? "The interval is Student's, from the differences of the replicates."
+                                                : "The interval is Clopper and Pearson's, as of random designs.");
+}
+
+std::string case_words(const SampledCaseResult& one) {
+  const std::string name = one.case_name.empty() ? "" : "Case " + one.case_name + ": ";
+  if (!one.no_kernels.empty())
+    return fmt::format("{}{} designs assembled one by one: {}.", name, one.one_by_one, one.no_kernels);
+  return fmt::format("{}{} designs judged by kernels, {} assembled one by one; matrices as {}.", name, one.in_kernels,
+                     one.one_by_one, one.family);
+}
+
+}  // namespace
+
+std::string yield_words(const Yield& yield) {
+  const ConfidenceInterval& of = yield.interval;
+  if (of.to == 1 && of.estimate == 1)
+    return fmt::format("≥ {} % with {} confidence", percent(of.from, decimals_of(1 - of.from), Rounded::down),
+                       confidence_words());
+  if (of.from == 0 && of.estimate == 0)
+    return fmt::format("≤ {} % with {} confidence", percent(of.to, decimals_of(of.to), Rounded::up),
+                       confidence_words());
+  const int decimals = decimals_of(std::max(of.to - of.estimate, of.estimate - of.from));
+  return fmt::format("{} % ({} confidence: {} % … {} %)", percent(of.estimate, decimals), confidence_words(),
+                     percent(of.from, decimals), percent(of.to, decimals));
+}
+
+Document sample_document(const Sample& sample, const foundation::Problems& warnings) {
+  Document document;
+  const std::uint64_t designs = sample.request.designs;
+  say(document,
+      fmt::format("Yield: {}; {} of {} designs meet every requirement.", yield_words(sample.yield),
+                  sample.yield.met == designs ? "all"
+                      : sample.yield.met == 0 ? "NONE"
+                                              : std::to_string(sample.yield.met),
+                  designs));
+  const auto add = [&](const char* name, Json value) { document.add(Single{.name = name, .value = std::move(value)}); };
+  add("designs", designs);
+  add("sampling", sample.request.sobol ? "sobol" : "random");
+  add("seed", sample.request.seed);
+  add("replicates", sample.replicates);
+  add("drawn", sample.draws);
+  add("confidence", study::sample_confidence);
+  add("quantiles_within", numerics::LogHistogram::relative_error);
+  add("yield", yield_json(sample.yield));
+  add("failed", sample.failed);
+  add("first_failed", design_json(sample.first_failed));
+  add("first_failure", sample.first_failure);
+  add("worst", design_json(sample.worst));
+  add("worst_margin", sample.worst ? json::number(sample.worst_margin) : Json());
+  if (const std::string first = first_words(sample); !first.empty()) say(document, first);
+  add_failures(sample, document);
+  if (sample.worst)
+    say(document, fmt::format("Least margin {:.4g} in {}.", sample.worst_margin, design_words(*sample.worst)));
+  std::vector<const SampledCaseResult*> cases;
+  for (const SampledCaseResult& one : sample.cases) cases.push_back(&one);
+  document.add(requirement_table(sample, cases)).forms = in_csv;
+  for (const SampledCaseResult& one : sample.cases) {
+    Group& group = document.add(Group{.key = "cases", .parts = {}, .in_list = true});
+    const auto single = [&](const char* name, Json value) {
+      group.parts.push_back({Single{.name = name, .value = std::move(value)}});
+    };
+    single("case", one.case_name);
+    single("in_kernels", one.in_kernels);
+    single("one_by_one", one.one_by_one);
+    single("no_kernels", one.no_kernels);
+    single("family", one.family);
+    Table table = requirement_table(sample, {&one});
+    table.file.clear();
+    table.forms = in_json | on_screen | on_page;
+    if (one.requirements.empty()) table.forms = in_json;
+    group.parts.push_back({Sentence{.parts = {case_words(one)}, .forms = on_screen | on_page}});
+    group.parts.push_back({std::move(table)});
+  }
+  say(document, method_words(sample), on_screen | on_page);
+  add("warnings", json::warnings(warnings));
+  return document;
+}
+
+}  // namespace trivet::results

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/foundation/problems.h"
+#include "trivet/numerics/sampling/exact_statistics.h"
+#include "trivet/numerics/sampling/intervals.h"
+#include "trivet/project/project.h"
+#include "trivet/study/requirements/verdict.h"
+
+/// How many of the machines built within the tolerances meet the requirements? Definitions: docs/sample.md.
+namespace trivet::study {
+
+inline constexpr double sample_confidence = 0.95;
+
+/// Share of the designs that meet something.
+struct Yield {
+  std::uint64_t met = 0;
+  numerics::ConfidenceInterval interval;
+  /// From the differences of the replicates; otherwise Clopper and Pearson's, as of random designs.
+  bool of_replicates = false;
+};
+
+/// 5, 50 and 95 % of a number over the judged designs, and its extremes.
+struct Spread {
+  double low = 0, median = 0, high = 0;
+  numerics::Extremes extremes;
+};
+
+/// One requirement in one case, over all designs.
+struct SampledRequirement {
+  RequirementResult given;  ///< of the design of the file
+  Yield yield;              ///< of this requirement alone
+  std::uint64_t first = 0;  ///< designs without all requirements met in which it has the least margin
+  Spread margin;
+  std::optional<Spread> value;            ///< where the margin is value over limit or limit over value; SI
+  std::optional<double> mean, deviation;  ///< of the value; none if it is unbounded in a design
+};
+
+struct SampledCaseResult {
+  std::string case_name;
+  project::DisplayUnits display;
+  std::vector<SampledRequirement> requirements;
+  std::uint64_t in_kernels = 0, one_by_one = 0;  ///< designs judged
+  std::string no_kernels;                        ///< why none were judged by kernels
+  std::string family;                            ///< how the matrices of these were computed
+};
+
+/// A design by its number, and what was drawn for it.
+struct NamedDesign {
+  std::uint64_t number = 0;
+  struct Number {
+    std::string path;
+    double value = 0;  ///< as a bare number of the file: SI
+    std::optional<project::Quantity> quantity;
+  };
+  std::vector<Number> numbers;
+};
+
+struct Sample {
+  project::SampleRequest request;
+  std::vector<project::Tolerance> tolerances;
+  std::size_t draws = 0;  ///< numbers drawn for each design
+  std::size_t replicates = 1;
+  Yield yield;  ///< of all requirements in all cases in which the design has to hold
+  std::vector<SampledCaseResult> cases;
+  std::uint64_t failed = 0;  ///< designs that have no model or cannot be judged in some case; they do not meet anything
+  std::optional<NamedDesign> first_failed;
+  std::string first_failure;         ///< its reason
+  std::optional<NamedDesign> worst;  ///< the design with the least margin of all
+  double worst_margin = 0;
+  foundation::Problems warnings;
+};
+
+/// Judges the requirements of the cases in which the design has to hold for the designs of [analyses.sample], by
+/// default 100,000. All cases have the same designs. The same for any number of threads.
+/// @throws foundation::InvalidInput without tolerances or requirements, NotComputable if a requirement cannot be judged
+/// in the design of the file
+[[nodiscard]] Sample sample(const project::Project& project, const foundation::Progress& progress = {});
+
+}  // namespace trivet::study

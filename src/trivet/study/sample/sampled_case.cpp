@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/sample/sampled_case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/judging/changed_case.h"
+#include "trivet/study/analyses/case_context.h"
+#include "trivet/study/family/packed_margins.h"
+#include "trivet/study/requirements/requirement_values.h"
+
+namespace trivet::study {
+namespace {
+
+using foundation::InvalidInput;
+using foundation::NotComputable;
+
+constexpr Eigen::Index kernel_lanes =
+    120;  // designs whose matrices fit in the cache, as of maps (design_evaluation.cpp)
+
+std::string case_words(const project::Case& variant) {
+  return variant.name.empty() ? "" : " in case " + foundation::quoted(variant.name);
+}
+
+/// True for prices: no number of the model moves them.
+bool is_constant(const RequirementResult& result) { return requirement_row(result.kind).slopes == MarginSlopes::zero; }
+
+}  // namespace
+
+SampledCase::SampledCase(const project::Case& variant, const std::vector<project::Tolerance>& tolerances,
+                         const DrawnDesigns& drawn)
+    : case_(variant), tolerances_(tolerances) {
+  for (std::size_t t = 0; t < tolerances.size(); ++t)
+    for (std::size_t p = 0; p < tolerances[t].places.size(); ++p) {
+      const std::string& path = tolerances[t].places[p].path;
+      project::ModelNumber number(path, "");
+      const auto given = number.read(variant);
+      if (!given)
+        throw InvalidInput(fmt::format("sample: tolerance {}: no number at {}{}",
+                                       foundation::quoted(tolerances[t].name), foundation::quoted(path),
+                                       case_words(variant)));
+      numbers_.push_back({std::move(number), *given, t, p, to_index(drawn.draw_of(t, p))});
+    }
+  given_ = results(variant.system);
+  for (const RequirementResult& one : given_)
+    if (!one.value)
+      throw NotComputable(
+          fmt::format("sample: \"{}\"{} cannot be judged: {}", one.words.text(), case_words(variant), one.reason));
+  no_kernels_ = beyond_kernels();
+  if (no_kernels_.empty()) fit(drawn);
+}
+
+std::string SampledCase::beyond_kernels() const {
+  const bool loads =
+      std::ranges::any_of(given_, [](const RequirementResult& one) { return one.kind == RequirementKind::mount_load; });
+  for (const model::Element& element : case_.system.elements())
+    if (loads && element.rating && std::ranges::any_of(element.rating->load, [](const auto& one) { return !one; }))
+      return "a mount has no range in some direction, where only a model shows whether its load is noticeable";
+  for (const RequirementResult& one : given_)
+    if (requirement_row(one.kind).packed == PackedPart::none && !is_constant(one))
+      return fmt::format("\"{}\" has no kernel over many designs", one.words.text());
+  return "";
+}
+
+void SampledCase::fit(const DrawnDesigns& drawn) {
+  // Unbounded numbers are fitted without their tails: designs there are assembled. If some of a range have no model,
+  // wider tails may leave a range in which all have.
+  for (const double tail : {1e-6, 1e-4, 1e-2}) {
+    DesignNumbers numbers;
+    from_.resize(to_index(drawn.draws()));
+    to_.resize(from_.size());
+    for (std::size_t d = 0; d < drawn.draws(); ++d) {
+      const numerics::Distribution& one = drawn.distribution(d);
+      const bool unbounded = !one.truncated_at &&
+          (one.shape == numerics::DistributionShape::normal || one.shape == numerics::DistributionShape::lognormal);
+      constexpr double end = 0x1p-53;  // of bounded numbers: nothing is beyond it
+      from_(to_index(d)) = numerics::quantile(one, unbounded ? tail : end);
+      to_(to_index(d)) = numerics::quantile(one, 1 - (unbounded ? tail : end));
+      numbers.variables.push_back({from_(to_index(d)), to_(to_index(d)), drawn.name(d)});
+    }
+    numbers.model = [this](const Eigen::VectorXd& draws) { return system(draws); };
+    batch_.emplace(numbers, case_, case_.analyses, given_);
+    no_kernels_ = batch_->reason();
+    for (std::size_t r = 0; no_kernels_.empty() && r < given_.size(); ++r)
+      if (!batch_->packed().covers(r) && !is_constant(given_[r]))
+        no_kernels_ = fmt::format("\"{}\" is not judged by a kernel here", given_[r].words.text());
+    if (no_kernels_.empty()) return;
+  }
+}
+
+model::System SampledCase::system(const Eigen::VectorXd& draws) const {
+  project::Design design;
+  for (const Number& one : numbers_)
+    design.emplace_back(one.number, tolerances_[one.tolerance].number(one.place, one.given, draws(one.draw)));
+  auto changed = judging::changed_system(case_, design);
+  if (changed) return std::move(*changed);
+  for (const foundation::Problem& problem : changed.error().list())
+    if (problem.severity == foundation::Severity::error)
+      throw NotComputable(problem.subject + ": " + problem.finding + "; " + problem.rule);
+  throw NotComputable("the model cannot be read");
+}
+
+std::vector<RequirementResult> SampledCase::results(const model::System& system) const {
+  const foundation::Progress silent;
+  const CaseContext context(system, silent);
+  foundation::Problems warnings;
+  return requirement_values(context, case_.analyses, warnings);
+}
+
+void SampledCase::assemble(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into) const {
+  std::string& failure = into.failures[to_size(design)];
+  try {
+    const std::vector<RequirementResult> found = results(system(draws.row(design).transpose()));
+    for (const RequirementResult& one : found)
+      if (!one.value && failure.empty()) failure = "\"" + one.words.text() + "\" cannot be judged: " + one.reason;
+    if (failure.empty() && found.size() != given_.size()) failure = "it has other requirements than the given design";
+    for (std::size_t r = 0; failure.empty() && r < found.size(); ++r)
+      into.margins(design, to_index(r)) = found[r].margin;
+  } catch (const NotComputable& reason) {
+    failure = reason.what();
+  } catch (const InvalidInput& reason) {
+    failure = reason.what();
+  }
+  if (failure.empty()) ++into.one_by_one;
+  else into.margins.row(design).setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+SampledMargins SampledCase::assembled(const Eigen::MatrixXd& draws) const {
+  SampledMargins found{Eigen::ArrayXXd(draws.rows(), to_index(given_.size())),
+                       std::vector<std::string>(to_size(draws.rows()))};
+  for (Eigen::Index d = 0; d < draws.rows(); ++d) assemble(draws, d, found);
+  return found;
+}
+
+SampledMargins SampledCase::judged(const Eigen::MatrixXd& draws) const {
+  if (!no_kernels_.empty()) return assembled(draws);
+  SampledMargins found{Eigen::ArrayXXd(draws.rows(), to_index(given_.size())),
+                       std::vector<std::string>(to_size(draws.rows()))};
+  for (Eigen::Index first = 0; first < draws.rows(); first += kernel_lanes) {
+    const Eigen::Index count = std::min(kernel_lanes, draws.rows() - first);
+    // A design in a tail is judged with the ends of its ranges, and assembled afterwards.
+    Eigen::MatrixXd inside = draws.middleRows(first, count);
+    for (Eigen::Index d = 0; d < count; ++d)
+      inside.row(d) = inside.row(d).array().max(from_.transpose()).min(to_.transpose()).matrix();
+    found.margins.middleRows(first, count) = packed_margins(batch_->packed(), batch_->family().designs(inside));
+    for (std::size_t r = 0; r < given_.size(); ++r)
+      if (is_constant(given_[r])) found.margins.col(to_index(r)).segment(first, count).setConstant(given_[r].margin);
+    for (Eigen::Index d = 0; d < count; ++d) {
+      const bool proven =
+          (inside.row(d).array() == draws.row(first + d).array()).all() && !found.margins.row(first + d).isNaN().any();
+      if (proven) ++found.in_kernels;
+      else assemble(draws, first + d, found);
+    }
+  }
+  return found;
+}
+
+}  // namespace trivet::study

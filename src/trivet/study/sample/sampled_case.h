@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/project/model_number.h"
+#include "trivet/project/project.h"
+#include "trivet/study/family/design_batch.h"
+#include "trivet/study/requirements/verdict.h"
+#include "trivet/study/sample/drawn_designs.h"
+
+namespace trivet::study {
+
+/// Margins of some designs of one case.
+struct SampledMargins {
+  Eigen::ArrayXXd margins;            ///< designs × requirements; NaN in a whole row: the design could not be judged
+  std::vector<std::string> failures;  ///< per design, why; empty: it was judged
+  std::size_t in_kernels = 0, one_by_one = 0;  ///< designs, of those judged
+};
+
+/// One case of a sample: judges its requirements for drawn designs, by kernels over many designs where these prove all
+/// of them, otherwise by assembled models.
+class SampledCase {
+ public:
+  /// @throws foundation::NotComputable if a requirement cannot be judged in the case as given, InvalidInput if a number
+  /// of a tolerance cannot be read there
+  SampledCase(const project::Case& variant, const std::vector<project::Tolerance>& tolerances,
+              const DrawnDesigns& drawn);
+
+  [[nodiscard]] const project::Case& variant() const { return case_; }
+  /// The requirements of the case as given.
+  [[nodiscard]] const std::vector<RequirementResult>& given() const { return given_; }
+  /// Why all designs are assembled; empty if kernels judge them.
+  [[nodiscard]] const std::string& no_kernels() const { return no_kernels_; }
+  [[nodiscard]] const std::optional<DesignBatch>& batch() const { return batch_; }
+
+  /// @param draws  designs × draws
+  [[nodiscard]] SampledMargins judged(const Eigen::MatrixXd& draws) const;
+  /// The same by assembled models alone.
+  [[nodiscard]] SampledMargins assembled(const Eigen::MatrixXd& draws) const;
+
+ private:
+  [[nodiscard]] model::System system(const Eigen::VectorXd& draws) const;
+  [[nodiscard]] std::vector<RequirementResult> results(const model::System& system) const;
+  void fit(const DrawnDesigns& drawn);
+  /// Why kernels cannot prove all requirements of a design; empty if they can.
+  [[nodiscard]] std::string beyond_kernels() const;
+  /// Judges one design by its model; into row `design`.
+  void assemble(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into) const;
+
+  struct Number {
+    project::ModelNumber number;
+    double given = 0;
+    std::size_t tolerance = 0, place = 0;
+    Eigen::Index draw = 0;
+  };
+  const project::Case& case_;
+  const std::vector<project::Tolerance>& tolerances_;
+  std::vector<Number> numbers_;
+  std::vector<RequirementResult> given_;
+  std::optional<DesignBatch> batch_;
+  Eigen::ArrayXd from_, to_;  ///< draws for which the batch was fitted
+  std::string no_kernels_;
+};
+
+}  // namespace trivet::study

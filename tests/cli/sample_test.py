@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Designs within tolerances: text, CSV, JSON, measured batches and messages of `trivet sample`."""
+import csv
+import io
+import json
+import unittest
+
+from trivet_test import SOURCE, InTemporaryFolder, trivet
+
+ROBUST = SOURCE / "examples/paper/robust.toml"
+FEW = ("--set", "analyses.sample.designs=1000")
+
+
+class Sample(InTemporaryFolder):
+    def project(self, more):
+        text = ROBUST.read_text()
+        start, end = text.index("[tolerances.rubber]"), text.index("[requirements]")
+        target = self.folder / "project.toml"
+        target.write_text(text[:start] + more + text[end:])
+        return target
+
+    def test_text_begins_with_the_yield(self):
+        lines = trivet("sample", ROBUST, *FEW).stdout.splitlines()
+        self.assertRegex(
+            lines[0], r"^Yield: 9\d\.\d+ % \(95 % confidence: .*\); 9\d\d of 1000 designs meet every requirement\."
+        )
+        self.assertRegex(lines[1], r"^Breaks first: no peak of aggregate\.y, in \d+(\.\d)? % of the designs")
+
+    def test_csv_and_json_have_the_same_numbers(self):
+        found = json.loads(trivet("sample", ROBUST, *FEW, "--json").stdout)
+        rows = list(csv.DictReader(io.StringIO(trivet("sample", ROBUST, *FEW, "--csv").stdout)))
+        listed = found["cases"][0]["requirements"]
+        self.assertEqual(len(rows), len(listed))
+        for row, one in zip(rows, listed):
+            self.assertEqual(row["requirement"], one["requirement"])
+            self.assertEqual(float(row["yield"]), one["yield"])
+            self.assertEqual(int(row["met"]), one["met"])
+            self.assertEqual(float(row["margin_least"]), one["margin_least"])
+        self.assertEqual(found["cases"][0]["in_kernels"] + found["cases"][0]["one_by_one"], 1000)
+
+    def test_the_worst_design_has_its_margin(self):
+        found = json.loads(trivet("sample", ROBUST, *FEW, "--json").stdout)
+        settings = [f"{path}={value!r}" for path, value in found["worst"]["numbers"].items()]
+        judged = json.loads(trivet("verdict", ROBUST, "--json", *(x for s in settings for x in ("--set", s))).stdout)
+        self.assertAlmostEqual(judged["least_margin"]["margin"] / found["worst_margin"], 1, 8)
+
+    def test_a_measured_batch_is_drawn_as_it_is(self):
+        values = [6 * (0.8 + 0.02 * i) for i in range(20)]
+        (self.folder / "batch.csv").write_text("scale\n" + "".join(f"{value}\n" for value in values))
+        project = self.project('[tolerances.batch]\npath = "elements.suspension.scale"\nfile = "batch.csv"\n')
+        found = json.loads(trivet("sample", project, "--set", "analyses.sample.designs=1600", "--json").stdout)
+        # Each amplitude is that of a machine with one of the 20 numbers.
+        first = found["cases"][0]["requirements"][0]
+        self.assertEqual(first["subject"], "aggregate.x")
+        for scale, at in ((values[0], "value_largest"), (values[-1], "value_least")):
+            one = json.loads(
+                trivet("verdict", project, "--json", "--set", f"elements.suspension.scale={scale!r}").stdout
+            )
+            judged = next(r for r in one["cases"][0]["requirements"] if r["subject"] == "aggregate.x")
+            self.assertAlmostEqual(judged["value"] / first[at], 1, 8)
+        met = sum(
+            json.loads(trivet("verdict", project, "--json", "--set", f"elements.suspension.scale={v!r}").stdout)["met"]
+            for v in values
+        )
+        # 100 points of a replicate meet each twentieth five times, but for those at their ends.
+        self.assertAlmostEqual(found["yield"]["share"], met / 20, delta=0.01)
+
+    def test_together_is_one_draw(self):
+        project = self.project(
+            '[tolerances.both]\npath = ["bodies.aggregate.mass", "elements.suspension.scale"]\nhalf_width = "10 %"\n'
+        )
+        apart = json.loads(trivet("sample", project, *FEW, "--json").stdout)
+        text = project.read_text().replace("[tolerances.both]\n", "[tolerances.both]\ntogether = true\n")
+        project.write_text(text)
+        joined = json.loads(trivet("sample", project, *FEW, "--json").stdout)
+        self.assertEqual((apart["drawn"], joined["drawn"]), (2, 1))
+        mass, scale = joined["worst"]["numbers"].values()
+        self.assertAlmostEqual(mass / 205.176, scale / 6, 12)
+
+    def test_one_case_alone(self):
+        project = self.project('[tolerances.rubber]\npath = "elements.suspension.scale"\nhalf_width = "5 %"\n')
+        project.write_text(project.read_text() + "[cases.soft.elements.suspension]\nscale = 3\n")
+        found = json.loads(trivet("sample", project, *FEW, "--case", "soft", "--json").stdout)
+        self.assertEqual([one["case"] for one in found["cases"]], ["soft"])
+        self.assertEqual(found["yield"]["met"], 0)
+        self.assertIn("NONE of 1000 designs", trivet("sample", project, *FEW, "--case", "soft").stdout)
+
+    def test_messages(self):
+        bare = self.project("")
+        for settings, said in (
+            (("--set", "analyses.sample.designs=10"), "a whole number from 100 to 1000000000"),
+            ((), "no tolerances"),
+        ):
+            done = trivet("sample", bare, *settings)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(said, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

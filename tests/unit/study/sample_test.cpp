@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/sample/sample.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/projects.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/parallel_for.h"
+#include "trivet/judging/read_project.h"
+#include "trivet/results/design/sample_document.h"
+#include "trivet/study/sample/drawn_designs.h"
+
+namespace trivet {
+namespace unit_sample_test {
+
+using testing::HasSubstr;
+
+/// Two masses in a row under a force.
+const std::string machine = test::chain({10, 4}, {40000, 20000, 0}, {60, 30, 0}) + R"(
+[excitations.force]
+type = "harmonic"
+on = "m1"
+at = [0, 0, 0]
+force = [10, 0, 0]
+[analyses]
+response = {of = ["m1.x", "m2.x"]}
+[tolerances.rubber]
+path = ["elements.k1.scale", "elements.k2.scale"]
+half_width = "15 %"
+[tolerances.casting]
+path = "bodies.m1.mass"
+standard_deviation = "3 %"
+)";
+const std::string required = "[requirements]\nlimits = {\"m1.x\" = \"2.2 mm\", \"m2.x\" = \"3.6 mm\"}\n";
+
+std::string json_with(const project::Project& project, int threads) {
+  const foundation::ThreadLimit limit(threads);
+  const study::Sample found = study::sample(project);
+  return results::as_json_text(results::sample_document(found, {}));
+}
+
+TEST(Sample, IsTheSameForAnyNumberOfThreads) {
+  for (const char* sampling : {"sobol", "random"}) {
+    const project::Project project = test::project(
+        machine + required, {"analyses.sample.designs=5000", std::string("analyses.sample.sampling=") + sampling});
+    const std::string one = json_with(project, 1);
+    EXPECT_THAT(one, HasSubstr("\"met\""));
+    EXPECT_EQ(json_with(project, 2), one);
+    EXPECT_EQ(json_with(project, 4), one);
+  }
+}
+
+TEST(Sample, DependsOnItsSeed) {
+  const auto with = [](const char* seed) {
+    return json_with(test::project(machine + required, {"analyses.sample.designs=500", seed}), 1);
+  };
+  EXPECT_EQ(with("analyses.sample.seed=1"), with("analyses.sample.seed=1"));
+  EXPECT_NE(with("analyses.sample.seed=1"), with("analyses.sample.seed=2"));
+}
+
+// A damping ratio has no kernel: the same numbers by assembled models.
+TEST(Sample, IsTheSameByKernelsAndByModels) {
+  const std::vector<std::string> few = {"analyses.sample.designs=400"};
+  const study::Sample quick = study::sample(test::project(machine + required, few));
+  const study::Sample slow = study::sample(test::project(machine + required + "damping_ratio = 1e-6\n", few));
+  EXPECT_EQ(quick.cases[0].no_kernels, "");
+  EXPECT_THAT(slow.cases[0].no_kernels, HasSubstr("has no kernel over many designs"));
+  EXPECT_EQ(slow.cases[0].one_by_one, 400);
+  EXPECT_EQ(quick.yield.met, slow.yield.met);
+  for (std::size_t r = 0; r < 2; ++r) {
+    const study::SampledRequirement &a = quick.cases[0].requirements[r], &b = slow.cases[0].requirements[r];
+    EXPECT_EQ(a.yield.met, b.yield.met);
+    EXPECT_EQ(a.first, b.first);
+    EXPECT_EQ(a.margin.median, b.margin.median);
+    EXPECT_NEAR(a.margin.extremes.least / b.margin.extremes.least, 1, 1e-8);
+    EXPECT_EQ(a.margin.extremes.least_at, b.margin.extremes.least_at);
+  }
+}
+
+TEST(Sample, CountsWhatBreaksFirstAndWhatIsMetAlone) {
+  const study::Sample found = study::sample(test::project(machine + required, {"analyses.sample.designs=2000"}));
+  ASSERT_EQ(found.cases.size(), 1);
+  const auto& list = found.cases[0].requirements;
+  EXPECT_EQ(list[0].first + list[1].first, 2000 - found.yield.met) << "each violated design once";
+  EXPECT_GT(list[0].first, 0);
+  EXPECT_GT(list[1].first, 0);
+  for (const study::SampledRequirement& one : list) {
+    EXPECT_GE(one.yield.met, found.yield.met);
+    // Amplitudes: value = limit/margin, so the largest value has the least margin.
+    EXPECT_NEAR(one.value->extremes.largest * one.margin.extremes.least, one.given.allowed, 1e-15);
+    EXPECT_LT(one.value->low, one.value->median);
+    EXPECT_LT(one.value->median, one.value->high);
+    EXPECT_NEAR(*one.mean, one.value->median, 0.1 * one.value->median);
+    EXPECT_GT(*one.deviation, 0);
+  }
+  const double least = std::min(list[0].margin.extremes.least, list[1].margin.extremes.least);
+  EXPECT_EQ(found.worst_margin, least);
+}
+
+// A mass of which 0.3 % are negative: those designs have no model.
+TEST(Sample, CountsDesignsWithoutAModelAsFailed) {
+  const std::string text = machine + required;
+  const std::vector<std::string> wide = {"analyses.sample.designs=4000",
+                                         "tolerances.casting.standard_deviation=\"37 %\""};
+  const auto project = judging::project_from_text(text, "test.toml", wide);
+  ASSERT_TRUE(project);
+  ASSERT_EQ(project->base().warnings.list().size(), 1);
+  EXPECT_THAT(foundation::message(project->base().warnings.list().front()),
+              HasSubstr("tolerances.casting: 0.344 % of its numbers at \"bodies.m1.mass\" are ≤ 0"));
+  const study::Sample found = study::sample(*project);
+  EXPECT_NEAR(static_cast<double>(found.failed) / 4000, 0.00344, 0.001);
+  ASSERT_TRUE(found.first_failed);
+  EXPECT_LT(found.first_failed->numbers[2].value, 0);
+  EXPECT_THAT(found.first_failure, HasSubstr("mass"));
+  const study::SampledCaseResult& only = found.cases[0];
+  EXPECT_EQ(only.in_kernels + only.one_by_one + found.failed, 4000);
+  EXPECT_EQ(only.requirements[0].first + only.requirements[1].first + found.yield.met + found.failed, 4000);
+  // The first failed design is the first with a negative mass.
+  const study::DrawnDesigns drawn(found.tolerances, found.request);
+  const Eigen::MatrixXd draws = drawn.draw(0, 4000);
+  std::uint64_t first = 0;
+  while (draws(static_cast<Eigen::Index>(first), 2) > 0) ++first;
+  EXPECT_EQ(found.first_failed->number, first);
+}
+
+// 8 % of a normal number: one in 10^36 is negative, which no study meets.
+TEST(Sample, DoesNotWarnOfWhatNeverOccurs) {
+  const project::Project project = test::project(machine + required, {"tolerances.casting.standard_deviation=\"8 %\""});
+  EXPECT_TRUE(project.base().warnings.list().empty());
+}
+
+// Cases have the same designs: a case that changes nothing has the same numbers.
+TEST(Sample, HasTheSameDesignsInAllCases) {
+  const std::string cases = "[cases.same.bodies.m2]\nmass = 4.0\n[cases.hot.elements]\nk1.scale = 0.8\n";
+  const study::Sample found = study::sample(test::project(
+      machine + required + "hold_in = [\"\", \"same\", \"hot\"]\n" + cases, {"analyses.sample.designs=500"}));
+  ASSERT_EQ(found.cases.size(), 3);
+  for (std::size_t r = 0; r < 2; ++r) {
+    EXPECT_EQ(found.cases[1].requirements[r].margin.extremes, found.cases[0].requirements[r].margin.extremes);
+    EXPECT_LT(found.cases[2].requirements[r].margin.median, found.cases[0].requirements[r].margin.median);
+    EXPECT_LE(found.yield.met, found.cases[2].requirements[r].yield.met);
+  }
+}
+
+TEST(Sample, StatesWhatItNeeds) {
+  const auto message = [](const std::string& text) -> std::string {
+    try {
+      static_cast<void>(study::sample(test::project(text)));
+    } catch (const std::exception& wrong) {
+      return wrong.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(message(machine), HasSubstr("neither requirements nor limits"));
+  EXPECT_THAT(message(test::chain({1}, {1}, {1}) + "[requirements]\ndamping_ratio = 0.1\n"),
+              HasSubstr("the file has no tolerances"));
+}
+
+TEST(DrawnDesigns, AreTheSameInAnyPieces) {
+  const project::Project project = test::project(machine + required);
+  for (const bool sobol : {true, false}) {
+    const study::DrawnDesigns drawn(project.base().analyses.tolerances, {.sobol = sobol, .seed = 7});
+    const Eigen::MatrixXd whole = drawn.draw(0, 100);
+    EXPECT_EQ(drawn.draw(40, 30), whole.middleRows(40, 30));
+    EXPECT_EQ(drawn.replicates(), sobol ? 16 : 1);
+    EXPECT_EQ(drawn.draws(), 3);
+    EXPECT_EQ(drawn.name(1), "rubber at elements.k2.scale");
+    EXPECT_EQ(drawn.name(2), "casting");
+  }
+}
+
+TEST(YieldWords, StateBoundsAndDigits) {
+  const auto words = [](std::uint64_t met, std::uint64_t all) {
+    study::Yield yield{met, numerics::share_of_trials(met, all, 0.95)};
+    return results::yield_words(yield);
+  };
+  EXPECT_EQ(words(10000, 10000), "≥ 99.970 % with 95 % confidence");
+  EXPECT_EQ(words(0, 10000), "≤ 0.030 % with 95 % confidence");
+  EXPECT_EQ(words(9730, 10000), "97.30 % (95 % confidence: 96.96 % … 97.61 %)");
+  EXPECT_EQ(words(9999, 10000), "99.990 % (95 % confidence: 99.944 % … 100.000 %)");
+}
+
+}  // namespace unit_sample_test
+}  // namespace trivet
