@@ -77,6 +77,24 @@ class Sample(InTemporaryFolder):
         mass, scale = joined["worst"]["numbers"].values()
         self.assertAlmostEqual(mass / 205.176, scale / 6, 12)
 
+    def test_shares_name_what_scatters(self):
+        project = self.project(
+            '[tolerances.rubber]\npath = "elements.suspension.scale"\nhalf_width = "15 %"\n'
+            '[tolerances.idle]\npath = "bodies.aggregate.mass"\nhalf_width = "0.001 %"\n'
+        )
+        found = json.loads(trivet("sample", project, *FEW, "--shares", "--json").stdout)["shares"]
+        self.assertEqual((found["reason"], found["left_out"]), ("", 0))
+        self.assertEqual(found["pairs"], 240)  # 16 replicates of 15, four designs each
+        rows = {(row["requirement"], row["number"]): row for row in found["list"]}
+        self.assertEqual(len(rows), 2 * 3)  # amplitudes have values, peaks have none
+        self.assertGreater(rows["aggregate.x ≤ 11 mm", "rubber"]["total_from"], 0.9)
+        self.assertLess(rows["aggregate.x ≤ 11 mm", "idle"]["total_to"], 0.01)
+        text = trivet("sample", project, *FEW, "--shares").stdout
+        self.assertRegex(text, r"aggregate\.x ≤ 11 mm 0-p +idle +not told from 0, ≤ \d")
+        self.assertNotIn("shares", json.loads(trivet("sample", project, *FEW, "--json").stdout))
+        refused = trivet("sample", ROBUST, *FEW, "--shares").stdout
+        self.assertIn('No shares of the variance: "casting" and "core" are correlated', refused)
+
     def test_one_case_alone(self):
         project = self.project('[tolerances.rubber]\npath = "elements.suspension.scale"\nhalf_width = "5 %"\n')
         project.write_text(project.read_text() + "[cases.soft.elements.suspension]\nscale = 3\n")

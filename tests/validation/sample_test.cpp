@@ -131,5 +131,62 @@ TEST(Sample, CorrelatesTolerances) {
               v * std::sqrt(3) / 2, within);
 }
 
+// The sag m g/k of a lognormal mass and stiffness: 1/k has the relative variance of k, and the variance of a product of
+// independent numbers is (1 + v_k²)(1 + v_m²) − 1 of the squared mean.
+TEST(Sample, HasTheVarianceSharesOfASag) {
+  const double k = 0.2 * 0.2, m = 0.1 * 0.1, all = (1 + k) * (1 + m) - 1;
+  const std::string text = R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m1]
+mass = 10
+free = ["z"]
+[elements.k1]
+type = "three_springs"
+on = "m1"
+at = [0, 0, 0]
+translation = [0, 0, 40000]
+[tolerances.rubber]
+path = "elements.k1.scale"
+standard_deviation = "20 %"
+distribution = "lognormal"
+[tolerances.casting]
+path = "bodies.m1.mass"
+standard_deviation = "10 %"
+distribution = "lognormal"
+[requirements]
+static = {"m1.z" = "4 mm"}
+[analyses.sample]
+designs = 40_000
+)";
+  for (const char* sampling : {"sobol", "random"}) {
+    const project::Project project = test::project(text, {std::string("analyses.sample.sampling=") + sampling});
+    const study::Sample found = study::sample(project, {}, true);
+    ASSERT_TRUE(found.shares);
+    EXPECT_EQ(found.shares->reason, "");
+    EXPECT_EQ(found.shares->pairs, 10000);
+    EXPECT_EQ(found.shares->left_out, 0);
+    EXPECT_THAT(found.shares->names, testing::ElementsAre("rubber", "casting"));
+    ASSERT_EQ(found.shares->list.size(), 1);
+    const std::vector<numerics::VarianceShare>& draws = found.shares->list.front().draws;
+    const double exact[2][2] = {{k / all, k * (1 + m) / all}, {m / all, m * (1 + k) / all}};
+    for (std::size_t d = 0; d < 2; ++d)
+      for (const auto& [interval, value] :
+           {std::pair(draws[d].first, exact[d][0]), std::pair(draws[d].total, exact[d][1])}) {
+        const double half = (interval.to - interval.from) / 2;
+        EXPECT_NEAR(interval.estimate, value, 2 * half) << sampling << " " << d;
+        EXPECT_LT(half, std::string(sampling) == "sobol" ? 0.01 : 0.04);
+      }
+  }
+}
+
+TEST(Sample, HasNoSharesOfCorrelatedTolerances) {
+  const study::Sample found = study::sample(
+      test::project(oscillator("sobol", 1000), {R"(tolerances.rubber.correlation={with = "casting", value = 0.5})"}),
+      {}, true);
+  EXPECT_EQ(found.shares->reason,
+            "\"rubber\" and \"casting\" are correlated, and shares are those of independent numbers");
+  EXPECT_TRUE(found.shares->list.empty());
+}
+
 }  // namespace sample_test
 }  // namespace trivet

@@ -145,7 +145,7 @@ Result map(const Task& task) {
 }
 
 Result sample(const Task& task) {
-  const auto held = hold(task, study::sample(*task.project, task.progress));
+  const auto held = hold(task, study::sample(*task.project, task.progress, task.keys.flag("shares")));
   Result result;
   result.warnings = task.project->base().warnings;
   const auto document = [held, warnings = result.warnings](const project::DisplayUnits& display) {
@@ -338,6 +338,10 @@ std::vector<Command> design_commands() {
        .of_one_case = false,
        .case_alone = "sample this case alone, as one in which the design has to hold",
        .looks_at = with({"sample", "tolerances"}),
+       .keys = {{.name = "shares",
+                 .kind = KeyKind::flag,
+                 .about =
+                     "also which tolerance scatters which value: shares of its variance, from as many designs again"}},
        .csv = true,
        .examples = {"trivet sample machine.toml", "trivet sample machine.toml --set analyses.sample.seed=2 --csv"},
        .run = sample},

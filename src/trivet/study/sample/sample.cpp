@@ -12,6 +12,7 @@
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/shared_keys.h"
+#include "trivet/study/sample/sample_shares.h"
 #include "trivet/study/sample/sample_tally.h"
 
 namespace trivet::study {
@@ -114,6 +115,8 @@ class Study {
     set_results(all);
   }
 
+  [[nodiscard]] const std::vector<SampledCase>& cases() const { return cases_; }
+
  private:
   [[nodiscard]] std::vector<SampledMargins> judged(std::uint64_t first, std::size_t count) const {
     const Eigen::MatrixXd draws = drawn_.draw(first, count);
@@ -183,7 +186,7 @@ class Study {
 
 }  // namespace
 
-Sample sample(const project::Project& project, const foundation::Progress& progress) {
+Sample sample(const project::Project& project, const foundation::Progress& progress, bool shares) {
   const project::Analyses& analyses = project.base().analyses;
   if (analyses.tolerances.empty())
     throw foundation::InvalidInput(
@@ -191,7 +194,9 @@ Sample sample(const project::Project& project, const foundation::Progress& progr
   Sample found;
   found.request = analyses.sample.value_or(project::SampleRequest());
   found.tolerances = analyses.tolerances;
-  Study(project, found).run(progress);
+  Study study(project, found);
+  study.run(progress);
+  if (shares) found.shares = variance_shares(study.cases(), found.tolerances, found.request, progress);
   return found;
 }
 

@@ -10,6 +10,7 @@
 #include "trivet/foundation/problems.h"
 #include "trivet/numerics/sampling/exact_statistics.h"
 #include "trivet/numerics/sampling/intervals.h"
+#include "trivet/numerics/sampling/variance_shares.h"
 #include "trivet/project/project.h"
 #include "trivet/study/requirements/verdict.h"
 
@@ -62,6 +63,21 @@ struct NamedDesign {
   std::vector<Number> numbers;
 };
 
+/// Shares of the variance of the value of one requirement.
+struct RequirementShares {
+  std::size_t in_case = 0, requirement = 0;    ///< among those of the sample
+  std::vector<numerics::VarianceShare> draws;  ///< per drawn number; empty: the value does not vary
+};
+
+/// Which tolerance scatters which value.
+struct SampledShares {
+  std::vector<std::string> names;  ///< of the drawn numbers: "rubber at elements.left.scale"
+  std::uint64_t pairs = 0;         ///< of designs, each with one more design for each number
+  std::uint64_t left_out = 0;      ///< of these: a design could not be judged, or its value is unbounded
+  std::string reason;              ///< why there are none; empty if there are
+  std::vector<RequirementShares> list;
+};
+
 struct Sample {
   project::SampleRequest request;
   std::vector<project::Tolerance> tolerances;
@@ -74,13 +90,16 @@ struct Sample {
   std::string first_failure;         ///< its reason
   std::optional<NamedDesign> worst;  ///< the design with the least margin of all
   double worst_margin = 0;
+  std::optional<SampledShares> shares;  ///< if they are requested
   foundation::Problems warnings;
 };
 
 /// Judges the requirements of the cases in which the design has to hold for the designs of [analyses.sample], by
 /// default 100,000. All cases have the same designs. The same for any number of threads.
+/// @param shares  also those of the variance, from at most as many designs again
 /// @throws foundation::InvalidInput without tolerances or requirements, NotComputable if a requirement cannot be judged
 /// in the design of the file
-[[nodiscard]] Sample sample(const project::Project& project, const foundation::Progress& progress = {});
+[[nodiscard]] Sample sample(const project::Project& project, const foundation::Progress& progress = {},
+                            bool shares = false);
 
 }  // namespace trivet::study

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/sampling/variance_shares.h"
+
+#include "trivet/foundation/index.h"
+
+namespace trivet::numerics {
+
+PairedValues::PairedValues(std::size_t dimensions, std::size_t replicates) : sums_(replicates) {
+  for (Sums& one : sums_) {
+    one.first = Eigen::VectorXd::Zero(to_index(dimensions));
+    one.total = one.first;
+  }
+}
+
+void PairedValues::add(std::size_t replicate, double at_a, double at_b, const Eigen::VectorXd& exchanged) {
+  if (!reference_) reference_ = at_a;
+  Sums& to = sums_[replicate];
+  ++to.pairs;
+  for (const double value : {at_a - *reference_, at_b - *reference_}) {
+    to.sum += value;
+    to.squares += value * value;
+  }
+  to.first += (exchanged.array() - at_b).square().matrix();
+  to.total += (exchanged.array() - at_a).square().matrix();
+}
+
+std::vector<VarianceShare> PairedValues::shares(double confidence) const {
+  std::vector<double> variances;
+  for (const Sums& one : sums_) {
+    if (one.pairs < 2) return {};
+    const double count = 2 * static_cast<double>(one.pairs), mean = one.sum / count;
+    variances.push_back(one.squares / count - mean * mean);
+    constexpr double round_off = 1e-14;
+    if (!(variances.back() > round_off * one.squares / count)) return {};
+  }
+  std::vector<VarianceShare> found;
+  for (Eigen::Index d = 0; d < sums_.front().first.size(); ++d) {
+    std::vector<double> first, total;
+    for (std::size_t r = 0; r < sums_.size(); ++r) {
+      const double scale = 1 / (2 * variances[r] * static_cast<double>(sums_[r].pairs));
+      first.push_back(1 - scale * sums_[r].first(d));
+      total.push_back(scale * sums_[r].total(d));
+    }
+    found.push_back({mean_of_replicates(first, confidence), mean_of_replicates(total, confidence)});
+  }
+  return found;
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/sample/sample_shares.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/parallel_for.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/study/sample/sample_tally.h"
+
+namespace trivet::study {
+namespace {
+
+/// Designs of the shares: their values are kept until they are added in their order.
+constexpr std::size_t most_of_shares = 200'000, judged_at_once = 960;
+
+/// Why there are no shares; empty if there are.
+std::string reason_against(const std::vector<project::Tolerance>& tolerances, std::size_t draws,
+                           const project::SampleRequest& request) {
+  for (const project::Tolerance& one : tolerances)
+    if (!one.correlations.empty())
+      return fmt::format("{} and {} are correlated, and shares are those of independent numbers",
+                         foundation::quoted(one.name), foundation::quoted(one.correlations.front().with));
+  if (2 * draws > numerics::SobolNumbers::most_dimensions) return fmt::format("{} drawn numbers are too many", draws);
+  if (request.designs < 2 * project::sample_replicates * (draws + 2))
+    return fmt::format("{} designs are too few: {} are needed", request.designs,
+                       2 * project::sample_replicates * (draws + 2));
+  return "";
+}
+
+/// Two independent designs a and b of each number, and a with single draws of b.
+class Pairs {
+ public:
+  Pairs(const std::vector<project::Tolerance>& tolerances, const project::SampleRequest& request)
+      : twice_(twice(tolerances)), drawn_(twice_, request), draws_(drawn_.draws() / 2) {}
+
+  [[nodiscard]] std::size_t draws() const { return draws_; }
+  [[nodiscard]] std::size_t designs_of_pair() const { return draws_ + 2; }
+  [[nodiscard]] std::size_t replicate(std::size_t pair) const { return pair % project::sample_replicates; }
+
+  /// All designs of some pairs: a, b, then a with each draw of b.
+  [[nodiscard]] Eigen::MatrixXd designs(std::size_t first, std::size_t count) const {
+    const Eigen::MatrixXd both = drawn_.draw(first, count);
+    const auto n = to_index(draws_), step = to_index(designs_of_pair());
+    Eigen::MatrixXd all(to_index(count) * step, n);
+    for (Eigen::Index pair = 0; pair < to_index(count); ++pair) {
+      const Eigen::RowVectorXd a = both.row(pair).head(n), b = both.row(pair).tail(n);
+      all.middleRows(pair * step, step).rowwise() = a;
+      all.row(pair * step + 1) = b;
+      for (Eigen::Index d = 0; d < n; ++d) all(pair * step + 2 + d, d) = b(d);
+    }
+    return all;
+  }
+
+ private:
+  static std::vector<project::Tolerance> twice(std::vector<project::Tolerance> tolerances) {
+    const std::size_t count = tolerances.size();
+    tolerances.reserve(2 * count);
+    for (std::size_t t = 0; t < count; ++t) tolerances.push_back(tolerances[t]);
+    return tolerances;
+  }
+
+  std::vector<project::Tolerance> twice_;
+  DrawnDesigns drawn_;
+  std::size_t draws_;
+};
+
+/// The requirements with values, and these of all designs.
+class ValuesOfPairs {
+ public:
+  ValuesOfPairs(const std::vector<SampledCase>& cases, std::size_t designs) : cases_(cases) {
+    for (std::size_t c = 0; c < cases.size(); ++c)
+      for (std::size_t r = 0; r < cases[c].given().size(); ++r)
+        if (value_at_margin(cases[c].given()[r], 1)) places_.emplace_back(c, r);
+    values_.resize(to_index(designs), to_index(places_.size()));
+  }
+
+  [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& places() const { return places_; }
+
+  void judge(std::size_t first, const Eigen::MatrixXd& designs) {
+    std::vector<SampledMargins> margins;
+    for (const SampledCase& one : cases_) margins.push_back(one.judged(designs));
+    for (std::size_t p = 0; p < places_.size(); ++p) {
+      const auto [c, r] = places_[p];
+      for (Eigen::Index d = 0; d < designs.rows(); ++d)
+        values_(to_index(first) + d, to_index(p)) =
+            *value_at_margin(cases_[c].given()[r], margins[c].margins(d, to_index(r)));
+    }
+  }
+
+  /// Values of one requirement in some designs.
+  [[nodiscard]] Eigen::VectorXd of(std::size_t place, std::size_t first, std::size_t count) const {
+    return values_.col(to_index(place)).segment(to_index(first), to_index(count));
+  }
+
+ private:
+  const std::vector<SampledCase>& cases_;
+  std::vector<std::pair<std::size_t, std::size_t>> places_;
+  Eigen::MatrixXd values_;
+};
+
+}  // namespace
+
+SampledShares variance_shares(const std::vector<SampledCase>& cases, const std::vector<project::Tolerance>& tolerances,
+                              const project::SampleRequest& request, const foundation::Progress& progress) {
+  SampledShares found;
+  const DrawnDesigns drawn(tolerances, request);
+  for (std::size_t d = 0; d < drawn.draws(); ++d) found.names.push_back(drawn.name(d));
+  found.reason = reason_against(tolerances, drawn.draws(), request);
+  if (!found.reason.empty()) return found;
+  const Pairs pairs(tolerances, request);
+  const std::size_t step = pairs.designs_of_pair(), replicates = project::sample_replicates;
+  found.pairs = std::min(request.designs, most_of_shares) / step / replicates * replicates;
+  ValuesOfPairs values(cases, found.pairs * step);
+  foundation::parallel_for(
+      found.pairs,
+      {.size = std::max<std::size_t>(1, judged_at_once / step), .progress = progress, .task = "designs of shares"},
+      [&](std::size_t first, std::size_t last) { values.judge(first * step, pairs.designs(first, last - first)); });
+  for (std::size_t p = 0; p < values.places().size(); ++p) {
+    numerics::PairedValues paired(pairs.draws(), replicates);
+    std::uint64_t left_out = 0;
+    for (std::size_t pair = 0; pair < found.pairs; ++pair) {
+      const Eigen::VectorXd of_pair = values.of(p, pair * step, step);
+      if (!of_pair.allFinite()) ++left_out;
+      else paired.add(pairs.replicate(pair), of_pair(0), of_pair(1), of_pair.tail(to_index(pairs.draws())));
+    }
+    found.left_out = std::max(found.left_out, left_out);
+    found.list.push_back({values.places()[p].first, values.places()[p].second, paired.shares(sample_confidence)});
+  }
+  return found;
+}
+
+}  // namespace trivet::study
