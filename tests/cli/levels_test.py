@@ -108,6 +108,21 @@ class Levels(InTemporaryFolder):
             shown = trivet("response", path, "--set", f"display.level={level}", "--full").stdout
             self.assertIn(f"|machine.z| [mm/s {word}]", shown)
 
+    def test_a_limit_and_its_value_have_the_level_of_the_file(self):
+        w = 2 * math.pi * 5
+        amplitude = F / math.hypot(K - M * w**2, C * w)
+        for bound, share, word in (("1 mm p-p", 2, "p-p"), ("1 mm rms", math.sqrt(0.5), "rms"), ("1 mm", 1, "0-p")):
+            limit = f'[requirements.limits]\n"machine.z" = {{limit = "{bound}", band = ["5 Hz", "5.0001 Hz"]}}\n'
+            path = self.file(MACHINE + PUSH + limit)
+            shown = trivet("verdict", path).stdout
+            self.assertIn(f"machine.z ≤ 1 mm {word} in 5", shown)
+            (value,) = re.findall(rf"([\d.]+) µm {word} ", shown)
+            self.assertAlmostEqual(float(value) / (1e6 * share * amplitude), 1, 3)
+            self.assertIn(" rms", trivet("verdict", path, "--set", "display.level=rms").stdout)
+            (row,) = json.loads(trivet("verdict", path, "--json").stdout)["cases"][0]["requirements"]
+            self.assertEqual(row["level"], "0-p")  # of its numbers
+            self.assertAlmostEqual(row["value"] / amplitude, 1, 3)
+
     def test_requirement_rows_name_the_level_of_their_numbers(self):
         rows = PUSH + NOISE + '[requirements]\nlimits = {"machine.z" = "4.5 mm/s"}\nrms = {"machine.z" = "5 mm"}\n'
         rows += "damping_ratio = 0.01\n"

@@ -80,9 +80,9 @@ void add_limit(const std::string& table, const project::AmplitudeLimit& limit, p
   if (!is_translation(limit.name) || limit.quantity == assembly::MotionQuantity::acceleration) return;
   plausibility::AllowedMotion allowed{limit.name.substr(0, limit.name.find('.')), table + "." + limit.name, limit.name,
                                       limit.amplitude, limit.quantity == assembly::MotionQuantity::velocity};
-  if (limit.level != project::Level::amplitude) {
-    allowed.as_written = project::level_factor(limit.level);
-    allowed.level_ending = std::string(" ") + project::level_ending(limit.level);
+  if (limit.level) {
+    allowed.as_written = project::level_factor(*limit.level);
+    allowed.level_ending = std::string(" ") + project::level_ending(*limit.level);
   }
   stated.allowed_motions.push_back(std::move(allowed));
 }

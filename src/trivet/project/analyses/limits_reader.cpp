@@ -37,8 +37,7 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
       const auto si = to_si_at_level(value.text, *names.component(name, quantity), levels);
       if (!si) continue;
       if (!(*si > 0)) reader.error(key, value_text(value), "a limit is > 0", "change it");
-      const Level level = split_level(value.text).level.value_or(Level::amplitude);
-      limits.push_back({name, quantity, *si, {}, {}, {}, {}, level});
+      limits.push_back({name, quantity, *si, {}, {}, {}, {}, split_level(value.text).level});
       return;
     }
   if (value.kind == Node::Kind::text && levels != Levels::none)
@@ -99,7 +98,8 @@ void check_limits_differ(TableReader& reader, const std::string& name, const Nod
     for (std::size_t j = i + 1; j < limits.size(); ++j)
       if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity &&
           limits[i].band == limits[j].band && limits[i].excitations == limits[j].excitations &&
-          limits[i].speed == limits[j].speed && (levels != Levels::of_orders || limits[i].level == limits[j].level))
+          limits[i].speed == limits[j].speed &&
+          (levels != Levels::of_orders || level_of(limits[i]) == level_of(limits[j])))
         return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()),
                                               "the larger of two limits of one quantity has no effect",
                                               "keep the smaller"));

@@ -22,12 +22,15 @@ struct AmplitudeLimit {
   std::optional<assembly::Band> speed;                  ///< of a shaft, whose orders then drive it one by one
   /// Keys that lead to its number in the file; an item of a list by its place from 0: {"limits", "machine.z"}.
   std::vector<std::string> place = {};
-  Level level = Level::amplitude;  ///< at which the file gives it; `amplitude` is that of one harmonic at this level
+  /// At which the file gives it; `amplitude` is that of one harmonic at this level. None: zero-to-peak, without a word.
+  std::optional<Level> level = {};
 
   /// True if it is judged in the band and under the excitations of all limits.
   [[nodiscard]] bool has_common_scope() const { return !band && !excitations && !speed; }
   bool operator==(const AmplitudeLimit&) const = default;
 };
+
+[[nodiscard]] inline Level level_of(const AmplitudeLimit& limit) { return limit.level.value_or(Level::amplitude); }
 
 /// How little of a force reaches the ground, or of a motion of the ground a place: an entry of `isolation`.
 struct Isolation {

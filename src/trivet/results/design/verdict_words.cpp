@@ -65,7 +65,11 @@ DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayU
   const Kind kind = kind_of_numbers(r);
   if (study::requirement_row(r.kind).shown == ShownValue::rms) return root_mean_square_unit(display, r.unit);
   if (kind == Kind::frequency) return {frequency_unit(display), "", shown_frequency(display, 1), false};
-  if (kind == Kind::amplitude) return amplitude_unit(display, r.unit);
+  if (kind == Kind::amplitude) {
+    project::DisplayUnits as_written = display;
+    if (!display.level) as_written.level = r.level_of_limit;
+    return amplitude_unit(as_written, r.unit);
+  }
   DisplayUnit unit = display_unit(display, r.unit);
   if (*r.level()) unit.level = std::string(" ") + r.level();
   return unit;

@@ -47,9 +47,10 @@ std::vector<std::vector<OperatingLimit>> operating_limits(const CaseContext& con
   for (std::size_t s = 0; s < request.speeds.size(); ++s) {
     for (std::size_t i = 0; i < request.limits.size(); ++i) {
       const project::AmplitudeLimit& limit = request.limits[i];
-      OperatingLimit judged{limit.quantity, limit.level, limit.amplitude * project::level_factor(limit.level)};
+      OperatingLimit judged{limit.quantity, project::level_of(limit),
+                            limit.amplitude * project::level_factor(project::level_of(limit))};
       try {
-        judged.value = summed.largest(i, request.speeds[s], limit.level);
+        judged.value = summed.largest(i, request.speeds[s], project::level_of(limit));
       } catch (const foundation::NotComputable& reason) {
         judged.value = {.name = channels[i].name, .unit = channels[i].unit};
         judged.refusal = reason.what();

@@ -31,7 +31,7 @@ void set_operating_value(const OperatingLimit& limit, const assembly::Band& spee
 
 /// The limits with their numbers at the level of the file instead of zero-to-peak.
 std::vector<project::AmplitudeLimit> at_their_levels(std::vector<project::AmplitudeLimit> limits) {
-  for (project::AmplitudeLimit& limit : limits) limit.amplitude *= project::level_factor(limit.level);
+  for (project::AmplitudeLimit& limit : limits) limit.amplitude *= project::level_factor(project::level_of(limit));
   return limits;
 }
 
@@ -68,7 +68,7 @@ void add_operation_requirements(const CaseContext& c, const project::Analyses& a
     list.add_bounds(c, RequirementKind::operation, at_their_levels(request.limits), "");
     for (std::size_t i = 0; i < limits; ++i) {
       RequirementResult& result = list[of_speed + i];
-      result.level_of_limit = request.limits[i].level;
+      result.level_of_limit = project::level_of(request.limits[i]);
       result.words.scope += (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
       result.quantity = request.limits[i].quantity;
       result.excitations = request.selection.excitations;

@@ -59,8 +59,10 @@ void RequirementList::add_bounds(const CaseContext& context, RequirementKind kin
   for (const project::AmplitudeLimit& limit : limits) {
     const std::string in =
         assembly::channels(context.system, context.assembled, {limit.name}, limit.quantity).front().unit;
-    add(kind, limit.name, {of + limit.name, "≤ " + value_words(limit.amplitude, in)}, in, limit.amplitude).place =
-        limit.place;
+    RequirementResult& result =
+        add(kind, limit.name, {of + limit.name, "≤ " + value_words(limit.amplitude, in)}, in, limit.amplitude);
+    result.place = limit.place;
+    result.level_of_limit = limit.level;
   }
 }
 

@@ -134,7 +134,7 @@ const char* RequirementResult::level() const {
     case ShownValue::rms:
       return "rms";
     case ShownValue::at_its_level:
-      return unit == "1" ? "" : project::level_ending(level_of_limit);
+      return unit == "1" ? "" : project::level_ending(level_of_limit.value_or(project::Level::amplitude));
     case ShownValue::amplitude:
     case ShownValue::largest:
       return unit == "1" ? "" : "0-p";

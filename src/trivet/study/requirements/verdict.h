@@ -58,7 +58,8 @@ struct RequirementResult {
   std::vector<std::string>
       place;  ///< of a limit: keys that lead to its number in the file, see project::AmplitudeLimit
   std::optional<assembly::Band> speed;  ///< of the machine at which it holds [rad/s]; from = to: a single speed
-  project::Level level_of_limit = project::Level::amplitude;  ///< of `operation`: which number of all orders is judged
+  /// Of a limit, as the file gives it. Of `operation`: which number of all orders is judged.
+  std::optional<project::Level> level_of_limit = {};
 
   /// A place that may decide the margin: a maximum of the curve or an end of its band, a mode, two neighbouring modes.
   struct Candidate {
