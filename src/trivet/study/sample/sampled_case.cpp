@@ -72,6 +72,7 @@ void SampledCase::fit(const DrawnDesigns& drawn) {
   // wider tails may leave a range in which all have.
   for (const double tail : {1e-6, 1e-4, 1e-2}) {
     DesignNumbers numbers;
+    numbers.any_size = true;
     from_.resize(to_index(drawn.draws()));
     to_.resize(from_.size());
     for (std::size_t d = 0; d < drawn.draws(); ++d) {
