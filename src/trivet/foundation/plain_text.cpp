@@ -89,6 +89,18 @@ std::optional<std::string> unprintable(std::string_view text, bool one_line) {
   return std::nullopt;
 }
 
+std::optional<ForeignByte> first_foreign_byte(std::string_view text) {
+  std::size_t at = 0, line_begin = 0;
+  int line = 1;
+  while (at < text.size()) {
+    const Character c = character_at(text, at);
+    if (!c.sound) return ForeignByte{line, static_cast<int>(at - line_begin) + 1, byte(text, at)};
+    at += c.bytes;
+    if (c.code == '\n') ++line, line_begin = at;
+  }
+  return std::nullopt;
+}
+
 std::string path_key(std::string_view name) {
   const auto is_bare = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';

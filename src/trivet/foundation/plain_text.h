@@ -31,6 +31,15 @@ inline constexpr std::size_t longest_shown = 60;
 /// `one_line`.
 [[nodiscard]] std::optional<std::string> unprintable(std::string_view text, bool one_line = true);
 
+/// A byte of a text that is not UTF-8; line and place in it count from 1.
+struct ForeignByte {
+  int line = 0;
+  int place = 0;  ///< in bytes
+  unsigned byte = 0;
+};
+/// The first one; nullopt if the text is UTF-8.
+[[nodiscard]] std::optional<ForeignByte> first_foreign_byte(std::string_view text);
+
 /// A name as part of a dotted path in a project file: in quotes unless it has only letters, digits, _ and -.
 [[nodiscard]] std::string path_key(std::string_view name);
 

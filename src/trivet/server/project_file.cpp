@@ -14,6 +14,7 @@
 #include "trivet/foundation/files.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/project/text/source_file.h"
+#include "trivet/project/text/toml_text.h"
 
 namespace trivet::server {
 
@@ -22,10 +23,18 @@ namespace fs = std::filesystem;
 std::string version_of(const std::string& text) { return project::sha256(text); }
 
 FileState read_state(const std::string& file) {
-  foundation::Expected<std::string> text = project::read_source(file);
-  if (!text) return {.problems = std::move(text.error())};
-  std::string version = version_of(*text);
-  return {.text = std::move(*text), .version = std::move(version)};
+  foundation::Expected<std::string> bytes = project::read_bytes(file);
+  if (!bytes) {
+    std::error_code error;
+    const bool exists = fs::exists(file, error);
+    return {.version = exists ? version_of(foundation::message(bytes.error().list().front())) : "",
+            .problems = std::move(bytes.error())};
+  }
+  FileState state{.version = project::is_blank(*bytes) ? "" : version_of(*bytes),
+                  .problems = project::source_problems(*bytes, file)};
+  if (!state.problems.has_errors()) state.problems = project::encoding_problems(*bytes, file);
+  if (!state.problems.has_errors()) state.text = std::move(*bytes);
+  return state;
 }
 
 void replace_text(const std::string& file, const std::string& text) {

@@ -9,9 +9,12 @@ namespace trivet::server {
 
 /// The project file on disk at one moment.
 struct FileState {
-  std::string text;
-  std::string version;            ///< hash of the text; empty: it cannot be read
-  foundation::Problems problems;  ///< why it cannot be read
+  std::string text;               ///< empty with problems
+  std::string version;            ///< hash of its bytes; empty: there is no file, or it is blank
+  foundation::Problems problems;  ///< why a page cannot have the text: it cannot be read, or is not UTF-8
+
+  /// Is there something on the disk that no page can show?
+  [[nodiscard]] bool is_hidden() const { return !version.empty() && problems.has_errors(); }
 };
 
 [[nodiscard]] FileState read_state(const std::string& file);

@@ -65,6 +65,9 @@ Answer another_version() {
   return error_answer(412, "the program has opened another version of the file meanwhile; send the text");
 }
 
+/// Null if a page cannot have the text.
+Json shown_text(const FileState& state) { return state.problems.has_errors() ? Json(nullptr) : Json(state.text); }
+
 }  // namespace
 
 Answer schema_answer() {
@@ -94,9 +97,9 @@ void ProjectService::open(const FileState& state) {
 
 std::optional<ProjectService::Subject> ProjectService::subject_of(const engine::Question& question) const {
   FileState state = opened();
-  if (question.text) return Subject{*question.text, std::move(state.version)};
+  if (question.text) return Subject{*question.text, std::move(state.version), {}};
   if (!question.version.empty() && question.version != state.version) return std::nullopt;
-  return Subject{std::move(state.text), std::move(state.version)};
+  return Subject{std::move(state.text), std::move(state.version), std::move(state.problems)};
 }
 
 Answer ProjectService::version() const {
@@ -115,14 +118,14 @@ Answer ProjectService::project(const foundation::Progress& progress) {
   open(state);
   Problems problems = state.problems;
   std::vector<std::string> cases{""};
-  if (!state.version.empty()) {
+  if (!problems.has_errors()) {
     const auto session = sessions_.of("", state.text, {}, progress);
     problems = session ? engine::warnings_of(**session, "") : session.error();
     if (session) cases = (*session)->case_names();
   }
   answer["name"] = std::filesystem::path(file_).filename().string();
   answer["title"] = project::title_in_text(state.text, file_);
-  answer["text"] = state.text;
+  answer["text"] = shown_text(state);
   answer["version"] = state.version;
   answer["read_only"] = read_only_;
   answer["cases"] = cases;
@@ -135,6 +138,8 @@ Answer ProjectService::ask(const std::string& client, const std::string& body, c
   const auto subject = subject_of(question);
   if (!subject) return another_version();
   const std::string& text = subject->text;
+  if (subject->problems.has_errors())
+    return {.body = engine::answer_json(question, {.session = tl::make_unexpected(subject->problems)}, progress)};
   foundation::report_progress(progress, "opening the project", 0);
   engine::Questioned questioned{.session = sessions_.of(client, text, question.settings, progress),
                                 .version = subject->version};
@@ -167,6 +172,7 @@ Answer ProjectService::text(const std::string& client, const std::string& body) 
   const engine::Question question = engine::read_question(body);
   const auto given = subject_of(question);
   if (!given) return another_version();
+  if (given->problems.has_errors()) return unprocessable("the file has no text", given->problems);
   const auto text =
       question.new_case ? text_with_new_case(given->text, question) : new_text(client, given->text, question.settings);
   if (!text) return unprocessable("the text with these settings is wrong", text.error());
@@ -183,7 +189,9 @@ Answer ProjectService::save(const std::string& client, const std::string& body) 
     return {.status = 409,
             .body = documents::json::text({{"error", "the file was changed meanwhile; nothing is written"},
                                            {"version", on_disk.version},
-                                           {"text", on_disk.text}})};
+                                           {"text", shown_text(on_disk)},
+                                           {"problems", engine::problem_list(on_disk.problems)}})};
+  if (on_disk.is_hidden()) return unprocessable("nothing is written over what the page cannot show", on_disk.problems);
   const auto text = new_text(client, question.text.value_or(on_disk.text), question.settings);
   if (!text) return unprocessable("the text with these settings is wrong", text.error());
   if (text->find_first_not_of(" \t\r\n") == std::string::npos || text->find('\0') != std::string::npos)

@@ -42,6 +42,7 @@ class ProjectService {
   /// opened one, because another page has opened a newer one, or because the program was started again.
   struct Subject {
     std::string text, version;
+    foundation::Problems problems;  ///< why the file has no text
   };
   [[nodiscard]] std::optional<Subject> subject_of(const engine::Question& question) const;
   /// The text with settings, or why there is none.

@@ -67,7 +67,7 @@ std::string project_files_in(const std::filesystem::path& folder) {
 
 }  // namespace
 
-foundation::Expected<std::string> read_source(const std::filesystem::path& path, const std::string& kind) {
+foundation::Expected<std::string> read_bytes(const std::filesystem::path& path, const std::string& kind) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
@@ -87,12 +87,29 @@ foundation::Expected<std::string> read_source(const std::filesystem::path& path,
                      "is this the right file?");
   }
   if (stream.bad()) return refused(path, kind, "reading failed", "check the disk");
-  if (text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == std::string::npos)
+  return text;
+}
+
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == std::string_view::npos; }
+
+foundation::Problems source_problems(std::string_view bytes, const std::filesystem::path& path,
+                                     const std::string& kind) {
+  if (is_blank(bytes))
     return refused(path, kind, "the file is empty",
-                   kind == "project file" ? "`trivet new` prints a starter" : "was it saved?");
-  if (text.find('\0') != std::string::npos)
+                   kind == "project file" ? "`trivet new` prints a starter" : "was it saved?")
+        .value();
+  if (bytes.find('\0') != std::string_view::npos)
     return refused(path, kind, "the file contains NUL bytes",
-                   "it is not a text file, or is in UTF-16: save it as UTF-8");
+                   "it is not a text file, or is in UTF-16: save it as UTF-8")
+        .value();
+  return {};
+}
+
+foundation::Expected<std::string> read_source(const std::filesystem::path& path, const std::string& kind) {
+  foundation::Expected<std::string> text = read_bytes(path, kind);
+  if (!text) return text;
+  if (foundation::Problems wrong = source_problems(*text, path, kind); wrong.has_errors())
+    return tl::make_unexpected(std::move(wrong));
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "trivet/foundation/problems.h"
 #include "trivet/project/text/table_reader.h"
@@ -21,6 +22,15 @@ namespace trivet::project {
 
 /// Largest project file that is read.
 inline constexpr std::uintmax_t largest_project_file = 16u << 20;
+
+/// Bytes of a file; rejects directories, devices, unreadable and too large files.
+[[nodiscard]] foundation::Expected<std::string> read_bytes(const std::filesystem::path& path,
+                                                           const std::string& kind = "project file");
+/// Has the text nothing but blanks?
+[[nodiscard]] bool is_blank(std::string_view text);
+/// Why the bytes of a file are no text: blank, or with NUL bytes.
+[[nodiscard]] foundation::Problems source_problems(std::string_view bytes, const std::filesystem::path& path,
+                                                   const std::string& kind = "project file");
 
 /// Text of a project file or a catalogue; rejects directories and unreadable, empty, binary and too large files.
 [[nodiscard]] foundation::Expected<std::string> read_source(const std::filesystem::path& path,

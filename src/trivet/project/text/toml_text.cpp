@@ -134,7 +134,20 @@ tl::unexpected<foundation::Problems> refused(foundation::Origin origin, std::str
 
 }  // namespace
 
+foundation::Problems encoding_problems(std::string_view text, const std::string& source) {
+  foundation::Problems problems;
+  if (const auto foreign = foundation::first_foreign_byte(text))
+    problems.add(
+        {.origin = {source, foreign->line, foreign->place},
+         .finding = fmt::format("byte {} of the line is {:02X}, which is not UTF-8", foreign->place, foreign->byte),
+         .rule = "the file must be text in UTF-8",
+         .remedy = "save it as UTF-8"});
+  return problems;
+}
+
 foundation::Expected<Node> parse_toml(std::string_view text, const std::string& source) {
+  if (foundation::Problems foreign = encoding_problems(text, source); foreign.has_errors())
+    return tl::make_unexpected(std::move(foreign));
   if (const int line = line_of_excessive_nesting(text))
     return refused({source, line, 0}, "more than 64 levels of brackets or dots", "a project file is a few levels deep",
                    "look for a missing closing bracket");
@@ -147,10 +160,8 @@ foundation::Expected<Node> parse_toml(std::string_view text, const std::string& 
     return root;
   } catch (const toml::parse_error& error) {
     const std::string finding = finding_of(error, text);
-    const bool encoding = finding.find("utf-8") != std::string::npos || finding.find("UTF-8") != std::string::npos;
     return refused(origin_of(error.source(), source), finding, "the file must be valid TOML",
-                   encoding ? "it is not UTF-8 text: save it as UTF-8"
-                       : finding.find("control characters") != std::string::npos
+                   finding.find("control characters") != std::string::npos
                        ? "look for a missing closing quote"
                        : "correct this line (strings and numbers with a unit in quotes, one value per key, arrays in "
                          "square brackets)");
