@@ -3,6 +3,7 @@ import {html, nothing} from 'lit';
 import {hasSomethingToJudge} from './judgement.ts';
 import type {Table} from './display.ts';
 import './map_panel.ts';
+import {briefMode} from './mode_words.ts';
 import {Part, type App} from './part.ts';
 import {limitNumber, setLimit} from './limit_number.ts';
 import {missingCurves} from './missing_curves.ts';
@@ -45,7 +46,7 @@ export class ResultTables extends Part {
         const chosen = display.shown.kind === 'mode' && display.shown.number === m.number, root = roots?.roots.find(r => r.nearest_mode === m.number && r.eigenvalue[1] > 0);
         return html`<tr aria-selected=${chosen} class=${chosen ? 'chosen' : ''} @click=${() => display.set({shown: {kind: 'mode', number: m.number}})}>
           <th scope="row"><button class="link" aria-label="Show mode ${m.number}">${m.number}</button></th><td>${frequency(m.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
-          <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : roots ? '–' : html`<span class="old">…</span>`}</td><td class="words" title=${m.name}>${brief(m.name)}</td>
+          <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : roots ? '–' : html`<span class="old">…</span>`}</td><td class="words" title=${m.name}>${briefMode(m.name)}</td>
           ${one ? m.kinetic_energy_share!.map(share => html`<td class=${isCoupled(share) ? 'share coupled' : 'share'} title=${isCoupled(share) ? words : ''}>${Math.abs(share) >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m)}</td>`}</tr>`;
       })}</tbody></table>${one ? html`<p class="hint">x … θz in %: ${modes.modes.some(m => m.kinetic_energy_share!.some(isCoupled)) ? words : 'shares of the kinetic energy'}.</p>` : nothing}${this.energies(modes)}`;
   }
@@ -133,8 +134,6 @@ function amplitude(value: number, result: Curves['results'][number] | undefined)
   const scale = scaleAtLevel(value, result?.unit ?? '', result);
   return `${number(value * scale.factor)} ${scale.unit}`.trim();
 }
-/// "mostly rotation about (…) through (…) m" in a narrow column: "≈ about skew axis".
-const brief = (name: string) => name.replace('mostly ', '≈ ').replace('translation ', '').replace('rotation ', '').replace(/ through .*/, '').replace(/ \(.*?\)/, ' skew axis');
 /// "frame 81 %, axle 12 %": shares of the bodies.
 function largestShares(modes: Modes, mode: Mode): string {
   const ofBodies = modes.bodies.map((name, i) => ({name, share: mode.body_kinetic_energy_share[i]!}));
