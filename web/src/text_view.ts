@@ -4,14 +4,16 @@ import {defaultKeymap, history, historyKeymap} from '@codemirror/commands';
 import {HighlightStyle, StreamLanguage, syntaxHighlighting} from '@codemirror/language';
 import {toml} from '@codemirror/legacy-modes/mode/toml';
 import {lintGutter, setDiagnostics, type Diagnostic} from '@codemirror/lint';
-import {Compartment, EditorState} from '@codemirror/state';
+import {Annotation, Compartment, EditorState} from '@codemirror/state';
 import {EditorView, keymap, lineNumbers} from '@codemirror/view';
 import {tags} from '@lezer/highlight';
 import {completionsAt} from './completions.ts';
+import {edited, withPlainEnds, type Edit} from './line_ends.ts';
 import {Part} from './part.ts';
 import type {Problem} from './results.ts';
 import type {Design} from './state.ts';
 
+const OF_THE_PAGE = Annotation.define<boolean>();  // a change that no hand made in the editor
 const PAUSE = 300;  // ms after a key, before the text is checked
 
 /// The project file as text, with the program's messages at their lines and completion from the schema.
@@ -20,6 +22,7 @@ export class TextView extends Part {
   private readonly look = new Compartment();
   private theme = '';
   private shown: Problem[] = [];
+  private file = '';  // the text in the editor with the line ends of the file
   private timer = 0;
   private refused: Design | null = null;  // its settings cannot be written into the text
   private wasAway = false;  // the program that writes them
@@ -29,15 +32,19 @@ export class TextView extends Part {
   override render() { return undefined; }
   override firstUpdated() {
     const {state} = this.app;
+    this.file = state.design.text;
     this.editor = new EditorView({root: this.shadowRoot!, parent: this.shadowRoot!, state: EditorState.create({doc: state.design.text, extensions: [
       lineNumbers(), history(), lintGutter(), StreamLanguage.define(toml), this.look.of([]),
       autocompletion({override: [context => this.complete(context)]}),
       keymap.of([...defaultKeymap, ...historyKeymap, ...completionKeymap]),
       EditorView.contentAttributes.of({'aria-label': 'Project file'}),
       EditorView.updateListener.of(update => {
-        if (!update.docChanged || update.state.doc.toString() === state.design.text) return;
+        if (!update.docChanged || update.transactions.some(t => t.annotation(OF_THE_PAGE))) return;
+        const edits: Edit[] = [];
+        update.changes.iterChanges((from, to, _, __, insert) => edits.push({from, to, insert: insert.toString()}));
+        this.file = edited(this.file, edits);
         clearTimeout(this.timer);
-        this.timer = window.setTimeout(() => state.edit(this.editor!.state.doc.toString()), PAUSE);
+        this.timer = window.setTimeout(() => state.edit(this.file), PAUSE);
       })]})});
     this.editor.scrollDOM.tabIndex = 0;  // long lines are scrolled by keys, too
     void this.fold();
@@ -48,12 +55,14 @@ export class TextView extends Part {
     if (!editor) return;
     if (this.wasAway && !isAway) this.refused = null;
     this.wasAway = isAway;
-    const isEdited = this.timer !== 0 && editor.hasFocus, text = editor.state.doc.toString();
-    if (text !== state.design.text && !isEdited) {
-      editor.dispatch({changes: {from: 0, to: text.length, insert: state.design.text}});
+    const isEdited = this.timer !== 0 && editor.hasFocus, {text} = state.design;
+    if (this.file !== text && !isEdited) {
+      if (withPlainEnds(this.file) !== withPlainEnds(text))
+        editor.dispatch({changes: {from: 0, to: editor.state.doc.length, insert: text}, annotations: OF_THE_PAGE.of(true)});
+      this.file = text;
       this.shown = [];
     }
-    if (text === state.design.text) this.timer = 0;
+    if (this.file === text) this.timer = 0;
     if (this.theme !== display.theme) editor.dispatch({effects: this.look.reconfigure(appearance(display.theme === 'dark'))});
     this.theme = display.theme;
     if (this.shown !== asker.problems) editor.dispatch(setDiagnostics(editor.state, asker.problems.flatMap(p => this.diagnostic(p))));
