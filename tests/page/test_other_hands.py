@@ -45,8 +45,10 @@ def test_a_page_with_edits_asks_and_shows_what_differs(serve):
     served.file.write_text(served.file.read_text() + '# theirs\n')
     box = page.get_by_role('alertdialog')
     box.get_by_text('this page has edits').wait_for()
-    assert '− ' in box.locator('.first').inner_text() and '# theirs' in box.locator('.first').inner_text()
-    assert 'bodies.genset.mass' in box.locator('.second').inner_text()
+    box.locator('.first').get_by_text('# theirs').wait_for()
+    assert all(line.startswith('− ') for line in box.locator('.first').all_inner_texts())
+    box.locator('.second').get_by_text('mass = "4500 kg"').wait_for()
+    assert box.locator('.second').count() == 1
     page.get_by_role('button', name='Go on with mine').click()
     assert box.count() == 0 and shown_frequencies(page) == before
     page.get_by_role('button', name='Save').click()
@@ -86,12 +88,45 @@ def test_two_tabs(serve):
     served.messages.clear()  # statuses 409 and 412
 
 
+def test_the_conflict_shows_the_text_that_would_be_written(serve):
+    served = serve('genset/genset.toml')
+    page = opened(served)
+    page.get_by_role('tab', name='Text').click()
+    page.wait_for_timeout(300)
+    page.get_by_role('tab', name='Sliders').click()
+    set_number(page, MASS, '5000 kg')
+    change_file(served, '4444 kg')
+    box = page.get_by_role('alertdialog')
+    box.locator('.second').get_by_text('mass = "5000 kg"').wait_for()
+    assert '4444 kg' in box.locator('.first').inner_text() and '4200 kg' not in box.inner_text()
+    page.get_by_role('button', name='Overwrite it with mine').click()
+    page.get_by_text('genset.toml is saved.').wait_for()
+    assert 'mass = "5000 kg"' in served.file.read_text()
+    served.messages.clear()
+
+
+def test_a_file_that_was_moved_away_and_back_is_no_conflict(serve):
+    served = serve('genset/genset.toml')
+    page = opened(served)
+    away = served.file.with_suffix('.away')
+    for mass in ('4200 kg', '4500 kg'):
+        set_number(page, MASS, mass)
+        served.file.rename(away)
+        page.get_by_text('genset.toml is no longer on the disk').wait_for()
+        away.rename(served.file)
+        page.wait_for_function("() => !document.querySelector('file-notice').innerText.trim()")
+        assert page.get_by_role('alertdialog').count() == 0 and mass_of(page) == mass
+    page.get_by_role('button', name='Save').click()
+    page.get_by_text('genset.toml is saved.').wait_for()
+    assert 'mass = "4500 kg"' in served.file.read_text()
+
+
 def test_a_deleted_file_can_be_written_again(serve):
     served = serve('genset/genset.toml')
     page = opened(served)
     before = served.file.read_text()
     served.file.unlink()
-    page.get_by_text('genset.toml is no longer on the disk.').wait_for()
+    page.get_by_text('genset.toml is no longer on the disk').wait_for()
     set_number(page, MASS, '4500 kg')
     settled(page)
     page.get_by_role('button', name='Write it again').click()

@@ -45,8 +45,9 @@ export interface CatalogueMount {
 export interface Project {
   name: string | null;
   title?: string;
-  text?: string;
+  text?: string | null;  // null: the page cannot have it; `problems` say why
   version?: string;
+  problems?: Problem[];
   read_only?: boolean;
   cases?: string[];
   program?: string;
@@ -59,8 +60,14 @@ export interface Doing {
   task: string;
   fraction: number;  // 0 … 1
 }
-/// `conflict`: another hand changed the file meanwhile; `text` is what is on disk now.
-export type Saved = {conflict: false; version: string} | {conflict: true; version: string; text: string};
+/// What is on the disk now; `text` is null if the page cannot have it, and `problems` say why.
+export interface OnDisk {
+  version: string;
+  text: string | null;
+  problems: Problem[];
+}
+/// `conflict`: another hand changed the file meanwhile.
+export type Saved = {conflict: false; version: string} | {conflict: true} & OnDisk;
 
 export interface Engine {
   /// False: it has kept results only, and computes nothing new.

@@ -55,15 +55,19 @@ export class PageShell extends Part {
     return html`<header>${this.brand()}${this.heading()}</header>
       <problem-list .app=${app}></problem-list>
       <file-notice .app=${app}></file-notice>
-      <main class="tab-${display.leftTab}">
+      ${app.state.design.text ? this.parts() : html`<main class="empty"></main>`}
+      <p class="toast" role="status" ?hidden=${!display.notice}>${display.notice}</p>`;
+  }
+  private parts() {
+    const {app} = this, {display} = app;
+    return html`<main class="tab-${display.leftTab}">
         <section class="left" aria-label="Model and parameters">
           <div class="tabs" role="tablist" aria-label="Model">${(Object.keys(TABS) as Display['leftTab'][]).map(t => html`<button role="tab" id="left-${t}" aria-controls="left-panel" aria-selected=${t === display.leftTab} @click=${() => display.set({leftTab: t})}>${TABS[t]}</button>`)}</div>
           <div class="scroll panel" role="tabpanel" id="left-panel" aria-labelledby="left-${display.leftTab}">${this.leftPanel()}</div>
         </section>
         <section class="middle" aria-label="Machine"><machine-view .app=${app}></machine-view></section>
         <section class="right" aria-label="Results"><curve-chart .app=${app}></curve-chart><result-tables .app=${app}></result-tables></section>
-      </main>
-      <p class="toast" role="status" ?hidden=${!display.notice}>${display.notice}</p>`;
+      </main>`;
   }
   private leftPanel() {
     const {app} = this;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
 import {Part} from './part.ts';
+import {worded} from './problem_words.ts';
 import type {TextView} from './text_view.ts';
 
 /// The program's messages on the file. A click goes to the line.
@@ -12,7 +13,7 @@ export class ProblemList extends Part {
     if (!asker.problems.length) return nothing;
     return html`<details class="problems ${errors.length ? 'error' : 'warning'}" ?open=${errors.length > 0}>
       <summary>${errors.length ? `${errors.length} ${errors.length === 1 ? 'error' : 'errors'}` : ''}${errors.length && warnings ? ', ' : ''}${warnings ? `${warnings} ${warnings === 1 ? 'warning' : 'warnings'}` : ''}</summary>
-      <ul>${asker.problems.map(p => html`<li class=${p.severity}><button class="link" ?disabled=${!p.line || !this.closest('page-shell')} @click=${() => this.go(p.line ?? 0)}>${p.line ? `line ${p.line}: ` : ''}${p.message}</button></li>`)}</ul></details>`;
+      <ul>${asker.problems.map(p => html`<li class=${p.severity}><button class="link" ?disabled=${!p.line || !this.closest('page-shell')} @click=${() => this.go(p.line ?? 0)}>${worded(p)}</button></li>`)}</ul></details>`;
   }
   private async go(line: number) {
     this.app.display.set({leftTab: 'text'});

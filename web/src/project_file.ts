@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The file on the disk and the edits of this page: saving, another hand that writes the file, a program that went away.
 import type {Asker} from './asker.ts';
-import {EngineError, type Engine, type Project} from './engine.ts';
+import {EngineError, type Engine, type OnDisk, type Project} from './engine.ts';
 import {historyOf, keptHistory, type KeptHistory} from './kept_history.ts';
+import {findingOf} from './problem_words.ts';
 import type {Design, State} from './state.ts';
 
 /// Why the page and the file differ, and what the user decides about.
 export type Trouble =
   | {kind: 'away'; reason: string; isSilent: boolean}  // the program does not answer
   | {kind: 'changed'; version: string; text: string}  // another program wrote the file, and the page has edits
+  | {kind: 'unshown'; version: string; reason: string}  // what is on the disk is no text that the page can show
   | {kind: 'deleted'};
 
 /// Edits that are not on the disk, as the tab keeps them over a reload, a sleep and a new start of the program.
@@ -41,8 +43,9 @@ export class ProjectFile {
   /// Shows the file, with the edits that this tab has kept, and looks at it from time to time.
   begin() {
     const {project, state} = this, kept = this.kept();
-    if (project.text !== undefined) state.open(project.text, project.version || null);
+    if (typeof project.text === 'string') state.open(project.text, project.version || null);
     if (kept) this.restore(kept);
+    else if (project.text === null) this.meet(onDiskOf(project));
     state.subscribe(() => {
       clearTimeout(this.keepTimer);
       this.keepTimer = window.setTimeout(() => this.keep(), 200);
@@ -65,7 +68,7 @@ export class ProjectFile {
       const text = design.settings.size ? await engine.text(change) : design.text;
       if (project.name === null) return text;
       const saved = await engine.save(this.version, change);
-      if (saved.conflict) this.meet(saved.version, saved.text);
+      if (saved.conflict) this.meet(saved);
       else {
         [this.version, this.ignored] = [saved.version, ''];
         state.wasSaved(text, saved.version, design);
@@ -82,7 +85,8 @@ export class ProjectFile {
   take({version, text}: {version: string; text: string}) {
     this.version = version;
     this.set(null);
-    this.state.replaced(text, version);
+    if (this.state.design.text) this.state.replaced(text, version);
+    else this.state.open(text, version);  // there is nothing to bring back
   }
   overwrite({version}: {version: string}) {
     this.version = version;
@@ -123,27 +127,28 @@ export class ProjectFile {
   private async compare(onDisk: string) {
     const {state, engine, project, trouble} = this;
     if (project.name === null) return;
-    if (onDisk === '') return trouble?.kind === 'deleted' ? undefined : this.meet('', '');
+    if (onDisk === '') return trouble?.kind === 'deleted' ? undefined : this.meet({version: '', text: null, problems: []});
+    if (trouble && 'version' in trouble && onDisk === trouble.version) return;
     if (onDisk === this.version) return trouble ? this.set(null) : undefined;  // the other hand took its change back
-    if (onDisk === this.ignored || trouble?.kind === 'changed' && onDisk === trouble.version) return;
-    const {text = '', version = ''} = await engine.project();
-    if (text === state.design.text && !state.design.settings.size) {
-      this.version = version;
-      state.wasSaved(text, version);
-      this.set(null);
-    } else if (state.hasEdits) {
-      this.meet(version, text);
-    } else {
-      this.take({version, text});
-      this.say(`Another program changed ${project.name}; the page shows its new text. Undo brings the earlier one back.`);
-    }
+    if (onDisk === this.ignored) return;
+    const found = onDiskOf(await engine.project()), {text, version} = found;
+    if (text === null || text === state.design.text || state.hasEdits) return this.meet(found);
+    const isFirst = !state.design.text;
+    this.take({version, text});
+    if (!isFirst) this.say(`Another program changed ${project.name}; the page shows its new text. Undo brings the earlier one back.`);
   }
   /// Another version is on the disk.
-  private meet(version: string, text: string) {
-    if (version !== '') return this.set({kind: 'changed', version, text});
-    this.version = '';
-    this.state.wasDeleted();
-    this.set({kind: 'deleted'});
+  private meet({version, text, problems}: OnDisk) {
+    const {state} = this;
+    if (version === '') {
+      this.version = '';
+      if (state.design.text) state.wasDeleted();
+      return this.set({kind: 'deleted'});
+    }
+    if (text === null) return this.set({kind: 'unshown', version, reason: problems.map(findingOf).join('; ')});
+    if (!state.foundOnDisk(text, version)) return this.set({kind: 'changed', version, text});
+    this.version = version;
+    this.set(null);
   }
   private set(trouble: Trouble | null) {
     this.trouble = trouble;
@@ -168,7 +173,7 @@ export class ProjectFile {
     if (project.name === null) return;
     const onDisk = this.version;
     this.version = kept.version ?? '';  // with which the edits began
-    if (onDisk === '' || onDisk !== this.version) this.meet(onDisk, project.text ?? '');
+    if (onDisk === '' || onDisk !== this.version) this.meet(onDiskOf(project));
     else this.say('Your edits are back; they are not saved yet.');
   }
   /// The machine without a file is closed.
@@ -193,3 +198,4 @@ export class ProjectFile {
     }
   }
 }
+const onDiskOf = ({text = null, version = '', problems = []}: Project): OnDisk => ({version, text, problems});

@@ -118,6 +118,15 @@ export class State {
     if (!casesOf(this.index).includes(this.case)) this.case = '';
     this.changed(true);
   }
+  /// Is this text of the file that of the page, or the one with which its edits began before it was deleted? Then there is
+  /// nothing to decide.
+  foundOnDisk(text: string, version: string): boolean {
+    if (text === this.design.text && !this.design.settings.size) this.wasSaved(text, version);
+    else if (this.opened.version === null && text === this.opened.text) [this.saved, this.opened] = [{text, settings: new Map()}, {text, version}];
+    else return false;
+    this.changed(false);
+    return true;
+  }
   /// The file is no longer on the disk: its text can be saved again.
   wasDeleted() {
     this.opened = {text: this.opened.text, version: null};
