@@ -33,6 +33,7 @@ export class Display {
   quantity = '';  // of the motions in the curves; empty: that of the file
   table: Table | null = null;  // shown below the curves; null: the one that suits the file
   notice = '';  // one sentence for a few seconds
+  listed = '';  // a notice with more in the list of messages
   private readonly listeners = new Set<() => void>();
 
   set(values: Partial<Omit<Display, 'set' | 'subscribe'>>) {

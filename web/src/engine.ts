@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The seam: what the page asks and who answers. Everything that the page shows is a result of a command of the program.
+import {worded} from './problem_words.ts';
 import type {Problem} from './results.ts';
 import {keepToken, newNonce, openedToken, type SealedToken} from './token.ts';
 
@@ -92,7 +93,8 @@ export interface Engine {
 /// The server went away, or it rejected the request: `message` says what to do.
 export class EngineError extends Error {
   /// @param isSilent  the program does not answer at all
-  constructor(message: string, readonly isSilent = false) { super(message); }
+  /// @param isListed  its problems are more than the message states: the list of messages has them
+  constructor(message: string, readonly isSilent = false, readonly isListed = false) { super(message); }
 }
 
 /// The engine behind `trivet serve`.
@@ -219,5 +221,7 @@ async function content<T>(response: Response): Promise<T> {
   if (response.ok) return response.json() as Promise<T>;
   const {error, problems = []} = await response.json().catch(() => ({error: `The program answered ${response.status}.`})) as
       {error: string; problems?: Problem[]};
-  throw new EngineError([error, ...problems.map(p => p.message)].join(': '));
+  const errors = problems.filter(p => p.severity === 'error');
+  if (errors.length > 1) throw new EngineError(`${error}: ${errors.length} errors`, false, true);
+  throw new EngineError([error, ...errors.map(p => worded(p))].join(': '));
 }

@@ -2,10 +2,11 @@
 import {html, nothing, type TemplateResult} from 'lit';
 import {settingPath} from './numbers_of_text.ts';
 import {Part} from './part.ts';
+import {errorAbout, idOf, worded} from './problem_words.ts';
 import {refuse} from './refused_number.ts';
 import {quantity, written} from './quantities.ts';
 import type {Selection} from './state.ts';
-import type {Entry} from './toml_outline.ts';
+import {pathText, type Entry} from './toml_outline.ts';
 
 const KINDS: Record<string, Selection['kind']> = {bodies: 'body', nodes: 'body', elements: 'element', excitations: 'force'};
 
@@ -54,8 +55,9 @@ export class ModelTree extends Part {
   private input(entry: Entry, name: string, pinnable: boolean) {
     const {state, index, display, schema} = this.app, path = settingPath(entry, index.byPath);
     const raw = (path && state.design.settings.get(path)) ?? entry.raw, changed = path !== null && state.design.settings.has(path);
+    const wrong = errorAbout(path ? [path, pathText(entry.path)] : [pathText(entry.path)], this.app.asker.problems), isWrong = wrong >= 0;
     const label = `${entry.path.join(' ')}${schema?.description(entry.path) ? `: ${schema.description(entry.path)}` : ''}`;
-    return html`<input class="number ${changed ? 'changed' : ''}" aria-label=${pinnable ? label : name} title=${label} .value=${raw.replace(/^["']|["']$/g, '')}
+    return html`<input class="number ${changed ? 'changed' : ''}" aria-label=${pinnable ? label : name} title=${isWrong ? worded(this.app.asker.problems[wrong]!) : label} aria-invalid=${isWrong ? 'true' : nothing} aria-describedby=${isWrong ? idOf(wrong) : nothing} .value=${raw.replace(/^["']|["']$/g, '')}
         @change=${(e: Event) => this.edited(entry, path, e.target as HTMLInputElement)}>${pinnable && path && !display.pins.includes(path)
       ? html`<button class="pin" title="Make a slider of ${path}" aria-label="Make a slider of ${path}" @click=${() => display.set({pins: [...display.pins, path], leftTab: 'sliders'})}>⊕</button>` : nothing}`;
   }

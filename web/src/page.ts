@@ -9,7 +9,7 @@ import {tokenOfTab} from './token.ts';
 
 async function start() {
   const engine = new ServerEngine(tokenOfTab()), project = await engine.project(), app = newApp(engine, project, engine.beside());
-  const {state, asker, display} = app, file = app.file = new ProjectFile(engine, project, state, asker, notice => display.set({notice}));
+  const {state, asker, display} = app, file = app.file = new ProjectFile(engine, project, state, asker, (notice, listed) => display.set({notice, listed: listed ? notice : ''}));
   const shell = new PageShell();
   shell.app = app;
   file.begin();

@@ -15,6 +15,7 @@ import type {Display} from './display.ts';
 import {downloadProject} from './download.ts';
 import type {Example} from './engine.ts';
 import {Part} from './part.ts';
+import type {ProblemList} from './problem_list.ts';
 import type {Scene} from './results.ts';
 import {verdictPill} from './verdict_pill.ts';
 
@@ -56,7 +57,7 @@ export class PageShell extends Part {
       <problem-list .app=${app}></problem-list>
       <file-notice .app=${app}></file-notice>
       ${app.state.design.text ? this.parts() : html`<main class="empty"></main>`}
-      <p class="toast" role="status" ?hidden=${!display.notice}>${display.notice}</p>`;
+      <p class="toast" role="status" ?hidden=${!display.notice}>${display.notice}${display.listed && display.listed === display.notice ? html` <button class="link" @click=${() => this.querySelector<ProblemList>('problem-list')?.show()}>Show them</button>` : nothing}</p>`;
   }
   private parts() {
     const {app} = this, {display} = app;

@@ -37,7 +37,7 @@ export class ProjectFile {
   private readonly listeners = new Set<() => void>();
 
   constructor(private readonly engine: Engine, private readonly project: Project, private readonly state: State,
-              private readonly asker: Asker, private readonly say: (notice: string) => void) {
+              private readonly asker: Asker, private readonly say: (notice: string, isListed?: boolean) => void) {
     this.version = project.version ?? '';
   }
   /// Shows the file, with the edits that this tab has kept, and looks at it from time to time.
@@ -76,7 +76,8 @@ export class ProjectFile {
         this.say(`${project.name} is saved.`);
       }
     } catch (error) {
-      this.say(error instanceof EngineError ? error.message : String(error));
+      if (error instanceof EngineError) this.say(`Not saved: ${error.message}.`, error.isListed);
+      else this.say(String(error));
     } finally {
       this.isSaving = false;
     }

@@ -7,6 +7,7 @@ export type Complex = readonly [number, number];
 
 export interface Problem {
   severity: 'error' | 'warning';
+  file?: string;  // of a setting: "--set PATH = VALUE"
   line?: number;
   column?: number;
   subject?: string;

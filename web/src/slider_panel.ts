@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing} from 'lit';
 import {Part} from './part.ts';
+import {errorAbout, idOf, ruleOf} from './problem_words.ts';
 import {refuse} from './refused_number.ts';
 import {number, quantity} from './quantities.ts';
 import {settingsOf, sliders, type Slider} from './slider_list.ts';
@@ -17,13 +18,15 @@ export class SliderPanel extends Part {
   }
   private row(s: Slider) {
     const position = positionOf(s, s.value), isSet = s.paths.some(p => this.app.state.design.settings.has(p.path));
+    const wrong = errorAbout(s.paths.map(p => p.path), this.app.asker.problems), isWrong = wrong >= 0;
     const pinned = this.app.display.pins.includes(s.name);
     return html`<li class=${isSet ? 'changed' : ''}>
       <label title=${s.paths.map(p => p.path).join('\n')}><span>${s.name}</span>
         <input type="range" min="0" max=${STEPS} .value=${String(position)} aria-valuetext="${number(s.value)} ${s.unit}"
           @input=${(e: Event) => this.move(s, (e.target as HTMLInputElement).value, true)} @change=${() => this.app.state.dropped()}></label>
-      <input class="number" aria-label="${s.name}, value" .value=${shown(s)}
+      <input class="number" aria-label="${s.name}, value" aria-invalid=${isWrong ? 'true' : nothing} aria-describedby=${isWrong ? idOf(wrong) : nothing} .value=${shown(s)}
         @change=${(e: Event) => this.type(s, e.target as HTMLInputElement)}>
+      ${isWrong ? html`<small class="wrong">${ruleOf(this.app.asker.problems[wrong]!)}</small>` : nothing}
       ${s.paths.some(p => p.path.startsWith('cases.')) && !s.name.startsWith('cases.') ? html`<small class="hint">of case ${this.app.state.case}</small>` : nothing}
       ${pinned ? html`<button title="Remove the slider" @click=${() => this.app.display.set({pins: this.app.display.pins.filter(p => p !== s.name)})}>×</button>` : nothing}
     </li>`;

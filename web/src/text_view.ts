@@ -8,6 +8,7 @@ import {Annotation, Compartment, EditorState} from '@codemirror/state';
 import {EditorView, keymap, lineNumbers} from '@codemirror/view';
 import {tags} from '@lezer/highlight';
 import {completionsAt} from './completions.ts';
+import {EngineError} from './engine.ts';
 import {edited, withPlainEnds, type Edit} from './line_ends.ts';
 import {Part} from './part.ts';
 import type {Problem} from './results.ts';
@@ -92,7 +93,8 @@ export class TextView extends Part {
       if (state.design === design) state.folded(text);
     } catch (error) {
       this.refused = design;
-      this.app.display.set({notice: `The text does not show the sliders: ${(error as Error).message}`});
+      const notice = `The text does not show the sliders: ${(error as Error).message}.`;
+      this.app.display.set({notice, listed: error instanceof EngineError && error.isListed ? notice : ''});
     }
   }
   private diagnostic({line, column, message, severity}: Problem): Diagnostic[] {
