@@ -57,3 +57,31 @@ def test_the_form_takes_mounts_of_the_catalogue(serve, tmp_path):
     verdict = json.loads(subprocess.run([TRIVET, 'verdict', file, '--json'], stdout=subprocess.PIPE).stdout)
     loads = [r for r in verdict['cases'][0]['requirements'] if r['kind'] == 'mount_load']
     assert len(loads) == 4 and all(r['met'] for r in loads)
+
+
+def test_a_machine_that_is_left_with_edits_can_be_opened_again(serve):
+    page = serve().page()
+    page.get_by_label('Name').fill('Fan "north"')
+    page.get_by_role('button', name='Make it').click()
+    settled(page)
+    page.evaluate(
+        "() => { const {state} = document.querySelector('page-shell').app; state.edit(state.design.text + '# mine\\n'); }"
+    )
+    page.get_by_role('button', name='Examples').click()
+    page.locator('.examples:not(.left) button').first.click()
+    settled(page)
+    page.get_by_role('button', name='Examples').click()  # an example without edits is not kept
+    left = page.locator('.examples.left button')
+    assert left.count() == 1
+    page.reload()
+    page.once('dialog', lambda dialog: dialog.accept())
+    left.first.wait_for()
+    assert 'Fan "north"' in left.inner_text()
+    left.click()
+    settled(page)
+    text = "() => document.querySelector('page-shell').app.state.design.text"
+    assert page.evaluate(text).endswith('# mine\n')
+    page.get_by_role('button', name='Undo').click()
+    assert not page.evaluate(text).endswith('# mine\n')
+    page.get_by_role('button', name='Examples').click()
+    assert left.count() == 1

@@ -16,6 +16,7 @@ import {downloadProject} from './download.ts';
 import type {Example} from './engine.ts';
 import {Part} from './part.ts';
 import type {ProblemList} from './problem_list.ts';
+import type {KeptEdits} from './project_file.ts';
 import type {Scene} from './results.ts';
 import {verdictPill} from './verdict_pill.ts';
 
@@ -34,7 +35,7 @@ export class PageShell extends Part {
     super.connectedCallback();
     this.opened = this.app.state.design.text !== '' || this.app.project.name !== null;
     addEventListener('keydown', event => this.key(event));
-    addEventListener('beforeunload', event => { if (this.opened && !this.app.state.isSaved) event.preventDefault(); });
+    addEventListener('beforeunload', event => { if (this.opened && !this.app.state.isSaved || this.app.file!.left.length) event.preventDefault(); });
   }
   /// A notice goes away when it was read.
   override updated() {
@@ -52,7 +53,7 @@ export class PageShell extends Part {
     const {app} = this, {display, project} = app;
     document.documentElement.dataset['theme'] = display.theme;
     if (!this.opened) return html`<header>${this.brand()}<span class="space"></span>${this.themeButton()}</header>
-      <main class="empty"><empty-state .app=${app} .examples=${project.examples ?? []} .open=${(e: Example) => this.openExample(e)}></empty-state></main>`;
+      <main class="empty"><empty-state .app=${app} .examples=${project.examples ?? []} .open=${(e: Example) => this.openExample(e)} .reopen=${(one: KeptEdits) => this.reopen(one)}></empty-state></main>`;
     return html`<header>${this.brand()}${this.heading()}</header>
       <problem-list .app=${app}></problem-list>
       <file-notice .app=${app}></file-notice>
@@ -95,8 +96,7 @@ export class PageShell extends Part {
   }
   private leave() {
     this.opened = false;
-    this.app.state.open('', null);
-    this.app.file!.forget();
+    this.app.file!.leave();
   }
   private themeButton() {
     const {display} = this.app, other = display.theme === 'dark' ? 'light' : 'dark';
@@ -105,6 +105,10 @@ export class PageShell extends Part {
   private openExample(example: Example) {
     this.opened = true;
     this.app.state.open(example.text, null);
+  }
+  private reopen(one: KeptEdits) {
+    this.opened = true;
+    this.app.file!.reopen(one);
   }
   /// Writes the file; a machine without a file becomes a download.
   private async save() {

@@ -14,7 +14,7 @@ export type Trouble =
   | {kind: 'deleted'};
 
 /// Edits that are not on the disk, as the tab keeps them over a reload, a sleep and a new start of the program.
-interface KeptEdits {
+export interface KeptEdits {
   project: string | null;
   version: string | null;  // of the file with which they began
   text: string;
@@ -22,11 +22,13 @@ interface KeptEdits {
   case: string;
   history?: KeptHistory;
 }
-const KEPT = 'edits';
+const KEPT = 'edits', LEFT = 'left', MOST_LEFT = 5;  // keys of the storage; machines without a file that can be opened again
 const LOOK = 2000, LOOK_AGAIN = 1000;  // ms between looks at the file; while the program does not answer
 
 export class ProjectFile {
   trouble: Trouble | null = null;
+  /// Machines without a file that were left with edits, the last one first.
+  readonly left: KeptEdits[];
   private version: string;  // on the disk, when the page last took or wrote it
   private ignored = '';  // version on the disk that the user has decided not to take
   private isSaving = false;
@@ -39,6 +41,7 @@ export class ProjectFile {
   constructor(private readonly engine: Engine, private readonly project: Project, private readonly state: State,
               private readonly asker: Asker, private readonly say: (notice: string, isListed?: boolean) => void) {
     this.version = project.version ?? '';
+    this.left = project.name === null ? JSON.parse(sessionStorage.getItem(LEFT) ?? '[]') as KeptEdits[] : [];
   }
   /// Shows the file, with the edits that this tab has kept, and looks at it from time to time.
   begin() {
@@ -177,19 +180,44 @@ export class ProjectFile {
     if (onDisk === '' || onDisk !== this.version) this.meet(onDiskOf(project));
     else this.say('Your edits are back; they are not saved yet.');
   }
-  /// The machine without a file is closed.
-  forget() {
+  /// The machine without a file is closed; what a hand made of it is kept, to be opened again.
+  leave() {
+    const {state, project} = this;
     clearTimeout(this.keepTimer);
+    if (state.design.settings.size || !project.examples?.some(({text}) => text === state.design.text)) {
+      this.left.unshift(this.edits());
+      this.left.length = Math.min(this.left.length, MOST_LEFT);
+      this.write(LEFT, this.left);
+    }
+    state.open('', null);
     sessionStorage.removeItem(KEPT);
   }
-  private keep() {
+  /// Opens a machine again that was left.
+  reopen(one: KeptEdits) {
+    this.left.splice(this.left.indexOf(one), 1);
+    this.write(LEFT, this.left);
+    this.state.open(one.text, null);
+    this.state.resume({text: one.text, settings: new Map(one.settings)}, one.case, historyOf(one.history ?? {texts: [], past: [], future: []}));
+  }
+  private write(key: string, value: unknown) {
+    try {
+      sessionStorage.setItem(key, JSON.stringify(value));
+    } catch {
+      this.say('The tab has no room to keep this over a reload.');
+    }
+  }
+  private edits(): KeptEdits {
     const {state, project} = this, {text, settings} = state.design;
+    return {project: project.name, version: this.version || null, text, settings: [...settings], case: state.case, history: keptHistory(state.history)};
+  }
+  private keep() {
+    const {state} = this;
     clearTimeout(this.keepTimer);
     try {
-      if (state.isSaved || !text) return sessionStorage.removeItem(KEPT);
-      const kept: KeptEdits = {project: project.name, version: this.version || null, text, settings: [...settings], case: state.case};
+      if (state.isSaved || !state.design.text) return sessionStorage.removeItem(KEPT);
+      const {history, ...kept} = this.edits();
       try {
-        sessionStorage.setItem(KEPT, JSON.stringify({...kept, history: keptHistory(state.history)}));
+        sessionStorage.setItem(KEPT, JSON.stringify({...kept, history}));
       } catch {  // no room for both: the edits matter more
         sessionStorage.setItem(KEPT, JSON.stringify(kept));
       }
