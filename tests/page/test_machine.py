@@ -84,7 +84,7 @@ def test_all_steady_motions_at_a_clicked_frequency_can_be_chosen(serve):
     box = plot.bounding_box()
     plot.click(position={'x': box['width'] * 0.3, 'y': box['height'] * 0.7})
     caption.get_by_text(re.compile('^Operating shape')).wait_for()
-    frequency = caption.inner_text().split(',')[1].strip()
+    frequency = caption.inner_text().split(',')[1].split('·')[0].strip()
     motion.select_option('steady 0')
     caption.get_by_text(re.compile(r'^Steady motion')).wait_for()
     settled(page)
