@@ -178,6 +178,26 @@ class Scene(unittest.TestCase):
                     for a, axis in enumerate(body["axes"]):
                         self.assert_near([dot(axis, other) for other in body["axes"]], [a == b for b in range(3)], 1e-9)
 
+    def test_the_number_that_scales_a_stiffness_is_accepted_and_scales_it(self):
+        keys = set()
+        for file in sorted([*EXAMPLES.glob("*/*.toml"), *(SOURCE / "tests/samples").glob("*.toml"), self.workshop()]):
+            with self.subTest(file=file.name):
+                elements = result("scene", file)["elements"]
+                keys |= {element["stiffness_key"] for element in elements}
+                changes = [
+                    f"--set=elements.{json.dumps(element['name'])}.{element['stiffness_key']}=1.02"
+                    for element in elements
+                    if element["stiffness_key"]
+                ]
+                self.assertTrue(result("check", file, *changes)["ok"])
+        self.assertEqual(keys, {"scale", "stiffness_factor.all", None})
+        bogie = EXAMPLES / "bogie/loaded_frame.toml"
+        scaled = {element["name"]: element["stiffness_key"] for element in result("scene", bogie)["elements"]}
+        self.assertIsNone(scaled["damper left"])
+        softer = [f'--set=elements."{name}".{key}=0.5' for name, key in scaled.items() if key]
+        first, second = (result("modes", bogie, *more)["modes"][0]["angular_frequency"] for more in ([], softer))
+        self.assertLess(second, 0.8 * first)
+
     def test_mode_shapes_move_the_centre_of_mass_as_modes_say(self):
         for file in (self.workshop(), EXAMPLES / "frame/frame.toml", EXAMPLES / "paper/corrected.toml"):
             scene, modes = result("scene", file), result("modes", file)["modes"]

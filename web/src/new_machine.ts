@@ -26,7 +26,7 @@ export function wrongNumber(numbers: Numbers, mount = ''): string {
 
 /// @param mount  of the generic catalogue; empty: by its stiffness
 export function newMachine(title: string, n: Numbers, mount = ''): string {
-  const density = 1e9 * n.mass / (n.length * n.width * n.height), round = (value: number) => String(Number(value.toPrecision(5)));
+  const round = (value: number) => String(Number(value.toPrecision(5)));
   const rows = Array.from({length: n.pairs}, (_, i) => {
     const x = n.pairs === 1 ? 0 : 0.8 * n.length * (0.5 - i / (n.pairs - 1)), y = 0.4 * n.width;
     return [['left', y], ['right', -y]].map(([side, at]) =>
@@ -38,8 +38,9 @@ title = ${JSON.stringify(title || 'New machine')}
 gravity = [0, 0, -9.80665]
 
 [bodies.machine]                 # pole in the plane of the mounts, x along the shaft, z up
-# A homogeneous box. With measured data: mass, center_of_mass and inertia in place of solids.
-solids = [{box = ["${round(n.length)} mm", "${round(n.width)} mm", "${round(n.height)} mm"], density = ${round(density)}, at = [0, 0, "${round(n.centre)} mm"]}]
+mass = "${round(n.mass)} kg"
+# A homogeneous box. With measured data: center_of_mass and inertia in place of solids.
+solids = [{box = ["${round(n.length)} mm", "${round(n.width)} mm", "${round(n.height)} mm"], at = [0, 0, "${round(n.centre)} mm"]}]
 
 ${mount ? ofCatalogue(mount) : byStiffness(round(n.lateral), round(n.vertical))}
 [tables.elements]

@@ -64,6 +64,7 @@ export interface SceneElement {
   name: string;
   type: string;
   kind: string;
+  stiffness_key?: string | null;  // of the number that scales its stiffness
   from: End;
   to: End;
   axes: Frame;

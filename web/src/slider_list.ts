@@ -3,6 +3,7 @@
 import {inUnit} from './file_units.ts';
 import {pathInCase, quantityOf, type TextIndex} from './numbers_of_text.ts';
 import {quantity, written} from './quantities.ts';
+import type {Scene} from './results.ts';
 import type {Design} from './state.ts';
 import {pathText, type Entry} from './toml_outline.ts';
 
@@ -17,10 +18,11 @@ export interface Slider {
 }
 
 /// @param name  of the case on the page: a number that it changes is moved in the case, and not in the base model
-export function sliders(design: Design, index: TextIndex, pins: readonly string[], name = ''): Slider[] {
+/// @param machine  states which numbers scale the stiffness of its elements; null: not known yet
+export function sliders(design: Design, index: TextIndex, pins: readonly string[], name = '', machine: Pick<Scene, 'elements' | 'bodies'> | null = null): Slider[] {
   const inCase: InCase = path => pathInCase(path, name, index);
   const own = ofParameters(design, index, inCase), pinned = pins.map(path => ofNumber(path, design, index, inCase)).filter(s => s !== null);
-  return own.length || pinned.length ? [...own, ...pinned] : usual(design, index, inCase);
+  return own.length || pinned.length || !machine ? [...own, ...pinned] : usual(design, index, inCase, machine);
 }
 type InCase = (path: string) => string;
 /// Settings that move a slider to a value.
@@ -63,16 +65,44 @@ function ofNumber(name: string, design: Design, index: TextIndex, inCase: InCase
   return {name, paths: [{path, factor: 1}], from: ends[0]!, to: ends[1]!, logarithmic: base.value > 0, unit: base.unit,
           value: inUnit(now.value, now.unit, base.unit) ?? base.value};
 }
-/// For a file without parameters: the stiffness of each type of mount, else of the first elements, and the masses.
-function usual(design: Design, index: TextIndex, inCase: InCase): Slider[] {
-  const namesIn = (table: string) => [...new Set([...index.byPath.values()].filter(e => e.path[0] === table && e.path.length > 1).map(e => e.path[1]!))];
-  const types = namesIn('element_types').map(name => ['element_types', name]), elements = namesIn('elements').map(name => ['elements', name]);
-  const scales = (types.length ? types : elements.slice(0, 4)).map((parts): Slider => {
-    const path = inCase(pathText([...parts, 'scale']));
-    return {name: `stiffness of ${parts[1]}`, paths: [{path, factor: 1}], from: 0.25, to: 4, logarithmic: true, unit: '',
-            value: quantityOf(path, design, index)?.value ?? 1};
-  });
-  const masses = namesIn('bodies').map(name => ({path: pathText(['bodies', name, 'mass']), name})).filter(({path}) => index.numbers.has(path))
-    .map(({path, name}) => ({...ofNumber(path, design, index, inCase)!, name: `mass of ${name}`}));
-  return [...scales, ...masses.slice(0, 4)];
+const MOST = 4;  // elements and bodies
+type Machine = Pick<Scene, 'elements' | 'bodies'>;
+
+/// For a file without parameters: the stiffness of each type of mount, else of the first elements, and the masses. A step of each gives
+/// a machine that is possible.
+function usual(design: Design, index: TextIndex, inCase: InCase, machine: Machine): Slider[] {
+  const keys = keysOfTypes(index, machine);
+  const ofTypes = [...keys].flatMap(([name, key]) => (key ? [{name, parts: ['element_types', name], key}] : []));
+  const ofElements = machine.elements.flatMap(({name, stiffness_key: key}) => (key ? [{name, parts: ['elements', name], key}] : []));
+  const scales = (ofTypes.length ? ofTypes : ofElements.slice(0, MOST)).map(({name, parts, key}) =>
+    ofFactor(`stiffness of ${name}`, inCase(`${pathText(parts)}.${key}`), 4, design, index));
+  return [...scales, ...machine.bodies.filter(b => !b.node && b.mass > 0).slice(0, MOST).map(({name}) => ofMass(name, design, index, inCase))];
+}
+/// The number of each type that scales the stiffness of its elements; null: nothing does.
+function keysOfTypes(index: TextIndex, {elements}: Machine): Map<string, string | null> {
+  const keys = new Map<string, string | null>();
+  for (const {path} of index.byPath.values()) if (path[0] === 'element_types' && path.length > 1) keys.set(path[1]!, 'scale');  // of elements in another file
+  for (const {name, stiffness_key: key} of elements) {
+    const type = typeInText(name, index);
+    if (keys.has(type)) keys.set(type, key ?? null);
+  }
+  return keys;
+}
+/// The type of an element as the text has it: in its table, or in its row of a table of elements.
+function typeInText(name: string, {byPath}: TextIndex): string {
+  const own = byPath.get(['elements', name, 'type'].join('\0'));
+  if (own) return textOf(own);
+  const row = [...byPath.values()].find(e => e.path[0] === 'tables' && e.path.length === 5 && e.path[4] === 'name' && textOf(e) === name);
+  return row ? textOf(byPath.get([...row.path.slice(0, 4), 'type'].join('\0'))) : '';
+}
+/// The mass in the unit of the file. An inertia about the pole would be that of another body with another mass, and solids may have a
+/// density instead: then it is a factor that keeps the centre of mass and the inertia about it.
+function ofMass(name: string, design: Design, index: TextIndex, inCase: InCase): Slider {
+  const body = ['bodies', name], path = pathText([...body, 'mass']), about = index.byPath.get([...body, 'inertia', 'about'].join('\0'));
+  if (index.numbers.has(path) && textOf(about) !== 'pole') return {...ofNumber(path, design, index, inCase)!, name: `mass of ${name}`};
+  return ofFactor(`mass of ${name}, factor`, inCase(pathText([...body, 'mass_about_center'])), 2, design, index);
+}
+/// A factor, which is 1 if the text has none. @param most  its largest value, and the inverse of its least one
+function ofFactor(name: string, path: string, most: number, design: Design, index: TextIndex): Slider {
+  return {name, paths: [{path, factor: 1}], from: 1 / most, to: most, logarithmic: true, unit: '', value: quantityOf(path, design, index)?.value ?? 1};
 }

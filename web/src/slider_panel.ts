@@ -4,6 +4,7 @@ import {Part} from './part.ts';
 import {errorAbout, idOf, ruleOf} from './problem_words.ts';
 import {refuse} from './refused_number.ts';
 import {number, quantity} from './quantities.ts';
+import type {Scene} from './results.ts';
 import {settingsOf, sliders, type Slider} from './slider_list.ts';
 
 const STEPS = 1000;
@@ -11,11 +12,15 @@ const STEPS = 1000;
 /// Sliders of the parameters. Everything else on the page follows while one moves.
 export class SliderPanel extends Part {
   override render() {
-    const {state, display} = this.app, all = sliders(state.design, this.app.index, display.pins, state.case);
+    const {state, display, asker} = this.app;
+    this.machine = asker.result<Scene>('scene') ?? this.machine;
+    const all = sliders(state.design, this.app.index, display.pins, state.case, this.machine);
     return html`<ul class="sliders">${all.map(s => this.row(s))}</ul>
-      ${all.length ? nothing : html`<p class="hint">The file has no number that a slider could move. Add [parameters], or pin a number in the model.</p>`}
+      ${all.length || !this.machine ? nothing : html`<p class="hint">The file has no number that a slider could move. Add [parameters], or pin a number in the model.</p>`}
       <p class="hint">${display.pins.length ? nothing : 'More sliders: ⊕ beside a number of the model, or [parameters] in the file.'}</p>`;
   }
+  private machine: Scene | null = null;  // also while the next one is computed, and while the file has errors
+
   private row(s: Slider) {
     const position = positionOf(s, s.value), isSet = s.paths.some(p => this.app.state.design.settings.has(p.path));
     const wrong = errorAbout(s.paths.map(p => p.path), this.app.asker.problems), isWrong = wrong >= 0;

@@ -3,12 +3,17 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {newMachine, QUESTIONS, wrongNumber, type Numbers} from '../src/new_machine.ts';
 import {indexOf} from '../src/numbers_of_text.ts';
+import type {SceneBody} from '../src/results.ts';
+import {sliders} from '../src/slider_list.ts';
 
 const numbers = Object.fromEntries(Object.entries(QUESTIONS).map(([name, q]) => [name, q.value])) as Numbers;
 
-test('the density of the box gives the mass of the form', () => {
-  const entry = [...indexOf(newMachine('A "fan"', numbers)).byPath.values()].find(e => e.path.at(-1) === 'density')!;
-  assert.ok(Math.abs(Number(entry.raw) * 1.2 * 0.6 * 0.5 - 400) < 0.01);
+test('the mass of the form is a number of the file, and so a slider', () => {
+  const text = newMachine('A "fan"', numbers), index = indexOf(text);
+  assert.equal(index.numbers.get('bodies.machine.mass')!.raw, '"400 kg"');
+  const body = {name: 'machine', node: false, mass: 400} as SceneBody;
+  assert.deepEqual(sliders({text, settings: new Map()}, index, [], '', {elements: [], bodies: [body]}).map(s => [s.name, s.value, s.unit]),
+                   [['stiffness of mount', 1, ''], ['mass of machine', 400, 'kg']]);
 });
 test('mounts stand in pairs, symmetric about the middle', () => {
   const {numbers: found} = indexOf(newMachine('', {...numbers, pairs: 3}));

@@ -56,10 +56,6 @@ test('a parameter is a slider in the unit of its range', () => {
   assert.equal(slider!.value, 550);
   assert.deepEqual(settingsOf(slider!, 600), {'elements."front left".at.y': '"600 mm"'});
 });
-test('without parameters the mounts and the masses are sliders', () => {
-  const text = TEXT.slice(0, TEXT.indexOf('[parameters')), names = sliders({text, settings: new Map()}, indexOf(text), []).map(s => s.name);
-  assert.deepEqual(names, ['stiffness of mount', 'mass of my set']);
-});
 
 const schema = new Schema({properties: {bodies: {additionalProperties: {$ref: '#/$defs/body'}}},
                            $defs: {body: {anyOf: [{properties: {mass: {description: 'kg'}, kind: {enum: ['solid', 'plate']}, inertia: {properties: {xx: {}}}}}]}}});

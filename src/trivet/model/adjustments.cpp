@@ -8,6 +8,11 @@
 
 namespace trivet::model {
 
+std::string_view stiffness_key(const Element& element) {
+  if (element.law.nominal_stiffness.isZero(0) || element.over_deflection) return {};
+  return element.law.preload ? "stiffness_factor.all" : "scale";
+}
+
 void add_deformation_stiffness(Description& description, std::size_t element, double gain) {
   Element& changed = description.elements[element];
   const ElementDirections directions = element_directions(description.bodies, changed);

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 #include "trivet/model/system.h"
 
 /// Changes of a model description, each with all else kept. `explain` tries them; a project file, its cases and --set
 /// apply them under the same names (docs/project-file.md, "Adjustments").
 namespace trivet::model {
+
+/// Key of the number that scales the whole stiffness of an element: `scale`, or `stiffness_factor.all` of a preloaded
+/// one, which keeps its preload. Empty: the element has no stiffness, or that of its deflection.
+[[nodiscard]] std::string_view stiffness_key(const Element& element);
 
 /// Adds `gain` times the stiffness of the deformation and keeps a preload: `stiffness_factor.all` = 1 + gain.
 void add_deformation_stiffness(Description& description, std::size_t element, double gain);

@@ -47,14 +47,11 @@ class List {
     const model::Element& element = system_.elements()[e];
     const std::string path = "elements." + foundation::path_key(element.name);
     const Matrix6 k = model::element_directions(system_.bodies(), element).stiffness;
-    if (!k.isZero(0) && !element.over_deflection) {  // whose stiffness is that of its deflection
-      if (element.law.preload)
-        relative(path + ".stiffness_factor.all", [e](Description& d, double amount) {
-          model::add_deformation_stiffness(d, e, amount);
-        }).law = e;
-      else
-        relative(path + ".scale", [e](Description& d, double amount) { d.elements[e].law.scale *= 1 + amount; }).law =
-            e;
+    if (const std::string_view key = model::stiffness_key(element); !key.empty() && !k.isZero(0)) {
+      relative(fmt::format("{}.{}", path, key), [e](Description& d, double amount) {
+        if (d.elements[e].law.preload) model::add_deformation_stiffness(d, e, amount);
+        else d.elements[e].law.scale *= 1 + amount;
+      }).law = e;
       if (model::has_plain_stiffness(element)) add_directions(e, path, k);
     }
     if (model::has_damping(element))

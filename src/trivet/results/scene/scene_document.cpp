@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "trivet/documents/integer_list.h"
+#include "trivet/model/adjustments.h"
 #include "trivet/results/format/in_documents.h"
 #include "trivet/results/model/model_words.h"
 #include "trivet/results/scene/scene_shapes.h"
@@ -107,9 +108,11 @@ std::vector<SceneElement> scene_elements(const project::Case& variant) {
 }
 
 Json element_json(const model::Description& d, const SceneElement& one) {
+  const std::string key(model::stiffness_key(*one.element));
   Json result{{"name", one.element->name},
               {"type", one.element->type},
               {"kind", one.shown.kind},
+              {"stiffness_key", key.empty() ? Json() : Json(key)},
               {"from", place_json(d, one.element->n)},
               {"to", place_json(d, one.element->k)},
               {"axes", axes_json(model::end_in_ground(d.bodies, one.element->k).rotation)},
