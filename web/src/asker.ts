@@ -35,6 +35,7 @@ export class Asker {
   problems: Problem[] = [];
   trouble = '';  // why the engine does not answer
   private readonly results = new Map<string, Kept>();
+  private readonly good = new Map<string, Kept & {file: number}>();  // the newest of each that could be computed
   private underWay: {pace: Pace; revision: number; end: AbortController} | null = null;
   private asked: Record<Pace, number> = {quick: -1, exact: -1, slow: -1};
   private changedAt = 0;  // time of the last change of the state [ms]
@@ -47,10 +48,17 @@ export class Asker {
   }
 
   /// The newest result of a command or its draft, or of a wish with a name, if it is of the machine on the page. It may be of an earlier
-  /// position of a slider.
+  /// position of a slider. While the file has errors it is that of its last state without.
   result<T>(command: string): T | null {
-    const kept = this.newest(command);
-    return kept && kept.generation === this.state.generation && kept.outcome.ok ? kept.outcome.json as T : null;
+    return (this.shown(command)?.outcome.json ?? null) as T | null;
+  }
+  /// Is the result that of the last state of the file without errors, and not of the state on the page?
+  isOutdated(command: string): boolean {
+    const shown = this.shown(command);
+    return shown !== undefined && shown !== this.present(command);
+  }
+  get hasErrors(): boolean {
+    return this.problems.some(p => p.severity === 'error');
   }
   notes(command: string): readonly string[] {
     const kept = this.results.get(command);
@@ -63,16 +71,13 @@ export class Asker {
   }
   /// Why there is no result.
   missing(command: string): string {
-    if (this.problems.some(p => p.severity === 'error')) return 'The file has errors; see the messages above.';
+    if (this.hasErrors) return 'The file has errors; see the messages above.';
     return this.failure(command) || 'Computing …';
   }
-  /// Is the result not yet that of the state on the page?
-  isOld = (name: string) => this.revisionOf(name) !== this.state.revision;
-  /// Of the state to which the result belongs; −1 if there is none of the machine on the page.
-  revisionOf(name: string): number {
-    const kept = this.newest(name);
-    return kept && kept.generation === this.state.generation ? kept.revision : -1;
-  }
+  /// Is the answer for the state on the page not there yet?
+  isOld = (name: string) => this.present(name)?.revision !== this.state.revision;
+  /// Of the state to which the result belongs; −1 if there is none.
+  revisionOf = (name: string): number => (this.shown(name) ?? this.present(name))?.revision ?? -1;
   /// What is wanted of the state on the page, without drafts; null while something of it is computed.
   get finished(): Answer | null {
     const wished = this.wishes().filter(w => w.as === undefined);
@@ -126,11 +131,17 @@ export class Asker {
     }
     if (!this.trouble || this.state.revision !== revision) this.next();
   }
-  /// A draft that is newer than the result stands in for it, unless it failed.
-  private newest(command: string): Kept | undefined {
-    const kept = this.results.get(command), draft = this.results.get(draftOf(command));
-    const replaces = draft?.outcome.ok && (!kept || draft.generation > kept.generation || draft.revision > kept.revision);
-    return replaces ? draft : kept;
+  /// What is drawn: the result of the machine on the page, or of the last one without errors.
+  private shown(command: string): Kept | undefined {
+    const present = this.present(command);
+    if (present?.outcome.ok) return present;
+    const good = this.hasErrors ? newest(command, this.good) : undefined;
+    return good?.file === this.state.file ? good : undefined;
+  }
+  /// The newest answer about the machine on the page.
+  private present(command: string): Kept | undefined {
+    const kept = newest(command, this.results);
+    return kept?.generation === this.state.generation ? kept : undefined;
   }
   /// Is the result that of the state on the page and of just this wish?
   private isKept(wish: Wish) {
@@ -150,7 +161,15 @@ export class Asker {
       const wish = wished.find(w => w.want.command === outcome.command), name = wish ? nameOf(wish) : outcome.command, drawn = this.results.get(name);
       if (drawn && drawn.generation === generation && drawn.revision > answer.revision) continue;
       const json = outcome.same && drawn ? drawn.outcome.json : outcome.json;
-      this.results.set(name, {revision: answer.revision, generation, asked: wish ? textOf(wish) : '', outcome: {...outcome, json}});
+      const kept = {revision: answer.revision, generation, asked: wish ? textOf(wish) : '', outcome: {...outcome, json}};
+      this.results.set(name, kept);
+      if (outcome.ok) this.good.set(name, {...kept, file: this.state.file});
     }
   }
+}
+/// A draft that is newer than the result stands in for it, unless it failed.
+function newest<K extends Kept>(command: string, all: ReadonlyMap<string, K>): K | undefined {
+  const kept = all.get(command), draft = all.get(draftOf(command));
+  const replaces = draft?.outcome.ok && (!kept || draft.generation > kept.generation || draft.revision > kept.revision);
+  return replaces ? draft : kept;
 }

@@ -10,6 +10,7 @@ import {DrawnCurves} from './drawn_curves.ts';
 import {hasSomethingToJudge} from './judgement.ts';
 import {LimitMover} from './limit_mover.ts';
 import {missingCurves} from './missing_curves.ts';
+import {outdatedNote} from './outdated_note.ts';
 import {Part} from './part.ts';
 import {FREQUENCY_UNITS, number, quantityName, type FrequencyUnit} from './quantities.ts';
 import type {Curves, Steady, Verdict} from './results.ts';
@@ -63,8 +64,9 @@ export class CurveChart extends Part {
         <details class="menu" @keydown=${closeAtEscape}><summary title="draw others beside these curves">compare</summary><div>${check('keep these curves', this.kept !== null, on => { this.kept = on ? curves : null; })}${comparable(this.app).map(key => check(wordsOf(key), isCompared(this.app, key), on => this.compare(key, on)))}</div></details>
         ${check('table', this.asTable, on => { this.asTable = on; })}
       </div>
-      <div class="plots" tabindex="0" role="application" aria-label="Characteristics. Left and right arrow move the cursor, page up and page down go from peak to peak, Enter makes the machine swing at the cursor." @keydown=${this.key}>
+      <div class="plots ${asker.isOutdated('curves') ? 'outdated' : ''}" tabindex="0" role="application" aria-label="Characteristics. Left and right arrow move the cursor, page up and page down go from peak to peak, Enter makes the machine swing at the cursor." @keydown=${this.key}>
         <div class="amplitude"></div><div class="phase"></div>
+        ${asker.isOutdated('curves') ? outdatedNote : nothing}
         ${curves ? nothing : html`<p class="missing">${missingCurves(this.app)}</p>`}
       </div>
       <div class="readings" role="group" aria-label="Curves">${this.legend(curves)}</div>
@@ -180,7 +182,7 @@ export class CurveChart extends Part {
   private isFirstQuantityAwaited(units: readonly string[]): boolean {
     const {app} = this;
     if (!app.engine.isLive || app.asker.failure('verdict') || app.asker.failure('curves')) return false;
-    return this.wanted ? units.some(u => isSameMotion(u, this.wanted)) && !units.includes(this.wanted) : !this.hasBegun && hasSomethingToJudge(app) && !app.asker.problems.some(p => p.severity === 'error');
+    return this.wanted ? units.some(u => isSameMotion(u, this.wanted)) && !units.includes(this.wanted) : !this.hasBegun && hasSomethingToJudge(app) && !app.asker.hasErrors;
   }
   /// Motions are drawn in the quantity of the chosen unit, which the program computes.
   private chooseQuantity(curves: Curves, unit: string) {

@@ -15,6 +15,7 @@ import {frequency} from './quantities.ts';
 import type {Check, Modes, Scene, SceneBody, Steady, Verdict} from './results.ts';
 import {screwOf, screwWords, type PlacedScrew} from './screws.ts';
 import {ShownMotion} from './shown_motion.ts';
+import {outdatedNote} from './outdated_note.ts';
 import {missingSteady, steadyChoices} from './steady_motions.ts';
 import {canRecord, framesOf, periodVideo} from './video/period_video.ts';
 import {machineKeys} from './machine_keys.ts';
@@ -44,10 +45,11 @@ export class MachineView extends Part {
     const label = this.label(), [screw, body] = this.screw(), command = shown.kind === 'steady' ? 'steady' : shown.kind === 'frequency' ? 'shapes' : 'modes';
     const views: View[] = ['oblique', 'front', 'side', 'top'];
     return html`
-      <div class="stage" tabindex="0" role="application" aria-label="Machine in 3D: ${label}. Arrow keys turn it, plus and minus zoom, space plays or stops, n and p show the next and the previous mode, s selects the next part."
+      <div class="stage ${asker.isOutdated('scene') ? 'outdated' : ''}" tabindex="0" role="application" aria-label="Machine in 3D: ${label}. Arrow keys turn it, plus and minus zoom, space plays or stops, n and p show the next and the previous mode, s selects the next part."
            @keydown=${(event: KeyboardEvent) => machineKeys(event, this.app, this.stage)}>
         <canvas class="machine" @pointerdown=${this.pressed} @pointerup=${this.released} @pointermove=${this.moved}></canvas>
         <div class="caption" aria-hidden="true">${label}${asker.isOld(command) ? html` <span class="old">…</span>` : nothing}</div>
+        ${asker.isOutdated('scene') ? outdatedNote : nothing}
         ${this.legend()}
         <div class="hover" aria-hidden="true">${this.hovered || state.selection?.name || ''}${screw && !this.hovered ? html` · ${screwWords(screw, body)}` : nothing}</div>
         ${asker.result<Scene>('scene') ? nothing : html`<p class="missing">${asker.missing('scene')}</p>`}
@@ -148,7 +150,7 @@ export class MachineView extends Part {
     if (byHand || isBehind && !this.numbersMove) stage.draw();
     else if (isBehind) stage.drawWhenFree(BESIDE_NUMBERS);
   }
-  private get numbersMove() { return this.app.asker.isOld('curves') && !this.app.asker.problems.some(p => p.severity === 'error'); }
+  private get numbersMove() { return this.app.asker.isOld('curves') && !this.app.asker.hasErrors; }
   private mountValues() {
     const {asker, display: {colouring, shown}, state} = this.app;
     const results = {verdict: asker.result<Verdict>('verdict'), check: asker.result<Check>('check'), modes: asker.result<Modes>('modes')};

@@ -7,11 +7,13 @@ import {briefMode} from './mode_words.ts';
 import {Part, type App} from './part.ts';
 import {limitNumber, setLimit} from './limit_number.ts';
 import {missingCurves} from './missing_curves.ts';
+import {outdatedNote} from './outdated_note.ts';
 import {refuse} from './refused_number.ts';
 import {frequency, number, quantity, scaleAtLevel, withUnit} from './quantities.ts';
 import type {Check, Curves, Mode, Modes, Peak, Requirement, Roots, Verdict} from './results.ts';
 
 const TABS: Record<Table, string> = {modes: 'Modes', requirements: 'Requirements', mounts: 'Mounts', peaks: 'Peaks', map: 'Map'};
+const COMMANDS: Record<Table, string> = {modes: 'modes', requirements: 'verdict', mounts: 'check', peaks: 'curves', map: 'map'};
 const COORDINATES = ['x', 'y', 'z', 'θx', 'θy', 'θz'];
 
 /// A map can be asked for.
@@ -30,7 +32,7 @@ export class ResultTables extends Part {
                                                   map: () => html`<map-panel .app=${app}></map-panel>`};
     const shown = (Object.keys(TABS) as Table[]).filter(t => t !== 'map' || hasMap(app));
     return html`<div class="tabs" role="tablist" aria-label="Tables">${shown.map(t => html`<button role="tab" id="tab-${t}" aria-controls="table-panel" aria-selected=${t === tab} @click=${() => this.choose(t)}>${TABS[t]}</button>`)}</div>
-      <div class="scroll table" role="tabpanel" id="table-panel" aria-labelledby="tab-${tab}" tabindex="0">${bodies[tab]()}</div>`;
+      <div class="scroll table ${app.asker.isOutdated(COMMANDS[tab]) ? 'outdated' : ''}" role="tabpanel" id="table-panel" aria-labelledby="tab-${tab}" tabindex="0">${app.asker.isOutdated(COMMANDS[tab]) ? outdatedNote : nothing}${bodies[tab]()}</div>`;
   }
   private choose(table: Table) {
     this.app.display.set({table});

@@ -35,6 +35,8 @@ export class State {
   revision = 0;
   /// Counts changes after which older results belong to another machine: another text or case, not a moved slider.
   generation = 0;
+  /// Counts files that were opened.
+  file = 0;
   private past: Step[] = [];
   private future: Step[] = [];
   private saved: Design = this.design;
@@ -49,6 +51,7 @@ export class State {
     this.opened = {text, version};
     this.saved = version === null ? NOWHERE : this.design;
     [this.past, this.future, this.selection, this.case] = [[], [], null, name];
+    this.file++;
     this.changed(true);
   }
   /// A number of the base model leaves a case alone that has its own, as it does once it is written into the file.

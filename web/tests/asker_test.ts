@@ -133,3 +133,28 @@ test('curves in another quantity are asked for although the numbers are the same
   await after(60);
   assert.deepEqual(asked.at(-1), {command: 'curves', keys: {quantity: 'velocity'}});
 });
+test('while the file has errors, the results of its last state without errors stay and are known to be that', async () => {
+  let wrong = false;
+  const engine = {ask: async (revision: number, _: Change, wants: readonly Want[]): Promise<Answer> => ({revision, ok: !wrong, problems: wrong ? [{severity: 'error', message: 'impossible'}] : [],
+    results: wants.map(({command}) => ({command, ok: !wrong, problems: [], json: wrong ? null : `${command} of ${revision}`}))})};
+  const state = new State(), asker = new Asker(engine, state, () => WISHES);
+  const answered = async () => { while (asker.isOld('curves') || asker.isOld('check')) await after(5); };
+  state.open('mass = 1', '1');
+  await answered();
+  const [good, before] = [state.revision, asker.result('curves')];
+  assert.deepEqual([before, asker.isOutdated('curves')], [`curves of ${good}`, false]);
+  wrong = true;
+  for (const change of [() => state.set({mass: '-1'}), () => state.edit('mass = -1'), () => state.chooseCase('hot')]) {
+    change();
+    await answered();
+    for (const command of ['curves', 'check']) assert.deepEqual([asker.result(command), asker.isOutdated(command), asker.isOld(command)], [`${command} of ${good}`, true, false]);
+  }
+  wrong = false;
+  state.edit('mass = 2');
+  await answered();
+  assert.deepEqual([asker.result('curves'), asker.isOutdated('curves')], [`curves of ${state.revision}`, false]);
+  wrong = true;
+  state.open('another file', '2');
+  await answered();
+  assert.deepEqual([asker.result('curves'), asker.missing('curves')], [null, 'The file has errors; see the messages above.']);
+});
