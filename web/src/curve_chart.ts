@@ -4,6 +4,7 @@ import {limitsOf, unitOfFirstLimit, type NotDrawn} from './chart/limits.ts';
 import {amplitudeAt, pictureOf, shownLimits, unitsOf, type Choice} from './chart/picture.ts';
 import {readingAt, type Compared} from './chart/overlays.ts';
 import {Plot, type Picture} from './chart/plot.ts';
+import {stabilityWords, steadyReadings} from './chart/steady_readings.ts';
 import {strokeOf} from './chart/strokes.ts';
 import {comparable, comparisons, isCompared, wordsOf} from './comparisons.ts';
 import {DrawnCurves} from './drawn_curves.ts';
@@ -149,7 +150,7 @@ export class CurveChart extends Part {
       return html`<button class="curve" aria-pressed=${curve !== undefined} @click=${() => this.toggle(r.name)}>
         <svg viewBox="0 0 18 6" aria-hidden="true"><line x1="0" y1="3" x2="18" y2="3" stroke=${colour} stroke-width="3" stroke-dasharray=${strokeOf(i, display.theme).dash.join(' ')}></line></svg>
         ${r.name}${value ? html` <b>${value}</b>` : nothing}</button>`;
-    })}${this.compared.map(c => html`<span class="curve" title=${c.failure}><svg viewBox="0 0 26 6" aria-hidden="true">${c.measured ? svg`<circle cx="7" cy="3" r="2.4" fill="currentColor"></circle><circle cx="18" cy="3" r="2.4" fill="currentColor"></circle>`
+    })}${this.steadyAtCursor().map(({name, motions}) => html`<span class="curve steady">steady ${name}: ${motions.map((m, i) => html`${i ? ', ' : ''}<b>${m.value}</b> ${m.words}`)}</span>`)}${this.compared.map(c => html`<span class="curve" title=${c.failure}><svg viewBox="0 0 26 6" aria-hidden="true">${c.measured ? svg`<circle cx="7" cy="3" r="2.4" fill="currentColor"></circle><circle cx="18" cy="3" r="2.4" fill="currentColor"></circle>`
         : svg`<line x1="0" y1="3" x2="26" y2="3" stroke="currentColor" stroke-width="2" stroke-dasharray=${c.dash.join(' ')}></line>`}</svg> ${c.label}${c.failure ? ': not computed' : ''}${this.readings(c).map((r, i, all) => html`${i ? ', ' : ': '}${r.name}${r.at} <b>${r.value}</b>${i < all.length - 1 ? nothing : ` ${this.unit}`}`)}${c.old ? html` <span class="old">…</span>` : nothing}</span>`)}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak${level && level !== '0-p' ? ` at the level ${level} of a sine` : ''}; dashed: unstable; arrow: jump</span>` : nothing}${elsewhere ? html`<span class="note">${elsewhere}</span>` : nothing}${this.notes()}`;
   }
   /// What the program notes: the first sentence, and the others on demand.
@@ -246,7 +247,8 @@ export class CurveChart extends Part {
   private speak() {
     const at = this.indexAtCursor(), {picture} = this;
     if (at === null || !picture) return;
-    const all = [picture.curves.map(c => `${c.name} ${number(c.amplitude[at], 3)} ${this.unit}`), ...this.compared.map(c => this.readings(c).map((r, i) => `${i ? '' : `${c.label}: `}${r.name}${r.at} ${r.value} ${this.unit}`))];
+    const steady = this.steadyAtCursor().map(({name, motions}) => [`steady ${name} ${motions.map(m => `${m.value} ${this.unit} ${m.words}`).join(', ')}`]);
+    const all = [picture.curves.map(c => `${c.name} ${number(c.amplitude[at], 3)} ${this.unit}`), ...this.compared.map(c => this.readings(c).map((r, i) => `${i ? '' : `${c.label}: `}${r.name}${r.at} ${r.value} ${this.unit}`)), ...steady];
     this.spoken = `${number(picture.x[at], 4)} ${this.app.display.frequencyUnit}: ${all.filter(one => one.length).map(one => one.join(', ')).join('; ')}`;
   }
   private get unit() {
@@ -262,10 +264,26 @@ export class CurveChart extends Part {
       return found ? [{name: overlay.name, at: shown(found.x) === here ? '' : ` at ${shown(found.x)}`, value: number(found.y, 3)}] : [];
     });
   }
-  private table({x, curves}: Picture) {
+  /// The steady motions at the cursor, with the frequency of those that are computed only near it.
+  private steadyAtCursor(): {name: string; motions: {value: string; words: string}[]}[] {
+    const {picture} = this, index = this.indexAtCursor();
+    if (index === null || !picture) return [];
+    const at = picture.x[index]!, shown = (x: number) => `${number(x, 4)} ${this.app.display.frequencyUnit}`;
+    return picture.steady.map(curve => ({name: curve.name, motions: steadyReadings(curve, at).map(m => ({
+      value: number(m.y, 3), words: `${stabilityWords(m)}${shown(m.x) === shown(at) ? '' : ` at ${shown(m.x)}`}`}))})).filter(c => c.motions.length);
+  }
+  /// All computed steady motions, branch after branch.
+  private steadyTable({steady}: Picture) {
+    const branches = steady[0]?.branches ?? [];
+    if (!branches.length) return nothing;
+    return html`<table><caption>Steady motions, half peak-to-peak [${this.unit}]</caption><thead><tr><th scope="col">${this.app.display.frequencyUnit}</th>${steady.map(c => html`<th scope="col">${c.name}</th>`)}<th scope="col">stability</th></tr></thead>
+      <tbody>${branches.flatMap((points, b) => points.map((p, i) => html`<tr><th scope="row">${number(p.x, 4)}</th>${steady.map(c => html`<td>${number(c.branches[b]![i]!.y, 3)}</td>`)}<td>${stabilityWords(p)}</td></tr>`))}</tbody></table>`;
+  }
+  private table(picture: Picture) {
+    const {x, curves} = picture;
     const rows = x.map((_, i) => i).filter(i => i % Math.ceil(x.length / 60) === 0), unit = this.unit;
     return html`<div class="scroll table" tabindex="0"><table><caption>Amplitudes [${unit}]</caption><thead><tr><th scope="col">${this.app.display.frequencyUnit}</th>${curves.map(c => html`<th scope="col">${c.name}</th>`)}</tr></thead>
-      <tbody>${rows.map(i => html`<tr><th scope="row">${number(x[i], 4)}</th>${curves.map(c => html`<td>${number(c.amplitude[i], 3)}</td>`)}</tr>`)}</tbody></table></div>`;
+      <tbody>${rows.map(i => html`<tr><th scope="row">${number(x[i], 4)}</th>${curves.map(c => html`<td>${number(c.amplitude[i], 3)}</td>`)}</tr>`)}</tbody></table>${this.steadyTable(picture)}</div>`;
   }
 }
 /// Escape closes a menu.

@@ -173,7 +173,7 @@ export interface LimitLine {
 
 interface SteadyPoint {
   angular_frequency: number;
-  stable: boolean;
+  stable: boolean | null;  // null: uncertain
   results: {largest: number; smallest: number}[];
 }
 interface Branch {

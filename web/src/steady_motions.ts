@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which steady motions of a nonlinear machine one can choose.
 import type {Asker} from './asker.ts';
+import {stabilityWords} from './chart/steady_readings.ts';
 import type {Display} from './display.ts';
 import {frequency} from './quantities.ts';
 import type {Steady, SteadyMotion} from './results.ts';
@@ -18,7 +19,7 @@ export function motionsAt(steady: Steady | null, omega: number): SteadyMotion[] 
   return steady?.at?.find(a => Math.abs(a.angular_frequency - omega) <= SAME * omega)?.motions ?? null;
 }
 export function wordsOf({stable, periods}: SteadyMotion): string {
-  const words = stable === null ? 'of uncertain stability' : stable ? 'stable' : 'unstable';
+  const words = stabilityWords({stable});
   return periods > 1 ? `${words}, ${periods} periods` : words;
 }
 /// The frequency of the stable motion in which the first result is largest: where one begins.

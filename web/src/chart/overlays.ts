@@ -69,12 +69,12 @@ export function largestSteady(overlays: readonly Overlay[]): {x: number; y: numb
   return [...largest.values()];
 }
 /// Parts of a branch between changes of its stability; neighbours share their end.
-export function partsByStability<P extends {stable: boolean}, T>(points: readonly P[], place: (point: P) => T): {stable: boolean; points: T[]}[] {
+export function partsByStability<P extends {stable: boolean | null}, T>(points: readonly P[], place: (point: P) => T): {stable: boolean; points: T[]}[] {
   const parts: {stable: boolean; points: T[]}[] = [];
   points.forEach((point, i) => {
-    const last = parts.at(-1);
-    if (last?.stable === point.stable) last.points.push(place(point));
-    else parts.push({stable: point.stable, points: i > 0 ? [place(points[i - 1]!), place(point)] : [place(point)]});
+    const last = parts.at(-1), stable = point.stable === true;
+    if (last?.stable === stable) last.points.push(place(point));
+    else parts.push({stable, points: i > 0 ? [place(points[i - 1]!), place(point)] : [place(point)]});
   });
   return parts;
 }

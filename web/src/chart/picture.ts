@@ -7,6 +7,7 @@ import type {Limit} from './limits.ts';
 import {drawnFrequencies, sampledCurves} from '../sampled_curves.ts';
 import {measuredOverlays, steadyOverlays, type Compared, type Overlay} from './overlays.ts';
 import type {Picture, Shown} from './plot.ts';
+import {steadyCurves} from './steady_readings.ts';
 import {strokeOf} from './strokes.ts';
 
 /// What the user chose to see of the curves.
@@ -38,6 +39,7 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
               .map(p => ({x: p.angular_frequency * frequency, y: shownValue(p.amplitude)!}))};
   });
   const overlays: Overlay[] = steady ? steadyOverlays(steady, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)) : [];
+  const steadyOfCurves = steadyCurves(steady, choice.unit, names.filter(name => !choice.hidden.has(name)), frequency, shownValue);
   for (const line of curves.lines ?? []) {
     const stroke = names.indexOf(line.result), share = shareAtLevel(line.rms ? 'rms' : '0-p');
     if (stroke < 0 || line.unit !== choice.unit || choice.hidden.has(line.result)) continue;
@@ -50,7 +52,7 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
     if (one.curves) overlays.push(...comparedOverlays(one.curves, one, choice, display, names, shownValue));
     if (one.measured) overlays.push(...measuredOverlays(one.measured, one.key, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)));
   }
-  return {overlays, limits: [], x: omega.map(w => w * frequency), curves: shown, natural: curves.natural.map(w => w * frequency), scale,
+  return {overlays, limits: [], steady: steadyOfCurves, x: omega.map(w => w * frequency), curves: shown, natural: curves.natural.map(w => w * frequency), scale,
           cursor: display.cursor === null ? null : display.cursor * frequency};
 }
 

@@ -7,6 +7,7 @@ import {LimitHandles, type LimitMoves, type ShownLimit} from './limit_handles.ts
 import {logarithmicRange, logarithmicTicks} from './logarithmic_axis.ts';
 import {largestSteady, type Overlay} from './overlays.ts';
 import {partsAbove} from './parts_above.ts';
+import type {SteadyCurve} from './steady_readings.ts';
 import {chartColours, strokeOf} from './strokes.ts';
 
 /// One curve on the page: values in the shown unit.
@@ -25,6 +26,7 @@ export interface Picture {
   cursor: number | null;
   overlays: Overlay[];
   limits: ShownLimit[];
+  steady: SteadyCurve[];
 }
 
 const CURVE = 1.6;  // width of its line [px]
