@@ -3,6 +3,7 @@
 import pytest
 
 from conftest import ROOT, settled
+from test_play import set_number
 
 AXE = ROOT / 'web/node_modules/axe-core/axe.min.js'  # installed by scripts/web
 
@@ -25,6 +26,14 @@ def test_no_violation(serve, theme):
         page.get_by_role('tab', name=tab, exact=True).click()
         page.wait_for_timeout(300)
         assert violations(page) == []
+
+
+def test_no_violation_while_the_file_has_errors(serve):
+    page = serve('compressor/requirements.toml').page()
+    settled(page)
+    set_number(page, 'mass of compressor, value', '-3 t')
+    page.locator('.outdated-note').first.wait_for()
+    assert violations(page) == []
 
 
 def test_no_violation_without_a_file(serve):

@@ -39,6 +39,7 @@ def test_steady_motions_are_read_at_the_cursor_spoken_and_in_the_table(serve):
         for p in printed['points']
     ]
     page.evaluate(f"document.querySelector('page-shell').app.display.set({{cursor: {2 * math.pi * 11.6}}})")
+    page.locator('.readings .cursor').wait_for(timeout=3000)  # at once, not at the next move
     page.locator('.plots').press('ArrowRight')
     page.locator('.plots').press('ArrowLeft')
     here = float(page.locator('.readings .cursor').inner_text().split()[0])

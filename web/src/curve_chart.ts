@@ -115,7 +115,7 @@ export class CurveChart extends Part {
         this.amplitude.rescale();
         this.requestUpdate();
       }
-      const cursor = display.cursor === null ? null : display.cursor * FREQUENCY_UNITS[display.frequencyUnit];
+      const {cursor} = this;
       if (cursor === this.picture.cursor) return;
       this.picture.cursor = cursor;
       this.amplitude.redraw();
@@ -204,11 +204,16 @@ export class CurveChart extends Part {
     if (!hidden.delete(name)) hidden.add(name);
     this.choice = {...this.choice, hidden};
   }
+  /// On the axis; the picture follows it.
+  private get cursor(): number | null {
+    const {cursor, frequencyUnit} = this.app.display;
+    return cursor === null ? null : cursor * FREQUENCY_UNITS[frequencyUnit];
+  }
   private indexAtCursor(): number | null {
-    const {picture} = this;
-    if (!picture || picture.cursor === null || !picture.x.length) return null;
+    const {picture, cursor} = this;
+    if (!picture || cursor === null || !picture.x.length) return null;
     let best = 0;
-    picture.x.forEach((x, i) => { if (Math.abs(x - picture.cursor!) < Math.abs(picture.x[best]! - picture.cursor!)) best = i; });
+    picture.x.forEach((x, i) => { if (Math.abs(x - cursor) < Math.abs(picture.x[best]! - cursor)) best = i; });
     return best;
   }
   private follow(event: MouseEvent, place: HTMLElement) {
