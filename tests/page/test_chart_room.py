@@ -37,7 +37,7 @@ def test_labels_of_six_limits_do_not_cover_each_other_and_are_near_their_lines(s
     for line, label in zip(lines, labels, strict=True):
         assert plot[0] <= label[0] and label[2] <= plot[2] + 1 and plot[1] - 10 <= label[1] and label[3] <= plot[3] + 1
         _, top, _, bottom = box_of(line)
-        assert label[1] - bottom < 20 and top - label[3] < 20
+        assert label[1] - bottom < 50 and top - label[3] < 50  # in the third row at most: peaks have their places first
         assert 'margin' in line.inner_text()
 
 

@@ -3,7 +3,7 @@ import {html, nothing, svg} from 'lit';
 import {limitsOf, unitOfFirstLimit, type NotDrawn} from './chart/limits.ts';
 import {amplitudeAt, pictureOf, shownLimits, unitsOf, type Choice} from './chart/picture.ts';
 import {readingAt, type Compared} from './chart/overlays.ts';
-import {Plot, type Picture} from './chart/plot.ts';
+import {Plot, type Picture, type Shown} from './chart/plot.ts';
 import {stabilityWords, steadyReadings} from './chart/steady_readings.ts';
 import {strokeOf} from './chart/strokes.ts';
 import {comparable, comparisons, isCompared, wordsOf} from './comparisons.ts';
@@ -146,7 +146,7 @@ export class CurveChart extends Part {
     return html`${at === null ? nothing : html`<span class="cursor">${number(this.picture.x[at], 4)} ${display.frequencyUnit} [${this.unit}]</span>`}${this.notDrawn.length ? html`<details class="note"><summary>${this.notDrawn.length === 1 ? '1 limit is' : `${this.notDrawn.length} limits are`} not drawn</summary>
       <ul>${this.notDrawn.map(({words, why}) => html`<li>${words}: ${why}</li>`)}</ul></details>` : nothing}${all.map((r, i) => {
       const curve = this.picture!.curves.find(c => c.name === r.name), {colour} = strokeOf(i, display.theme);
-      const value = at !== null && curve ? number(curve.amplitude[at], 3) : '';
+      const value = at !== null && curve ? this.reading(curve, at) : '';
       return html`<button class="curve" aria-pressed=${curve !== undefined} @click=${() => this.toggle(r.name)}>
         <svg viewBox="0 0 18 6" aria-hidden="true"><line x1="0" y1="3" x2="18" y2="3" stroke=${colour} stroke-width="3" stroke-dasharray=${strokeOf(i, display.theme).dash.join(' ')}></line></svg>
         ${r.name}${value ? html` <b>${value}</b>` : nothing}</button>`;
@@ -232,7 +232,7 @@ export class CurveChart extends Part {
   private key(event: KeyboardEvent) {
     const {display} = this.app, x = this.picture?.x, factor = FREQUENCY_UNITS[display.frequencyUnit];
     if (!x?.length || event.ctrlKey || event.metaKey || event.altKey) return;
-    const at = this.indexAtCursor() ?? 0, peaks = [...new Set(this.picture!.curves.flatMap(c => c.peaks.map(p => p.x)))].sort((a, b) => a - b);
+    const at = this.indexAtCursor() ?? 0, peaks = [...new Set(this.picture!.curves.flatMap(c => [...c.peaks.map(p => p.x), ...c.unbounded]))].sort((a, b) => a - b);
     const part = event.shiftKey ? 0.05 : 0.004, here = this.picture!.cursor ?? x[0]!, [from, to] = [x[0]!, x.at(-1)!];
     const step = (sign: number) => {
       const next = display.logarithmicFrequency ? here * (to / from) ** (sign * part) : here + sign * part * (to - from);
@@ -249,11 +249,12 @@ export class CurveChart extends Part {
     } else return;
     event.preventDefault();
   }
+  private reading = ({amplitude, unbounded}: Shown, at: number) => (unbounded.includes(this.picture!.x[at]!) ? '∞' : number(amplitude[at], 3));
   private speak() {
     const at = this.indexAtCursor(), {picture} = this;
     if (at === null || !picture) return;
     const steady = this.steadyAtCursor().map(({name, motions}) => [`steady ${name} ${motions.map(m => `${m.value} ${this.unit} ${m.words}`).join(', ')}`]);
-    const all = [picture.curves.map(c => `${c.name} ${number(c.amplitude[at], 3)} ${this.unit}`), ...this.compared.map(c => this.readings(c).map((r, i) => `${i ? '' : `${c.label}: `}${r.name}${r.at} ${r.value} ${this.unit}`)), ...steady];
+    const all = [picture.curves.map(c => `${c.name} ${this.reading(c, at)} ${this.unit}`), ...this.compared.map(c => this.readings(c).map((r, i) => `${i ? '' : `${c.label}: `}${r.name}${r.at} ${r.value} ${this.unit}`)), ...steady];
     this.spoken = `${number(picture.x[at], 4)} ${this.app.display.frequencyUnit}: ${all.filter(one => one.length).map(one => one.join(', ')).join('; ')}`;
   }
   private get unit() {
@@ -288,7 +289,7 @@ export class CurveChart extends Part {
     const {x, curves} = picture;
     const rows = x.map((_, i) => i).filter(i => i % Math.ceil(x.length / 60) === 0), unit = this.unit;
     return html`<div class="scroll table" tabindex="0"><table><caption>Amplitudes [${unit}]</caption><thead><tr><th scope="col">${this.app.display.frequencyUnit}</th>${curves.map(c => html`<th scope="col">${c.name}</th>`)}</tr></thead>
-      <tbody>${rows.map(i => html`<tr><th scope="row">${number(x[i], 4)}</th>${curves.map(c => html`<td>${number(c.amplitude[i], 3)}</td>`)}</tr>`)}</tbody></table>${this.steadyTable(picture)}</div>`;
+      <tbody>${rows.map(i => html`<tr><th scope="row">${number(x[i], 4)}</th>${curves.map(c => html`<td>${this.reading(c, i)}</td>`)}</tr>`)}</tbody></table>${this.steadyTable(picture)}</div>`;
   }
 }
 /// Escape closes a menu.

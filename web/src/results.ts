@@ -148,6 +148,7 @@ export interface Peak {
   angular_frequency: number;
   amplitude: number | null;
   phase?: number | null;
+  unbounded?: boolean;  // an undamped natural frequency
 }
 export interface Curves {
   band: readonly [number, number];

@@ -47,8 +47,8 @@ export class LimitHandles {
   }
   /// Puts the handles onto their lines. Each label is near its line; if they have no room there, all are short and may be farther away;
   /// one without any room is seen when its line is pointed at or has the focus.
-  /// @param isOnCurve  is a curve in this part of the plot [px]?  @returns places of the labels in pixels of the plot
-  place(plot: uPlot, limits: readonly ShownLimit[], isOnCurve: (box: Box) => boolean): Box[] {
+  /// @param isOnCurve  is a curve in this part of the plot [px]?  @param peaks  boxes of peaks and their values [px of the plot], which stay free
+  place(plot: uPlot, limits: readonly ShownLimit[], isOnCurve: (box: Box) => boolean, peaks: readonly Box[]) {
     this.plot = plot;
     const known = new Set(limits.map(l => l.id)), {left, top, width, height} = boxOf(plot);
     for (const [id, handle] of this.handles) if (!known.has(id)) {
@@ -62,14 +62,13 @@ export class LimitHandles {
     });
     const labelled = (words: 'label' | 'short') => lines.map(({limit, handle, ...line}): Labelled =>
       ({...line, size: this.sizeOf(handle, limit[words], limit.violated), before: this.before.get(`${limit.id} ${words}`)}));
-    let words: 'label' | 'short' = 'label', labels = labelled(words), places = labelPlaces(labels, {width, height}, isOnCurve, lines.length > FEW ? 1 : 2);
+    let words: 'label' | 'short' = 'label', labels = labelled(words), places = labelPlaces(labels, {width, height}, isOnCurve, lines.length > FEW ? 1 : 2, peaks);
     if (places.includes(null)) {
       labels = labelled(words = 'short');
-      places = labelPlaces(labels, {width, height}, isOnCurve, ROWS);
+      places = labelPlaces(labels, {width, height}, isOnCurve, ROWS, peaks);
     }
     this.before = new Map(lines.flatMap(({limit}, i) => (places[i] ? [[`${limit.id} ${words}`, places[i].number]] : [])));
     lines.forEach(({limit, handle}, i) => this.label(handle, limit[words], labels[i]!, places[i]!));
-    return places.flatMap(place => (place ? [place.box] : []));
   }
   /// @returns the line in pixels of the plot; null: it is outside
   private put(handle: HTMLElement, limit: ShownLimit) {

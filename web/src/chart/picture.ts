@@ -34,9 +34,10 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
   const shownValue = (v: number | null) => shownAmplitude(v, scale, display);
   const shown = seen.map((i): Shown => {
     const {name} = curves.results[i]!;
+    const peaks = curves.peaks.filter(p => p.result === name);
     return {name, stroke: indices.indexOf(i), amplitude: sampled.amplitude[i]!.map(shownValue), phase: sampled.phase[i]!,
-            peaks: curves.peaks.filter(p => p.result === name && p.amplitude !== null && p.amplitude > 1e-4 * largest)
-              .map(p => ({x: p.angular_frequency * frequency, y: shownValue(p.amplitude)!}))};
+            unbounded: peaks.filter(p => p.unbounded).map(p => p.angular_frequency * frequency),
+            peaks: peaks.filter(p => p.amplitude !== null && p.amplitude > 1e-4 * largest).map(p => ({x: p.angular_frequency * frequency, y: shownValue(p.amplitude)!}))};
   });
   const overlays: Overlay[] = steady ? steadyOverlays(steady, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)) : [];
   const steadyOfCurves = steadyCurves(steady, choice.unit, names.filter(name => !choice.hidden.has(name)), frequency, shownValue);

@@ -2,11 +2,12 @@
 import uPlot from 'uplot';
 import type {Display} from '../display.ts';
 import {number, type Scale} from '../quantities.ts';
-import {overlap, type Box} from './label_places.ts';
+import type {Box} from './label_places.ts';
 import {LimitHandles, type LimitMoves, type ShownLimit} from './limit_handles.ts';
 import {logarithmicRange, logarithmicTicks} from './logarithmic_axis.ts';
-import {largestSteady, type Overlay} from './overlays.ts';
+import type {Overlay} from './overlays.ts';
 import {partsAbove} from './parts_above.ts';
+import {drawPeaks, MARK_OF_INFINITY, placedPeaks, type PlacedPeaks} from './peak_labels.ts';
 import type {SteadyCurve} from './steady_readings.ts';
 import {chartColours, strokeOf} from './strokes.ts';
 
@@ -17,6 +18,7 @@ export interface Shown {
   amplitude: (number | null)[];
   phase: (number | null)[];
   peaks: {x: number; y: number}[];
+  unbounded: number[];  // frequencies of peaks without end
 }
 export interface Picture {
   x: number[];  // in the shown unit of frequency
@@ -37,6 +39,7 @@ export class Plot {
   private picture: Picture | null = null;
   private made = '';
   private readonly handles: LimitHandles | null;
+  peaks: PlacedPeaks | null = null;  // as they are drawn
   private held: [number, number] | null = null;  // the range while a limit is dragged
 
   /// @param moves  what is done with limits; null: they are not drawn here
@@ -138,8 +141,11 @@ export class Plot {
     if (this.what === 'amplitude') {
       for (const overlay of picture.overlays) this.overlay(ctx, overlay, (points: Overlay['points']) => points.map(([a, b]) => [x(a), b === null ? null : y(b)] as const));
       for (const limit of picture.limits) this.limit(plot, limit);
-      const taken = this.handles?.place(plot, picture.limits, this.curveFinder(plot)) ?? [];
-      this.labels(plot, colours.text, taken.map(([left, top, right, bottom]): Box => [bbox.left + left * ratio, bbox.top + top * ratio, bbox.left + right * ratio, bbox.top + bottom * ratio]));
+      this.upwards(plot, picture);
+      const peaks = this.peaks = placedPeaks(plot, picture.curves, picture.overlays);  // before the labels of limits, which find room elsewhere
+      this.handles?.place(plot, picture.limits, this.curveFinder(plot), peaks.taken.map(([left, top, right, bottom]): Box =>
+        [(left - bbox.left) / ratio, (top - bbox.top) / ratio, (right - bbox.left) / ratio, (bottom - bbox.top) / ratio]));
+      drawPeaks(ctx, peaks, index => strokeOf(index, this.display.theme).colour, colours);
     }
     if (picture.cursor !== null) vertical(picture.cursor, colours.text, 1, []);
     ctx.restore();
@@ -184,37 +190,14 @@ export class Plot {
     if (kind === 'jump' && known.length === 2) arrowHead(pen, colour, known[0]!, known[1]!, 7 * ratio);
     pen.globalAlpha = 1;
   }
-  /// Values at the largest steady motions and at the highest peaks, as many as have room.
-  private labels(plot: uPlot, colour: string, taken: Box[]) {
-    const {ctx: pen, bbox} = plot, ratio = devicePixelRatio;
-    const ofCurves = this.picture!.curves.flatMap(({peaks, stroke}) => peaks.map(p => ({...p, stroke}))).sort((a, b) => b.y - a.y);
-    const peaks = [...largestSteady(this.picture!.overlays), ...ofCurves].slice(0, 16);
-    pen.font = `${11 * ratio}px system-ui, sans-serif`;
-    pen.textAlign = 'center';
-    const places = peaks.map(p => ({...p, left: plot.valToPos(p.x, 'x', true), top: plot.valToPos(p.y, 'y', true)}))
-      .filter(p => p.left >= bbox.left && p.left <= bbox.left + bbox.width && p.top >= bbox.top && p.top <= bbox.top + bbox.height);
-    const around = 4 * ratio;
-    for (const {left, top, stroke: index} of places) {
-      taken.push([left - around, top - around, left + around, top + around]);
-      pen.fillStyle = strokeOf(index, this.display.theme).colour;
-      pen.beginPath();
-      pen.arc(left, top, 2.6 * ratio, 0, 7);
-      pen.fill();
-    }
-    [pen.fillStyle, pen.strokeStyle, pen.lineWidth, pen.lineJoin] = [colour, chartColours(this.display.theme).back, 3 * ratio, 'round'];
-    for (const {left, top, y} of places) {
-      const text = number(y, 3), half = pen.measureText(text).width / 2;
-      const boxAt = (wished: number): [number, Box] => {
-        const middle = Math.min(Math.max(wished, bbox.left + half), bbox.left + bbox.width - half);
-        return [middle, [middle - half - 3, top - 18 * ratio, middle + half + 3, top - around]];
-      };
-      const free = [left, left + half + around, left - half - around].map(boxAt).find(([, box]) => !taken.some(other => overlap(other, box)));
-      if (!free) continue;
-      const [middle, box] = free;
-      taken.push(box);
-      pen.strokeText(text, middle, top - 7 * ratio);  // a curve or a line behind it ends beside it
-      pen.fillText(text, middle, top - 7 * ratio);
-    }
+  /// A peak without end goes up to the edge.
+  private upwards(plot: uPlot, {x: xs, curves}: Picture) {
+    const {ctx, bbox} = plot, ratio = devicePixelRatio, edge = bbox.top + MARK_OF_INFINITY * ratio;
+    for (const {unbounded, amplitude, stroke: index} of curves)
+      for (const at of unbounded) {
+        const near = xs.findIndex(x => x >= at), known = [near - 1, near, near + 1].map(i => amplitude[i] ?? null).filter(v => v !== null), left = plot.valToPos(at, 'x', true);
+        if (known.length) stroke(ctx, strokeOf(index, this.display.theme).colour, CURVE * ratio, [2 * ratio, 3 * ratio], [[left, plot.valToPos(Math.max(...known), 'y', true)], [left, edge]]);
+      }
   }
 }
 
