@@ -14,9 +14,10 @@ def violations(page):
     return [f"{v['id']}: {node['html'][:160]} {node['failureSummary'][:300]}" for v in found for node in v['nodes']]
 
 
+@pytest.mark.parametrize('example', ['compressor/requirements.toml', 'genset/genset.toml'])  # genset hides curves
 @pytest.mark.parametrize('theme', ['light', 'dark'])
-def test_no_violation(serve, theme):
-    page = serve('compressor/requirements.toml').page(theme=theme)
+def test_no_violation(serve, theme, example):
+    page = serve(example).page(theme=theme)
     settled(page)
     page.get_by_role('checkbox', name='table').check()
     for tab in ('Modes', 'Requirements', 'Mounts', 'Peaks'):

@@ -6,7 +6,7 @@ import {errorAbout, idOf, worded} from './problem_words.ts';
 import {refuse} from './refused_number.ts';
 import {quantity, written} from './quantities.ts';
 import type {Selection} from './state.ts';
-import {pathText, type Entry} from './toml_outline.ts';
+import {pathParts, pathText, type Entry} from './toml_outline.ts';
 
 const KINDS: Record<string, Selection['kind']> = {bodies: 'body', nodes: 'body', elements: 'element', excitations: 'force'};
 
@@ -42,7 +42,7 @@ export class ModelTree extends Part {
       : html`<li title=${description}><span class="key">${name}</span><span class="value">${short(entry?.raw ?? '')}</span></li>`;
     const three = [...branch.children.values()];
     if (entry?.kind === 'array' && three.length <= 3 && three.every(c => c.entry?.kind === 'number' && !c.children.size))
-      return html`<li title=${description}><span class="key">${name}</span><span class="vector">${three.map((c, i) => this.input(c.entry!, `${name} ${'xyz'[i]}`, false))}</span></li>`;
+      return html`<li title=${description}><span class="key">${name}</span><span class="vector">${three.map(c => this.input(c.entry!, false))}</span></li>`;
     const kind = KINDS[path[0] ?? ''] ?? (path[0] === 'tables' && path[1] === 'elements' ? 'element' : undefined);
     const own = kind && (path.length === 2 || path[0] === 'tables' && path.length === 4) ? {kind, name} : null;
     const chosen = own !== null && state.selection?.kind === own.kind && state.selection.name === own.name;
@@ -50,14 +50,15 @@ export class ModelTree extends Part {
       <ul>${three.map(c => this.branch(c))}</ul></details></li>`;
   }
   private numberRow(name: string, entry: Entry, description: string) {
-    return html`<li title=${description}><span class="key">${name}</span>${this.input(entry, name, true)}</li>`;
+    return html`<li title=${description}><span class="key">${name}</span>${this.input(entry, true)}</li>`;
   }
-  private input(entry: Entry, name: string, pinnable: boolean) {
+  private input(entry: Entry, pinnable: boolean) {
     const {state, index, display, schema} = this.app, path = settingPath(entry, index.byPath);
     const raw = (path && state.design.settings.get(path)) ?? entry.raw, changed = path !== null && state.design.settings.has(path);
     const wrong = errorAbout(path ? [path, pathText(entry.path)] : [pathText(entry.path)], this.app.asker.problems), isWrong = wrong >= 0;
-    const label = `${entry.path.join(' ')}${schema?.description(entry.path) ? `: ${schema.description(entry.path)}` : ''}`;
-    return html`<input class="number ${changed ? 'changed' : ''}" aria-label=${pinnable ? label : name} title=${isWrong ? worded(this.app.asker.problems[wrong]!) : label} aria-invalid=${isWrong ? 'true' : nothing} aria-describedby=${isWrong ? idOf(wrong) : nothing} .value=${raw.replace(/^["']|["']$/g, '')}
+    const name = (path ? pathParts(path) : entry.path).join(' '), description = schema?.description(entry.path) ?? '';  // "elements front left at x", also of a row
+    const label = description ? `${name}: ${description}` : name, text = raw.replace(/^["']|["']$/g, '');
+    return html`<input class="number ${changed ? 'changed' : ''}" aria-label=${pinnable ? label : name} title=${isWrong ? worded(this.app.asker.problems[wrong]!) : label} aria-invalid=${isWrong ? 'true' : nothing} aria-describedby=${isWrong ? idOf(wrong) : nothing} size=${Math.min(Math.max(text.length, LEAST), MOST)} .value=${text}
         @change=${(e: Event) => this.edited(entry, path, e.target as HTMLInputElement)}>${pinnable && path && !display.pins.includes(path)
       ? html`<button class="pin" title="Make a slider of ${path}" aria-label="Make a slider of ${path}" @click=${() => display.set({pins: [...display.pins, path], leftTab: 'sliders'})}>⊕</button>` : nothing}`;
   }
@@ -71,6 +72,8 @@ export class ModelTree extends Part {
     state.edit(text.slice(0, entry.from) + value + text.slice(entry.to));
   }
 }
+
+const LEAST = 3, MOST = 24;  // characters of a field: its text is read without scrolling
 
 function grow(root: Branch, entry: Entry) {
   let at = root;
