@@ -7,6 +7,7 @@ import {lintGutter, setDiagnostics, type Diagnostic} from '@codemirror/lint';
 import {Annotation, Compartment, EditorState} from '@codemirror/state';
 import {EditorView, keymap, lineNumbers} from '@codemirror/view';
 import {tags} from '@lezer/highlight';
+import {caretInView} from './caret_in_view.ts';
 import {completionsAt} from './completions.ts';
 import {EngineError} from './engine.ts';
 import {edited, withPlainEnds, type Edit} from './line_ends.ts';
@@ -35,7 +36,7 @@ export class TextView extends Part {
     const {state} = this.app;
     this.file = state.design.text;
     this.editor = new EditorView({root: this.shadowRoot!, parent: this.shadowRoot!, state: EditorState.create({doc: state.design.text, extensions: [
-      lineNumbers(), history(), lintGutter(), StreamLanguage.define(toml), this.look.of([]),
+      lineNumbers(), history(), lintGutter(), caretInView, StreamLanguage.define(toml), this.look.of([]),
       autocompletion({override: [context => this.complete(context)]}),
       keymap.of([...defaultKeymap, ...historyKeymap, ...completionKeymap]),
       EditorView.contentAttributes.of({'aria-label': 'Project file'}),
