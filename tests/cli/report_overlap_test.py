@@ -21,6 +21,7 @@ EXAMPLES = (
     "bogie/loaded_frame",
     "isolator/hardening",
     "microscope/microscope",
+    "compressor/requirements",  # several cases: the overview of their curves
 )
 WIDTHS = (1280, 390)
 # Boxes of texts; of slanted ones only the centre is known to be covered.
@@ -50,7 +51,20 @@ addEventListener('load', () => setTimeout(() => {
     const room = svg.getBoundingClientRect();
     if (!room.width) continue;
     const texts = [...svg.querySelectorAll('text')].filter(node => words(node) && !isSlanted(node));
-    check(svg.querySelector('title').textContent, texts, room, room.width / svg.viewBox.baseVal.width);
+    const name = svg.querySelector('title').textContent, scale = room.width / svg.viewBox.baseVal.width;
+    check(name, texts, room, scale);
+    // Curves on words and boxes of words: only marks in a curve's panel, which have a halo, may lie on one.
+    const sheets = [...svg.querySelectorAll('rect[fill=white]')].filter(one => one.parentNode === svg && one.getBoundingClientRect().width < 0.9 * room.width);
+    const solid = [...texts.filter(node => !node.hasAttribute('paint-order')), ...sheets].map(node => [node, node.getBoundingClientRect()]);
+    for (const curve of svg.querySelectorAll('polyline')) {
+      const length = curve.getTotalLength(), matrix = curve.getScreenCTM(), hidden = new Set();
+      for (let at = 0; at <= length; at += 3) {
+        const {x, y} = curve.getPointAtLength(at).matrixTransform(matrix), edge = most * scale;
+        for (const [node, box] of solid)
+          if (x > box.left + edge && x < box.right - edge && y > box.top + edge && y < box.bottom - edge) hidden.add(node);
+      }
+      for (const node of hidden) found.push(`${name}: a curve lies on ${node.tagName} "${words(node)}"`);
+    }
   }
   for (const marks of document.querySelectorAll('.marks')) check('marks', [...marks.querySelectorAll('b')], null, 1);
   for (const marks of document.querySelectorAll('.marks'))

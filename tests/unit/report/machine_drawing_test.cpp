@@ -79,7 +79,7 @@ TEST(PlacedLabels, OfNearbyPlacesDoNotOverlapAndStayInTheArea) {
     labels.push_back({"mount " + std::to_string(i), place});
     marks.push_back({place.x - 5, place.y - 5, place.x + 5, place.y + 5});
   }
-  const auto placed = report::placed_labels(labels, area, marks, 11);
+  const auto placed = report::placed_labels(labels, area, {marks}, 11);
   int written = 0;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (!placed[i]) continue;
@@ -93,6 +93,21 @@ TEST(PlacedLabels, OfNearbyPlacesDoNotOverlapAndStayInTheArea) {
     }
   }
   EXPECT_GE(written, 20);
+}
+
+TEST(PlacedLabels, KeepOffTheOutlinesOfBodiesIfThereIsRoomNearby) {
+  const Box area{0, 0, 400, 300};
+  const std::vector<report::Label> labels = {{"rear right", {100, 100}}, {"middle right", {200, 100}}};
+  const std::vector<Box> marks = {{94, 94, 106, 106}, {194, 94, 206, 106}};
+  const std::vector<std::pair<PixelPoint, PixelPoint>> edge = {{{60, 97}, {340, 103}}};
+  const auto placed = report::placed_labels(labels, area, {marks, edge}, 11);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    ASSERT_TRUE(placed[i]) << i;
+    EXPECT_FALSE(report::crosses(placed[i]->box, edge[0].first, edge[0].second)) << i;
+  }
+  std::vector<std::pair<PixelPoint, PixelPoint>> everywhere;
+  for (double y = 0; y < area.bottom; y += 5) everywhere.push_back({{0, y}, {area.right, y}});
+  EXPECT_TRUE(report::placed_labels(labels, area, {marks, everywhere}, 11)[0]);
 }
 
 TEST(MachineDrawing, NamesBodiesAndElements) {

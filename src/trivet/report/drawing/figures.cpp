@@ -12,6 +12,8 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/report/drawing/axis_ticks.h"
+#include "trivet/report/drawing/key_lines.h"
+#include "trivet/report/drawing/label_placement.h"
 #include "trivet/report/drawing/plot_panel.h"
 #include "trivet/report/drawing/svg_canvas.h"
 
@@ -63,6 +65,19 @@ std::vector<Tick> amplitude_ticks(const Panel& panel, int wanted) {
   return panel.logarithmic ? decade_ticks(panel.y_from, panel.y_to) : linear_ticks(0, panel.y_to, wanted);
 }
 
+/// Along the left side of a panel; a label longer than that in two lines, divided before its unit.
+void draw_turned_label(SvgCanvas& canvas, const Panel& p, const std::string& label) {
+  constexpr double font = 11, line = 13;
+  const std::size_t unit = label.find(" [");
+  std::vector<std::string> lines = {label};
+  if (unit != std::string::npos && text_width(label, font) > p.height)
+    lines = {label.substr(0, unit), label.substr(unit + 1)};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const double x = p.left - 40 - line * static_cast<double>(lines.size() - 1 - i), y = p.top + p.height / 2;
+    canvas.text({x, y}, lines[i], fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
+  }
+}
+
 /// Frame and ticks. The frequency axis has the unit of the display; the panel has rad/s.
 /// @param with_x_label  name the frequency axis
 void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks,
@@ -82,20 +97,23 @@ void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>
   }
   canvas.rectangle({p.left, p.top}, p.width, p.height, "fill=\"none\" stroke=\"#333\"");
   if (!x_label.empty()) canvas.text({p.left + p.width / 2, p.top + p.height + 31}, x_label, "text-anchor=\"middle\"");
-  const double x = p.left - 40, y = p.top + p.height / 2;
-  if (!y_label.empty())
-    canvas.text({x, y}, y_label, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
+  draw_turned_label(canvas, p, y_label);
 }
 
-void draw_legend(SvgCanvas& canvas, const Panel& p, const std::vector<GroupedCurve>& series) {
-  const double width = 52, left = p.left + p.width - width - 6;
-  canvas.rectangle({left - 4, p.top + 5}, width + 4, 15.0 * static_cast<double>(series.size()) + 4,
-                   "fill=\"white\" fill-opacity=\"0.85\" stroke=\"#ccc\"");
-  for (std::size_t i = 0; i < series.size(); ++i) {
-    const double y = p.top + 15 + 15.0 * static_cast<double>(i);
-    canvas.line({left, y}, {left + 26, y}, series_stroke(i));
-    canvas.text({left + 31, y + 4}, series[i].label, "");
-  }
+/// Strokes of curves with their labels.
+std::vector<PanelCurve> key_entries(const std::vector<GroupedCurve>& series) {
+  std::vector<PanelCurve> entries;
+  for (std::size_t i = 0; i < series.size(); ++i) entries.push_back({{series[i].label}, {}, {}, series_stroke(i)});
+  return entries;
+}
+
+constexpr double key_room = 15;  // above a panel
+
+/// Above its panel, where it covers no curve.
+void draw_key_above(SvgCanvas& canvas, const Panel& p, const std::vector<GroupedCurve>& series) {
+  KeyLines key(p.width);
+  key.add(key_entries(series));
+  key.draw(canvas, {p.left, p.top - 4 - key.height()});
 }
 
 /// The parts of a curve between the lower and upper edge of its panel, cut at the edges.
@@ -220,19 +238,35 @@ const study::CaseResults* repeating_case(const std::vector<study::CaseResults>& 
   return found == cases.end() ? nullptr : &*found;
 }
 
+/// Strokes of the first groups of all cases; translations and rotations have the same: "x, θx".
+KeyLines common_key(const std::vector<const study::CaseResults*>& cases, double width) {
+  KeyLines key(width);
+  for (const study::CaseResults* results : cases) {
+    const CurveGroup group = curve_groups(curve_names(results->response->curves.curves)).front();
+    std::vector<PanelCurve> entries = key_entries(group.upper);
+    for (const PanelCurve& lower : key_entries(group.lower)) {
+      const auto same = std::ranges::find(entries, lower.stroke, &PanelCurve::stroke);
+      if (same == entries.end()) entries.push_back(lower);
+      else same->key.push_back(lower.key.front());
+    }
+    key.add(entries);
+  }
+  return key;
+}
+
 Figure group_figure(const study::CaseResults& results, const results::LargestOfKind& of_kind, const CurveGroup& group) {
   const study::ResponseResult& result = *results.response;
   const double row_height = 200, panel_width = 400;
   std::vector<const std::vector<GroupedCurve>*> rows;
   for (const auto* series : {&group.upper, &group.lower})
     if (!series->empty()) rows.push_back(series);
-  const double height = 46 + static_cast<double>(rows.size()) * (row_height + 52);
-  SvgCanvas canvas(980, height);
+  constexpr double head = 50, below = 52;
+  SvgCanvas canvas(980, head + 6 + static_cast<double>(rows.size()) * (row_height + below));
   const std::string title = group.name + (results.case_name.empty() ? "" : ", " + results.case_name);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   for (std::size_t r = 0; r < rows.size(); ++r) {
     const std::vector<GroupedCurve>& series = *rows[r];
-    const double top = 40 + static_cast<double>(r) * (row_height + 52);
+    const double top = head + static_cast<double>(r) * (row_height + below);
     const AmplitudeRange range = drawn_range(result, series);
     const UnitPrefix unit = amplitude_prefix(range.largest, of_kind, results, series);
     Panel amplitude{66, top, panel_width, row_height, result.band.from, result.band.to, 0, 1};
@@ -241,7 +275,7 @@ Figure group_figure(const study::CaseResults& results, const results::LargestOfK
         canvas, amplitude, amplitude_ticks(amplitude, 5), results.display, true,
         fmt::format("{} [{}]{}", quantity_of(result, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
     draw_amplitudes(canvas, amplitude, results, series, unit.factor);
-    draw_legend(canvas, amplitude, series);
+    draw_key_above(canvas, amplitude, series);
     const auto [low, high] = phase_range(results, series);
     const Panel phase{556, top, panel_width, row_height, result.band.from, result.band.to, low, high};
     draw_curve_frame(canvas, phase, angle_ticks(low, high), results.display, true, "phase [°]");
@@ -277,7 +311,8 @@ std::vector<Figure> characteristics(const study::CaseResults& results) {
 
 Figure overview(const std::string& title, const std::vector<study::CaseResults>& cases) {
   constexpr std::size_t columns = 3, most_cases = 12;
-  const double width = 270, height = 120, column_pitch = 335, pitch_of_two_panels = 2 * height + 110;
+  constexpr double left_room = 70;
+  const double width = 270, height = 120, column_pitch = 340;
   const study::CaseResults* const as_base = repeating_case(cases);
   std::vector<const study::CaseResults*> shown;
   for (const study::CaseResults& results : cases)
@@ -286,13 +321,17 @@ Figure overview(const std::string& title, const std::vector<study::CaseResults>&
   const std::size_t used_columns = std::max<std::size_t>(1, std::min(columns, shown.size()));
   const std::size_t rows = (shown.size() + columns - 1) / columns;
   const double canvas_width =
-      std::max(30 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
+      std::max(36 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
   const bool one_panel_each = std::ranges::all_of(shown, [](const study::CaseResults* results) {
     return curve_groups(curve_names(results->response->curves.curves)).front().lower.empty();
   });
-  const double row_pitch = one_panel_each ? pitch_of_two_panels - (height + 28) : pitch_of_two_panels;
-  SvgCanvas canvas(canvas_width, 44 + row_pitch * static_cast<double>(rows));
+  const KeyLines key = common_key(shown, canvas_width - left_room - 20);
+  const bool are_keys_above = key.is_ambiguous();  // of the panels: their strokes mean different curves
+  const double head = 44 + (are_keys_above ? 0 : key.height()), above = are_keys_above ? key_room : 0;
+  const double panel_pitch = height + above + 28, row_pitch = (one_panel_each ? 1 : 2) * panel_pitch + 54;
+  SvgCanvas canvas(canvas_width, head + row_pitch * static_cast<double>(rows));
   canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
+  if (!are_keys_above) key.draw(canvas, {left_room, 34});
   // One scale for all, so that the cases can be compared.
   std::array<Amplitudes, 2> amplitudes;
   results::LargestOfKind of_kind;
@@ -307,26 +346,27 @@ Figure overview(const std::string& title, const std::vector<study::CaseResults>&
     const study::CaseResults& results = *shown[i];
     const CurveGroup group = curve_groups(curve_names(results.response->curves.curves)).front();
     const std::size_t row = i / columns, column = i % columns;
-    if (row > 0 && column == 0) canvas.permit_break(44 + row_pitch * static_cast<double>(row));
-    const double left = 68 + column_pitch * static_cast<double>(column),
-                 top = 66 + row_pitch * static_cast<double>(row);
-    canvas.text({left + width / 2, top - 8},
-                (results.case_name.empty() ? "Base model" : results.case_name) +
-                    (&results == as_base ? " = base model: " : ": ") + group.name,
-                "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
+    if (row > 0 && column == 0) canvas.permit_break(head + row_pitch * static_cast<double>(row));
+    const double left = left_room + column_pitch * static_cast<double>(column),
+                 top = head + 22 + above + row_pitch * static_cast<double>(row);
+    const std::string name = (results.case_name.empty() ? "Base model" : results.case_name) +
+        (&results == as_base ? " = base model: " : ": ") + group.name;
+    constexpr double font = 12, wider = 1.12;  // bold letters
+    const double size = font * std::min(1.0, (width + 50) / (wider * text_width(name, font)));
+    canvas.text({left + width / 2, top - 8 - above}, name,
+                fmt::format("text-anchor=\"middle\" font-size=\"{:.1f}\" font-weight=\"bold\"", size));
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
       const AmplitudeRange& range = ranges[part];
       const UnitPrefix unit = amplitude_prefix(range.largest, of_kind, results, *series);
       Panel panel{
-          left, top + part * (height + 28), width, height, results.response->band.from, results.response->band.to, 0,
-          1};
+          left, top + part * panel_pitch, width, height, results.response->band.from, results.response->band.to, 0, 1};
       set_amplitude_axis(panel, range, unit.factor);
       draw_curve_frame(canvas, panel, amplitude_ticks(panel, 4), results.display, part == 1 || group.lower.empty(),
                        fmt::format("{} [{}]{}", quantity_of(*results.response, *series), unit.unit,
                                    panel.logarithmic ? ", log" : ""));
       draw_amplitudes(canvas, panel, results, *series, unit.factor);
-      draw_legend(canvas, panel, *series);
+      if (are_keys_above) draw_key_above(canvas, panel, *series);
     }
   }
   const std::string description = "Amplitude characteristics of " + title;

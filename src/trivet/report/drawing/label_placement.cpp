@@ -82,19 +82,26 @@ double text_width(std::string_view text, double font_size) {
 }
 
 std::vector<std::optional<PlacedLabel>> placed_labels(const std::vector<Label>& labels, const Box& area,
-                                                      const std::vector<Box>& marks, double font_size) {
+                                                      const Obstacles& obstacles, double font_size) {
   constexpr std::array<double, 12> distances = {9, 14, 20, 28, 38, 50, 64, 80, 98, 120, 150, 190};
   constexpr int directions = 16;
+  constexpr double nearby = 50;  // a name farther from its place is harder to assign than one on a line to read
   const double height = 1.15 * font_size, ascent = 0.92 * font_size;
-  Occupied occupied(marks);
+  Occupied occupied(obstacles.marks);
+  const auto is_struck = [&](const Box& box) {
+    return std::ranges::any_of(obstacles.lines,
+                               [&](const auto& line) { return crosses(box, line.first, line.second); });
+  };
   std::vector<std::optional<PlacedLabel>> result(labels.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const PixelPoint place = labels[i].place;
     const double width = text_width(labels[i].text, font_size);
+    std::optional<PlacedLabel> on_a_line;
     for (std::size_t tried = 0; tried < distances.size() * directions && !result[i]; ++tried) {
       // To the right and the left first, then the diagonals, up and down.
       constexpr std::array<int, directions> order = {1, 7, 15, 9, 0, 8, 2, 6, 14, 10, 3, 5, 13, 11, 4, 12};
       const double distance = distances[tried / directions];
+      if (on_a_line && distance > nearby) break;
       const double angle = foundation::two_pi * order[tried % directions] / directions;
       const PixelPoint end{place.x + distance * std::cos(angle), place.y - distance * std::sin(angle)};
       const double left = end.x - width * (0.5 - 0.5 * std::clamp(2 * std::cos(angle), -1.0, 1.0));
@@ -102,9 +109,12 @@ std::vector<std::optional<PlacedLabel>> placed_labels(const std::vector<Label>& 
       const Box box{left, top, left + width, top + height};
       const PixelPoint leader = nearest(box, place);
       if (!area.contains(box) || !occupied.is_free(box, {place, leader})) continue;
-      occupied.add(box, {place, leader});
-      result[i] = PlacedLabel{box, {left, top + ascent}, leader};
+      const PlacedLabel here{box, {left, top + ascent}, leader};
+      if (!is_struck(box)) result[i] = here;
+      else if (!on_a_line) on_a_line = here;
     }
+    if (!result[i]) result[i] = on_a_line;
+    if (result[i]) occupied.add(result[i]->box, {place, result[i]->leader});
   }
   return result;
 }

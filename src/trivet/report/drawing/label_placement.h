@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "trivet/report/drawing/svg_canvas.h"
@@ -41,10 +42,15 @@ struct PlacedLabel {
   PixelPoint leader;    ///< end of the line from the place, at the box
 };
 
+/// What labels keep off.
+struct Obstacles {
+  std::vector<Box> marks;                                     ///< to keep free, the places of the labels among them
+  std::vector<std::pair<PixelPoint, PixelPoint>> lines = {};  ///< to keep off if there is room nearby
+};
+
 /// Puts names beside their places, one after the other, each at the nearest spot where it covers no other name, no mark
-/// and no leader line. Empty where there is none inside `area`.
-/// @param marks  rectangles to keep free, the places themselves among them
+/// and no leader line, nor a line of the drawing if such a spot is near. Empty where there is none inside `area`.
 [[nodiscard]] std::vector<std::optional<PlacedLabel>> placed_labels(const std::vector<Label>& labels, const Box& area,
-                                                                    const std::vector<Box>& marks, double font_size);
+                                                                    const Obstacles& obstacles, double font_size);
 
 }  // namespace trivet::report

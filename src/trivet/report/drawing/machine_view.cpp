@@ -27,19 +27,22 @@ constexpr Palette clear = {drawing_ink, drawing_springs, drawing_forces, "#eef2f
 constexpr Palette faint = {drawing_faint, drawing_faint, drawing_faint, "none"};
 constexpr Palette displaced = {drawing_moved, drawing_moved, drawing_moved, "none", false};
 
+/// What is drawn of a solid.
+SeenSurface outline_of(const DrawnMachine::Solid& solid, const Projection& projection) {
+  constexpr std::size_t most_faces = 4000;  // of a surface that is drawn face by face
+  if (solid.surface.faces.size() <= most_faces) return seen(solid.surface, projection);
+  std::vector<PixelPoint> points;
+  for (const Eigen::Vector3d& v : solid.surface.vertices) points.push_back(projection.at(v));
+  SeenSurface outline;
+  outline.faces = {convex_hull(points)};
+  const std::vector<PixelPoint>& hull = outline.faces.front();
+  for (std::size_t i = 0; i < hull.size(); ++i) outline.lines.emplace_back(hull[i], hull[(i + 1) % hull.size()]);
+  return outline;
+}
+
 void draw_solid(SvgCanvas& canvas, const DrawnMachine::Solid& solid, const Projection& projection,
                 const Palette& palette) {
-  constexpr std::size_t most_faces = 4000;  // of a surface that is drawn face by face
-  SeenSurface outline;
-  if (solid.surface.faces.size() <= most_faces) {
-    outline = seen(solid.surface, projection);
-  } else {
-    std::vector<PixelPoint> points;
-    for (const Eigen::Vector3d& v : solid.surface.vertices) points.push_back(projection.at(v));
-    outline.faces = {convex_hull(points)};
-    const std::vector<PixelPoint>& hull = outline.faces.front();
-    for (std::size_t i = 0; i < hull.size(); ++i) outline.lines.emplace_back(hull[i], hull[(i + 1) % hull.size()]);
-  }
+  const SeenSurface outline = outline_of(solid, projection);
   if (std::string_view(palette.fill) != "none" && !solid.equivalent)
     for (const auto& face : outline.faces)
       canvas.area({face}, fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.5\"", palette.fill));
@@ -60,18 +63,24 @@ void draw_solids(SvgCanvas& canvas, const DrawnMachine& machine, const Projectio
   for (const auto& [depth, solid] : far_to_near) draw_solid(canvas, *solid, projection, palette);
 }
 
-/// Thin lines from the bodies to their points and elements that are not on them.
-void draw_limbs(SvgCanvas& canvas, const DrawnMachine& machine, const Projection& projection, const Palette& palette) {
+/// From the bodies to their points and elements that are not on them.
+std::vector<std::pair<PixelPoint, PixelPoint>> limbs_of(const DrawnMachine& machine, const Projection& projection) {
+  std::vector<std::pair<PixelPoint, PixelPoint>> limbs;
   const auto limb = [&](std::size_t body, const Eigen::Vector3d& place) {
     if (machine.bodies[body].is_node) return;
-    canvas.line(projection.at(machine.nearest_on(body, place)), projection.at(place),
-                fmt::format("stroke=\"{}\" stroke-width=\"0.7\"", palette.bodies));
+    limbs.emplace_back(projection.at(machine.nearest_on(body, place)), projection.at(place));
   };
   for (const DrawnMachine::Element& element : machine.elements) {
     if (element.k_body) limb(*element.k_body, element.k);
     if (element.n_body) limb(*element.n_body, element.n);
   }
   for (const DrawnMachine::Point& point : machine.points) limb(point.body, point.at);
+  return limbs;
+}
+
+void draw_limbs(SvgCanvas& canvas, const DrawnMachine& machine, const Projection& projection, const Palette& palette) {
+  for (const auto& [from, to] : limbs_of(machine, projection))
+    canvas.line(from, to, fmt::format("stroke=\"{}\" stroke-width=\"0.7\"", palette.bodies));
 }
 
 void draw_elements(SvgCanvas& canvas, const DrawnMachine& machine, const Projection& projection, double size,
@@ -162,6 +171,14 @@ std::vector<Box> marks_of(const DrawnMachine& machine, const Projection& project
   return marks;
 }
 
+/// Symbols, which names keep free, and the outlines of the bodies, which would strike names through.
+Obstacles obstacles_of(const DrawnMachine& machine, const Projection& projection, const Box& area, double size) {
+  Obstacles obstacles{marks_of(machine, projection, area, size), limbs_of(machine, projection)};
+  for (const DrawnMachine::Solid& solid : machine.solids)
+    for (const auto& line : outline_of(solid, projection).lines) obstacles.lines.push_back(line);
+  return obstacles;
+}
+
 }  // namespace
 
 SpringLine spring_line(const DrawnMachine::Element& element, double size) {
@@ -209,7 +226,7 @@ std::vector<std::string> draw_names(SvgCanvas& canvas, const DrawnMachine& machi
     if (name.view == view) labels.push_back({name.text, projection.at(name.at)});
   constexpr double edge = 4;
   const Box inside{area.left + edge, area.top + edge, area.right - edge, area.bottom - edge};
-  const auto placed = placed_labels(labels, inside, marks_of(machine, projection, area, size), font_size);
+  const auto placed = placed_labels(labels, inside, obstacles_of(machine, projection, area, size), font_size);
   std::vector<std::string> left_out;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (!placed[i]) {

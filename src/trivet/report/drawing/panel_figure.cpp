@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 
+#include "trivet/report/drawing/key_lines.h"
 #include "trivet/report/drawing/svg_canvas.h"
 
 namespace trivet::report {
@@ -35,60 +35,6 @@ Figure one_panel(const std::string& title, const std::string& file_name, const P
   draw_key(canvas, {left + width + to_key, title_height}, row.curves);
   return {title, file_name, canvas.svg(title)};
 }
-
-/// Strokes with their texts in lines of a limited width.
-class KeyLines {
- public:
-  explicit KeyLines(double width) : width_(width) {}
-
-  void add(const std::vector<PanelCurve>& curves) {
-    for (const PanelCurve& curve : curves) {
-      if (curve.key.empty()) continue;
-      std::string text;
-      for (const std::string& line : curve.key) text += (text.empty() ? "" : ", ") + line;
-      const auto [known, is_new] = texts_.emplace(curve.stroke, text);
-      if (is_new) entries_.push_back({curve.stroke, text, place(text)});
-      else if (known->second != text) is_ambiguous_ = true;
-    }
-  }
-  [[nodiscard]] bool is_ambiguous() const { return is_ambiguous_; }  ///< has one stroke two meanings?
-  [[nodiscard]] double height() const { return entries_.empty() ? 0 : last_.y + line_height; }
-
-  void draw(SvgCanvas& canvas, PixelPoint corner) const {
-    for (const Entry& entry : entries_) {
-      const PixelPoint at{corner.x + entry.at.x, corner.y + entry.at.y + 7};
-      const double sample = sample_width(entry.stroke);
-      if (sample > 0) canvas.line(at, {at.x + sample, at.y}, entry.stroke);
-      canvas.text({at.x + (sample > 0 ? sample + 5 : 0), at.y + 4}, entry.text, "");
-    }
-  }
-
- private:
-  struct Entry {
-    std::string stroke, text;
-    PixelPoint at;
-  };
-  static constexpr double line_height = 15, gap = 16;
-
-  static double sample_width(const std::string& stroke) { return stroke.empty() ? 0 : 24; }
-  /// Where the next entry begins, in a new line if this one has no room for it.
-  PixelPoint place(const std::string& text) {
-    constexpr double of_letter = 5.9;
-    const auto letters =
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-    const double wide = 29 + of_letter * static_cast<double>(letters);
-    if (last_.x > 0 && last_.x + wide > width_) last_ = {0, last_.y + line_height};
-    const PixelPoint at = last_;
-    last_.x += wide + gap;
-    return at;
-  }
-
-  double width_;
-  std::map<std::string, std::string> texts_;
-  std::vector<Entry> entries_;
-  PixelPoint last_;
-  bool is_ambiguous_ = false;
-};
 
 KeyLines key_of(const std::vector<PanelRow>& panels, double width) {
   KeyLines key(width);
