@@ -11,9 +11,11 @@
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/model/point_mass.h"
 #include "trivet/report/drawing/in_documents.h"
 #include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/tables/engine_facts.h"
 #include "trivet/report/tables/folded_parts.h"
 #include "trivet/results/model/law_assumptions.h"
 #include "trivet/results/model/model_words.h"
@@ -194,7 +196,8 @@ std::string component_words(const std::array<const char*, 6>& names, const Eigen
   return words.empty() ? "–" : words;
 }
 
-std::string excitations_table(const model::Description& d) {
+std::string excitations_table(const project::Case& variant) {
+  const model::Description& d = variant.system.description();
   std::vector<std::vector<Cell>> rows;
   for (const model::Excitation& e : d.excitations) {
     const results::ExcitationNumbers n = results::excitation_numbers(e);
@@ -204,7 +207,9 @@ std::string excitations_table(const model::Description& d) {
          {n.type},
          {e.action.body ? d.bodies[*e.action.body].name : "ground"},
          {vector_words(e.action.at)},
-         {component_words(e.action.body ? forces : motions, n.linear, n.linear_unit, n.angular, n.angular_unit)},
+         {std::holds_alternative<model::Orders>(e.course)
+              ? "at each order: its course"
+              : component_words(e.action.body ? forces : motions, n.linear, n.linear_unit, n.angular, n.angular_unit)},
          {degrees.isZero(0) ? "–" : vector_words(degrees)}});
   }
   for (const model::ConstantForce& f : d.constant_forces)
@@ -215,9 +220,11 @@ std::string excitations_table(const model::Description& d) {
                     {component_words(forces, f.wrench.force, "N", f.wrench.moment, "N m")},
                     {"–"}});
   FoldedParts courses("Course of ");
-  for (const model::Excitation& e : d.excitations)
-    if (const std::vector<model::Fact> facts = results::course_facts(e); !facts.empty())
-      courses.add(e.name, facts_table(facts));
+  for (const model::Excitation& e : d.excitations) {
+    std::vector<model::Fact> facts = engine_facts(variant, e.name);
+    for (model::Fact& fact : results::course_facts(e)) facts.push_back(std::move(fact));
+    if (!facts.empty()) courses.add(e.name, facts_table(facts));
+  }
   return rows.empty() ? ""
                       : html_table({{"excitation"},
                                     {"type"},
@@ -282,7 +289,7 @@ std::string input_tables(const project::Case& variant, const std::string& file_t
   return part("Bodies", d.bodies.empty() ? "" : bodies_tables(d.bodies)) + (nodes.empty() ? "" : part("Nodes", nodes)) +
       part("Elements", d.elements.empty() ? "" : elements_tables(d, file_text)) +
       (assumptions.empty() ? "" : part("Laws of the elements and what they assume", assumptions)) +
-      part("Excitations", excitations_table(d)) +
+      part("Excitations", excitations_table(variant)) +
       (d.foundations.empty() ? "" : part("Flexible foundations", foundations_table(d.foundations, file_text))) +
       (d.relative_motions.empty() && d.sections.empty() && d.clearances.empty()
            ? ""
@@ -320,7 +327,8 @@ std::string observations_table(const model::Description& d) {
     rows.push_back({{clearance.name},
                     {"clearance"},
                     {clearance.of.name + " to " + clearance.to.name},
-                    {fmt::format("gap {:.6g} m along {}", clearance.gap, components_words(clearance.direction))}});
+                    {fmt::format("gap {} along {}", foundation::prefixed(clearance.gap, "m"),
+                                 components_words(clearance.direction))}});
   return html_table({{"name"}, {"kind"}, {"of"}, {"ground frame"}}, rows);
 }
 
