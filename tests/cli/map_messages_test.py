@@ -89,7 +89,7 @@ class MapMessages(unittest.TestCase):
     def test_numbers_have_enough_digits_to_differ(self):
         self.assertRegex(
             self.map(BODY.replace('"1 mm"', '"0.0999999 mm"') + 'band = [0, 1e-9]\n', "--full"),
-            "m.z reaches 0.0001 m 0-p at 0 Hz, allowed 9.99999e-05",
+            "m.z reaches 100 µm 0-p at 0 Hz, allowed 99.9999 µm 0-p",
         )
         narrow = self.map(
             BODY.replace("to = 1.5", "to = 0.5000000001").replace(

@@ -119,7 +119,7 @@ class MapWarnings(unittest.TestCase):
         )
         done = self.warned(moved, "has no bounded displacement at ω = 0")
         self.assertIn("start the band of the map above 0", done.stderr)
-        self.assertIn("m.x is unbounded at 0 Hz, allowed 0.001 m 0-p", self.map(moved, "--full").stdout)
+        self.assertIn("m.x is unbounded at 0 Hz, allowed 1 mm 0-p", self.map(moved, "--full").stdout)
         self.assertNotIn(
             "bounded", self.map(moved.replace("[analyses.map]", '[analyses.map]\nband = ["1 Hz", "60 Hz"]')).stderr
         )

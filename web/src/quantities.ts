@@ -18,6 +18,8 @@ export function number(value: number | null | undefined, digits = 4): string {
 /// Prefixes of a unit of which engineers use multiples; others are shown as they are.
 const PREFIXES: readonly Multiple[] = [[1e-9, 'n'], [1e-6, 'µ'], [1e-3, 'm'], [1, ''], [1e3, 'k'], [1e6, 'M']];
 const WITHOUT_LARGE = new Set(['m', 'm/s', 'm/s^2', 'm/s2', 'm/s²', 'rad', 'rad/s', 'rad/s^2', 's']);
+/// [m/s] Standards of machines state velocities in mm/s; the program has the same rule (foundation/unit_prefix).
+const LEAST_IN_MILLIMETRES_PER_SECOND = 1e-4;
 const PREFIXED = /^(m|N|rad|W|J|Pa|s)\b/;
 
 const QUANTITIES: Record<string, string> = {m: 'displacement', rad: 'rotation', 'm/s': 'velocity', 'rad/s': 'angular velocity', 'm/s^2': 'acceleration', 'm/s2': 'acceleration', 'm/s²': 'acceleration',
@@ -33,7 +35,9 @@ export interface Scale {
 export function scaleOf(largest: number, unit: string): Scale {
   const shown = unit.replace('^2', '²').replace('s2', 's²');
   if (!PREFIXED.test(unit) || !(largest > 0)) return {factor: 1, unit: shown};
-  const [size, prefix] = suitedMultiple(largest, WITHOUT_LARGE.has(unit) ? PREFIXES.filter(([one]) => one <= 1) : PREFIXES);
+  const [suited, itsPrefix] = suitedMultiple(largest, WITHOUT_LARGE.has(unit) ? PREFIXES.filter(([one]) => one <= 1) : PREFIXES);
+  const isInMillimetres = unit === 'm/s' && suited === 1e-6 && largest >= LEAST_IN_MILLIMETRES_PER_SECOND * (1 - 1e-9);
+  const [size, prefix] = isInMillimetres ? [1e-3, 'm'] as const : [suited, itsPrefix] as const;
   return {factor: 1 / size, unit: prefix + shown};
 }
 /// The same for amplitudes: times the share of the level at which the program shows them, "mm/s rms".

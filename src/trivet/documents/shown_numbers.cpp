@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/documents/shown_numbers.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/significant_digits.h"
 
 namespace trivet::documents {
 
@@ -51,11 +50,7 @@ UnitPrefix unit_prefix(double largest, const DisplayUnit& unit) {
 
 std::string value_text(double value, const DisplayUnit& shown) {
   const UnitPrefix prefix = unit_prefix(std::abs(value), shown);
-  const double shown_value = value * prefix.factor;
-  constexpr double four_digits = 9999.5, in_full = 1e7;  // four digits would make 12000 kg 1.2e+04 kg
-  if (std::abs(shown_value) >= four_digits && std::abs(shown_value) < in_full)
-    return fmt::format("{:.0f} {}", shown_value, prefix.unit);
-  return fmt::format("{:.4g} {}", shown_value, prefix.unit);
+  return foundation::significant(value * prefix.factor) + " " + prefix.unit;
 }
 
 void LargestOfKind::add(const std::string& si_unit, double value) {

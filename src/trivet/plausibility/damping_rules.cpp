@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/plausibility/rules.h"
 
 namespace trivet::plausibility {
@@ -131,11 +132,11 @@ void judge_dampers(const model::System& system, Suspicions& found) {
                                std::size_t most) {  // the others range from least to most
       const double low = dampers[least].first, high = dampers[most].first, own = dampers[which].first;
       if (high > unequal * low || (own < unequal * high && unequal * own > low)) return;
-      found.push_back(
-          {"viscous damping", "elements." + system.elements()[dampers[which].second].name + ".coefficient",
-           fmt::format("{:.6g} N s/m", own),
-           fmt::format("the {} others between these bodies have {:.6g} … {:.6g} N s/m", dampers.size() - 1, low, high),
-           "check its digits and its unit"});
+      found.push_back({"viscous damping", "elements." + system.elements()[dampers[which].second].name + ".coefficient",
+                       foundation::prefixed_exactly(own, "N s/m", 6),
+                       fmt::format("the {} others between these bodies have {}", dampers.size() - 1,
+                                   foundation::prefixed_range(low, high, "N s/m")),
+                       "check its digits and its unit"});
     };
     judge_one(0, 1, dampers.size() - 1);
     judge_one(dampers.size() - 1, 0, dampers.size() - 2);

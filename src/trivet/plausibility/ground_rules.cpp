@@ -10,6 +10,7 @@
 
 #include "trivet/elements/law.h"
 #include "trivet/elements/scalar_law.h"
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/plausibility/rules.h"
 
 namespace trivet::plausibility {
@@ -47,12 +48,13 @@ void judge_foundations(const model::System& system, const std::vector<BodyPictur
                           below = translation(*place->second, place->second->k, 6).diagonal();
     for (int j = 0; j < 3; ++j) {
       if (!(below(j) > 0) || below(j) >= softest * own(j) || frequency_on(below(j), *picture) >= lowest_usual) continue;
-      found.push_back(
-          {"stiffness", "foundations." + mount.name + ".translation",
-           fmt::format("{:.6g} N/m along {}", below(j), "xyz"[j]),
-           fmt::format("the mount \"{}\" on it has {:.6g} N/m; on such springs alone \"{}\" would have {:.2g} Hz",
-                       mount.name, own(j), system.bodies()[picture->body].name, frequency_on(below(j), *picture)),
-           fmt::format("it would be {:.6g} N/m if the number was meant in N/mm", 1000 * below(j))});
+      found.push_back({"stiffness", "foundations." + mount.name + ".translation",
+                       fmt::format("{} along {}", foundation::prefixed_exactly(below(j), "N/m", 6), "xyz"[j]),
+                       fmt::format("the mount \"{}\" on it has {}; on such springs alone \"{}\" would have {:.2g} Hz",
+                                   mount.name, foundation::prefixed_exactly(own(j), "N/m", 6),
+                                   system.bodies()[picture->body].name, frequency_on(below(j), *picture)),
+                       fmt::format("it would be {} if the number was meant in N/mm",
+                                   foundation::prefixed_exactly(1000 * below(j), "N/m", 6))});
       break;
     }
   }
@@ -92,10 +94,11 @@ void judge_gaps(const model::System& system, Suspicions& found) {
   if (wide.empty()) return;
   const double gap = largest_gap(*wide.front());
   const std::string others = wide.size() > 1 ? fmt::format(", and {} more", wide.size() - 1) : "";
-  found.push_back(
-      {"gap", "elements." + wide.front()->name, fmt::format("a gap of {:.6g} m{}", gap, others),
-       fmt::format("gaps of stops are mostly below {:.6g} m", unusual),
-       fmt::format("it would be {:.6g} m if a number without a unit was meant in millimetres", 1e-3 * gap)});
+  found.push_back({"gap", "elements." + wide.front()->name,
+                   fmt::format("a gap of {}{}", foundation::prefixed_exactly(gap, "m", 6), others),
+                   fmt::format("gaps of stops are mostly below {}", foundation::prefixed_exactly(unusual, "m", 6)),
+                   fmt::format("it would be {} if a number without a unit was meant in millimetres",
+                               foundation::prefixed_exactly(1e-3 * gap, "m", 6))});
 }
 
 }  // namespace trivet::plausibility

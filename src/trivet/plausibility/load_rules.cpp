@@ -8,6 +8,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/plausibility/rules.h"
 #include "trivet/response/machinery/load_sharing.h"
 #include "trivet/response/steady/at_rest.h"
@@ -186,10 +187,11 @@ void find_tipping(const model::System& system, Suspicions& found) {
     if (counts && mount.bearing < -lifted * mean && (!worst || mount.bearing < worst->bearing)) worst = &mount;
   }
   if (worst)
-    found.push_back({"lift-off", "elements." + worst->element,
-                     fmt::format("under the static load it pulls down with {:.4g} N", -worst->bearing),
-                     fmt::format("mounts below a machine are compressed, here by {:.4g} N on average", mean),
-                     "check the centre of mass, constant forces and moments, and the stiffnesses"});
+    found.push_back(
+        {"lift-off", "elements." + worst->element,
+         fmt::format("under the static load it pulls down with {}", foundation::prefixed(-worst->bearing, "N")),
+         fmt::format("mounts below a machine are compressed, here by {} on average", foundation::prefixed(mean, "N")),
+         "check the centre of mass, constant forces and moments, and the stiffnesses"});
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <tuple>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/significant_digits.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/plausibility/rules.h"
 #include "trivet/plausibility/unit_slips.h"
 
@@ -120,13 +122,14 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
     if (stands_out && (members.size() > 2 || m.element < members[0].element + members[1].element - m.element)) {
       const double factor = std::max(ratio, 1 / ratio);
       const bool thousand = factor > thousand_from && factor < thousand_to;
-      found.push_back({thousand ? "stiffness" : "unequal mounts", "elements." + element.name + key(element.type, false),
-                       fmt::format("{:.6g} N/m (mean of three directions)", m.translation / 3),
-                       fmt::format("the others of its kind have {:.6g} N/m, {:.3g} times {}", usual / 3, factor,
-                                   ratio < 1 ? "more" : "less"),
-                       thousand ? fmt::format("it would be {:.6g} N/m if N/m and N/mm were confused",
-                                              m.translation / 3 * (ratio < 1 ? 1e3 : 1e-3))
-                                : "check its digits and its unit"});
+      found.push_back(
+          {thousand ? "stiffness" : "unequal mounts", "elements." + element.name + key(element.type, false),
+           fmt::format("{} (mean of three directions)", foundation::prefixed_exactly(m.translation / 3, "N/m", 6)),
+           fmt::format("the others of its kind have {}, {:.3g} times {}",
+                       foundation::prefixed_exactly(usual / 3, "N/m", 6), factor, ratio < 1 ? "more" : "less"),
+           thousand ? fmt::format("it would be {} if N/m and N/mm were confused",
+                                  foundation::prefixed_exactly(m.translation / 3 * (ratio < 1 ? 1e3 : 1e-3), "N/m", 6))
+                    : "check its digits and its unit"});
       blamed.push_back(m.element);
       continue;
     }
@@ -136,10 +139,13 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
     if (!(*least > 0) || !(m.rotation > 0) || members.size() < 3 || *most > alike * *least) continue;
     const double turn = usual_rotation / m.rotation / std::max(1e-300, usual / m.translation);
     if (turn > degree / near_degree && turn < degree * near_degree)
-      found.push_back({"stiffness per degree", "elements." + element.name + key(element.type, true),
-                       fmt::format("{:.6g} N m/rad (mean of three directions)", m.rotation / 3),
-                       fmt::format("the others of its kind have {:.6g} N m/rad", usual_rotation / 3),
-                       fmt::format("it would be {:.6g} N m/rad if given in N m/deg", degree * m.rotation / 3)});
+      found.push_back(
+          {"stiffness per degree", "elements." + element.name + key(element.type, true),
+           fmt::format("{} (mean of three directions)", foundation::prefixed_exactly(m.rotation / 3, "N m/rad", 6)),
+           fmt::format("the others of its kind have {}",
+                       foundation::prefixed_exactly(usual_rotation / 3, "N m/rad", 6)),
+           fmt::format("it would be {} if given in N m/deg",
+                       foundation::prefixed_exactly(degree * m.rotation / 3, "N m/rad", 6))});
   }
 }
 
@@ -172,12 +178,14 @@ void find_ends_in_another_frame(const model::System& system, const std::vector<B
     }
     if (mounts.empty()) continue;
     const model::Element& first = *mounts.front();
-    found.push_back({"places", "elements." + first.name + ".from_at",
-                     fmt::format("its ends are {:.4g} m apart{}",
-                                 model::span(system.bodies(), first.n, first.k).arm.norm(), and_more(mounts.size())),
-                     "from_at is in the frame of the ground, and the body has a position",
-                     fmt::format("they would be {:.4g} m apart if the numbers were meant in the frame of \"{}\"",
-                                 (first.k.at - first.n.at).norm(), system.bodies()[picture.body].name)});
+    found.push_back(
+        {"places", "elements." + first.name + ".from_at",
+         fmt::format("its ends are {} apart{}",
+                     foundation::prefixed(model::span(system.bodies(), first.n, first.k).arm.norm(), "m"),
+                     and_more(mounts.size())),
+         "from_at is in the frame of the ground, and the body has a position",
+         fmt::format("they would be {} apart if the numbers were meant in the frame of \"{}\"",
+                     foundation::prefixed((first.k.at - first.n.at).norm(), "m"), system.bodies()[picture.body].name)});
   }
 }
 
@@ -211,11 +219,11 @@ void find_mixed_directions(const model::System& system, const std::vector<BodyPi
     const double least = first->translation.diagonal().minCoeff();
     found.push_back(
         {"stiffness", "elements." + element.name + key(element.type, false),
-         fmt::format("{:.6g} N/m in its softest direction, {:.6g} N/m in its stiffest", least,
-                     first->translation.diagonal().maxCoeff()),
+         fmt::format("{} in its softest direction, {} in its stiffest", foundation::prefixed_exactly(least, "N/m", 6),
+                     foundation::prefixed_exactly(first->translation.diagonal().maxCoeff(), "N/m", 6)),
          fmt::format("the lowest translation of \"{}\" has {:.3g} Hz", system.bodies()[picture.body].name, frequency),
-         fmt::format("the softest would be {:.6g} N/m if the number was meant in N/mm; check the other elements too",
-                     1e3 * least)});
+         fmt::format("the softest would be {} if the number was meant in N/mm; check the other elements too",
+                     foundation::prefixed_exactly(1e3 * least, "N/m", 6))});
   }
 }
 
@@ -242,10 +250,11 @@ void judge_struts(const model::System& system, Suspicions& found) {
     for (const model::DistancePart& part : element.distance_parts) {
       const double between = part.law.distance(Eigen::Vector3d::Zero());
       if (part.law.across || !(part.law.length > longer * between)) continue;
-      found.push_back(
-          {"places", "elements." + element.name + ".free_length", fmt::format("{:.6g} m", part.law.length),
-           fmt::format("its ends are {:.4g} m apart, so that it is pressed together by most of its length", between),
-           "check its unit, and the places of the ends"});
+      found.push_back({"places", "elements." + element.name + ".free_length",
+                       foundation::prefixed_exactly(part.law.length, "m", 6),
+                       fmt::format("its ends are {} apart, so that it is pressed together by most of its length",
+                                   foundation::prefixed(between, "m")),
+                       "check its unit, and the places of the ends"});
     }
 }
 
@@ -298,16 +307,18 @@ void judge_rotation(const model::System& system, const BodyPicture& picture, Sus
   // Too much translational stiffness has the same effect.
   if (oddness(features(picture, {.stiffness = 1e-3})) < oddness(features(picture, {}))) {
     const double mean = first->translation.trace() / 3;
-    found.push_back(
-        {"stiffness", "elements." + element.name + ".translation",
-         fmt::format("{:.6g} N/m (mean of three directions)", mean), small,
-         fmt::format("it would be {:.6g} N/m if the number is in N/m and its unit N/mm a slip", 1e-3 * mean)});
+    found.push_back({"stiffness", "elements." + element.name + ".translation",
+                     fmt::format("{} (mean of three directions)", foundation::prefixed_exactly(mean, "N/m", 6)), small,
+                     fmt::format("it would be {} if the number is in N/m and its unit N/mm a slip",
+                                 foundation::prefixed_exactly(1e-3 * mean, "N/m", 6))});
     return;
   }
-  found.push_back(
-      {"stiffness per degree", "elements." + element.name + ".rotation",
-       fmt::format("{:.6g} N m/rad (mean of three directions)", first->own_rotation.trace() / 3), small,
-       fmt::format("it would be {:.6g} N m/rad if given in N m/deg", degree * first->own_rotation.trace() / 3)});
+  found.push_back({"stiffness per degree", "elements." + element.name + ".rotation",
+                   fmt::format("{} (mean of three directions)",
+                               foundation::prefixed_exactly(first->own_rotation.trace() / 3, "N m/rad", 6)),
+                   small,
+                   fmt::format("it would be {} if given in N m/deg",
+                               foundation::prefixed_exactly(degree * first->own_rotation.trace() / 3, "N m/rad", 6))});
 }
 
 }  // namespace trivet::plausibility

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/significant_digits.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/eigenvalues.h"
 
@@ -160,10 +162,11 @@ std::optional<Tilting> falling_body(const model::System& system, const assembly:
 
 std::string falling_words(const model::System& system, const Tilting& tilting) {
   return fmt::format(
-      "it falls over: when it tilts, the weight causes an overturning moment of {:.5g} N m/rad, the elements a "
-      "restoring moment of {:.5g} N m/rad; with its centre of mass below {:.4g} m over its pole (now {:.4g} m) {} "
-      "would stand",
-      tilting.overturning, tilting.restoring, tilting.standing, tilting.height, system.bodies()[tilting.body].name);
+      "it falls over: when it tilts, the weight causes an overturning moment of {}, the elements a restoring moment of "
+      "{}; with its centre of mass below {} over its pole (now {}) {} would stand",
+      foundation::prefixed_exactly(tilting.overturning, "N m/rad", 5),
+      foundation::prefixed_exactly(tilting.restoring, "N m/rad", 5), foundation::prefixed(tilting.standing, "m"),
+      foundation::prefixed(tilting.height, "m"), system.bodies()[tilting.body].name);
 }
 
 std::vector<std::string> overturning_notes(const model::System& system, const assembly::Assembled& assembled,
@@ -182,10 +185,10 @@ std::vector<std::string> overturning_notes(const model::System& system, const as
     if (!(share > from_share)) continue;
     const Tilting found = tilting(system, b, *parts, first, whole, both.vectors.rightCols<1>().col(0).normalized());
     notes.push_back(
-        fmt::format("body {}: when it tilts, the weight causes an overturning moment of {:.4g} N m/rad, its mounts a "
-                    "restoring moment of {:.4g} N m/rad: {:.0f} % of the stiffness is lost, and natural frequencies "
-                    "are those of the rest",
-                    system.bodies()[b].name, found.overturning, found.restoring, 100 * share));
+        fmt::format("body {}: when it tilts, the weight causes an overturning moment of {}, its mounts a restoring "
+                    "moment of {}: {:.0f} % of the stiffness is lost, and natural frequencies are those of the rest",
+                    system.bodies()[b].name, foundation::prefixed(found.overturning, "N m/rad"),
+                    foundation::prefixed(found.restoring, "N m/rad"), 100 * share));
   }
   return notes;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "trivet/foundation/significant_digits.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/plausibility/rules.h"
 
 namespace trivet::plausibility {
@@ -48,11 +50,12 @@ void judge_far_points(const model::System& system, const std::vector<BodyPicture
     for (const Attachment& one : picture.attachments) others = std::max(others, (one.at - picture.mass.centre).norm());
     if (!(others > 0) || farthest < far * others) continue;
     for (const NamedPlace& one : std::ranges::subrange(first_far, places.end()))
-      found.push_back(
-          {"points", one.subject, fmt::format("{:.5g} m from the centre of mass", one.distance),
-           fmt::format("everything else of \"{}\" is within {:.3g} m of it", system.bodies()[picture.body].name,
-                       others),
-           fmt::format("write its place with a unit: {:.4g} mm are {:.3g} m", one.distance, one.distance / 1000)});
+      found.push_back({"points", one.subject,
+                       fmt::format("{} from the centre of mass", foundation::prefixed_exactly(one.distance, "m", 5)),
+                       fmt::format("everything else of \"{}\" is within {} of it", system.bodies()[picture.body].name,
+                                   foundation::prefixed(others, "m")),
+                       fmt::format("write its place with a unit: {:.4g} mm are {}", one.distance,
+                                   foundation::prefixed(one.distance / 1000, "m"))});
   }
 }
 

@@ -5,6 +5,8 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/significant_digits.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/plausibility/rules.h"
 #include "trivet/response/machinery/load_sharing.h"
 
@@ -56,9 +58,9 @@ void judge_rated_mount(const model::Element& element, const Eigen::Vector3d& loa
     if (!range || response::is_within(load, *range)) continue;
     const char* axis = model::coordinate_names[direction];
     const std::string separator = finding.empty() ? "" : ", ";
-    finding += separator + fmt::format("{:.5g} N along {}", load, axis);
+    finding += separator + fmt::format("{} along {}", foundation::prefixed_exactly(load, "N", 5), axis);
     if (direction == 2 && load < 0) finding += " (tension)";
-    ranges += separator + fmt::format("{:.5g} … {:.5g} N along {}", (*range)(0), (*range)(1), axis);
+    ranges += separator + fmt::format("{} along {}", foundation::prefixed_range((*range)(0), (*range)(1), "N"), axis);
     if (remedy.empty()) remedy = remedy_of(load, *range, direction == 2);
   }
   if (!finding.empty())
@@ -96,8 +98,9 @@ void judge_estimated_loads(const model::System& system, const std::vector<BodyPi
   const double highest = (*worst->rating->load[2])(1);
   found.push_back(
       {"rated load", "elements." + worst->name + ".type",
-       fmt::format("about {:.4g} N if the weight is shared by stiffness", worst_ratio * highest),
-       fmt::format("its mount \"{}\" carries at most {:.5g} N along z at rest", worst->rating->mount, highest),
+       fmt::format("about {} if the weight is shared by stiffness", foundation::prefixed(worst_ratio * highest, "N")),
+       fmt::format("its mount \"{}\" carries at most {} along z at rest", worst->rating->mount,
+                   foundation::prefixed_exactly(highest, "N", 5)),
        "use a larger mount, or more of them; gravity = [0, 0, -9.80665] gives the loads themselves"});
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/plausibility/rules.h"
 
 namespace trivet::plausibility {
@@ -48,7 +49,8 @@ void judge_mass(const model::System& system, const Rotor& rotor, const std::stri
   const double thrown = *rotor.mass_eccentricity / body.mass.mass;
   if (thrown > largest_throw * mass_radius(body.mass))
     found.push_back({"rotor", subject + ".mass_eccentricity", fmt::format("{:.6g} kg m", *rotor.mass_eccentricity),
-                     fmt::format("\"{}\" of {:.6g} kg would move by {:.3g} m", body.name, body.mass.mass, thrown),
+                     fmt::format("\"{}\" of {:.6g} kg would move by {}", body.name, body.mass.mass,
+                                 foundation::prefixed(thrown, "m")),
                      "kg mm and g mm are smaller by 1e3 and 1e6: write the unit"});
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/plausibility/unit_slips.h"
+#include "trivet/foundation/significant_digits.h"
 
 #include <fmt/format.h>
 
@@ -227,39 +228,45 @@ Suspicion of_slip(const model::System& system, const BodyPicture& picture, const
     s.probable = fmt::format("xx would be {:.6g} kg m² if {}", slip.inertia * xx, slip.words);
   } else if (slip.centre != 1) {
     s.subject += ".center_of_mass";
-    s.finding = fmt::format("{:.6g} m from the pole", body.mass.centre.norm());
-    s.probable = fmt::format("it would be {:.6g} m if {}", slip.centre * body.mass.centre.norm(), slip.words);
+    s.finding = fmt::format("{} from the pole", foundation::prefixed_exactly(body.mass.centre.norm(), "m", 6));
+    s.probable = fmt::format("it would be {} if {}",
+                             foundation::prefixed_exactly(slip.centre * body.mass.centre.norm(), "m", 6), slip.words);
   } else if (slip.points != 1) {
     const double distance = farthest_point(picture).norm();
-    s.finding = fmt::format("a point or force {:.6g} m from the pole", distance);
-    s.probable = fmt::format("it would be {:.6g} m if {}", slip.points * distance, slip.words);
+    s.finding = fmt::format("a point or force {} from the pole", foundation::prefixed_exactly(distance, "m", 6));
+    s.probable =
+        fmt::format("it would be {} if {}", foundation::prefixed_exactly(slip.points * distance, "m", 6), slip.words);
   } else if (slip.damping != 1) {
     const Attachment& a = *most_damped(picture);
     s.subject = "elements." + system.elements()[a.element].name + ".damping";
-    s.finding = fmt::format("{:.6g} N s/m (sum of three directions)", a.viscous);
-    s.probable = fmt::format("it would be {:.6g} N s/m if {}", slip.damping * a.viscous, slip.words);
+    s.finding = fmt::format("{} (sum of three directions)", foundation::prefixed_exactly(a.viscous, "N s/m", 6));
+    s.probable = fmt::format("it would be {} if {}", foundation::prefixed_exactly(slip.damping * a.viscous, "N s/m", 6),
+                             slip.words);
   } else if (slip.rotation != 1) {
     const Attachment& a = *first_typed(picture);
     const model::Element& element = system.elements()[a.element];
     const double mean = a.own_rotation.trace() / 3;
     s.subject = "elements." + element.name +
         (key_of_stiffness(element.type) == std::string(".translation") ? ".rotation" : key_of_stiffness(element.type));
-    s.finding = fmt::format("{:.6g} N m/rad (mean of three directions)", mean);
-    s.probable = fmt::format("it would be {:.6g} N m/rad if {}", slip.rotation * mean, slip.words);
+    s.finding = fmt::format("{} (mean of three directions)", foundation::prefixed_exactly(mean, "N m/rad", 6));
+    s.probable = fmt::format("it would be {} if {}", foundation::prefixed_exactly(slip.rotation * mean, "N m/rad", 6),
+                             slip.words);
   } else if (slip.stiffness != 1) {
     const Attachment& a = *first_typed(picture);
     const model::Element& element = system.elements()[a.element];
     s.subject = "elements." + element.name + key_of_stiffness(element.type);
     const double mean = a.translation.trace() / 3;
-    s.finding = fmt::format("{:.6g} N/m (mean of three directions)", mean);
-    s.probable = fmt::format("it would be {:.6g} N/m if {}; check the other elements of \"{}\" too",
-                             slip.stiffness * mean, slip.words, body.name);
+    s.finding = fmt::format("{} (mean of three directions)", foundation::prefixed_exactly(mean, "N/m", 6));
+    s.probable = fmt::format("it would be {} if {}; check the other elements of \"{}\" too",
+                             foundation::prefixed_exactly(slip.stiffness * mean, "N/m", 6), slip.words, body.name);
   } else {
     const Attachment& a = *farthest_attachment(picture);
     s.subject = "elements." + system.elements()[a.element].name + key_of_place(system, a, picture.body);
-    s.finding = fmt::format("{:.6g} m from the centre of mass", (a.at - picture.mass.centre).norm());
-    s.probable = fmt::format("it would be {:.6g} m if {}; check the other elements of \"{}\" too",
-                             (slip.places * a.at - picture.mass.centre).norm(), slip.words, body.name);
+    s.finding = fmt::format("{} from the centre of mass",
+                            foundation::prefixed_exactly((a.at - picture.mass.centre).norm(), "m", 6));
+    s.probable = fmt::format("it would be {} if {}; check the other elements of \"{}\" too",
+                             foundation::prefixed_exactly((slip.places * a.at - picture.mass.centre).norm(), "m", 6),
+                             slip.words, body.name);
   }
   return s;
 }

@@ -276,7 +276,7 @@ TEST(Plausibility, DetectsAMachineThatFallsOver) {
   const auto refused = judging::project_from_text(rack(1.09), "rack.toml", {}, "");
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().list().front().finding,
-              testing::HasSubstr("of 3207.9 N m/rad, the elements a restoring moment of 3200 N m/rad"));
+              testing::HasSubstr("of 3.2079 kN m/rad, the elements a restoring moment of 3.2 kN m/rad"));
   EXPECT_THAT(overturning_notes(rack(-1)), IsEmpty());
 }
 
@@ -300,7 +300,8 @@ TEST(Plausibility, MeasuresTheHeightAboveTheMountsThatCarryWeight) {
     return overturning_notes(text);
   };
   EXPECT_THAT(guided(0, -1.2), IsEmpty());
-  EXPECT_THAT(guided(-1.2, 0.3), ElementsAre(testing::HasSubstr("overturning moment of 3532 N m/rad")));  // m g · 1.2 m
+  EXPECT_THAT(guided(-1.2, 0.3),
+              ElementsAre(testing::HasSubstr("overturning moment of 3.532 kN m/rad")));  // m g · 1.2 m
 }
 
 TEST(Plausibility, FindsTheWorstAxisOfTilting) {
@@ -319,7 +320,7 @@ TEST(Plausibility, FindsTheWorstAxisOfTilting) {
             along * std::sin(angle) + across * std::cos(angle));
     EXPECT_THAT(
         overturning_notes(text),
-        ElementsAre(testing::HasSubstr("of 2649 N m/rad, its mounts a restoring moment of 3200 N m/rad: 83 %")));
+        ElementsAre(testing::HasSubstr("of 2.649 kN m/rad, its mounts a restoring moment of 3.2 kN m/rad: 83 %")));
   }
 }
 

@@ -99,7 +99,7 @@ TEST(Catalogue, WarnsAboutInconsistentValues) {
   ASSERT_EQ(read->warnings.list().size(), 2u);
   EXPECT_THAT(message(read->warnings.list()[0]), HasSubstr("c.toml:5: warning: mounts.M 20.loss_factor: 8;"));
   EXPECT_THAT(message(read->warnings.list()[1]),
-              HasSubstr("the highest load deflects the mount by 0.1 m; its limit is 0.002 m"));
+              HasSubstr("the highest load deflects the mount by 100 mm; its limit is 2 mm"));
 }
 
 /// Warnings belong to the catalogue, not to each of the elements that read it.

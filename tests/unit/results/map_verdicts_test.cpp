@@ -20,11 +20,11 @@ TEST(MapVerdicts, StateWhereACaseExceedsItsLimits) {
     const study::DesignMap map = study::design_map(changed, changed.base(), *changed.base().analyses.map);
     return results::verdict_words(map, map.marks.at(0)).at(0);
   };
-  EXPECT_THAT(words({}), testing::MatchesRegex("machine.z reaches 0.02066 m 0-p at 1.489 Hz, allowed 0.015 m 0-p"));
+  EXPECT_THAT(words({}), testing::MatchesRegex("machine.z reaches 20.66 mm 0-p at 1.489 Hz, allowed 15 mm 0-p"));
   EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"5 mm\"}", "analyses.map.band=[0, 1]"}),
-              testing::HasSubstr(" at 0.1592 Hz, allowed 0.005"));
+              testing::HasSubstr(" at 0.1592 Hz, allowed 5 mm"));
   EXPECT_THAT(words({"analyses.map.limits={\"machine.z\"=\"0.9 m/s2\"}", "elements.spring.damping.proportional=0.3"}),
-              testing::HasSubstr(" m/s² 0-p towards ω = ∞, allowed 0.9"));
+              testing::HasSubstr(" mm/s² 0-p towards ω = ∞, allowed 900"));
 }
 
 TEST(MapVerdicts, CallOnlySmallRisesSlight) {

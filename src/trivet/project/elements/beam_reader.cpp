@@ -6,6 +6,7 @@
 #include "trivet/elements/beam.h"
 #include "trivet/elements/checks.h"
 #include "trivet/foundation/part_size.h"
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/material_reader.h"
@@ -116,7 +117,7 @@ ElementLength read_beam(TableReader& reader, model::Element& element) {
     element.facts.push_back({"own mass", fmt::format("{:.6g} kg", metal->density * section->area * length)});
   }
   element.facts.push_back(
-      {"axial stiffness EA/L", fmt::format("{:.6g} N/m", metal->young_modulus * section->area / length)});
+      {"axial stiffness EA/L", foundation::prefixed_exactly(metal->young_modulus * section->area / length, "N/m", 6)});
   element.facts.push_back({"found by", "Timoshenko's beam, clamped to both bodies"});
   return length;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/load_ranges.h"
 #include "trivet/project/text/embedded_text.h"
@@ -105,8 +106,8 @@ void warn_of_slips(const Mount& mount, TableReader& reader) {
   const double deflection = along_axis->y() / mount.translation.z();
   if (deflection > (1 + data_sheet_rounding) * *mount.rating.deflection)
     warn(reader.has("static_load") ? "static_load" : "load",
-         fmt::format("the highest load deflects the mount by {:.4g} m", deflection),
-         fmt::format("its limit is {:.4g} m", *mount.rating.deflection),
+         fmt::format("the highest load deflects the mount by {}", foundation::prefixed(deflection, "m")),
+         fmt::format("its limit is {}", foundation::prefixed(*mount.rating.deflection, "m")),
          "check the units; a mount that stiffens is stiffer at this load than given here");
 }
 

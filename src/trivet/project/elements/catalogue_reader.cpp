@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
@@ -23,12 +24,12 @@ std::string celsius_words(const Eigen::Vector2d& kelvin) {
 void add_facts(const Mount& mount, std::vector<model::Fact>& facts) {
   const auto add = [&](const char* what, std::string value) { facts.push_back({what, std::move(value)}); };
   const auto add_length = [&](const char* what, const std::optional<double>& length) {
-    if (length) add(what, fmt::format("{:.6g} m", *length));
+    if (length) add(what, foundation::prefixed_exactly(*length, "m", 6));
   };
   const model::Rating& rating = mount.rating;
   for (const std::size_t i : {std::size_t{2}, std::size_t{0}, std::size_t{1}})
     if (const auto& range = rating.load[i])
-      add("static load", fmt::format("{:.6g} … {:.6g} N along e{}", (*range)(0), (*range)(1), i + 1));
+      add("static load", fmt::format("{} along e{}", foundation::prefixed_range((*range)(0), (*range)(1), "N"), i + 1));
   add_length("static deflection limit", rating.deflection);
   add_length("dynamic deflection limit", rating.dynamic_deflection);
   add_length("shock deflection limit", rating.shock_deflection);

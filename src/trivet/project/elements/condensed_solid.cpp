@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/significant_digits.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/project/elements/element_cache.h"
 #include "trivet/project/elements/solid_states.h"
 
@@ -163,10 +165,10 @@ void add_stroke(const Stroke& stroke, TableReader& reader, const std::string& ke
   element.facts.push_back(
       {"large deformations",
        fmt::format(
-           "finite elements from {:.4g} m, {:.5g} N to {:.4g} m, {:.5g} N along e{}; {:.4g} and {:.4g} times as "
-           "stiff there as undeformed",
-           first.deflection, first.force, last.deflection, last.force, stroke.axis + 1, slopes.front() / undeformed,
-           slopes.back() / undeformed)});
+           "finite elements from {}, {} to {}, {} along e{}; {:.4g} and {:.4g} times as stiff there as undeformed",
+           foundation::prefixed(first.deflection, "m"), foundation::prefixed_exactly(first.force, "N", 5),
+           foundation::prefixed(last.deflection, "m"), foundation::prefixed_exactly(last.force, "N", 5),
+           stroke.axis + 1, slopes.front() / undeformed, slopes.back() / undeformed)});
   if (first.deflection > stroke.from || last.deflection < stroke.to)
     reader.problems()
         .warning(reader.path() + ".nonlinear",
@@ -270,8 +272,10 @@ ElementLength condensed(TableReader& reader, const std::string& key, const std::
     element.law.nominal_stiffness = found.stiffness;
     element.law.preload = found.force;
     element.facts.push_back({"found by", "finite elements, linearised about its preload"});
-    element.facts.push_back({"compressed by", fmt::format("{:.6g} m", -found.deflection)});
-    element.facts.push_back({"preload", fmt::format("{:.6g} N of compression", -(*element.law.preload)(8))});
+    element.facts.push_back({"compressed by", foundation::prefixed_exactly(-found.deflection, "m", 6)});
+    element.facts.push_back(
+        {"preload",
+         fmt::format("{} of compression", foundation::prefixed_exactly(-(*element.law.preload)(8), "N", 6))});
     if (found.negative_eigenvalues > 0)
       reader.error("preload", fmt::format("{} negative pivots", found.negative_eigenvalues),
                    "a mount that has buckled between its plates carries no load", "lower the preload");

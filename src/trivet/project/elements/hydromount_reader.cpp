@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
 
@@ -126,9 +127,9 @@ void read_hydromount(TableReader& reader, Placement& ends, model::Element& eleme
   }
   element.law.inner = std::move(parts);
   const double gained = square * upper * lower / (upper + lower);
-  element.facts.push_back({"axial stiffness of the fluid when slow", fmt::format("{:.6g} N/m", gained)});
-  element.facts.push_back(
-      {"axial stiffness of the fluid when the track is blocked", fmt::format("{:.6g} N/m", square * upper)});
+  element.facts.push_back({"axial stiffness of the fluid when slow", foundation::prefixed_exactly(gained, "N/m", 6)});
+  element.facts.push_back({"axial stiffness of the fluid when the track is blocked",
+                           foundation::prefixed_exactly(square * upper, "N/m", 6)});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/identification/law_fit.h"
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/loop_file.h"
@@ -31,12 +32,13 @@ void add_facts(const std::vector<LoopFit>& loops, const identification::LawRanki
   for (const LoopFit& loop : loops)
     element.facts.push_back(
         {loop.name,
-         fmt::format(
-             "{}amplitude {:.4g} m: stiffness {} N/m, loss factor {}, loss energy {} J{}",
-             loop.angular_frequency ? fmt::format("{:.5g} Hz, ", *loop.angular_frequency / (2 * std::numbers::pi))
-                                    : std::string(),
-             loop.amplitude.value, interval(loop.stiffness), interval(loop.loss_factor), interval(loop.loss_energy),
-             loop.viscous_coefficient ? ", c = " + interval(*loop.viscous_coefficient) + " N s/m" : "")});
+         fmt::format("{}amplitude {}: stiffness {} N/m, loss factor {}, loss energy {} J{}",
+                     loop.angular_frequency
+                         ? fmt::format("{:.5g} Hz, ", *loop.angular_frequency / (2 * std::numbers::pi))
+                         : std::string(),
+                     foundation::prefixed(loop.amplitude.value, "m"), interval(loop.stiffness),
+                     interval(loop.loss_factor), interval(loop.loss_energy),
+                     loop.viscous_coefficient ? ", c = " + interval(*loop.viscous_coefficient) + " N s/m" : "")});
   for (const LawFit& law : ranking.laws)
     element.facts.push_back(
         {law.law + (&law == &taken ? " (taken)" : ""),

@@ -10,6 +10,7 @@
 #include "trivet/elements/coil_reduction.h"
 #include "trivet/elements/coil_spring.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/project/elements/condensed_solid.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_shape.h"
@@ -90,9 +91,11 @@ std::string hertz(double omega) { return fmt::format("{:.6g} Hz", omega / (2 * s
 void add_facts(const CoilSpring& spring, double distance, model::Element& element) {
   const elements::Matrix12& k = element.law.nominal_stiffness;
   element.facts.push_back({"spring index D/d", fmt::format("{:.4g}", elements::spring_index(spring))});
-  element.facts.push_back({"distance of its seats", fmt::format("{:.6g} m", distance)});
-  element.facts.push_back({"axial stiffness", fmt::format("{:.6g} N/m", k(8, 8))});
-  element.facts.push_back({"lateral stiffness", fmt::format("{:.6g} and {:.6g} N/m", k(6, 6), k(7, 7))});
+  element.facts.push_back({"distance of its seats", foundation::prefixed_exactly(distance, "m", 6)});
+  element.facts.push_back({"axial stiffness", foundation::prefixed_exactly(k(8, 8), "N/m", 6)});
+  element.facts.push_back({"lateral stiffness",
+                           fmt::format("{} and {}", foundation::prefixed_exactly(k(6, 6), "N/m", 6),
+                                       foundation::prefixed_exactly(k(7, 7), "N/m", 6))});
 }
 
 /// Reads mass and frequency dependence of the spring in the state `seated`, which needs a density.
@@ -158,15 +161,18 @@ std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, con
 }
 
 void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil& state, model::Element& element) {
-  element.facts.push_back(
-      {"preload", fmt::format("{:.6g} N, compressed by {:.6g} m", state.axial_force, state.compression)});
+  element.facts.push_back({"preload",
+                           fmt::format("{}, compressed by {}", foundation::prefixed_exactly(state.axial_force, "N", 6),
+                                       foundation::prefixed_exactly(state.compression, "m", 6))});
   const auto limit = elements::buckling(spring, elements::SeatsHeld::both);
   element.facts.push_back({"buckles between parallel seats",
-                           limit ? fmt::format("at {:.6g} N, {:.6g} m", limit->axial_force, limit->compression)
+                           limit ? fmt::format("at {}, {}", foundation::prefixed_exactly(limit->axial_force, "N", 6),
+                                               foundation::prefixed_exactly(limit->compression, "m", 6))
                                  : "not before its coils touch"});
   const auto standard = elements::standard_buckling(spring);
   element.facts.push_back({"the same by EN 13906-1, with smeared coils",
-                           standard ? fmt::format("at {:.6g} m", *standard) : "not before its coils touch"});
+                           standard ? fmt::format("at {}", foundation::prefixed_exactly(*standard, "m", 6))
+                                    : "not before its coils touch"});
   const bool round = std::holds_alternative<elements::RoundWire>(spring.wire);
   const double stress = round ? elements::wahl_shear_stress(spring, state.axial_force)
                               : elements::nominal_shear_stress(spring, state.axial_force);
@@ -199,7 +205,7 @@ void read_coil_bind(TableReader& reader, const CoilSpring& spring, model::Elemen
   constexpr int along = 2;
   constexpr double middle = 0.5;
   element.nonlinear_parts.push_back({along, middle, {elements::ElasticForce(bind)}});
-  element.facts.push_back({"travel until its coils touch", fmt::format("{:.6g} m", bind.gap_below)});
+  element.facts.push_back({"travel until its coils touch", foundation::prefixed_exactly(bind.gap_below, "m", 6)});
 }
 
 ElementLength read_coil_spring(TableReader& reader, model::Element& element) {

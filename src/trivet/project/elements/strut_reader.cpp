@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/law_readers.h"
 
@@ -75,8 +76,9 @@ void read_strut(TableReader& reader, Placement& ends, model::Element& element) {
                  "give one");
   const elements::SpatialForce there =
       elements::force_in_motion(part.law, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
-  element.facts.push_back({"length between its ends", fmt::format("{:.6g} m", between)});
-  element.facts.push_back({"pull at this length", fmt::format("{:.6g} N", there.force.dot(ends.span.arm) / between)});
+  element.facts.push_back({"length between its ends", foundation::prefixed_exactly(between, "m", 6)});
+  element.facts.push_back(
+      {"pull at this length", foundation::prefixed_exactly(there.force.dot(ends.span.arm) / between, "N", 6)});
   element.distance_parts.push_back(std::move(part));
 }
 

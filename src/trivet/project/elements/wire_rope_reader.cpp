@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/identification/rope_fit.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
@@ -61,11 +62,12 @@ std::optional<AxisOfRope> read_measured_axis(TableReader& reader, const char* ax
         fmt::format("{}{:.3g} % at {:.4g} m", i > 0 ? ", " : "", 100 * fit->rms[i], (*loops)[i].amplitude.value);
   element.facts.push_back(
       {fmt::format("loops along {}", axis),
-       fmt::format(
-           "{:.5g} N/m, {:.4g} N/m², {:.4g} N/m³ together with friction with a limit of {:.5g} N, {:.5g} N/m in small "
-           "loops, exponent {:.3g}; deviates by {}",
-           fit->stiffness, fit->quadratic, fit->cubic, fit->friction.force, fit->friction.stiffness,
-           fit->friction.exponent, deviations)});
+       fmt::format("{}, {:.4g} N/m², {:.4g} N/m³ together with friction with a limit of {}, {} in small loops, "
+                   "exponent {:.3g}; deviates by {}",
+                   foundation::prefixed_exactly(fit->stiffness, "N/m", 5), fit->quadratic, fit->cubic,
+                   foundation::prefixed_exactly(fit->friction.force, "N", 5),
+                   foundation::prefixed_exactly(fit->friction.stiffness, "N/m", 5), fit->friction.exponent,
+                   deviations)});
   return AxisOfRope{fit->stiffness,
                     {elements::ElasticForce(elements::PolynomialForce{{0, fit->quadratic, fit->cubic}}),
                      elements::HystereticForce(fit->friction)}};

@@ -94,12 +94,16 @@ Table characteristics(const ResponseResult& result) {
               .together = 2,
               .folded = count > 1,
               .forms = count > few_points || result.model ? on_screen : on_screen | on_page};
+  LargestOfKind largest;
+  for (const response::Curve& curve : result.curves.curves)
+    for (const Sample& at : samples(result)) largest.add(curve.unit, std::abs(curve.value(to_index(at.index))));
   for (std::size_t c = 0; c < result.curves.curves.size(); ++c) {
     const response::Curve& curve = result.curves.curves[c];
     const auto amplitude = [&curve](const Sample& at) { return std::abs(curve.value(to_index(at.index))); };
-    const auto degrees = [&phase = result.phase[c]](const Sample& at) {
+    const auto degrees = [&curve, &phase = result.phase[c], largest](const Sample& at) {
       const double angle = phase(to_index(at.index)) * 360 / foundation::two_pi;
-      return std::isnan(angle) ? "–" : fmt::format("{:.1f}°", angle);
+      const bool is_zero = largest.shown(curve.unit, std::abs(curve.value(to_index(at.index)))) == 0;
+      return std::isnan(angle) || is_zero ? "–" : fmt::format("{:.1f}°", angle);
     };
     table.columns.push_back(row("amplitude", Kind::amplitude, "|" + curve.name + "|", amplitude, {.unit = curve.unit}));
     table.columns.push_back(row("phase", Kind::number, "phase", degrees));

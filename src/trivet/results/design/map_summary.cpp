@@ -59,6 +59,12 @@ DisplayUnit rule_unit(const design::MapRule& rule, const project::DisplayUnits& 
   return readers == Readers::people ? amplitude_unit(display, rule.unit) : display_unit(display, rule.unit);
 }
 
+/// The same in sentences: for people with the prefix that suits the limit.
+UnitPrefix words_unit(const design::MapRule& rule, const project::DisplayUnits& display, Readers readers) {
+  const DisplayUnit unit = rule_unit(rule, display, readers);
+  return readers == Readers::people ? unit_prefix(rule.allowed, unit) : UnitPrefix{unit.factor, unit.label()};
+}
+
 /// " 0-p" behind a value of a requirement that people read.
 std::string level_after(const design::MapRule& rule, double value, Readers readers) {
   return readers == Readers::people && !rule.level.empty() && std::isfinite(value) ? " " + rule.level : "";
@@ -121,15 +127,15 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
     if (rule.kind != design::DesignRule::Kind::amplitude || judged.margins[r] >= 1) continue;
     const std::string of_case = rule.in_case == mark.name ? "" : rule.case_words(),
                       where = std::isinf(at) ? "towards ω = ∞" : "at " + frequency_words(display, at);
-    const DisplayUnit unit = rule_unit(rule, display, readers);
+    const UnitPrefix unit = words_unit(rule, display, readers);
     if (std::isinf(value)) {
       add(fmt::format("{}{} is unbounded {}, allowed {:.4g} {}", rule.channel, of_case, where,
-                      rule.allowed * unit.factor, unit.label()));
+                      rule.allowed * unit.factor, unit.unit));
       continue;
     }
     const auto [reached, allowed] = distinct_texts(value * unit.factor, rule.allowed * unit.factor, 4);
-    add(fmt::format("{}{} reaches {} {} {}, allowed {} {}", rule.channel, of_case, reached, unit.label(), where,
-                    allowed, unit.label()));
+    add(fmt::format("{}{} reaches {} {} {}, allowed {} {}", rule.channel, of_case, reached, unit.unit, where, allowed,
+                    unit.unit));
   }
   const design::DesignRule no_peak{design::DesignRule::Kind::no_peak, 0, map.request.peak_tolerance};
   for (const bool counted : {true, false})

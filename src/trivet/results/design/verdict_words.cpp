@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/design/verdict_words.h"
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/results/format/in_documents.h"
 
 #include <fmt/format.h>
@@ -37,8 +38,9 @@ std::string level_on_line(const RequirementResult& r, const project::DisplayUnit
   if (!r.on_line) return share;
   DisplayUnit unit = display_unit(display, r.on_line->unit);
   unit.level = r.on_line->rms ? " rms" : " 0-p";
-  const std::string limit = value_text(r.on_line->limit, unit);
-  return fmt::format("{} of {} ({})", value_text(*r.value * r.on_line->limit, unit), limit, share);
+  const UnitPrefix prefix = unit_prefix(r.on_line->limit, unit);  // of both: a level is compared with its limit
+  const auto text = [&](double value) { return foundation::significant(value * prefix.factor) + " " + prefix.unit; };
+  return fmt::format("{} of {} ({})", text(*r.value * r.on_line->limit), text(r.on_line->limit), share);
 }
 
 /// Words of the requirement with its band in the unit of [display].

@@ -82,7 +82,7 @@ struct CourseFacts {
          fmt::format("{} … {} Hz in {} {}", course_number(spectrum.from() / foundation::two_pi),
                      course_number(spectrum.to() / foundation::two_pi), spectrum.pieces.size(),
                      spectrum.pieces.size() == 1 ? "piece" : "pieces")},
-        {"rms", course_number(excitation::rms(spectrum)) + " " + course_unit(excitation.action)}};
+        {"rms", value_text(excitation::rms(spectrum), display_unit({}, course_unit(excitation.action)))}};
     for (model::Fact& fact : piece_facts(spectrum, excitation)) facts.push_back(std::move(fact));
     for (const model::Random::Partner& partner : random.partners)
       facts.push_back(
@@ -94,11 +94,11 @@ struct CourseFacts {
     if (pieces.empty()) return {};
     double largest = 0;
     for (const excitation::Piece& piece : pieces) largest = std::max(largest, std::abs(piece.value));
-    return {
-        {"history",
-         fmt::format("{} pieces, which begin at {} … {} s", pieces.size(), course_number(pieces.front().start),
-                     course_number(pieces.back().start))},
-        {"largest value at the beginning of a piece", course_number(largest) + " " + course_unit(excitation.action)}};
+    return {{"history",
+             fmt::format("{} pieces, which begin at {} … {} s", pieces.size(), course_number(pieces.front().start),
+                         course_number(pieces.back().start))},
+            {"largest value at the beginning of a piece",
+             value_text(largest, display_unit({}, course_unit(excitation.action)))}};
   }
 };
 
