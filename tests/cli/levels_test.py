@@ -131,8 +131,8 @@ class Levels(InTemporaryFolder):
             {row["kind"]: row["level"] for row in found}, {"amplitude": "0-p", "rms": "rms", "damping_ratio": None}
         )
         words = {row["kind"]: row["requirement"] for row in found}
-        self.assertEqual(words["amplitude"], "machine.z ≤ 4.5 mm/s")  # data have no level in their words
-        self.assertEqual(words["rms"], "rms of machine.z ≤ 5 mm")
+        self.assertEqual(words["amplitude"], "machine.z ≤ 4.5 mm/s 0-p")
+        self.assertEqual(words["rms"], "rms of machine.z ≤ 5 mm rms")
         self.assertEqual(words["damping_ratio"], "every damping ratio ≥ 0.01")
 
     def test_searches_and_maps_state_the_level_of_their_bounds(self):

@@ -70,11 +70,11 @@ class ReportOptimum(InTemporaryFolder):
         for words in (
             "Best design",
             "b.z ≤ ",
-            "What holds the optimum",
-            "1 % more of its bound brings",
+            "Requirement that limits the optimum",
+            "gain if its bound is 1 % looser",
         ):
             self.assertIn(words.lower(), page.lower())
-        self.assertIn("what holds the optimum", screen)
+        self.assertIn("requirement that limits the optimum", screen)
         self.assert_page_has_words_of(screen, page)
 
     def test_a_design_with_other_places_is_drawn_over_the_given_one(self):

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/adjustments_reader.h"
@@ -18,12 +20,14 @@ constexpr std::size_t most_bodies = 1000;
 constexpr std::size_t most_body_points = 5000;
 
 /// Fills mass, centre and inertia; returns whether an inertia was given.
-bool read_inertia(TableReader& body, spatial::MassProperties& mass) {
+/// @param usual  what it is about without the key; none: the key is required
+bool read_inertia(TableReader& body, spatial::MassProperties& mass, const std::optional<std::string>& usual = {}) {
   const Node* table = body.table("inertia");
   if (!table) return false;
   TableReader reader(*table, body.path() + ".inertia", body.problems());
-  if (!reader.has("about")) reader.missing("about", "write about = \"pole\" or about = \"center_of_mass\"");
-  const auto about = reader.choice("about", {"pole", "center_of_mass"});
+  if (!reader.has("about") && !usual) reader.missing("about", "write about = \"pole\" or about = \"center_of_mass\"");
+  const auto given = reader.choice("about", {"pole", "center_of_mass"});
+  const std::optional<std::string> about = given ? std::string(*given) : usual;
   Eigen::Matrix3d j;
   const double xx = reader.required_number("xx", Quantity::inertia),
                yy = reader.required_number("yy", Quantity::inertia),
@@ -65,7 +69,8 @@ std::vector<spatial::MassProperties> read_parts(TableReader& body) {
     if (body.errors() == before && !(part.mass > 0))
       reader.error("mass", fmt::format("{:.6g} kg", part.mass), "a mass must be > 0", "correct it");
     part.centre = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
-    if (read_inertia(reader, part) && body.errors() == before)
+    const bool has_inertia = read_inertia(reader, part, "center_of_mass");  // `at` is that of the part
+    if (has_inertia && body.errors() == before)
       for (const spatial::ViolatedBound& bound : spatial::violated_bounds(part))
         reader.error("inertia", bound.finding, bound.rule, "correct mass, place and inertia");
     reader.finish();

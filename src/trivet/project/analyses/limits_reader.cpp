@@ -22,6 +22,12 @@ namespace trivet::project {
 
 namespace {
 
+/// Does a text begin with a number with a decimal comma: "4,5 mm/s rms"?
+bool has_decimal_comma(const std::string& text) {
+  const std::size_t end = text.find_first_not_of("0123456789");
+  return end != std::string::npos && end > 0 && text[end] == ',';
+}
+
 /// Reads a number, or a text with a unit that distinguishes displacement, velocity and acceleration.
 /// @param key  of the value, for messages
 void read_limit(TableReader& reader, const std::string& key, const Node& value, const ResultNames& names,
@@ -44,6 +50,9 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
     for (const assembly::MotionQuantity quantity : assembly::motion_quantities)
       if (const auto slip = level_slip(value.text, *names.component(name, quantity)))
         return static_cast<void>(reader.error(key, value_text(value), slip->rule, slip->remedy));
+  if (value.kind == Node::Kind::text && has_decimal_comma(value.text))
+    return static_cast<void>(
+        reader.error(key, value_text(value), "write a decimal point, not a comma", "as in \"4.5 mm/s rms\""));
   if (value.kind == Node::Kind::text && written_number(value)) {
     std::string units;
     for (const assembly::MotionQuantity quantity : assembly::motion_quantities) {
@@ -59,6 +68,22 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
     reader.error(key, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0",
                  "change it");
   if (amplitude) limits.push_back({name, usual, *amplitude, {}, {}, {}});
+}
+
+/// A limit at a speed of the machine belongs to [operation.limits]. @returns true if it was written as one
+bool refuse_speed_of_machine(TableReader& reader, const std::string& name, const Node& table) {
+  const Node *at = table.find("at"), *speed = table.find("speed");
+  const bool of_operation = reader.path().starts_with("operation");
+  const bool is_at_one = at || (speed && (speed->kind != Node::Kind::array || of_operation));
+  if (!is_at_one) return false;
+  TableReader inside(table, reader.path() + "." + name, reader.problems());
+  const std::string limit = foundation::quoted(name) + " = \"4.5 mm/s rms\"";
+  inside.error(at ? "at" : "speed", value_text(at ? *at : *speed),
+               of_operation ? "a limit of [operation.limits] holds at all speeds of [operation]"
+                            : "a limit at the speeds of the machine, all orders together, is in [operation.limits]",
+               of_operation ? "write " + limit
+                            : "write [operation] with speeds = [\"980 rpm\"], and below [operation.limits] " + limit);
+  return true;
 }
 
 /// {limit = "4.5 mm/s", band = ["20 Hz", "26 Hz"], excitations = ["run"]}: a limit in a band, and under excitations, of
@@ -121,6 +146,7 @@ std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std:
     std::vector<std::string> place = place_of_table;
     place.push_back(name);
     if (item) place.push_back(std::to_string(*item));
+    if (value.kind == Node::Kind::table && refuse_speed_of_machine(reader, name, value)) return;
     if (scoped && value.kind == Node::Kind::table) {
       place.emplace_back("limit");
       read_scoped_limit(reader, name, value, names, usual, levels, *scoped, limits);

@@ -210,7 +210,11 @@ void read_requirements(TableReader& root, const ResultNames& names, const Symbol
   found.limits = read_amplitude_limits(reader, "limits", names, found.quantity, Levels::of_harmonic, &symbols);
   const auto by_orders = [](const AmplitudeLimit& limit) { return limit.speed.has_value(); };
   if (found.limits.empty() || !std::ranges::all_of(found.limits, by_orders))
-    need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
+    need(reader, "limits", harmonic, "harmonic excitation",
+         symbols.order_excitations.empty() ? "[excitations.NAME] with type = \"harmonic\""
+                                           : "[operation] with the speeds of the machine and write the limits below "
+                                             "[operation.limits], or add speed = "
+                                             "[\"300 rpm\", \"1000 rpm\"] to limits on each order alone");
   refuse_doubled(root, reader, result, found);
   found.no_peak = read_no_peak(reader, names, found.quantity);
   read_peak_shares(reader, found.min_prominence, found.peak_tolerance);

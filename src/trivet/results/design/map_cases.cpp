@@ -74,8 +74,9 @@ Group governing_on_map(const DesignMap& map) {
   }
   if (!others.empty()) group.parts.push_back({map_note("their models differ by more than the two numbers: " + others)});
   if (findings > 0)
-    group.parts.push_back({map_note(
-        fmt::format("… {} findings on these cases, what each exceeds and where it peaks: --full", findings))});
+    group.parts.push_back(
+        {map_note(fmt::format("… {} finding{} on these cases, what each exceeds and where it peaks: --full", findings,
+                              findings == 1 ? "" : "s"))});
   return group;
 }
 

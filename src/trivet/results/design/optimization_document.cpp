@@ -128,16 +128,17 @@ Table optimum_cases(const Optimization& found) {
 Table active_table(const Optimization& found) {
   using study::ActiveRequirement;
   const Rows row(found.active);
-  Table table{.key = "active",
-              .axis = "active",
-              .rows = row.size(),
-              .columns = columns_of_case(found, row, "what holds the optimum", &ActiveRequirement::words_at_level),
-              .arrays = {{"active", "requirement"}, "case", "multiplier"}};
+  Table table{
+      .key = "active",
+      .axis = "active",
+      .rows = row.size(),
+      .columns = columns_of_case(found, row, "requirement that limits the optimum", &ActiveRequirement::words_at_level),
+      .arrays = {{"active", "requirement"}, "case", "multiplier"}};
   table.columns.push_back(row("requirement", Kind::words, "", &ActiveRequirement::words));
   table.columns.push_back(row("minimized", Kind::yes_no, "", &ActiveRequirement::minimized));
   table.columns.push_back(row("multiplier", Kind::number, "", &ActiveRequirement::multiplier));
   table.columns.push_back(
-      row("gain", Kind::number, "1 % more of its bound brings [%]",
+      row("gain", Kind::number, "gain if its bound is 1 % looser [%]",
           [](const ActiveRequirement& one) { return one.minimized ? Json() : Json(one.multiplier); },
           {.digits = 3, .forms = for_people}));
   return table;

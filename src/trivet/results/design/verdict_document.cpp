@@ -65,7 +65,7 @@ std::vector<Column> subject_columns(const Requirements& row) {
       row("case", Kind::words, "", [](const JudgedRequirement& one) { return one.in->case_name; }, {.forms = in_csv}),
       row("kind", Kind::words, "", of([](const RequirementResult& r) { return study::name(r.kind); })),
       row("subject", Kind::words, "", of(&RequirementResult::subject)),
-      row("requirement", Kind::words, "", of([](const RequirementResult& r) { return r.words.text(); }),
+      row("requirement", Kind::words, "", of([](const RequirementResult& r) { return r.words_at_level(); }),
           {.forms = in_json | in_csv}),
       row("requirement", Kind::words, "requirement", shown(requirement_words), {.forms = for_people}),
       row("unit", Kind::words, "", of(&RequirementResult::unit)),
