@@ -6,7 +6,7 @@
 namespace trivet::report {
 namespace {
 
-constexpr double line_height = 15, gap = 16;
+constexpr double entry_height = 15, gap = 16;
 
 double sample_width(const std::string& stroke) { return stroke.empty() ? 0 : 24; }
 
@@ -23,7 +23,7 @@ void KeyLines::add(const std::vector<PanelCurve>& curves) {
   }
 }
 
-double KeyLines::height() const { return entries_.empty() ? 0 : last_.y + line_height; }
+double KeyLines::height() const { return entries_.empty() ? 0 : last_.y + entry_height; }
 
 void KeyLines::draw(SvgCanvas& canvas, PixelPoint corner) const {
   for (const Entry& entry : entries_) {
@@ -39,7 +39,7 @@ PixelPoint KeyLines::place(const std::string& text) {
   const auto letters =
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
   const double wide = 29 + of_letter * static_cast<double>(letters);
-  if (last_.x > 0 && last_.x + wide > width_) last_ = {0, last_.y + line_height};
+  if (last_.x > 0 && last_.x + wide > width_) last_ = {0, last_.y + entry_height};
   const PixelPoint at = last_;
   last_.x += wide + gap;
   return at;

@@ -87,7 +87,7 @@ bool lists_peaks(const study::DesignMap& map, const study::MapMark& mark, const 
 }
 
 /// Numbers of the rules: those with an unknown margin, then the others from the least margin on.
-std::vector<std::size_t> by_margin(const std::vector<double>& margins) {
+std::vector<std::size_t> rules_by_margin(const std::vector<double>& margins) {
   std::vector<std::size_t> order(margins.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {},
@@ -115,7 +115,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
   const auto add = [&](const std::string& line) {  // a rule of a further case may be one of the map too
     if (std::ranges::find(words, line) == words.end()) words.push_back(line);
   };
-  for (const std::size_t r : by_margin(judged.margins)) {
+  for (const std::size_t r : rules_by_margin(judged.margins)) {
     const design::MapRule& rule = map.rules[r];
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
     if (rule.kind == design::DesignRule::Kind::requirement && judged.margins[r] < 1)
