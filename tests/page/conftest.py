@@ -25,7 +25,8 @@ def browser():
 
 def complaints(messages):
     """Those of a console that are not of the browser itself, which writes that it draws in software, and that a question was refused:
-    one that began before a save is asked again with its text (412), and one that an older question replaced is asked again (409)."""
+    one that began before a save is asked again with its text (412), and one that an older question replaced is asked again (409).
+    """
     usual = ('GPU stall due to ReadPixels', 'status of 412', 'status of 409')
     return [message for message in messages if not any(words in message for words in usual)]
 
