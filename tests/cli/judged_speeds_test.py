@@ -51,10 +51,24 @@ class JudgedSpeeds(InTemporaryFolder):
             limit = f'[requirements.limits]\n"m.z" = {{limit = "1 m", band = ["1 Hz", "{end}"]}}\n'
             self.assertTrue(self.headline(ROTOR + speeds + limit).startswith(word), end)
 
+    def test_adjoining_bands_are_enough_together(self):
+        speeds = '[operation]\nspeeds = [["300 rpm", "600 rpm"]]\n'
+        bands = ['{limit = "1 m", band = ["1 Hz", "7 Hz"]}', '{limit = "2 m", band = ["7 Hz", "30 Hz"]}']
+        limits = '[requirements.limits]\n"m.z" = [%s]\n'
+        self.assertTrue(self.headline(ROTOR + speeds + limits % ", ".join(bands)).startswith("MET"))
+        apart = bands[1].replace("7 Hz", "8 Hz")
+        for items, first in (([bands[0], apart], 7), (bands[1:], 5), (bands[:1], 7)):
+            said = self.run_of(ROTOR + speeds + limits % ", ".join(items)).stdout
+            self.assertIn(f"m.z over 300 … 600 rpm: no limit holds from {first} Hz on", said)
+
     def test_limits_under_other_excitations_say_nothing_of_the_speed(self):
         push = '[excitations.floor]\ntype = "base"\ntranslation = [0, 0, 1e-6]\n'
         limit = '[requirements.limits]\n"m.z" = {limit = "1 m", band = ["1 Hz", "5 Hz"], excitations = ["floor"]}\n'
         self.assertTrue(self.headline(ROTOR + push + SPEED + limit).startswith("MET"))
+        wide = '{limit = "1 m", band = ["1 Hz", "30 Hz"], excitations = ["floor"]}'
+        own = '{limit = "2 m", band = ["1 Hz", "5 Hz"]}'
+        both = f'[requirements.limits]\n"m.z" = [{wide}, {own}]\n'
+        self.assertTrue(self.headline(ROTOR + push + SPEED + both).startswith("NOT JUDGED"))
 
     def test_searches_do_not_ask_for_it(self):
         text = (

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "trivet/design/design_rules.h"
@@ -45,13 +46,25 @@ bool runs(const model::System& system, const project::OperationAnalysis& request
   });
 }
 
-/// Is something judged at all of these speeds?
-bool holds_at(const RequirementResult& one, const assembly::Band& speed) {
-  constexpr double same_end = 1e-9;  // ends that differ by the round-off of their units are the same
-  if (one.kind == RequirementKind::operation || one.kind == RequirementKind::band_line) return one.speed == speed;
-  if (one.kind != RequirementKind::amplitude && one.kind != RequirementKind::limit_line) return false;
+/// Speeds at which a result is judged; none if it says nothing of speeds.
+std::optional<assembly::Band> judged_speeds(const RequirementResult& one) {
+  if (one.kind == RequirementKind::operation || one.kind == RequirementKind::band_line) return one.speed;
+  if (one.kind != RequirementKind::amplitude && one.kind != RequirementKind::limit_line) return std::nullopt;
   const double order = one.order > 0 ? one.order : 1;  // the curve of an order is judged at its frequencies
-  return one.band.from <= order * speed.from * (1 + same_end) && order * speed.to <= one.band.to * (1 + same_end);
+  return assembly::Band{one.band.from / order, one.band.to / order};
+}
+
+/// The lowest of some speeds at which nothing is judged; none if something is at all of them.
+std::optional<double> first_missed(const assembly::Band& speed, std::vector<assembly::Band> judged) {
+  constexpr double same_end = 1e-9;  // ends that differ by the round-off of their units are the same
+  std::ranges::sort(judged, {}, &assembly::Band::from);
+  double missed = speed.from;
+  for (const assembly::Band& band : judged) {
+    if (band.from > missed * (1 + same_end)) break;
+    if (band.to * (1 + same_end) >= speed.to) return std::nullopt;
+    missed = std::max(missed, band.to);
+  }
+  return missed;
 }
 
 }  // namespace
@@ -90,12 +103,17 @@ std::vector<RequirementResult> limits_that_miss_speeds(const model::System& syst
   if (!analyses.operation) return missed;
   for (const assembly::Band& speed : analyses.operation->speeds)
     for (const RequirementResult& limit : judged) {
-      const auto holds_there = [&](const RequirementResult& one) {
-        return one.subject == limit.subject && holds_at(one, speed);
-      };
+      const auto is_of_place = [&](const RequirementResult& one) { return one.subject == limit.subject; };
       if (limit.kind != RequirementKind::amplitude || !runs(system, *analyses.operation, limit.excitations) ||
-          std::ranges::any_of(judged, holds_there) || std::ranges::any_of(missed, holds_there))
+          std::ranges::any_of(missed, [&](const auto& one) { return is_of_place(one) && one.speed == speed; }))
         continue;
+      std::vector<assembly::Band> bands;
+      for (const RequirementResult& one : judged)
+        if (const auto band = judged_speeds(one);
+            band && is_of_place(one) && runs(system, *analyses.operation, one.excitations))
+          bands.push_back(*band);
+      const std::optional<double> first = first_missed(speed, std::move(bands));
+      if (!first) continue;
       const std::string scope = (speed.from < speed.to ? " over " : " at ") + speed_words(speed);
       RequirementResult& one = missed.emplace_back();
       one.kind = RequirementKind::operation;
@@ -103,9 +121,10 @@ std::vector<RequirementResult> limits_that_miss_speeds(const model::System& syst
       one.words = limit.subject + scope;
       one.quantity = limit.quantity;
       one.speed = speed;
-      one.reason = fmt::format(
-          "no limit holds at this speed, {:.5g} Hz: write one in [operation.limits], or let a band contain it",
-          speed.to / foundation::two_pi);
+      one.reason =
+          fmt::format("no limit holds {} {:.5g} Hz{}: write one in [operation.limits], or let a band contain it",
+                      speed.from < speed.to ? "from" : "at this speed,", *first / foundation::two_pi,
+                      speed.from < speed.to ? " on" : "");
     }
   return missed;
 }
