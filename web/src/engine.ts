@@ -149,9 +149,9 @@ export class ServerEngine implements Engine {
   /// A client has one question at a time. An aborted one may still reach the program after the next, on another connection, and
   /// replace it there (409): then the next is asked again.
   private async posed(question: unknown, signal: AbortSignal | undefined, client: string): Promise<Response> {
-    for (;;) {
+    for (let tries = 1; ; tries++) {
       const response = await this.request('/ask', question, signal, client);
-      if (response.status !== 409 || signal?.aborted) return response;
+      if (response.status !== 409 || signal?.aborted || tries === MOST_TRIES) return response;
     }
   }
   async doing(): Promise<Doing | null> {
@@ -212,6 +212,7 @@ export class ServerEngine implements Engine {
   }
 }
 const MOMENT = 500;  // ms
+const MOST_TRIES = 4;  // of a question: one aborted question replaces it at most once
 const SILENT = 'The program does not answer. The page goes on by itself when it runs again.';
 const STRANGER = 'The program was started again with another token. Open the address that it prints in this tab.';
 

@@ -31,8 +31,9 @@ export class ResultTables extends Part {
     const bodies: Record<Table, () => unknown> = {modes: () => this.modes(), requirements: () => this.requirements(), mounts: () => this.mounts(), peaks: () => this.peaks(),
                                                   map: () => html`<map-panel .app=${app}></map-panel>`};
     const shown = (Object.keys(TABS) as Table[]).filter(t => t !== 'map' || hasMap(app));
+    const isOutdated = tab === 'map' ? app.beside.isOld('map') && app.asker.hasErrors : app.asker.isOutdated(COMMANDS[tab]);
     return html`<div class="tabs" role="tablist" aria-label="Tables">${shown.map(t => html`<button role="tab" id="tab-${t}" aria-controls="table-panel" aria-selected=${t === tab} @click=${() => this.choose(t)}>${TABS[t]}</button>`)}</div>
-      <div class="scroll table ${app.asker.isOutdated(COMMANDS[tab]) ? 'outdated' : ''}" role="tabpanel" id="table-panel" aria-labelledby="tab-${tab}" tabindex="0">${app.asker.isOutdated(COMMANDS[tab]) ? outdatedNote : nothing}${bodies[tab]()}</div>`;
+      <div class="scroll table ${isOutdated ? 'outdated' : ''}" role="tabpanel" id="table-panel" aria-labelledby="tab-${tab}" tabindex="0">${isOutdated ? outdatedNote : nothing}${bodies[tab]()}</div>`;
   }
   private choose(table: Table) {
     this.app.display.set({table});

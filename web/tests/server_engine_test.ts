@@ -33,3 +33,8 @@ test('the text is sent if the program has another version, and again if it was r
   await new ServerEngine('token').ask(1, CHANGE, []);
   assert.deepEqual(asked.map(one => one.includes('"text"')), [false, true, true]);
 });
+test('a program that always says so is not asked for ever', async () => {
+  const asked = answering(...Array.from({length: 9}, (): [number, unknown] => [409, {error: 'replaced'}]));
+  await assert.rejects(new ServerEngine('token').ask(7, CHANGE, []), /replaced/);
+  assert.equal(asked.length, 4);
+});
