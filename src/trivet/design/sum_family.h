@@ -73,6 +73,7 @@ class SumFamily {
   /// Which designs are compared with assembled ones.
   enum class Compared {
     spread,  ///< 24 spread over the ranges; those without a form do not count unless they are the most
+    ends,    ///< and both ends of every range, alone and together with others; each must have a form
     grid     ///< and five up to the ends of every range with all others (of few numbers); each must have a form
   };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 
@@ -28,6 +29,27 @@ std::vector<Eigen::VectorXd> spread_points(Eigen::Index dimensions, int count) {
       point(j) = std::fmod(0.5 + k * std::pow(root, -static_cast<double>(j + 1)), 1.0);
     points.push_back(std::move(point));
   }
+  return points;
+}
+
+/// The ends of all ranges: of each number with the others in their middle, and of all together, in every combination of
+/// up to six numbers. Of more numbers all lower ends, all upper ends, and 62 combinations spread over the others.
+std::vector<Eigen::VectorXd> points_at_ends(Eigen::Index dimensions) {
+  constexpr double middle = 0.5;
+  constexpr Eigen::Index all_combined = 6;
+  std::vector<Eigen::VectorXd> points;
+  for (Eigen::Index j = 0; j < dimensions; ++j)
+    for (const double end : {0.0, 1.0}) points.emplace_back(Eigen::VectorXd::Constant(dimensions, middle))(j) = end;
+  if (dimensions <= all_combined) {
+    for (int k = 0; k < 1 << dimensions; ++k) {
+      Eigen::VectorXd& point = points.emplace_back(dimensions);
+      for (Eigen::Index j = 0; j < dimensions; ++j) point(j) = k >> j & 1;
+    }
+    return points;
+  }
+  for (const double end : {0.0, 1.0}) points.emplace_back(Eigen::VectorXd::Constant(dimensions, end));
+  for (Eigen::VectorXd& point : spread_points(dimensions, (1 << all_combined) - 2))
+    points.push_back(point.array().round().matrix());
   return points;
 }
 
@@ -291,6 +313,10 @@ class SumFit {
     const auto numbers = to_index(variables_.size());
     std::vector<Eigen::VectorXd> points = spread_points(numbers, spread);
     if (compared_ == SumFamily::Compared::spread) return points;
+    if (compared_ == SumFamily::Compared::ends) {
+      std::ranges::move(points_at_ends(numbers), std::back_inserter(points));
+      return points;
+    }
     int count = 1;
     for (Eigen::Index j = 0; j < numbers; ++j) count *= along_each;
     for (int k = 0; k < count; ++k) {
@@ -322,7 +348,7 @@ class SumFit {
     family_.worst_ = std::ranges::max(worst);
     family_.compared_ = shares.size();
     const auto without = std::ranges::find_if(reasons, [](const std::string& reason) { return !reason.empty(); });
-    if (compared_ == SumFamily::Compared::grid && without != reasons.end()) return *without;
+    if (compared_ != SumFamily::Compared::spread && without != reasons.end()) return *without;
     const auto valid = std::ranges::count_if(worst, [](double one) { return one >= 0; });
     if (2 * valid < std::ssize(shares)) return "few designs of the ranges are valid models";
     if (family_.worst_ > reproduced_within)

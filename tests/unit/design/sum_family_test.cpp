@@ -131,6 +131,25 @@ TEST(SumFamily, ComparesAlsoTheCornersIfAskedTo) {
   EXPECT_THAT(found->words(), testing::HasSubstr("compared with 649 others"));  // 24 and 5⁴
 }
 
+// Eight numbers: all ends alone, and corners of all together.
+TEST(SumFamily, ComparesTheEndsOfManyNumbersIfAskedTo) {
+  std::vector<design::SumVariable> many;
+  for (int j = 0; j < 8; ++j) many.push_back({0, 1, std::to_string(j)});
+  const auto reason = [&](const std::function<bool(const Eigen::VectorXd&)>& without) {
+    const auto some = [&](const Eigen::VectorXd& v) {
+      return without(v) ? design::PackedOrReason{{}, "no model"}
+                        : design::PackedOrReason{design::PackedDesign{v, Eigen::VectorXd::Ones(8)}, ""};
+    };
+    EXPECT_TRUE(SumFamily::fitted(some, many).family) << "not among those spread over the ranges";
+    return SumFamily::fitted(some, many, SumFamily::Compared::ends).reason;
+  };
+  EXPECT_EQ(reason([](const Eigen::VectorXd& v) { return v(5) < 1e-6 && v(0) == 0.5; }), "no model");
+  EXPECT_EQ(reason([](const Eigen::VectorXd& v) { return v(5) > 0.999 && v(0) == 0.5; }), "no model");
+  EXPECT_EQ(reason([](const Eigen::VectorXd& v) { return v.sum() > 7.9; }), "no model");
+  EXPECT_EQ(reason([](const Eigen::VectorXd& v) { return v.sum() < 0.01; }), "no model");
+  EXPECT_EQ(reason([](const Eigen::VectorXd&) { return false; }), "");
+}
+
 TEST(SumFamily, ReportsWhyADesignHasNoForm) {
   const auto some = [](const Eigen::VectorXd& v) {
     return v(0) > 0.9 ? design::PackedOrReason{{}, "frequency-dependent elements"}

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <numeric>
 #include <optional>
 
 #include "trivet/design/design_rules.h"
@@ -100,9 +101,60 @@ class Sweep {
   std::size_t count_ = 1;
 };
 
+/// The range of each number in which kernels compute: they interpolate matrices, also of designs without a model, so
+/// the ends of the range have one.
+struct KernelRange {
+  Eigen::VectorXd from, to;
+  std::string reason;  ///< why there is none; else empty
+};
+
+/// The widest range of the values around that of the file whose ends have a model, with all other numbers as in the
+/// file.
+KernelRange kernel_range(const Sweep& sweep, const SweepRequest& request, const project::Case& variant) {
+  KernelRange range;
+  Eigen::VectorXd given(to_index(request.numbers.size()));
+  for (std::size_t i = 0; i < request.numbers.size(); ++i)
+    given(to_index(i)) = project::ModelNumber(request.numbers[i].path, "").read(variant).value();
+  range.from = range.to = given;
+  for (std::size_t i = 0; i < request.numbers.size(); ++i) {
+    std::vector<double> values = request.numbers[i].values;
+    std::ranges::sort(values);
+    const double here = given(to_index(i));
+    const auto refused = [&](std::size_t at) -> std::string {
+      Eigen::VectorXd point = given;
+      point(to_index(i)) = values[at];
+      try {
+        static_cast<void>(sweep.system(point));
+        return "";
+      } catch (const foundation::NotComputable& reason) {
+        return reason.what();
+      }
+    };
+    const auto nearest = to_size(
+        std::ranges::min_element(values, {}, [&](double one) { return std::abs(one - here); }) - values.begin());
+    range.reason = refused(nearest);
+    if (!range.reason.empty()) {
+      range.reason = "some designs have no valid model: " + range.reason;
+      return range;
+    }
+    const auto end = [&](std::size_t outer) {
+      if (refused(outer).empty()) return values[outer];
+      std::size_t with = nearest, without = outer;
+      while (std::max(with, without) - std::min(with, without) > 1) {
+        const std::size_t between = std::midpoint(with, without);
+        (refused(between).empty() ? with : without) = between;
+      }
+      return values[with];
+    };
+    range.from(to_index(i)) = end(0);
+    range.to(to_index(i)) = end(values.size() - 1);
+  }
+  return range;
+}
+
 /// All designs as sums, their results as amplitudes without a bound.
 DesignBatch batch_of(const Sweep& sweep, const SweepRequest& request, const project::Case& variant,
-                     const std::vector<std::string>& results) {
+                     const std::vector<std::string>& results, const KernelRange& range) {
   std::vector<RequirementResult> amplitudes;
   for (const std::string& name : results) {
     RequirementResult& one = amplitudes.emplace_back();
@@ -112,11 +164,10 @@ DesignBatch batch_of(const Sweep& sweep, const SweepRequest& request, const proj
     one.band = request.band;
   }
   DesignNumbers numbers;
-  for (const SweptNumber& number : request.numbers) {
-    const auto [least, most] = std::ranges::minmax_element(number.values);
-    numbers.variables.push_back({*least, *most, number.path});
-  }
+  for (std::size_t i = 0; i < request.numbers.size(); ++i)
+    numbers.variables.push_back({range.from(to_index(i)), range.to(to_index(i)), request.numbers[i].path});
   numbers.any_size = true;
+  numbers.compared = design::SumFamily::Compared::ends;
   numbers.model = [&](const Eigen::VectorXd& values) { return sweep.system(values); };
   return {numbers, variant, {}, amplitudes};
 }
@@ -147,16 +198,22 @@ class Results {
     }
   }
 
-  void in_kernels(const DesignBatch& batch, std::size_t first, std::size_t last) {
+  void in_kernels(const DesignBatch& batch, const KernelRange& range, std::size_t first, std::size_t last) {
     Eigen::MatrixXd points(to_index(last - first), sweep_.values(first).size());
-    for (std::size_t i = first; i < last; ++i) points.row(to_index(i - first)) = sweep_.values(i).transpose();
+    std::vector<bool> beyond(last - first);  // these are computed in kernels as ends of the range, then one by one
+    for (std::size_t i = first; i < last; ++i) {
+      const Eigen::VectorXd values = sweep_.values(i), inside = values.cwiseMax(range.from).cwiseMin(range.to);
+      points.row(to_index(i - first)) = inside.transpose();
+      beyond[i - first] = inside != values;
+    }
     const CaseVector::Search& search = batch.packed().searches().front();
     const CaseVector::Unpacked designs = batch.designs(points);
     const numerics::DesignPeaks peaks = searched_peaks(batch.packed(), designs, search);
     std::size_t good = 0;
     for (std::size_t i = first; i < last; ++i) {
       const DesignStatus status = peaks.status[i - first];
-      if (designs.falls[i - first] || (status != DesignStatus::proven && status != DesignStatus::fallback)) {
+      if (beyond[i - first] || designs.falls[i - first] ||
+          (status != DesignStatus::proven && status != DesignStatus::fallback)) {
         one_by_one(i);
         continue;
       }
@@ -235,12 +292,14 @@ DesignSweep design_sweep(const project::Case& variant, const SweepRequest& reque
   require_size(request, found.results.size());
   found.highest.resize(to_index(sweep.count()), to_index(found.results.size()));
   Results results(sweep, found);
-  const DesignBatch batch = batch_of(sweep, request, variant, found.results);
-  found.no_kernels = batch.reason();
-  const bool at_once = batch.reason().empty();
+  const KernelRange range = kernel_range(sweep, request, variant);
+  std::optional<DesignBatch> batch;
+  if (range.reason.empty()) batch.emplace(batch_of(sweep, request, variant, found.results, range));
+  found.no_kernels = batch ? batch->reason() : range.reason;
+  const bool at_once = found.no_kernels.empty();
   foundation::parallel_for(sweep.count(), {.size = at_once ? swept_piece : 1, .progress = progress, .task = "designs"},
                            [&](std::size_t first, std::size_t last) {
-                             if (at_once) return results.in_kernels(batch, first, last);
+                             if (at_once) return results.in_kernels(*batch, range, first, last);
                              for (std::size_t i = first; i < last; ++i) results.one_by_one(i);
                            });
   return found;

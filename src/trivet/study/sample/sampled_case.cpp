@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "trivet/foundation/index.h"
@@ -20,8 +21,16 @@ namespace {
 using foundation::InvalidInput;
 using foundation::NotComputable;
 
-constexpr Eigen::Index kernel_lanes =
-    120;  // designs whose matrices fit in the cache, as of maps (design_evaluation.cpp)
+constexpr Eigen::Index kernel_lanes = 120;  // designs whose matrices fit in the cache
+
+/// Shares of the numbers of a draw beyond an end of its range. The first is that of bounded numbers: nothing is beyond.
+constexpr double no_tail = 0x1p-53;
+constexpr std::array tails = {no_tail, 1e-6, 1e-4, 1e-2};
+
+bool is_unbounded(const numerics::Distribution& one) {
+  using numerics::DistributionShape;
+  return !one.truncated_at && (one.shape == DistributionShape::normal || one.shape == DistributionShape::lognormal);
+}
 
 std::string case_words(const project::Case& variant) {
   return variant.name.empty() ? "" : " in case " + foundation::quoted(variant.name);
@@ -67,23 +76,49 @@ std::string SampledCase::beyond_kernels() const {
   return "";
 }
 
+std::string SampledCase::without_model(const Eigen::VectorXd& draws) const {
+  try {
+    static_cast<void>(system(draws));
+    return "";
+  } catch (const NotComputable& reason) {
+    return reason.what();
+  }
+}
+
+std::string SampledCase::set_ranges(const DrawnDesigns& drawn, double tail) {
+  from_.resize(to_index(drawn.draws()));
+  to_.resize(from_.size());
+  Eigen::VectorXd middle(from_.size());
+  for (std::size_t d = 0; d < drawn.draws(); ++d) middle(to_index(d)) = numerics::quantile(drawn.distribution(d), 0.5);
+  for (std::size_t d = 0; d < drawn.draws(); ++d)
+    for (const bool upper : {false, true}) {
+      const numerics::Distribution& one = drawn.distribution(d);
+      std::string refused = "no range";
+      for (const double share : tails) {
+        if (share < tail || (share == no_tail && is_unbounded(one))) continue;
+        double& end = (upper ? to_ : from_)(to_index(d));
+        end = numerics::quantile(one, upper ? 1 - share : share);
+        Eigen::VectorXd draws = middle;
+        draws(to_index(d)) = end;
+        refused = without_model(draws);
+        if (refused.empty()) break;
+      }
+      if (!refused.empty()) return fmt::format("{} has no range of valid models: {}", drawn.name(d), refused);
+    }
+  return "";
+}
+
 void SampledCase::fit(const DrawnDesigns& drawn) {
-  // Unbounded numbers are fitted without their tails: designs there are assembled. If some of a range have no model,
-  // wider tails may leave a range in which all have.
-  for (const double tail : {1e-6, 1e-4, 1e-2}) {
+  // Kernels interpolate matrices, also of designs without a model. So they judge ranges whose ends have one, alone and
+  // together; designs beyond are assembled.
+  for (const double tail : tails) {
+    no_kernels_ = set_ranges(drawn, tail);
+    if (!no_kernels_.empty()) return;
     DesignNumbers numbers;
     numbers.any_size = true;
-    from_.resize(to_index(drawn.draws()));
-    to_.resize(from_.size());
-    for (std::size_t d = 0; d < drawn.draws(); ++d) {
-      const numerics::Distribution& one = drawn.distribution(d);
-      const bool unbounded = !one.truncated_at &&
-          (one.shape == numerics::DistributionShape::normal || one.shape == numerics::DistributionShape::lognormal);
-      constexpr double end = 0x1p-53;  // of bounded numbers: nothing is beyond it
-      from_(to_index(d)) = numerics::quantile(one, unbounded ? tail : end);
-      to_(to_index(d)) = numerics::quantile(one, 1 - (unbounded ? tail : end));
+    numbers.compared = design::SumFamily::Compared::ends;
+    for (std::size_t d = 0; d < drawn.draws(); ++d)
       numbers.variables.push_back({from_(to_index(d)), to_(to_index(d)), drawn.name(d)});
-    }
     numbers.model = [this](const Eigen::VectorXd& draws) { return system(draws); };
     batch_.emplace(numbers, case_, case_.analyses, given_);
     no_kernels_ = batch_->reason();

@@ -47,6 +47,11 @@ class SampledCase {
   [[nodiscard]] model::System system(const Eigen::VectorXd& draws) const;
   [[nodiscard]] std::vector<RequirementResult> results(const model::System& system) const;
   void fit(const DrawnDesigns& drawn);
+  /// Sets the ranges of all draws, without tails of these shares or of more, where their ends have no model with the
+  /// other draws in their middle. @return why there are none; else empty
+  std::string set_ranges(const DrawnDesigns& drawn, double tail);
+  /// Why a design has no model; empty if it has one.
+  [[nodiscard]] std::string without_model(const Eigen::VectorXd& draws) const;
   /// Why kernels cannot prove all requirements of a design; empty if they can.
   [[nodiscard]] std::string beyond_kernels() const;
   /// Judges one design by its model; into row `design`.
