@@ -145,6 +145,23 @@ TEST(Sample, HasTheSameDesignsInAllCases) {
   }
 }
 
+/// A rotor that runs at 600 rpm, with a limit up to 5 Hz.
+const std::string rotor = test::chain({10}, {40000, 0}, {60, 0}) + R"(
+[excitations.rotor]
+type = "unbalance"
+on = "m1"
+at = [0, 0, 0]
+axis = "z"
+mass_eccentricity = 1e-3
+[operation]
+speeds = ["600 rpm"]
+[requirements.limits]
+"m1.x" = {limit = "1 m", band = ["1 Hz", "5 Hz"]}
+[tolerances.rubber]
+path = "elements.k1.scale"
+half_width = "10 %"
+)";
+
 TEST(Sample, StatesWhatItNeeds) {
   const auto message = [](const std::string& text) -> std::string {
     try {
@@ -155,6 +172,7 @@ TEST(Sample, StatesWhatItNeeds) {
     return "";
   };
   EXPECT_THAT(message(machine), HasSubstr("neither requirements nor limits"));
+  EXPECT_THAT(message(rotor), HasSubstr("sample: \"m1.x at 600 rpm\" cannot be judged: no limit holds at this speed"));
   EXPECT_THAT(message(test::chain({1}, {1}, {1}) + "[requirements]\ndamping_ratio = 0.1\n"),
               HasSubstr("the file has no tolerances"));
 }

@@ -36,6 +36,11 @@ std::string case_words(const project::Case& variant) {
   return variant.name.empty() ? "" : " in case " + foundation::quoted(variant.name);
 }
 
+NotComputable unjudged(const RequirementResult& one, const project::Case& variant) {
+  return NotComputable(
+      fmt::format("sample: \"{}\"{} cannot be judged: {}", one.words.text(), case_words(variant), one.reason));
+}
+
 /// True for prices: no number of the model moves them.
 bool is_constant(const RequirementResult& result) { return requirement_row(result.kind).slopes == MarginSlopes::zero; }
 
@@ -57,9 +62,9 @@ SampledCase::SampledCase(const project::Case& variant, const std::vector<project
     }
   given_ = results(variant.system);
   for (const RequirementResult& one : given_)
-    if (!one.value)
-      throw NotComputable(
-          fmt::format("sample: \"{}\"{} cannot be judged: {}", one.words.text(), case_words(variant), one.reason));
+    if (!one.value) throw unjudged(one, variant);
+  for (const RequirementResult& one : limits_that_miss_speeds(variant.system, variant.analyses, given_))
+    throw unjudged(one, variant);
   no_kernels_ = beyond_kernels();
   if (no_kernels_.empty()) fit(drawn);
 }
