@@ -62,6 +62,21 @@ const Node* change_of_case(const Node& setting, const std::string& name) {
   return cases ? cases->find(name) : nullptr;
 }
 
+/// All cases have the same drawn designs.
+void refuse_tolerances(const std::string& name, const Node& change, foundation::Problems& problems) {
+  const auto refuse = [&](const Node* own, const std::string& key, const char* remedy) {
+    if (own)
+      problems
+          .error("cases." + foundation::path_key(name) + "." + key, "cannot be changed",
+                 "tolerances hold for all cases, which have the same drawn designs", remedy)
+          .origin = own->origin;
+  };
+  refuse(change.find("tolerances"), "tolerances", "write them in [tolerances], or judge the case in a file of its own");
+  const Node* analyses = change.find("analyses");
+  refuse(analyses ? analyses->find("sample") : nullptr, "analyses.sample",
+         "write it in [analyses.sample], or as a setting, analyses.sample.KEY=VALUE");
+}
+
 /// @param written  the document with the changed cases, without other settings of the command line
 WrittenCase written_case(const std::string& name, const Node& change, const Node& written, const Settings& settings) {
   WrittenCase result{.name = name};
@@ -79,6 +94,7 @@ WrittenCase written_case(const std::string& name, const Node& change, const Node
         .error("cases." + name + ".report", "cannot be changed", "all cases share one report",
                "write it in [report], or as a setting, report.KEY=VALUE")
         .origin = report->origin;
+  refuse_tolerances(name, change, result.problems);
   apply_changes(result.document, change, "", result.problems);
   for (const Node& setting : settings.changes)  // the command line overrides the case
     if (!is_of_case(setting)) apply_changes(result.document, setting, "", result.problems);
