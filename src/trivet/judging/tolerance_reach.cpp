@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "trivet/foundation/plain_text.h"
@@ -15,20 +16,21 @@
 namespace trivet::judging {
 namespace {
 
-/// The share of draws that take the number at a place to 0 or to the other side of it.
-double share_beyond_zero(const project::Tolerance& tolerance, std::size_t place, double given) {
+/// The share of draws that take the number at a place to the other side of 0, or to 0 if that counts.
+double share_beyond_zero(const project::Tolerance& tolerance, std::size_t place, double given, bool with_zero) {
   const double factor = tolerance.places[place].factor;
   const double at_zero = tolerance.relative ? 1 - 1 / factor : -given / factor;
-  const double below = numerics::share_up_to(tolerance.distribution, at_zero);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto up_to = [&](double value) { return numerics::share_up_to(tolerance.distribution, value); };
   const bool falls = tolerance.relative ? factor > 0 : (given > 0) == (factor > 0);
-  return falls ? below : 1 - below;
+  if (falls) return up_to(with_zero ? at_zero : std::nextafter(at_zero, -infinity));
+  return 1 - up_to(with_zero ? std::nextafter(at_zero, -infinity) : at_zero);
 }
 
-/// Why the model has no number on the other side of zero; none if it has.
-std::optional<foundation::Problem> refusal_beyond_zero(const project::Case& base, const project::ModelNumber& number,
-                                                       double given) {
-  constexpr double just_beyond = -1e-3;
-  const auto system = changed_system(base, {{number, just_beyond * given}});
+/// Why the model has no number here; none if it has.
+std::optional<foundation::Problem> refusal(const project::Case& base, const project::ModelNumber& number,
+                                           double value) {
+  const auto system = changed_system(base, {{number, value}});
   if (system) return std::nullopt;
   for (const foundation::Problem& problem : system.error().list())
     if (problem.severity == foundation::Severity::error) return problem;
@@ -55,7 +57,14 @@ struct Beyond {
   double share = 0;
   std::string path;
   double given = 0;
+  bool with_zero = false;  ///< 0 is impossible too
   foundation::Problem refusal;
+
+  /// "< 0", or "≤ 0"; those of a negative number "> 0", or "≥ 0"
+  [[nodiscard]] const char* words() const {
+    if (given > 0) return with_zero ? "≤ 0" : "< 0";
+    return with_zero ? "≥ 0" : "> 0";
+  }
 };
 
 void add_beyond_zero(const project::Case& base, const project::Tolerance& tolerance, const Beyond& worst,
@@ -63,9 +72,9 @@ void add_beyond_zero(const project::Case& base, const project::Tolerance& tolera
   using numerics::DistributionShape;
   const DistributionShape shape = tolerance.distribution.shape;
   const bool unbounded = shape == DistributionShape::normal || shape == DistributionShape::lognormal;
-  const std::string subject = "tolerances." + tolerance.name;
-  const std::string finding =
-      fmt::format("{} of its numbers at {} are ≤ 0", percent(worst.share), foundation::quoted(worst.path));
+  const std::string subject = "tolerances." + foundation::path_key(tolerance.name);
+  const std::string finding = fmt::format("{} of its numbers at {} are {}", percent(worst.share),
+                                          foundation::quoted(worst.path), worst.words());
   const std::string rule = fmt::format("the model has none of these: {}", worst.refusal.rule);
   const std::string remedy = unbounded
       ? "add truncated_at = " + end_before_zero(base, tolerance, worst.path, worst.given) + ", or a lower deviation"
@@ -74,7 +83,7 @@ void add_beyond_zero(const project::Case& base, const project::Tolerance& tolera
   foundation::Problem& problem = worst.share > most_impossible
       ? found.error(subject, finding, rule, remedy)
       : found.warning(subject, finding, rule + "; these designs count as failed", remedy);
-  problem.origin = project::deepest(base.written, subject).origin;
+  problem.origin = project::deepest(base.written, "tolerances." + tolerance.name).origin;
 }
 
 }  // namespace
@@ -89,9 +98,13 @@ foundation::Problems tolerance_reach(const project::Case& base) {
       const project::ModelNumber number(path, "");
       const auto given = number.read(base);
       if (!given || *given == 0) continue;
-      const double share = share_beyond_zero(tolerance, place, *given);
-      if (share < occurs || (worst && share <= worst->share)) continue;
-      if (const auto refusal = refusal_beyond_zero(base, number, *given)) worst = {share, path, *given, *refusal};
+      if (share_beyond_zero(tolerance, place, *given, true) < occurs) continue;
+      constexpr double just_beyond = -1e-3;
+      const auto refused = refusal(base, number, just_beyond * *given);
+      if (!refused) continue;
+      const bool with_zero = refusal(base, number, 0).has_value();
+      const double share = share_beyond_zero(tolerance, place, *given, with_zero);
+      if (share >= occurs && (!worst || share > worst->share)) worst = {share, path, *given, with_zero, *refused};
     }
     if (worst) add_beyond_zero(base, tolerance, *worst, found);
   }

@@ -191,6 +191,12 @@ class CorrelationCheck {
     const numerics::GaussianCopula copula(tolerances_.size(), found_);
     if (!copula.impossible()) return;
     const auto& pair = found_[*copula.impossible()];
+    if (numerics::GaussianCopula(2, {{0, 1, pair.value}}).impossible())
+      return error(pair.a,
+                   fmt::format("{} of {} and {}", pair.value, foundation::quoted(tolerances_[pair.a].name),
+                               foundation::quoted(tolerances_[pair.b].name)),
+                   "a correlation is between -1 and 1, both excluded by more than 1e-12",
+                   "for numbers that move together, name all their paths and add together = true");
     error(pair.a,
           fmt::format("{:.6g} of {} and {}", pair.value, foundation::quoted(tolerances_[pair.a].name),
                       foundation::quoted(tolerances_[pair.b].name)),
