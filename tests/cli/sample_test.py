@@ -90,7 +90,7 @@ class Sample(InTemporaryFolder):
         self.assertGreater(rows["aggregate.x ≤ 11 mm", "rubber"]["total_from"], 0.9)
         self.assertLess(rows["aggregate.x ≤ 11 mm", "idle"]["total_to"], 0.01)
         text = trivet("sample", project, *FEW, "--shares").stdout
-        self.assertRegex(text, r"aggregate\.x ≤ 11 mm 0-p +idle +not told from 0, ≤ \d")
+        self.assertRegex(text, r"aggregate\.x ≤ 11 mm 0-p +idle +cannot be told from 0, ≤ \d")
         self.assertNotIn("shares", json.loads(trivet("sample", project, *FEW, "--json").stdout))
         refused = trivet("sample", ROBUST, *FEW, "--shares").stdout
         self.assertIn('No shares of the variance: "casting" and "core" are correlated', refused)

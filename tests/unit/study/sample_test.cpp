@@ -192,7 +192,7 @@ TEST(DrawnDesigns, AreTheSameInAnyPieces) {
 
 TEST(YieldWords, StateBoundsAndDigits) {
   const auto words = [](std::uint64_t met, std::uint64_t all) {
-    study::Yield yield{met, numerics::share_of_trials(met, all, 0.95)};
+    const study::Yield yield{met, all, numerics::share_of_trials(met, all, 0.95)};
     return results::yield_words(yield);
   };
   EXPECT_EQ(words(10000, 10000), "≥ 99.970 % with 95 % confidence");

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/results/design/sample_words.h"
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/results/format/json_parts.h"
 
@@ -23,25 +24,6 @@ using study::SampledCaseResult;
 using study::SampledRequirement;
 using study::Spread;
 using study::Yield;
-
-/// Decimals of a percentage that is known to this share: two digits of what is not known.
-int decimals_of(double unsure) {
-  constexpr int most = 9;
-  if (!(unsure > 0)) return 1;
-  return std::clamp(1 - static_cast<int>(std::floor(std::log10(100 * unsure))), 0, most);
-}
-
-enum class Rounded { near, down, up };
-
-std::string percent(double share, int decimals, Rounded rounded = Rounded::near) {
-  const double unit = std::pow(10.0, decimals), scaled = 100 * share * unit;
-  const double whole = rounded == Rounded::down ? std::floor(scaled)
-      : rounded == Rounded::up                  ? std::ceil(scaled)
-                                                : std::round(scaled);
-  return fmt::format("{:.{}f}", whole / unit, decimals);
-}
-
-std::string confidence_words() { return fmt::format("{:.0f} %", 100 * study::sample_confidence); }
 
 struct DrawnRequirement {
   const Sample* sample;
@@ -113,7 +95,8 @@ std::vector<Column> yield_columns(const DrawnRequirements& row) {
           row("alone", Kind::words, "met",
               [](const DrawnRequirement& one) {
                 const ConfidenceInterval& of = one.result->yield.interval;
-                return percent(of.estimate, decimals_of(std::max(of.to - of.estimate, of.estimate - of.from))) + " %";
+                return rounded_percent(of.estimate, decimals_of(std::max(of.to - of.estimate, of.estimate - of.from))) +
+                    " %";
               },
               {.forms = for_people}),
           row(
@@ -206,8 +189,7 @@ std::string first_words(const Sample& sample) {
       if (result.first > 0 && (!most || result.first > most->first)) most = &result, in = &one;
   if (!most) return "";
   return fmt::format("Breaks first: {}{}, in {:.3g} % of the designs that violate a requirement.",
-                     requirement_words(most->given, in->display),
-                     in->case_name.empty() ? "" : " in case " + in->case_name,
+                     requirement_words(most->given, in->display), in_case_words(*in),
                      100 * static_cast<double>(most->first) / static_cast<double>(violating(sample)));
 }
 
@@ -230,15 +212,6 @@ struct ShareRow {
   [[nodiscard]] const study::RequirementResult& requirement() const { return in().requirements[of->requirement].given; }
   [[nodiscard]] const numerics::VarianceShare& share() const { return of->draws[draw]; }
 };
-
-/// "64.2 % (63.8 % … 64.6 %)", or that it cannot be told from zero.
-std::string share_words(const ConfidenceInterval& share) {
-  const int decimals = decimals_of(std::max((share.to - share.from) / 2, 1e-4));
-  if (share.from <= 0)
-    return fmt::format("not told from 0, ≤ {} %", percent(std::max(share.to, 0.0), decimals, Rounded::up));
-  return fmt::format("{} % ({} % … {} %)", percent(share.estimate, decimals), percent(share.from, decimals),
-                     percent(share.to, decimals));
-}
 
 /// Numbers of each requirement, those with the largest total shares first.
 Table share_table(const Sample& sample) {
@@ -263,8 +236,7 @@ Table share_table(const Sample& sample) {
                           [](const ShareRow& one) { return one.requirement().words.text(); }, {.forms = in_json}),
                       row("requirement", Kind::words, "value of",
                           [](const ShareRow& one) {
-                            return requirement_words(one.requirement(), one.in().display) +
-                                (one.in().case_name.empty() ? "" : " in case " + one.in().case_name);
+                            return requirement_words(one.requirement(), one.in().display) + in_case_words(one.in());
                           },
                           {.forms = for_people}),
                       row("number", Kind::words, "drawn number",
@@ -331,15 +303,16 @@ std::string case_words(const SampledCaseResult& one) {
 
 std::string yield_words(const Yield& yield) {
   const ConfidenceInterval& of = yield.interval;
+  const double bound = numerics::share_without_failures(yield.designs, study::sample_confidence);
   if (of.to == 1 && of.estimate == 1)
-    return fmt::format("≥ {} % with {} confidence", percent(of.from, decimals_of(1 - of.from), Rounded::down),
+    return fmt::format("≥ {} % with {} confidence", rounded_percent(bound, decimals_of(1 - bound), Rounded::down),
                        confidence_words());
   if (of.from == 0 && of.estimate == 0)
-    return fmt::format("≤ {} % with {} confidence", percent(of.to, decimals_of(of.to), Rounded::up),
+    return fmt::format("≤ {} % with {} confidence", rounded_percent(1 - bound, decimals_of(1 - bound), Rounded::up),
                        confidence_words());
   const int decimals = decimals_of(std::max(of.to - of.estimate, of.estimate - of.from));
-  return fmt::format("{} % ({} confidence: {} % … {} %)", percent(of.estimate, decimals), confidence_words(),
-                     percent(of.from, decimals), percent(of.to, decimals));
+  return fmt::format("{} % ({} confidence: {} % … {} %)", rounded_percent(of.estimate, decimals), confidence_words(),
+                     rounded_percent(of.from, decimals), rounded_percent(of.to, decimals));
 }
 
 Document sample_document(const Sample& sample, const foundation::Problems& warnings) {

@@ -32,7 +32,8 @@ std::uint64_t sum(const std::vector<std::uint64_t>& list) {
 Yield yield_of(const std::vector<std::uint64_t>& met, const std::vector<std::uint64_t>& designs) {
   Yield yield;
   yield.met = sum(met);
-  const std::uint64_t all = sum(designs), enough = fewest_per_replicate * designs.size();
+  yield.designs = sum(designs);
+  const std::uint64_t all = yield.designs, enough = fewest_per_replicate * designs.size();
   yield.of_replicates = designs.size() > 1 && yield.met >= enough && all - yield.met >= enough;
   if (!yield.of_replicates) {
     yield.interval = numerics::share_of_trials(yield.met, all, sample_confidence);

@@ -21,7 +21,7 @@ inline constexpr double sample_confidence = 0.95;
 
 /// Share of the designs that meet something.
 struct Yield {
-  std::uint64_t met = 0;
+  std::uint64_t met = 0, designs = 0;
   numerics::ConfidenceInterval interval;
   /// From the differences of the replicates; otherwise Clopper and Pearson's, as of random designs.
   bool of_replicates = false;
