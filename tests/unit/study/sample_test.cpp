@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
@@ -12,6 +13,7 @@
 #include "trivet/judging/read_project.h"
 #include "trivet/results/design/sample_document.h"
 #include "trivet/study/sample/drawn_designs.h"
+#include "trivet/study/sample/sample_tally.h"
 
 namespace trivet {
 namespace unit_sample_test {
@@ -175,6 +177,41 @@ TEST(Sample, StatesWhatItNeeds) {
   EXPECT_THAT(message(rotor), HasSubstr("sample: \"m1.x at 600 rpm\" cannot be judged: no limit holds at this speed"));
   EXPECT_THAT(message(test::chain({1}, {1}, {1}) + "[requirements]\ndamping_ratio = 0.1\n"),
               HasSubstr("the file has no tolerances"));
+}
+
+TEST(Tally, CountsAMarginThatIsNoNumberAsFailed) {
+  const project::Project project = test::project(machine + required);
+  const std::vector<project::Tolerance>& tolerances = project.base().analyses.tolerances;
+  const study::DrawnDesigns drawn(tolerances, {});
+  const std::vector<study::SampledCase> cases(1, {project.base(), tolerances, drawn});
+  study::SampleTally tally(cases, drawn.replicates(), {{{}, {}}});
+  study::SampledMargins margins{Eigen::ArrayXXd::Constant(3, 2, 2.0), std::vector<std::string>(3)};
+  margins.margins(1, 1) = std::numeric_limits<double>::quiet_NaN();
+  tally.add(drawn, 10, {margins});
+  EXPECT_EQ(tally.failed, 1);
+  EXPECT_EQ(tally.first_failed, 11);
+  EXPECT_EQ(tally.first_failure, "the margin of \"" + cases[0].given()[1].words.text() + "\" is not a number");
+  EXPECT_EQ(tally.of[0][0].margins.count(), 2);
+}
+
+// Where damping ratios are negative the margin is 0: neither these values nor what depends on them is known.
+TEST(Sample, HasNoValuesOfNegativeDampingRatios) {
+  const std::string damped = test::chain({10}, {40000, 0}, {60, 0}) + R"([tolerances.oil]
+path = "elements.k1.damping.translation.x"
+half_width = "20 %"
+[requirements]
+damping_ratio = 0.01
+)";
+  const study::Sample found = study::sample(test::project(damped, {"analyses.sample.designs=100"}));
+  const study::SampledRequirement& one = found.cases.at(0).requirements.at(0);
+  ASSERT_TRUE(one.value);
+  const double given = 60 / (2 * std::sqrt(40000 * 10));
+  EXPECT_NEAR(one.value->median, given, 0.01 * given) << "100 designs";
+  EXPECT_FALSE(study::value_at_margin(one.given, 0));
+  EXPECT_EQ(study::value_at_margin(one.given, 2), 0.02);
+  study::RequirementResult limit = one.given;
+  limit.kind = study::RequirementKind::amplitude;
+  EXPECT_EQ(study::value_at_margin(limit, 0), std::numeric_limits<double>::infinity());
 }
 
 TEST(DrawnDesigns, AreTheSameInAnyPieces) {

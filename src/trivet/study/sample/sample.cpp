@@ -54,8 +54,8 @@ Spread spread_of_margin(const RequirementTally& tally) {
 /// The spread of the values that belong to margins; where more is worse the largest margin has the least value.
 std::optional<Spread> spread_of_value(const RequirementResult& given, const Spread& margin) {
   const auto at = [&](double of_margin) { return value_at_margin(given, of_margin); };
-  if (!at(1) || !margin.extremes.any) return std::nullopt;
   const numerics::Extremes& ends = margin.extremes;
+  if (!ends.any || !at(ends.least)) return std::nullopt;
   Spread spread{*at(margin.low),
                 *at(margin.median),
                 *at(margin.high),

@@ -39,7 +39,8 @@ struct SampledRequirement {
   Yield yield;              ///< of this requirement alone
   std::uint64_t first = 0;  ///< designs without all requirements met in which it has the least margin
   Spread margin;
-  std::optional<Spread> value;            ///< where the margin is value over limit or limit over value; SI
+  /// Where the margin is limit over value or value over limit, in all designs; SI.
+  std::optional<Spread> value;
   std::optional<double> mean, deviation;  ///< of the value; none if it is unbounded in a design
 };
 

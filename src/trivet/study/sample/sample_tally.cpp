@@ -28,8 +28,10 @@ std::optional<double> value_at_margin(const RequirementResult& requirement, doub
     case mount_dynamic_deflection:
     case mount_shock_deflection:
       return requirement.allowed / margin;
-    case separation:
     case damping_ratio:
+      if (margin == 0) return std::nullopt;
+      [[fallthrough]];
+    case separation:
     case decoupling:
       return requirement.allowed * margin;
     default:
@@ -51,6 +53,16 @@ SampleTally::SampleTally(const std::vector<SampledCase>& cases, std::size_t repl
   }
 }
 
+std::string SampleTally::failure(Eigen::Index row, const std::vector<SampledMargins>& margins) const {
+  for (std::size_t c = 0; c < margins.size(); ++c) {
+    if (!margins[c].failures[to_size(row)].empty()) return margins[c].failures[to_size(row)];
+    for (std::size_t r = 0; r < cases_[c].given().size(); ++r)
+      if (std::isnan(margins[c].margins(row, to_index(r))))
+        return "the margin of \"" + cases_[c].given()[r].words.text() + "\" is not a number";
+  }
+  return "";
+}
+
 void SampleTally::add(const DrawnDesigns& drawn, std::uint64_t first, const std::vector<SampledMargins>& margins) {
   for (std::size_t c = 0; c < margins.size(); ++c) {
     in_kernels[c] += margins[c].in_kernels;
@@ -60,13 +72,11 @@ void SampleTally::add(const DrawnDesigns& drawn, std::uint64_t first, const std:
     const std::uint64_t design = first + i;
     const std::size_t replicate = drawn.replicate(design);
     ++designs[replicate];
-    const auto failing =
-        std::ranges::find_if(margins, [&](const SampledMargins& one) { return !one.failures[i].empty(); });
-    if (failing == margins.end()) {
+    if (const std::string why = failure(to_index(i), margins); why.empty()) {
       add_judged(replicate, design, to_index(i), margins);
     } else if (failed++ == 0 || design < first_failed) {
       first_failed = design;
-      first_failure = failing->failures[i];
+      first_failure = why;
     }
   }
 }

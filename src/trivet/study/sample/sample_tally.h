@@ -12,7 +12,7 @@
 namespace trivet::study {
 
 /// The value that belongs to a margin: limit/margin, or limit × margin where more is better; none of requirements whose
-/// margin is neither.
+/// margin is neither, and of a damping ratio with a margin of 0, which may be negative.
 [[nodiscard]] std::optional<double> value_at_margin(const RequirementResult& requirement, double margin);
 
 /// Magnitudes for which the sums of a requirement are made.
@@ -48,6 +48,8 @@ class SampleTally {
   numerics::Extremes least;  ///< of the least margins of the judged designs
 
  private:
+  /// Why a design fails; empty if it is judged.
+  [[nodiscard]] std::string failure(Eigen::Index row, const std::vector<SampledMargins>& margins) const;
   void add_judged(std::size_t replicate, std::uint64_t design, Eigen::Index row,
                   const std::vector<SampledMargins>& margins);
   const std::vector<SampledCase>& cases_;
