@@ -214,6 +214,28 @@ damping_ratio = 0.01
   EXPECT_EQ(study::value_at_margin(limit, 0), std::numeric_limits<double>::infinity());
 }
 
+// Whether it has no value, or a constant one, each requirement says why it has no shares.
+TEST(Sample, SaysWhyARequirementHasNoShares) {
+  const std::string more = "no_peak = \"m1.x\"\npeak_tolerance = 0.5\n[analyses.sample]\ndesigns = 500\n";
+  const project::Project project = test::project(machine + required + more);
+  const study::Sample found = study::sample(project, {}, true);
+  ASSERT_EQ(found.shares->list.size(), 3);
+  EXPECT_EQ(found.shares->list[0].reason, "");
+  EXPECT_EQ(found.shares->list[2].reason, "its margin is not that of a value");
+  EXPECT_TRUE(found.shares->list[2].draws.empty());
+  const std::string text = results::as_json_text(results::sample_document(found, {}));
+  EXPECT_THAT(text, HasSubstr("\"its margin is not that of a value\""));
+
+  const std::string other = test::chain({10, 4}, {40000, 20000, 0}, {60, 30, 0}) +
+      "[bodies.alone]\nmass = 1\nfree = [\"x\"]\n[elements.own]\ntype = \"three_springs\"\non = \"alone\"\n"
+      "at = [0, 0, 0]\ntranslation = [1000, 0, 0]\n[excitations.force]\ntype = \"harmonic\"\non = \"m1\"\n"
+      "at = [0, 0, 0]\nforce = [10, 0, 0]\n[tolerances.own]\npath = \"elements.own.scale\"\nhalf_width = \"5 %\"\n"
+      "[analyses.sample]\ndesigns = 500\n";
+  const study::Sample idle = study::sample(test::project(other + required), {}, true);
+  ASSERT_EQ(idle.shares->list.size(), 2);
+  for (const study::RequirementShares& one : idle.shares->list) EXPECT_EQ(one.reason, "its value does not vary");
+}
+
 TEST(DrawnDesigns, AreTheSameInAnyPieces) {
   const project::Project project = test::project(machine + required);
   for (const bool sobol : {true, false}) {

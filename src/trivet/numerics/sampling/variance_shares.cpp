@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/sampling/variance_shares.h"
 
+#include <algorithm>
+
 #include "trivet/foundation/index.h"
 
 namespace trivet::numerics {
+namespace {
+
+/// Values are known to these: less variation is that of their computation.
+constexpr double nine_digits = 1e-9;
+
+}  // namespace
 
 PairedValues::PairedValues(std::size_t dimensions, std::size_t replicates) : sums_(replicates) {
   for (Sums& one : sums_) {
@@ -31,7 +39,8 @@ std::vector<VarianceShare> PairedValues::shares(double confidence) const {
     const double count = 2 * static_cast<double>(one.pairs), mean = one.sum / count;
     variances.push_back(one.squares / count - mean * mean);
     constexpr double round_off = 1e-14;
-    if (!(variances.back() > round_off * one.squares / count)) return {};
+    const double undecided = nine_digits * *reference_;
+    if (!(variances.back() > std::max(round_off * one.squares / count, undecided * undecided))) return {};
   }
   std::vector<VarianceShare> found;
   for (Eigen::Index d = 0; d < sums_.front().first.size(); ++d) {

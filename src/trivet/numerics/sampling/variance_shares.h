@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -27,8 +28,11 @@ class PairedValues {
 
   /// By Jansen's estimators in each replicate [Jansen1999], with Student's intervals of their means:
   /// first = 1 − ⟨(f(b) − f(ab))²⟩/2V, total = ⟨(f(a) − f(ab))²⟩/2V, V the variance of f(a) and f(b).
-  /// @returns  per dimension; empty if the variance is zero in a replicate, or one has fewer than two pairs
+  /// @returns  per dimension; empty if the standard deviation is within nine digits of the value in a replicate, or one
+  /// has fewer than two pairs
   [[nodiscard]] std::vector<VarianceShare> shares(double confidence) const;
+  /// Of all replicates.
+  [[nodiscard]] std::size_t fewest_pairs() const { return std::ranges::min(sums_, {}, &Sums::pairs).pairs; }
 
  private:
   struct Sums {

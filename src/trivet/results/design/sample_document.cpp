@@ -251,7 +251,27 @@ Table share_table(const Sample& sample) {
                           [](const ShareRow& one) { return share_words(one.share().first); }, {.forms = for_people}),
                       row("together", Kind::words, "with others",
                           [](const ShareRow& one) { return share_words(one.share().total); }, {.forms = for_people})},
-          .without_rows = "No value varies.",
+          .forms = in_json | on_screen | on_page};
+}
+
+/// Requirements without shares, and why.
+Table without_shares(const Sample& sample) {
+  std::vector<ShareRow> list;
+  for (const study::RequirementShares& one : sample.shares->list)
+    if (!one.reason.empty()) list.push_back({&sample, &one, 0});
+  const Rows row(std::move(list));
+  return {.key = "without",
+          .rows = row.size(),
+          .columns = {row("case", Kind::words, "", [](const ShareRow& one) { return one.in().case_name; },
+                          {.forms = in_json}),
+                      row("requirement", Kind::words, "",
+                          [](const ShareRow& one) { return one.requirement().words.text(); }, {.forms = in_json}),
+                      row("requirement", Kind::words, "no shares of",
+                          [](const ShareRow& one) {
+                            return requirement_words(one.requirement(), one.in().display) + in_case_words(one.in());
+                          },
+                          {.forms = for_people}),
+                      row("reason", Kind::words, "because", [](const ShareRow& one) { return one.of->reason; })},
           .forms = in_json | on_screen | on_page};
 }
 
@@ -279,6 +299,7 @@ void add_shares(const Sample& sample, Document& document) {
   Table table = share_table(sample);
   if (!shares.reason.empty()) table.forms = in_json;
   group.parts.push_back({std::move(table)});
+  group.parts.push_back({without_shares(sample)});
 }
 
 std::string method_words(const Sample& sample) {

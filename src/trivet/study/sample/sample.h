@@ -67,16 +67,17 @@ struct NamedDesign {
 /// Shares of the variance of the value of one requirement.
 struct RequirementShares {
   std::size_t in_case = 0, requirement = 0;    ///< among those of the sample
-  std::vector<numerics::VarianceShare> draws;  ///< per drawn number; empty: the value does not vary
+  std::vector<numerics::VarianceShare> draws;  ///< per drawn number; empty: there are none
+  std::string reason;                          ///< why there are none
 };
 
 /// Which tolerance scatters which value.
 struct SampledShares {
-  std::vector<std::string> names;  ///< of the drawn numbers: "rubber at elements.left.scale"
-  std::uint64_t pairs = 0;         ///< of designs, each with one more design for each number
-  std::uint64_t left_out = 0;      ///< of these: a design could not be judged, or its value is unbounded
-  std::string reason;              ///< why there are none; empty if there are
-  std::vector<RequirementShares> list;
+  std::vector<std::string> names;       ///< of the drawn numbers: "rubber at elements.left.scale"
+  std::uint64_t pairs = 0;              ///< of designs, each with one more design for each number
+  std::uint64_t left_out = 0;           ///< of these: a design could not be judged, or its value is unbounded
+  std::string reason;                   ///< why there are none; empty if there are
+  std::vector<RequirementShares> list;  ///< of all requirements
 };
 
 struct Sample {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"
@@ -68,13 +69,12 @@ class Pairs {
   std::size_t draws_;
 };
 
-/// The requirements with values, and these of all designs.
+/// Values of the requirements in all designs; NaN where there is none.
 class ValuesOfPairs {
  public:
   ValuesOfPairs(const std::vector<SampledCase>& cases, std::size_t designs) : cases_(cases) {
     for (std::size_t c = 0; c < cases.size(); ++c)
-      for (std::size_t r = 0; r < cases[c].given().size(); ++r)
-        if (value_at_margin(cases[c].given()[r], 1)) places_.emplace_back(c, r);
+      for (std::size_t r = 0; r < cases[c].given().size(); ++r) places_.emplace_back(c, r);
     values_.resize(to_index(designs), to_index(places_.size()));
   }
 
@@ -87,7 +87,8 @@ class ValuesOfPairs {
       const auto [c, r] = places_[p];
       for (Eigen::Index d = 0; d < designs.rows(); ++d)
         values_(to_index(first) + d, to_index(p)) =
-            *value_at_margin(cases_[c].given()[r], margins[c].margins(d, to_index(r)));
+            value_at_margin(cases_[c].given()[r], margins[c].margins(d, to_index(r)))
+                .value_or(std::numeric_limits<double>::quiet_NaN());
     }
   }
 
@@ -120,6 +121,12 @@ SampledShares variance_shares(const std::vector<SampledCase>& cases, const std::
       {.size = std::max<std::size_t>(1, judged_at_once / step), .progress = progress, .task = "designs of shares"},
       [&](std::size_t first, std::size_t last) { values.judge(first * step, pairs.designs(first, last - first)); });
   for (std::size_t p = 0; p < values.places().size(); ++p) {
+    const auto [c, r] = values.places()[p];
+    RequirementShares& of = found.list.emplace_back(c, r);
+    if (!value_at_margin(cases[c].given()[r], 1)) {
+      of.reason = "its margin is not that of a value";
+      continue;
+    }
     numerics::PairedValues paired(pairs.draws(), replicates);
     std::uint64_t left_out = 0;
     for (std::size_t pair = 0; pair < found.pairs; ++pair) {
@@ -128,7 +135,11 @@ SampledShares variance_shares(const std::vector<SampledCase>& cases, const std::
       else paired.add(pairs.replicate(pair), of_pair(0), of_pair(1), of_pair.tail(to_index(pairs.draws())));
     }
     found.left_out = std::max(found.left_out, left_out);
-    found.list.push_back({values.places()[p].first, values.places()[p].second, paired.shares(sample_confidence)});
+    of.draws = paired.shares(sample_confidence);
+    if (of.draws.empty())
+      of.reason = paired.fewest_pairs() < 2
+          ? fmt::format("its value is unbounded, or cannot be judged, in {} of {} pairs", left_out, found.pairs)
+          : "its value does not vary";
   }
   return found;
 }
