@@ -18,7 +18,8 @@
 namespace trivet::study {
 namespace {
 
-constexpr std::size_t kernel_piece = 960, model_piece = 8;  // designs
+constexpr std::size_t kernel_piece = 120, model_piece = 8;  // designs
+constexpr std::size_t first_designs = 120;                  // which set the units of the sums
 
 /// Fewer met or violated designs per replicate say too little of their differences.
 constexpr std::uint64_t fewest_per_replicate = 10;
@@ -97,19 +98,22 @@ class Study {
   }
 
   void run(const foundation::Progress& progress) {
-    const bool kernels = std::ranges::all_of(cases_, [](const SampledCase& one) { return one.no_kernels().empty(); });
-    const std::size_t piece = kernels ? kernel_piece : model_piece, count = found_.request.designs;
-    // The first piece sets the units of the sums.
-    const std::vector<SampledMargins> first = judged(0, std::min(piece, count));
+    // The first designs set the units of the sums.
+    const std::size_t count = found_.request.designs, begin = std::min(first_designs, count);
+    std::vector<std::vector<SampledMargins>> first((begin + model_piece - 1) / model_piece);
+    foundation::parallel_for(
+        begin, {.size = model_piece, .progress = progress, .task = "first designs"},
+        [&](std::size_t from, std::size_t to) { first[from / model_piece] = judged(from, to - from); });
     const auto magnitudes = magnitudes_of(first);
     SampleTally all(cases_, drawn_.replicates(), magnitudes);
-    all.add(drawn_, 0, first);
+    for (std::size_t i = 0; i < first.size(); ++i) all.add(drawn_, i * model_piece, first[i]);
+    const bool kernels = std::ranges::all_of(cases_, [](const SampledCase& one) { return one.no_kernels().empty(); });
     std::mutex merging;
-    const std::size_t left = count - std::min(piece, count);
-    foundation::parallel_for(left, {.size = piece, .progress = progress, .task = "designs"},
+    foundation::parallel_for(count - begin,
+                             {.size = kernels ? kernel_piece : model_piece, .progress = progress, .task = "designs"},
                              [&](std::size_t from, std::size_t to) {
                                SampleTally part(cases_, drawn_.replicates(), magnitudes);
-                               part.add(drawn_, piece + from, judged(piece + from, to - from));
+                               part.add(drawn_, begin + from, judged(begin + from, to - from));
                                const std::lock_guard lock(merging);
                                all.merge(part);
                              });
@@ -126,14 +130,17 @@ class Study {
     return margins;
   }
 
-  [[nodiscard]] std::vector<std::vector<SumMagnitudes>> magnitudes_of(const std::vector<SampledMargins>& first) const {
+  /// @param first  pieces of designs, each with the margins of all cases
+  [[nodiscard]] std::vector<std::vector<SumMagnitudes>> magnitudes_of(
+      const std::vector<std::vector<SampledMargins>>& first) const {
     std::vector<std::vector<SumMagnitudes>> all(cases_.size());
     for (std::size_t c = 0; c < cases_.size(); ++c)
       for (std::size_t r = 0; r < cases_[c].given().size(); ++r) {
         double largest = 0;
-        for (const double margin : first[c].margins.col(to_index(r)))
-          if (const auto value = value_at_margin(cases_[c].given()[r], margin); value && std::isfinite(*value))
-            largest = std::max(largest, std::abs(*value));
+        for (const std::vector<SampledMargins>& piece : first)
+          for (const double margin : piece[c].margins.col(to_index(r)))
+            if (const auto value = value_at_margin(cases_[c].given()[r], margin); value && std::isfinite(*value))
+              largest = std::max(largest, std::abs(*value));
         const double square = largest * largest;
         const bool usable = square > std::numeric_limits<double>::min() && std::isfinite(square);
         all[c].push_back(usable ? SumMagnitudes{largest, square} : SumMagnitudes{});
