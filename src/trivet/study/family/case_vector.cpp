@@ -79,7 +79,7 @@ std::pair<Eigen::VectorXd, double> mount_row(const model::System& system, const 
                                              rows.load_at_rest(result.direction)}
         : std::pair<Eigen::VectorXd, double>{rows.deflection.transpose(), rows.deflection_at_rest};
   }
-  throw foundation::InvalidInput("PackedCase: no mount " + result.subject);
+  throw foundation::InvalidInput("CaseVector: no mount " + result.subject);
 }
 
 bool is_mount(RequirementKind kind) {

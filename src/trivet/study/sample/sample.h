@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
-#include "trivet/foundation/problems.h"
 #include "trivet/numerics/sampling/exact_statistics.h"
 #include "trivet/numerics/sampling/intervals.h"
 #include "trivet/numerics/sampling/variance_shares.h"
@@ -93,7 +92,6 @@ struct Sample {
   std::optional<NamedDesign> worst;  ///< the design with the least margin of all
   double worst_margin = 0;
   std::optional<SampledShares> shares;  ///< if they are requested
-  foundation::Problems warnings;
 };
 
 /// Judges the requirements of the cases in which the design has to hold for the designs of [analyses.sample], by
