@@ -53,8 +53,8 @@ struct DesignSweep {
 inline constexpr std::size_t most_swept_values = 200'000'000;
 
 /// The largest amplitude of every result in the band, under all harmonic excitations. The matrices of all designs are
-/// interpolated (design::SumFamily) where that is exact to round-off, and their peaks found by kernels over designs;
-/// designs that these do not prove are computed one by one.
+/// interpolated (design::SumFamily) where that is exact to round-off, between values with a valid model, and their
+/// peaks found by kernels over designs; designs beyond, and those that these do not prove, are computed one by one.
 /// @throws foundation::InvalidInput for an empty or too large sweep, or a number or result that does not exist;
 /// NotComputable without excitation
 [[nodiscard]] DesignSweep design_sweep(const project::Case& variant, const SweepRequest& request,
