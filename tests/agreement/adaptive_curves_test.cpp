@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "support/projects.h"
 #include "support/random_system.h"
@@ -227,8 +228,9 @@ TEST(AdaptiveCurves, UndampedModesThatNoCurveSeesLeaveNoTrace) {
   std::string text =
       "trivet = 1\n[bodies.m]\nmass = 1000\ncenter_of_mass = [0, 0, 0.1]\n"
       "inertia = {about = \"center_of_mass\", xx = 100, yy = 100, zz = 150}\n";
-  for (const std::string at : {"0.5, 0.5", "0.5, -0.5", "-0.5, 0.5", "-0.5, -0.5"})
-    text += "[elements.\"" + at + "\"]\ntype = \"bushing\"\non = \"m\"\nat = [" + at +
+  for (const auto& [name, at] :
+       {std::pair{"a", "0.5, 0.5"}, {"b", "0.5, -0.5"}, {"c", "-0.5, 0.5"}, {"d", "-0.5, -0.5"}})
+    text += std::string("[elements.") + name + "]\ntype = \"bushing\"\non = \"m\"\nat = [" + at +
         ", 0]\ntranslation = [1e6, 1e6, 1e7]\nrotation = [0, 0, 0]\n";
   text += "[excitations.f]\ntype = \"harmonic\"\non = \"m\"\nat = [0, 0, 0]\nforce = [0, 0, 1000]\n";
   const auto project = test::project(text);

@@ -70,13 +70,30 @@ class JudgedSpeeds(InTemporaryFolder):
         both = f'[requirements.limits]\n"m.z" = [{wide}, {own}]\n'
         self.assertTrue(self.headline(ROTOR + push + SPEED + both).startswith("NOT JUDGED"))
 
-    def test_searches_do_not_ask_for_it(self):
+    def test_a_line_that_misses_the_speed_is_not_judged_there(self):
+        for end, band, word in (
+            ("5 Hz", "30 Hz", "NOT JUDGED"),
+            ("30 Hz", "5 Hz", "NOT JUDGED"),
+            ("30 Hz", "30 Hz", "MET"),
+        ):
+            line = f'[limit_lines.l]\nof = "m.z"\nrows = [["1 Hz", "1 km/s"], ["{end}", "1 km/s"]]\n'
+            response = RESPONSE.replace('"5 Hz"', f'"{band}"')
+            self.assertTrue(
+                self.headline(ROTOR + SPEED + line + "[requirements]\n" + response).startswith(word), (end, band)
+            )
+
+    def test_searches_do_not_ask_for_it_and_say_so(self):
         text = (
             ROTOR + SPEED + '[requirements.limits]\n"m.z" = {limit = "1 m", band = ["1 Hz", "5 Hz"]}\n'
             '[parameters.k]\npath = "elements.s.scale"\nfrom = 0.5\nto = 2\n[analyses]\noptimize = {}\n'
         )
         done = trivet("optimize", self.file(MACHINE + text), "--json")
         self.assertEqual(done.returncode, DONE, done.stderr)
+        self.assertTrue(json.loads(done.stdout)["feasible"])
+        self.assertIn("m.z at 600 rpm: not judged", done.stderr)
+        axes = "x = {parameter = 'elements.s.scale', from = 0.9, to = 1.1}, y = {parameter = 'bodies.m.mass', from = 9, to = 11}"
+        mapped = text.replace("optimize = {}", f"map = {{{axes}}}")
+        self.assertIn("m.z at 600 rpm: not judged", trivet("map", self.file(MACHINE + mapped), "--points", "3").stderr)
 
     def test_lines_beside_requirements_are_judged_by_verdict_as_by_run(self):
         line = '[limit_lines.low]\nof = "m.z"\nrows = [["1 Hz", "1 nm/s"], ["5 Hz", "1 nm/s"]]\n'

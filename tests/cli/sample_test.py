@@ -44,6 +44,34 @@ class Sample(InTemporaryFolder):
         judged = json.loads(trivet("verdict", ROBUST, "--json", *(x for s in settings for x in ("--set", s))).stdout)
         self.assertAlmostEqual(judged["least_margin"]["margin"] / found["worst_margin"], 1, 8)
 
+    def test_the_case_with_the_least_margin_is_named(self):
+        path = self.folder / "cases.toml"
+        text = ROBUST.read_text().replace("[requirements]\n", '[requirements]\nhold_in = ["", "soft"]\n')
+        path.write_text(text + "\n[cases.soft]\nelements.suspension.scale = 4\n")
+        self.assertRegex(trivet("sample", path, *FEW).stdout, r"Least margin \S+ in case soft in design \d+")
+        self.assertEqual(json.loads(trivet("sample", path, *FEW, "--json").stdout)["worst_case"], "soft")
+        self.assertEqual(json.loads(trivet("sample", ROBUST, *FEW, "--json").stdout)["worst_case"], "")
+
+    def test_values_are_at_the_level_of_the_limit_and_between_their_extremes(self):
+        path = self.folder / "level.toml"
+        path.write_text(
+            ROBUST.read_text()
+            .replace('"aggregate.x" = "11 mm"', '"aggregate.x" = "22 mm p-p"')
+            .replace('level = "amplitude"\n', "")
+        )
+        (row,) = [one for one in trivet("sample", path, *FEW).stdout.splitlines() if "aggregate.x ≤" in one]
+        self.assertRegex(row, r"≤ 22 mm p-p .* mm p-p .* mm p-p .* mm p-p")
+        both = [
+            json.loads(trivet("sample", one, *FEW, "--json").stdout)["cases"][0]["requirements"][0]
+            for one in (path, ROBUST)
+        ]
+        self.assertEqual(both[0], both[1])
+        self.assertEqual(both[0]["level"], "0-p")
+        self.assertTrue(both[0]["requirement"].endswith("≤ 11 mm 0-p"))
+        for one in json.loads(trivet("sample", ROBUST, *FEW, "--json").stdout)["cases"][0]["requirements"]:
+            ends = [one[f"margin_{name}"] for name in ("least", "low", "median", "high", "largest")]
+            self.assertEqual(ends, sorted(ends, key=lambda m: float("inf") if m is None else m))
+
     def test_a_measured_batch_is_drawn_as_it_is(self):
         values = [6 * (0.8 + 0.02 * i) for i in range(20)]
         (self.folder / "batch.csv").write_text("scale\n" + "".join(f"{value}\n" for value in values))

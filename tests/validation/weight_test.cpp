@@ -137,8 +137,8 @@ TEST(Weight, MakesACabinetFallOver) {
   EXPECT_EQ(problem.subject, "bodies.cabinet");
   EXPECT_THAT(problem.finding,
               testing::HasSubstr("it falls over: when it tilts, the weight causes an overturning "
-                                 "moment of 10983 N m/rad, the elements a restoring moment of 9680 "
-                                 "N m/rad; with its centre of mass below 1.234 m over its pole"));
+                                 "moment of 10.983 kN m/rad, the elements a restoring moment of 9.68 "
+                                 "kN m/rad; with its centre of mass below 1.234 m over its pole"));
   EXPECT_TRUE(judging::project_from_text(Cabinet{.height = 1.233}.text(), "cabinet.toml", {}, ""));
   EXPECT_FALSE(judging::project_from_text(Cabinet{.height = 1.235}.text(), "cabinet.toml", {}, ""));
 }

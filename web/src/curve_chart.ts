@@ -176,6 +176,7 @@ export class CurveChart extends Part {
     const {asker} = this.app, verdict = asker.result<Verdict>('verdict');
     if (this.wanted || this.hasBegun || !verdict) return;
     this.hasBegun = true;
+    this.requestUpdate();  // the mark "…" goes, if nothing else changes
     const unit = unitOfFirstLimit(verdict, curves);
     if (unit !== null && unit !== this.choice.unit && offeredUnits(unitsOf(curves)).includes(unit)) this.chooseQuantity(curves, unit);
   }

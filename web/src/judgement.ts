@@ -5,7 +5,7 @@ import type {Verdict} from './results.ts';
 
 /// What the pill says of the design.
 export interface Judgement {
-  state: 'met' | 'violated' | 'unbinding' | 'none' | 'error' | 'unknown';  // unbinding: violated, but only where nothing is binding
+  state: 'met' | 'violated' | 'unjudged' | 'unbinding' | 'none' | 'error' | 'unknown';  // unbinding: violated, but only where nothing is binding
   words: string;
   old: boolean;
 }
@@ -31,13 +31,13 @@ export function judgement(app: App): Judgement {
     const violated = all.filter(r => r.judged && !r.met), unjudged = all.filter(r => !r.judged), old = asker.isOld('verdict');
     const not = unjudged.length ? `${unjudged.length} of ${all.length} requirements not judged` : '';
     const wrong = [...violated.length ? [`${violated.length} of ${all.length} requirements violated`] : [], ...not ? [not] : []].join(', ');
-    if (!found?.met && found?.decides !== false) return {state: 'violated', words: wrong || 'not met', old};
+    if (!found?.met && found?.decides !== false) return {state: violated.length ? 'violated' : 'unjudged', words: wrong || 'not met', old};
     const elsewhere = verdict.cases.find(c => c !== found && c.decides && !c.met);
     const there = elsewhere ? `${violates(elsewhere) ? 'violated' : 'not judged'} in ${nameOf(elsewhere)}` : '', here = `${wrong} here, not binding`;
     if (there) return {state: 'violated', words: found.met ? `met here, ${there}` : `${there}; ${here}`, old};
     if (!found.met) return {state: 'unbinding', words: here, old};
     const least = verdict.least_margin, where = least && least.case !== found.case ? ` in ${nameOf(least)}` : '';
-    return {state: 'met', words: `all ${all.length} requirements met${least ? `, least margin ${number(least.margin, 4)}${where}` : ''}`, old};
+    return {state: 'met', words: `${all.length === 1 ? 'the requirement is' : `all ${all.length} requirements`} met${least ? `, least margin ${number(least.margin, 4)}${where}` : ''}`, old};
   }
   if (!hasSomethingToJudge(app)) return {state: 'none', words: 'no requirements', old: false};
   return {state: 'unknown', words: asker.failure('verdict') ? 'not judged' : 'judging', old: !asker.failure('verdict')};

@@ -3,7 +3,7 @@ import {html} from 'lit';
 import {judgement} from './judgement.ts';
 import type {App} from './part.ts';
 
-const SIGNS = {met: '✓', violated: '✗', unbinding: '(✗)', none: '○', error: '!', unknown: '…'};
+const SIGNS = {met: '✓', violated: '✗', unjudged: '?', unbinding: '(✗)', none: '○', error: '!', unknown: '…'};
 
 /// The verdict on the design in one line.
 export function verdictPill(app: App) {

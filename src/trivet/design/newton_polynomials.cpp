@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::design {
 
 const std::vector<double>& newton_nodes() {

@@ -14,7 +14,6 @@
 #include "trivet/foundation/files.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/project/text/source_file.h"
-#include "trivet/project/text/toml_text.h"
 
 namespace trivet::server {
 

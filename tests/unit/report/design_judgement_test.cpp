@@ -107,7 +107,8 @@ TEST(JudgementBox, IsNotRedByCasesInWhichTheDesignNeedNotHold) {
   const Box box = box_of(std::string(machine) +
                          "[requirements]\ndamping_ratio = 0.3\nhold_in = [\"\"]\n"
                          "[cases.soft]\nelements.spring.scale = 0.25\n");
-  EXPECT_THAT(box.html, StartsWith("<div class=\"calm\""));
+  EXPECT_THAT(box.html, StartsWith("<div class=\"doubt\""));
+  EXPECT_THAT(box.html, HasSubstr("MET: 1 of 1 requirement; violated in 1 case in which they are not binding"));
   EXPECT_THAT(box.html, HasSubstr("Violated in cases in which the requirements are not binding:"));
   EXPECT_THAT(box.html, HasSubstr("Case soft violates"));
   // The row of the requirement is that of the case that decides, and names the other one.

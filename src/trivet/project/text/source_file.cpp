@@ -105,6 +105,17 @@ foundation::Problems source_problems(std::string_view bytes, const std::filesyst
   return {};
 }
 
+foundation::Problems encoding_problems(std::string_view text, const std::string& source) {
+  foundation::Problems problems;
+  if (const auto foreign = foundation::first_foreign_byte(text))
+    problems.add(
+        {.origin = {source, foreign->line, foreign->place},
+         .finding = fmt::format("byte {} of the line is {:02X}, which is not UTF-8", foreign->place, foreign->byte),
+         .rule = "the file must be text in UTF-8",
+         .remedy = "save it as UTF-8"});
+  return problems;
+}
+
 foundation::Expected<std::string> read_source(const std::filesystem::path& path, const std::string& kind) {
   foundation::Expected<std::string> text = read_bytes(path, kind);
   if (!text) return text;

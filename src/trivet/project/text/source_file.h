@@ -32,6 +32,9 @@ inline constexpr std::uintmax_t largest_project_file = 16u << 20;
 [[nodiscard]] foundation::Problems source_problems(std::string_view bytes, const std::filesystem::path& path,
                                                    const std::string& kind = "project file");
 
+/// Why a text is not UTF-8: line and byte of the first place. None if it is.
+[[nodiscard]] foundation::Problems encoding_problems(std::string_view text, const std::string& source);
+
 /// Text of a project file or a catalogue; rejects directories and unreadable, empty, binary and too large files.
 [[nodiscard]] foundation::Expected<std::string> read_source(const std::filesystem::path& path,
                                                             const std::string& kind = "project file");

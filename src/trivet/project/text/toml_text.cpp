@@ -134,17 +134,6 @@ tl::unexpected<foundation::Problems> refused(foundation::Origin origin, std::str
 
 }  // namespace
 
-foundation::Problems encoding_problems(std::string_view text, const std::string& source) {
-  foundation::Problems problems;
-  if (const auto foreign = foundation::first_foreign_byte(text))
-    problems.add(
-        {.origin = {source, foreign->line, foreign->place},
-         .finding = fmt::format("byte {} of the line is {:02X}, which is not UTF-8", foreign->place, foreign->byte),
-         .rule = "the file must be text in UTF-8",
-         .remedy = "save it as UTF-8"});
-  return problems;
-}
-
 foundation::Expected<Node> parse_toml(std::string_view text, const std::string& source) {
   if (foundation::Problems foreign = encoding_problems(text, source); foreign.has_errors())
     return tl::make_unexpected(std::move(foreign));

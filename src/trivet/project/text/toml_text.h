@@ -9,9 +9,6 @@
 
 namespace trivet::project {
 
-/// Why a text is not UTF-8: line and byte of the first place. None if it is.
-[[nodiscard]] foundation::Problems encoding_problems(std::string_view text, const std::string& source);
-
 /// Parses TOML text. `source` names it in messages. Nesting and dotted keys deeper than 64 are rejected.
 [[nodiscard]] foundation::Expected<Node> parse_toml(std::string_view text, const std::string& source);
 

@@ -76,12 +76,14 @@ std::vector<Column> subject_columns(const DrawnRequirements& row) {
       row("kind", Kind::words, "", given([](const auto& r) { return study::name(r.kind); }),
           {.forms = in_json | in_csv}),
       row("subject", Kind::words, "", given([](const auto& r) { return r.subject; }), {.forms = in_json | in_csv}),
-      row("requirement", Kind::words, "", given([](const auto& r) { return r.words.text(); }),
+      row("requirement", Kind::words, "", given([](const auto& r) { return r.words_at_level(); }),
           {.forms = in_json | in_csv}),
       row("requirement", Kind::words, "requirement",
           [](const DrawnRequirement& one) { return requirement_words(one.result->given, one.in->display); },
           {.forms = for_people}),
       row("unit", Kind::words, "", given([](const auto& r) { return r.unit; })),
+      row("level", Kind::words, "", given([](const auto& r) { return *r.level() ? Json(r.level()) : Json(); }),
+          {.forms = in_json | in_csv}),
       row("allowed", Kind::quantity, "", given([](const auto& r) { return r.allowed; }), {.forms = in_json | in_csv})};
 }
 
@@ -120,13 +122,18 @@ std::vector<Column> margin_columns(const DrawnRequirements& row) {
           row("margin_largest_design", Kind::number, "", design(&Extremes::largest_at), data)};
 }
 
-std::vector<Column> value_columns(const DrawnRequirements& row, const std::function<Kind(std::size_t)>& kind_in_row) {
+/// People read values at the level of the limit.
+std::vector<Column> value_columns(const DrawnRequirements& row) {
   using numerics::Extremes;
   std::vector<Column> columns;
   const auto add = [&](const char* name, const char* heading, auto get) {
-    columns.push_back(row(name, Kind::quantity, heading, get,
-                          {.digits = 4, .forms = *heading ? everywhere : unsigned{in_json | in_csv}}));
-    columns.back().kind_in_row = kind_in_row;
+    columns.push_back(row(name, Kind::quantity, "", get, {.forms = in_json | in_csv}));
+    if (!*heading) return;
+    const auto shown = [get](const DrawnRequirement& one) {
+      const std::optional<double> value = get(one);
+      return value ? value_text(*value, requirement_unit(one.result->given, one.in->display)) : std::string("–");
+    };
+    columns.push_back(row(name, Kind::words, heading, shown, {.forms = for_people}));
   };
   add("value_given", "", [](const DrawnRequirement& one) { return one.result->given.value; });
   add("value_least", "", end_of_values(&Extremes::least));
@@ -143,11 +150,10 @@ Table requirement_table(const Sample& sample, const std::vector<const SampledCas
   std::vector<DrawnRequirement> list;
   for (const SampledCaseResult* one : cases)
     for (const SampledRequirement& result : one->requirements) list.push_back({&sample, one, &result});
-  const auto kind_in_row = [list](std::size_t i) { return kind_of_numbers(list[i].result->given); };
   const DrawnRequirements row(std::move(list));
   Table table{.key = "requirements", .file = "sample.csv", .rows = row.size()};
   for (std::vector<Column>& columns :
-       std::array{subject_columns(row), yield_columns(row), margin_columns(row), value_columns(row, kind_in_row)})
+       std::array{subject_columns(row), yield_columns(row), margin_columns(row), value_columns(row)})
     std::ranges::move(columns, std::back_inserter(table.columns));
   return table;
 }
@@ -359,10 +365,13 @@ Document sample_document(const Sample& sample, const foundation::Problems& warni
   add("first_failure", sample.first_failure);
   add("worst", design_json(sample.worst));
   add("worst_margin", sample.worst ? json::number(sample.worst_margin) : Json());
+  add("worst_case", sample.worst ? Json(sample.worst_case) : Json());
   if (const std::string first = first_words(sample); !first.empty()) say(document, first);
   add_failures(sample, document);
   if (sample.worst)
-    say(document, fmt::format("Least margin {:.4g} in {}.", sample.worst_margin, design_words(*sample.worst)));
+    say(document,
+        fmt::format("Least margin {:.4g}{} in {}.", sample.worst_margin,
+                    sample.worst_case.empty() ? "" : " in case " + sample.worst_case, design_words(*sample.worst)));
   std::vector<const SampledCaseResult*> cases;
   for (const SampledCaseResult& one : sample.cases) cases.push_back(&one);
   document.add(requirement_table(sample, cases)).forms = in_csv;

@@ -152,7 +152,10 @@ class Description {
       result_.summaries_before.push_back(design_summary(before.system));
       result_.summaries_after.push_back(design_summary(optimum.system));
     }
-    result_.feasible = std::ranges::all_of(result_.after, [](const CaseVerdict& judged) { return judged.met(); });
+    result_.feasible = std::ranges::all_of(result_.after, [](const CaseVerdict& judged) {
+      return std::ranges::all_of(judged.results,
+                                 [](const RequirementResult& one) { return one.met() || one.misses_speed; });
+    });
     for (std::size_t c = 0; c < objective_.cases().size(); ++c)
       at_best_.push_back(objective_.results(c, objective_.space().system(*objective_.cases()[c], values)));
     result_.objective_before = objective_of(given_.given());

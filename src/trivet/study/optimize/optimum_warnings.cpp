@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/study/requirements/requirement_values.h"
 #include "trivet/study/requirements/verdict.h"
 
 namespace trivet::study {
@@ -85,6 +86,7 @@ foundation::Problems optimum_warnings(const project::Project& project, const Opt
     warnings.warning("optimize", "the search was ended before it was complete",
                      "this is the best design so far, and none of the climbs from it is finished",
                      "give it more time, or fewer starts, combinations or parameters");
+  for (const CaseVerdict& judged : found.after) warnings.add(missed_speed_warnings(judged.results));
   warnings.add(zero_results(found));
   warnings.add(better_given_design(found));
   return warnings;

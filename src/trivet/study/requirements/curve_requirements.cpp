@@ -167,6 +167,8 @@ class CurveRequirements {
         result.angular_frequency = found.comparison.least_margin_at;
         result.quantity = quantity_of(line.line);
         result.excitations = selection.excitations;
+        const std::vector<double>& points = line.line.angular_frequency;
+        result.band = {std::max(band.from, points.front()), std::min(band.to, points.back())};
         result.on_line = on_line(line.line, found.comparison.least_margin_at);
         result.candidates = maxima_below_line(result, line.line, found.comparison);
       });

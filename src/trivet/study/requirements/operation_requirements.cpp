@@ -104,7 +104,8 @@ std::vector<RequirementResult> limits_that_miss_speeds(const model::System& syst
   for (const assembly::Band& speed : analyses.operation->speeds)
     for (const RequirementResult& limit : judged) {
       const auto is_of_place = [&](const RequirementResult& one) { return one.subject == limit.subject; };
-      if (limit.kind != RequirementKind::amplitude || !runs(system, *analyses.operation, limit.excitations) ||
+      const bool is_limit = limit.kind == RequirementKind::amplitude || limit.kind == RequirementKind::limit_line;
+      if (!is_limit || !runs(system, *analyses.operation, limit.excitations) ||
           std::ranges::any_of(missed, [&](const auto& one) { return is_of_place(one) && one.speed == speed; }))
         continue;
       std::vector<assembly::Band> bands;
@@ -121,12 +122,20 @@ std::vector<RequirementResult> limits_that_miss_speeds(const model::System& syst
       one.words = limit.subject + scope;
       one.quantity = limit.quantity;
       one.speed = speed;
+      one.misses_speed = true;
       one.reason =
           fmt::format("no limit holds {} {:.5g} Hz{}: write one in [operation.limits], or let a band contain it",
                       speed.from < speed.to ? "from" : "at this speed,", *first / foundation::two_pi,
                       speed.from < speed.to ? " on" : "");
     }
   return missed;
+}
+
+foundation::Problems missed_speed_warnings(const std::vector<RequirementResult>& missed) {
+  foundation::Problems warnings;
+  for (const RequirementResult& one : missed)
+    if (one.misses_speed) warnings.warning(one.words.text(), "not judged", one.reason, "");
+  return warnings;
 }
 
 }  // namespace trivet::study

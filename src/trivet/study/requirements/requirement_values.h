@@ -31,9 +31,9 @@ void set_amplitudes(const CaseContext& context, const project::Analyses& analyse
 
 /// Adds the limits of [operation] at each of its speeds: amplitudes of all orders together.
 void add_operation_requirements(const CaseContext& context, const project::Analyses& analyses, RequirementList& list);
-/// Places whose amplitude is limited, but by no limit at a speed of [operation]: each is a requirement that is not
-/// judged there. They are part of a verdict, not of a search. Limits under excitations that do not run at these speeds
-/// are left out.
+/// Places whose amplitude is limited, by a number or a line, but by no limit at a speed of [operation]: each is a
+/// requirement that is not judged there. They are part of a verdict, not of a search. Limits under excitations that do
+/// not run at these speeds are left out.
 [[nodiscard]] std::vector<RequirementResult> limits_that_miss_speeds(const model::System& system,
                                                                      const project::Analyses& analyses,
                                                                      const std::vector<RequirementResult>& judged);
@@ -79,5 +79,8 @@ void add_mount_requirements(const CaseContext& context, const project::Analyses&
 /// branch of motions that is connected with the lower end of the band; and, for no_jump, of detached ones that a search
 /// finds.
 void add_steady_requirements(const CaseContext& context, const project::Analyses& analyses, RequirementList& list);
+
+/// The same in words, for maps and searches, which do not judge them. Other requirements are left out.
+[[nodiscard]] foundation::Problems missed_speed_warnings(const std::vector<RequirementResult>& missed);
 
 }  // namespace trivet::study

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"

@@ -51,10 +51,11 @@ struct RequirementResult {
   std::optional<double> value;              ///< none: not judged, see `reason`; infinite if unbounded
   std::optional<double> angular_frequency;  ///< at which the value occurs [rad/s]
   std::optional<double> time;               ///< at which it occurs [s]
-  double margin = 0;   ///< 1 on the limit, more if the requirement is met, infinite if nothing limits it
-  int direction = 2;   ///< of a mount's load: 0 … 2 for x, y, z of the mount
-  std::string detail;  ///< "mode 3 and 4", "across its axis: not judged"
-  std::string reason;  ///< why it is not judged
+  double margin = 0;          ///< 1 on the limit, more if the requirement is met, infinite if nothing limits it
+  int direction = 2;          ///< of a mount's load: 0 … 2 for x, y, z of the mount
+  std::string detail;         ///< "mode 3 and 4", "across its axis: not judged"
+  std::string reason;         ///< why it is not judged
+  bool misses_speed = false;  ///< no limit holds at a speed of the machine: part of a verdict, not of a search
   std::vector<std::string>
       place;  ///< of a limit: keys that lead to its number in the file, see project::AmplitudeLimit
   std::optional<assembly::Band> speed;  ///< of the machine at which it holds [rad/s]; from = to: a single speed

@@ -49,7 +49,12 @@ Yield yield_of(const std::vector<std::uint64_t>& met, const std::vector<std::uin
 }
 
 Spread spread_of_margin(const RequirementTally& tally) {
-  return {tally.margins.quantile(0.05), tally.margins.quantile(0.5), tally.margins.quantile(0.95), tally.extremes};
+  const numerics::Extremes& ends = tally.extremes;  // the middle of an interval of the histogram may be beyond them
+  const auto at = [&](double share) {
+    const double found = tally.margins.quantile(share);
+    return ends.any ? std::clamp(found, ends.least, ends.largest) : found;
+  };
+  return {at(0.05), at(0.5), at(0.95), ends};
 }
 
 /// The spread of the values that belong to margins; where more is worse the largest margin has the least value.
@@ -183,6 +188,12 @@ class Study {
     if (all.least.any) {
       found_.worst = named(all.least.least_at);
       found_.worst_margin = all.least.least;
+      for (std::size_t c = cases_.size(); c-- > 0;)  // the first of equal ones
+        if (std::ranges::any_of(all.of[c], [&](const RequirementTally& one) {
+              return one.extremes.any && one.extremes.least == all.least.least &&
+                  one.extremes.least_at == all.least.least_at;
+            }))
+          found_.worst_case = cases_[c].variant().name;
     }
   }
 

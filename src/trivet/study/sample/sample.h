@@ -91,6 +91,7 @@ struct Sample {
   std::string first_failure;         ///< its reason
   std::optional<NamedDesign> worst;  ///< the design with the least margin of all
   double worst_margin = 0;
+  std::string worst_case;  ///< that has it, with the same deviations from its own numbers; empty: the base model
   std::optional<SampledShares> shares;  ///< if they are requested
 };
 
