@@ -8,6 +8,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "trivet/project/text/source_file.h"
 #include "trivet/project/text/symbol_table.h"
 
 namespace trivet::project {
