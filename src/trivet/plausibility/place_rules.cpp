@@ -50,12 +50,12 @@ void judge_far_points(const model::System& system, const std::vector<BodyPicture
     for (const Attachment& one : picture.attachments) others = std::max(others, (one.at - picture.mass.centre).norm());
     if (!(others > 0) || farthest < far * others) continue;
     for (const NamedPlace& one : std::ranges::subrange(first_far, places.end()))
-      found.push_back({"points", one.subject,
-                       fmt::format("{} from the centre of mass", foundation::prefixed_exactly(one.distance, "m", 5)),
-                       fmt::format("everything else of \"{}\" is within {} of it", system.bodies()[picture.body].name,
-                                   foundation::prefixed(others, "m")),
-                       fmt::format("write its place with a unit: {:.4g} mm are {}", one.distance,
-                                   foundation::prefixed(one.distance / 1000, "m"))});
+      found.push_back(
+          {"points", one.subject,
+           fmt::format("{} from the centre of mass", foundation::prefixed_exactly(one.distance, "m", 5)),
+           fmt::format("everything else of \"{}\" is within {} of it", system.bodies()[picture.body].name,
+                       foundation::prefixed(others, "m")),
+           fmt::format("write its place with a unit: {:.4g} mm are {:.4g} m", one.distance, one.distance / 1000)});
   }
 }
 

@@ -42,12 +42,14 @@ std::string given_text(const Node& node, std::string_view unit) {
   return text;
 }
 
-/// Rows of order, amplitude and phase of one cylinder.
+/// Rows of order, amplitude and phase of one cylinder, in one fact.
 void add_gas_torque(const Node& rows, std::vector<model::Fact>& facts) {
+  std::string text;
   for (const Node& row : rows.items)
     if (row.items.size() == 3)
-      facts.push_back({"gas torque of a cylinder, order " + given_text(row.items[0], ""),
-                       given_text(row.items[1], " N m") + " at " + given_text(row.items[2], " rad")});
+      text += (text.empty() ? "" : "; ") + given_text(row.items[1], " N m") + " at " +
+          given_text(row.items[2], " rad") + " in order " + given_text(row.items[0], "");
+  if (!text.empty()) facts.push_back({"gas torque of a cylinder", text});
 }
 
 }  // namespace

@@ -66,16 +66,9 @@ class CurveModelBuilder {
       if (!is_known(w) && (fresh.empty() || w - fresh.back() > apart * w)) fresh.push_back(w);
     if (fresh.empty()) return;
     foundation::report_progress(progress_, "curves", static_cast<double>(model_.solves) / options_.most_solves);
-    std::vector<FrequencyResponse> parts;
-    for (const assembly::Loading& loading : loadings_)
-      parts.push_back(frequency_response(assembled_, channels_, loading, fresh));
-    model_.solves += static_cast<int>(fresh.size());
-    for (const FrequencyResponse& part : parts) add(part.check);
+    const Eigen::MatrixXcd all = solved(fresh);
     for (std::size_t i = 0; i < fresh.size(); ++i) {
-      Eigen::VectorXcd values(largest_.size());
-      Eigen::Index row = 0;
-      for (const FrequencyResponse& part : parts)
-        for (const Curve& curve : part.curves) values(row++) = curve.value(to_index(i));
+      Eigen::VectorXcd values = all.col(to_index(i));
       if (!values.allFinite()) {
         model_.check.undefined_at.push_back(fresh[i]);
         continue;  // an undamped resonance or a free motion
@@ -155,20 +148,35 @@ class CurveModelBuilder {
   }
 
  private:
+  /// A value per delay and curve at each frequency, which are columns.
+  Eigen::MatrixXcd solved(const std::vector<double>& omega) {
+    Eigen::MatrixXcd values(largest_.size(), to_index(omega.size()));
+    Eigen::Index row = 0;
+    for (const assembly::Loading& loading : loadings_) {
+      const FrequencyResponse part = frequency_response(assembled_, channels_, loading, omega);
+      add(part.check);
+      for (const Curve& curve : part.curves) values.row(row++) = curve.value.transpose();
+    }
+    model_.solves += static_cast<int>(omega.size());
+    return values;
+  }
+
   /// Poles −iλ without those of undamped modes that no curve sees. At these a fit with them is 0/0.
   Eigen::VectorXcd poles_of_curves(const assembly::Band& band, const Eigen::VectorXcd& poles) {
     constexpr double undamped = 1e-10;    // of |λ|: above it a fit at the frequency of the mode keeps six digits
+    constexpr double at_rest = 1e-5;      // of the end of the band: rigid-body modes, whose frequencies are round-off
     constexpr double aside = 1e-6;        // of ω
     constexpr double same_values = 1e-3;  // on both sides of a pole: it would be seen closer to it than 1e-9 of ω alone
     std::vector<double> unseen;
     for (const std::complex<double>& pole : poles) {
       const double w = pole.real(), below = w * (1 - aside), above = w * (1 + aside);
-      if (!(below > band.from && above < band.to) || std::abs(pole.imag()) > undamped * w) continue;
-      solve({below, above});
-      const auto left = sample_at(below), right = sample_at(above);
-      if (left == samples_.end() || right == samples_.end()) continue;
-      const Eigen::VectorXd size = scale(left->second).cwiseMax(scale(right->second));
-      if (((left->second - right->second).cwiseAbs().array() <= same_values * size.array()).all()) unseen.push_back(w);
+      if (!(below > band.from && above < band.to) || w < at_rest * band.to || std::abs(pole.imag()) > undamped * w)
+        continue;
+      // No samples: so near to a pole they would be the scale of all errors.
+      const Eigen::MatrixXcd sides = solved({below, above});
+      if (!sides.allFinite()) continue;
+      const Eigen::VectorXd size = scale(sides.col(0)).cwiseMax(scale(sides.col(1)));
+      if (((sides.col(0) - sides.col(1)).cwiseAbs().array() <= same_values * size.array()).all()) unseen.push_back(w);
     }
     std::vector<std::complex<double>> seen;
     for (const std::complex<double>& pole : poles)
@@ -211,14 +219,9 @@ class CurveModelBuilder {
   }
 
   [[nodiscard]] bool is_known(double w) const {
-    return sample_at(w) != samples_.end() ||
+    const auto above = samples_.lower_bound(w * (1 - apart));
+    return (above != samples_.end() && above->first <= w * (1 + apart)) ||
         std::ranges::any_of(model_.check.undefined_at, [&](double u) { return std::abs(u - w) <= apart * w; });
-  }
-
-  /// The sample at a frequency, but for round-off.
-  [[nodiscard]] Samples::const_iterator sample_at(double w) const {
-    const auto found = samples_.lower_bound(w * (1 - apart));
-    return found != samples_.end() && found->first <= w * (1 + apart) ? found : samples_.end();
   }
 
   /// Frequency at which a piece is cut: the corner of a table nearest to the middle of its samples, or that middle.
