@@ -80,7 +80,8 @@ void tell_operation(const project::Case& variant, const foundation::Progress& pr
 
 bool is_judged_in_a_run(const project::Case& variant) {
   const project::Analyses& analyses = variant.analyses;
-  return analyses.requirements || judges_operation(analyses) || (analyses.operation && !(analyses.limits.empty() && analyses.limit_lines.empty())) ||
+  return analyses.requirements || judges_operation(analyses) ||
+      (analyses.operation && !(analyses.limits.empty() && analyses.limit_lines.empty())) ||
       !variant.system.description().clearances.empty();
 }
 
