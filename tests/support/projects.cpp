@@ -46,4 +46,9 @@ std::complex<double> value(const study::ResponseResult& result, const std::strin
   throw std::out_of_range("no curve " + name);
 }
 
+std::string driven_pair() {
+  return chain({10, 4}, {40000, 20000, 0}, {60, 30, 0}) +
+      "[excitations.force]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [10, 0, 0]\n";
+}
+
 }  // namespace trivet::test

@@ -18,6 +18,10 @@ namespace trivet::test {
                                 const std::vector<double>& dashpots, const std::vector<double>& loss_factors = {},
                                 const std::string& orientation = "");
 
+/// A chain of two masses, m1 of 10 kg and m2 of 4 kg, under a harmonic force of 10 N on m1; the next table of the file
+/// follows.
+[[nodiscard]] std::string driven_pair();
+
 /// Complex value of a curve by name.
 [[nodiscard]] std::complex<double> value(const study::ResponseResult& result, const std::string& name, Eigen::Index at);
 

@@ -10,12 +10,7 @@
 namespace trivet {
 namespace design_sweep_test {
 
-const std::string machine = test::chain({10, 4}, {40000, 20000, 0}, {60, 30, 0}) + R"(
-[excitations.force]
-type = "harmonic"
-on = "m1"
-at = [0, 0, 0]
-force = [10, 0, 0]
+const std::string machine = test::driven_pair() + R"(
 [analyses]
 peaks = {of = ["m1.x"]}
 )";

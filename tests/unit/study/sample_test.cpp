@@ -21,12 +21,7 @@ namespace unit_sample_test {
 using testing::HasSubstr;
 
 /// Two masses in a row under a force.
-const std::string machine = test::chain({10, 4}, {40000, 20000, 0}, {60, 30, 0}) + R"(
-[excitations.force]
-type = "harmonic"
-on = "m1"
-at = [0, 0, 0]
-force = [10, 0, 0]
+const std::string machine = test::driven_pair() + R"(
 [analyses]
 response = {of = ["m1.x", "m2.x"]}
 [tolerances.rubber]

@@ -213,15 +213,6 @@ void warn_of_unphysical(const project::Case& variant, foundation::Problems& warn
                        "every design is doubtful", "correct mass and inertia before the map is used");
 }
 
-void warn_of_missed_speeds(const project::Case& variant, foundation::Problems& warnings) {
-  if (!variant.analyses.operation) return;
-  const foundation::Progress silent;
-  foundation::Problems ignored;
-  const CaseContext context(variant.system, silent);
-  warnings.add(missed_speed_warnings(limits_that_miss_speeds(variant.system, variant.analyses,
-                                                             requirement_values(context, variant.analyses, ignored))));
-}
-
 }  // namespace
 
 bool contradicts(const DesignMap& map, const MapMark& mark) {
@@ -245,7 +236,8 @@ foundation::Problems map_warnings(const project::Case& variant, const DesignMap&
   warn_of_another_scale(variant, map, warnings);
   warn_of_idle(variant, map, warnings);
   warn_of_drift(variant, map, warnings);
-  warn_of_missed_speeds(variant, warnings);
+  const foundation::Progress silent;
+  warnings.add(missed_speed_warnings(CaseContext(variant.system, silent), variant.analyses));
   return warnings;
 }
 

@@ -138,4 +138,11 @@ foundation::Problems missed_speed_warnings(const std::vector<RequirementResult>&
   return warnings;
 }
 
+foundation::Problems missed_speed_warnings(const CaseContext& context, const project::Analyses& analyses) {
+  if (!analyses.operation) return {};
+  foundation::Problems ignored;
+  return missed_speed_warnings(
+      limits_that_miss_speeds(context.system, analyses, requirement_values(context, analyses, ignored)));
+}
+
 }  // namespace trivet::study

@@ -82,5 +82,7 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
 
 /// The same in words, for maps and searches, which do not judge them. Other requirements are left out.
 [[nodiscard]] foundation::Problems missed_speed_warnings(const std::vector<RequirementResult>& missed);
+/// The same of a case whose requirements are not judged yet; without [operation] it computes nothing.
+[[nodiscard]] foundation::Problems missed_speed_warnings(const CaseContext& context, const project::Analyses& analyses);
 
 }  // namespace trivet::study

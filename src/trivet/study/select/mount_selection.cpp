@@ -151,9 +151,7 @@ MountSelection mount_selection(const project::Project& project, std::size_t most
   result.transmissibility = operating_transmissibility_words(first.analyses);
   result.warnings = amplification_warnings(context, first.analyses);
   result.warnings.add(single_mount_warnings(context, first.analyses));
-  foundation::Problems ignored;
-  result.warnings.add(missed_speed_warnings(
-      limits_that_miss_speeds(system, first.analyses, requirement_values(context, first.analyses, ignored))));
+  result.warnings.add(missed_speed_warnings(context, first.analyses));
   return result;
 }
 
