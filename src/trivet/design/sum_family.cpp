@@ -101,8 +101,9 @@ Eigen::MatrixXd SumFamily::designs(const Eigen::MatrixXd& points) const {
     for (std::size_t j = 0; j < along_.size(); ++j) {
       Lanes t;
       for (Eigen::Index i = 0; i < lanes; ++i) {
-        const Eigen::Index row = first + std::min(i, taken - 1);
-        const bool same = i > 0 && points(row, to_index(j)) == points(row - 1, to_index(j));  // along a line of a map
+        const Eigen::Index row = first + i;  // the lanes beyond the last design repeat it
+        const bool same =
+            i >= taken || (i > 0 && points(row, to_index(j)) == points(row - 1, to_index(j)));  // along a line of a map
         t(i) = same ? t(i - 1) : along_[j].t(points(row, to_index(j)));
       }
       polynomials[j] = newton_polynomials<Lanes>(t, along_[j].degree, Lanes::Ones());
