@@ -289,6 +289,7 @@ DesignSweep design_sweep(const project::Case& variant, const SweepRequest& reque
     found.results.push_back(channel.name);
     found.units.push_back(channel.unit);
   }
+  static_cast<void>(sweep.loading(variant.system, assembled));  // throws of an excitation that the model does not have
   require_size(request, found.results.size());
   found.highest.resize(to_index(sweep.count()), to_index(found.results.size()));
   Results results(sweep, found);
