@@ -6,6 +6,7 @@ from __future__ import annotations
 import difflib
 import warnings
 from collections.abc import Iterable
+from typing import Any
 
 from trivet import _core
 
@@ -62,6 +63,18 @@ def unknown_name(subject: str, name: object, what: str, known: Iterable[str]) ->
     else:
         remedy = "known: " + ", ".join(names[:12]) + (", …" if len(names) > 12 else "")
     return UnknownName([problem(subject, f'"{name}"', f"there is no such {what}", remedy if names else "")])
+
+
+def answered(
+    project: _core.Project, command: str, case: str, keys: dict[str, Any], threads: int = 0, progress: Any = None
+) -> _core.Result:
+    """What the program answers; its message on a case or an element that the project does not have is an UnknownName."""
+    try:
+        return project.ask(command, case, keys, threads, progress)
+    except InputError as wrong:
+        if (case and case not in project.cases) or (command == "element" and keys["name"] not in project.parts[1]):
+            raise UnknownName(wrong.problems) from None
+        raise
 
 
 def wrong_type(name: str, value: object, rule: str, remedy: str) -> WrongType:

@@ -165,7 +165,7 @@ class Project(Analyses):
         require_case_and_threads(case, threads)
         changed = self._with_keys(command, _given(keys))
         with shown(progress) as callback:
-            return changed._result(changed._inner.ask(command, case, _given(own), threads, callback))
+            return changed._result(_errors.answered(changed._inner, command, case, _given(own), threads, callback))
 
     def _with_keys(self, analysis: str, keys: dict[str, Any]) -> Project:
         """The project with other keys of one analysis."""
@@ -192,7 +192,7 @@ class Project(Analyses):
         size = {} if points is None else {"points": _points(points)}
         changed = self._with_keys("map", keys)
         with shown(progress) as callback:
-            return changed._result(changed._inner.ask("map", case, size, threads, callback))
+            return changed._result(_errors.answered(changed._inner, "map", case, size, threads, callback))
 
     def select(
         self, *, most: int = 10, by: str = "margin", threads: int = 0, progress: Progress | bool | None = None
@@ -202,13 +202,15 @@ class Project(Analyses):
         require_case_and_threads("", threads)
         most = whole_number("most", most)
         with shown(progress) as callback:
-            return self._result(self._inner.ask("select", "", {"most": most, "by": by}, threads, callback))
+            return self._result(
+                _errors.answered(self._inner, "select", "", {"most": most, "by": by}, threads, callback)
+            )
 
     def verdict(self, *, case: str = "", threads: int = 0, progress: Progress | bool | None = None) -> Result:
         """Is every requirement met in every case, which one governs, and by what margin? `case` judges this case alone."""
         require_case_and_threads(case, threads)
         with shown(progress) as callback:
-            return self._result(self._inner.ask("verdict", case, {}, threads, callback))
+            return self._result(_errors.answered(self._inner, "verdict", case, {}, threads, callback))
 
     def check(
         self, *, deep: bool = False, case: str = "", threads: int = 0, progress: Progress | bool | None = None
@@ -216,7 +218,7 @@ class Project(Analyses):
         """All checks of the data, or of one case alone; with `deep` two independent solvers are compared."""
         require_case_and_threads(case, threads)
         with shown(progress) as callback:
-            return self._result(self._inner.ask("check", case, {"deep": bool(deep)}, threads, callback))
+            return self._result(_errors.answered(self._inner, "check", case, {"deep": bool(deep)}, threads, callback))
 
     def explain(
         self,
@@ -231,7 +233,9 @@ class Project(Analyses):
         require_case_and_threads(case, threads)
         names, most = text_list("of", of), whole_number("most", most)
         with shown(progress) as callback:
-            return self._result(self._inner.ask("explain", case, {"of": names, "most": most}, threads, callback))
+            return self._result(
+                _errors.answered(self._inner, "explain", case, {"of": names, "most": most}, threads, callback)
+            )
 
     def suspension(
         self,
@@ -249,7 +253,7 @@ class Project(Analyses):
             "excitation": [frequency(f) for f in items("excitations", excitations)],
         }
         with shown(progress) as callback:
-            return self._result(self._inner.ask("suspension", case, keys, 0, callback))
+            return self._result(_errors.answered(self._inner, "suspension", case, keys, 0, callback))
 
     def element(
         self,
@@ -264,13 +268,15 @@ class Project(Analyses):
         require_case_and_threads(case, threads)
         require_text("name", name)
         with shown(progress) as callback:
-            return self._result(self._inner.ask("element", case, {"name": name, "all": bool(all)}, threads, callback))
+            return self._result(
+                _errors.answered(self._inner, "element", case, {"name": name, "all": bool(all)}, threads, callback)
+            )
 
     def run(self, folder: str | os.PathLike[str], *, threads: int = 0, progress: Progress | bool | None = None) -> Run:
         """All analyses of the file in all cases: tables, pictures, results.json and report.html in a folder."""
         require_case_and_threads("", threads)
         with shown(progress) as callback:
-            core = self._inner.ask("run", "", {"output": os.fspath(folder)}, threads, callback)
+            core = _errors.answered(self._inner, "run", "", {"output": os.fspath(folder)}, threads, callback)
         return Run(pathlib.Path(folder), {one.case: self._result(one) for one in core.cases})
 
     def export(
@@ -296,13 +302,13 @@ class Project(Analyses):
         require_case_and_threads(case, threads)
         keys = {"to": format_name, "output": target, "what": text_list("what", what)}
         with shown(progress) as callback:
-            return self._inner.ask("export", case, keys, threads, callback).remarks
+            return _errors.answered(self._inner, "export", case, keys, threads, callback).remarks
 
     def matrices(self, *, case: str = "", progress: Progress | bool | None = None) -> Matrices:
         """A, B, K, the loads, and the names of the rows."""
         require_case_and_threads(case, 0)
         with shown(progress) as callback:
-            core = self._inner.ask("matrices", case, {}, 0, callback)
+            core = _errors.answered(self._inner, "matrices", case, {}, 0, callback)
         _errors.warn(core.warnings, self._warned)
         return Matrices(core.arrays(), core.warnings)
 
@@ -324,7 +330,7 @@ class Project(Analyses):
         require_text("quantity", quantity)
         with shown(progress) as callback:
             keys = {"of": text_list("of", of), "quantity": quantity, "nearest": bool(nearest)}
-            core = self._inner.ask("state_space", case, keys, 0, callback)
+            core = _errors.answered(self._inner, "state_space", case, keys, 0, callback)
         _errors.warn(core.warnings, self._warned)
         return StateSpace(core.arrays(), core.warnings)
 
@@ -357,7 +363,7 @@ class Project(Analyses):
             "quantity": quantity,
         }
         with shown(progress) as callback:
-            core = self._inner.ask("sweep", case, keys, threads, callback)
+            core = _errors.answered(self._inner, "sweep", case, keys, threads, callback)
         _errors.warn(core.warnings, self._warned)
         return Sweep(core.arrays(), core.warnings, self.title)
 
