@@ -147,7 +147,7 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
                  mass = mode.number("modal_mass", Quantity::mass).value_or(1),
                  ratio = mode.number("damping", Quantity::pure).value_or(0);
     if (mode.has("frequency") && !(omega > 0))
-      mode.error("frequency", fmt::format("{:.6g} rad/s", omega), "it is > 0", "correct it");
+      mode.error("frequency", value_text(*mode.node("frequency"), 0), "it is > 0", "correct it");
     if (!(mass > 0)) mode.error("modal_mass", fmt::format("{:.6g} kg", mass), "it is > 0", "correct it");
     if (!(ratio >= 0)) mode.error("damping", fmt::format("{:.6g}", ratio), "a damping ratio is ≥ 0", "correct it");
     shared.mass(i, i) = mass;

@@ -47,9 +47,8 @@ ResponseRequest read_response(const Node& node, const ResultNames& names, const 
                    "add spacing = \"linear\" or \"logarithmic\"");
   }
   if (const auto at = reader.numbers("at", Quantity::angular_frequency)) {
-    for (const double omega : *at)
-      if (omega < 0)
-        reader.error("at", fmt::format("{:.6g} rad/s", omega), "an angular frequency is ≥ 0", "remove the sign");
+    for (std::size_t i = 0; i < at->size(); ++i)
+      if ((*at)[i] < 0) reader.error("at", value_text(*reader.node("at"), i), "a frequency is ≥ 0", "remove the sign");
     if (at->empty()) reader.error("at", "an empty list", "at least one frequency is expected", "give one, or a band");
     if (reader.has("band")) reader.error("at", "at and band", "only one of them sets the frequencies", "remove one");
     for (const char* key : {"spacing", "points"})

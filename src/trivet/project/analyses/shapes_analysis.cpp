@@ -17,9 +17,9 @@ ShapesAnalysis read_shapes(TableReader& reader, const ResultNames&, const Symbol
   request.at = reader.numbers("at", Quantity::angular_frequency).value_or(std::vector<double>{});
   if (reader.has("at") && request.at.empty())
     reader.error("at", "no frequency", "at least one is expected", "for instance at = [\"25 Hz\"]");
-  for (const double omega : request.at)
-    if (!(omega > 0))
-      reader.error("at", fmt::format("{:.6g} rad/s", omega), "a deflection shape needs ω > 0", "correct it");
+  for (std::size_t i = 0; i < request.at.size(); ++i)
+    if (!(request.at[i] > 0))
+      reader.error("at", value_text(*reader.node("at"), i), "the frequency of a deflection shape is > 0", "correct it");
   if (request.at.size() > most_shapes)
     reader.error("at", fmt::format("{} frequencies", request.at.size()),
                  fmt::format("at most {} shapes are drawn", most_shapes), "name fewer frequencies");

@@ -13,9 +13,9 @@ std::vector<double> read_single_frequencies(TableReader& reader) {
   if (at.size() > most_frequencies)
     reader.error("at", fmt::format("{} frequencies", at.size()),
                  fmt::format("at most {} are told in single rows", most_frequencies), "name fewer frequencies");
-  for (const double omega : at)
-    if (!(omega > 0))
-      reader.error("at", fmt::format("{:.6g} rad/s", omega), "a frequency or speed is > 0", "correct it");
+  for (std::size_t i = 0; i < at.size(); ++i)
+    if (!(at[i] > 0))
+      reader.error("at", value_text(*reader.node("at"), i), "a frequency or speed is > 0", "correct it");
   return at;
 }
 

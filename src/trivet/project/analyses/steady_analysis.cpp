@@ -48,7 +48,7 @@ void read_load_factor(TableReader& reader, const ResultNames& names, SteadyAnaly
     request.at = reader.required_number("at", Quantity::angular_frequency);
   }
   if (reader.has("at") && !(request.at > 0))
-    reader.error("at", fmt::format("{:.6g} rad/s", request.at), "it is > 0", "correct it");
+    reader.error("at", value_text(*reader.node("at"), 0), "it is > 0", "correct it");
   if (!reader.has("load_factor")) reader.missing("load_factor", "give its range: load_factor = [0.1, 2]");
   const auto range = reader.numbers("load_factor", Quantity::pure);
   if (!range) return;

@@ -281,7 +281,7 @@ double read_unbalance(TableReader& reader, model::Action& action) {
       reader.error("mass_eccentricity", "together with a grade", "only one of them sets the unbalance", "remove one");
     for (const auto& [key, value] : {std::pair{"grade", grade}, {"rotor_mass", mass}, {"service_speed", speed}})
       if (reader.errors() == before && reader.has(key) && !(value > 0))
-        reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "give a positive number");
+        reader.error(key, value_text(*reader.node(key), 0), "it must be > 0", "give a positive number");
     if (grade > 0 && mass > 0 && speed > 0) mass_eccentricity = excitation::permissible_unbalance(grade, mass, speed);
     service_speed = std::max(speed, 0.0);
   } else {
@@ -299,7 +299,8 @@ double read_unbalance(TableReader& reader, model::Action& action) {
                    "shift the phase by half a turn instead");
     if (const auto speed = reader.number("service_speed", Quantity::angular_frequency)) {
       if (!(*speed > 0))
-        reader.error("service_speed", fmt::format("{:.6g} rad/s", *speed), "it must be > 0", "give a positive number");
+        reader.error("service_speed", value_text(*reader.node("service_speed"), 0), "it must be > 0",
+                     "give a positive number");
       service_speed = std::max(*speed, 0.0);
     }
   }

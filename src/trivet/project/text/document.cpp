@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/units.h"
 
 namespace trivet::project {
 
@@ -106,6 +107,13 @@ std::string value_text(const Node& node) {
     default:
       return kind_name(node.kind);
   }
+}
+
+std::string value_text(const Node& node, std::size_t index) {
+  const Node& value = index < node.items.size() ? node.items[index] : node;
+  const bool bare = value.kind == Node::Kind::integer || value.kind == Node::Kind::real;
+  if (!bare || value.quantity.value_or(Quantity::pure) == Quantity::pure) return value_text(value);
+  return fmt::format("{} {}", value_text(value), printed_si_unit(*value.quantity));
 }
 
 std::string canonical(const Node& node) {

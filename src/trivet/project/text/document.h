@@ -33,6 +33,8 @@ struct Node {
 
 /// A value for a message: a number, true or false, or a text in quotes (shortened); else the kind of the value.
 [[nodiscard]] std::string value_text(const Node& node);
+/// One of several values for a message, in the unit of the file; the only one if there is no list.
+[[nodiscard]] std::string value_text(const Node& node, std::size_t index);
 
 /// True if both have the same content, at any place.
 [[nodiscard]] bool same_content(const Node& a, const Node& b);

@@ -114,7 +114,8 @@ bool has_mixed_units(const Node& list) {
 std::optional<assembly::Band> read_band(TableReader& reader, const std::string& key) {
   const auto band = reader.numbers(key, Quantity::angular_frequency);
   if (!band) return std::nullopt;
-  if (has_mixed_units(*reader.node(key))) {
+  const Node& list = *reader.node(key);
+  if (has_mixed_units(list)) {
     reader.error(key, "one end has a unit, the other has none", "both ends have a unit, or neither (rad/s)",
                  "give both a unit");
     return std::nullopt;
@@ -125,10 +126,9 @@ std::optional<assembly::Band> read_band(TableReader& reader, const std::string& 
   if (!broken) return assembly::Band{(*band)[0], (*band)[1]};
   const bool near = band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0];
   reader.error(key,
-               fmt::format("{} numbers{}", band->size(),
-                           band->size() == 2 ? fmt::format(", {:.{}g} to {:.{}g} rad/s", (*band)[0], near ? 17 : 6,
-                                                           (*band)[1], near ? 17 : 6)
-                                             : ""),
+               near                    ? fmt::format("{:.17g} to {:.17g} rad/s", (*band)[0], (*band)[1])
+                   : band->size() == 2 ? fmt::format("{} to {}", value_text(list, 0), value_text(list, 1))
+                                       : fmt::format("{} numbers", band->size()),
                "a " + kind + " is [from, to] with 0 ≤ from < to" + (near ? ", and " + *broken : ""),
                key == "band" ? "for instance [\"0 Hz\", \"50 Hz\"]" : "for instance [\"600 rpm\", \"3000 rpm\"]");
   return std::nullopt;
