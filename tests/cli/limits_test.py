@@ -50,6 +50,12 @@ class Messages(Refused):
         rows = "frequency [rpm],limit [mm/s rms]\n60,2\n600,-3\n"
         self.refused('limit line "norm": limit -0.003 m/s in row 2', files=[("norm.csv", rows)], text=text)
 
+    def test_a_limit_line_beside_its_band_is_reported_in_hertz(self):
+        text = BODY + mount("m") + FORCE + '[analyses]\nresponse = {band = ["1 Hz", "20 Hz"]}\n'
+        text += '[limit_lines.norm]\nof = "b.z"\nrows = [["30 Hz", "2 mm/s rms"], ["60 Hz", "2 mm/s rms"]]\n'
+        words = 'limit line "norm" runs from 30 to 60 Hz, the band from 1 to 20 Hz: they do not overlap'
+        self.refused(words, text=text, command="limit_lines", code=1)
+
     def test_control_characters_of_the_command_line_do_not_reach_the_terminal(self):
         for arguments in (
             ("modes", PAPER, "--case", "\x1b[31mred"),

@@ -152,8 +152,9 @@ LimitComparison compared_with_limit(const assembly::Assembled& assembled, const 
                      std::min(band.to, line.angular_frequency.back())};
   if (!(result.compared.to > result.compared.from))
     throw foundation::NotComputable(fmt::format(
-        "limit line \"{}\" runs from {:g} to {:g} rad/s, the band from {:g} to {:g} rad/s: they do not overlap",
-        line.name, line.angular_frequency.front(), line.angular_frequency.back(), band.from, band.to));
+        "limit line \"{}\" runs from {:g} to {:g} Hz, the band from {:g} to {:g} Hz: they do not overlap", line.name,
+        line.angular_frequency.front() / foundation::two_pi, line.angular_frequency.back() / foundation::two_pi,
+        band.from / foundation::two_pi, band.to / foundation::two_pi));
   const std::vector<double> grid =
       automatic_grid(assembled, {channel}, loading, poles, peaks, result.compared, progress);
   std::vector<Node> all;
