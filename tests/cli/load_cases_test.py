@@ -284,6 +284,11 @@ stiffness = 20000
         self.assertIn("Load cases", page)
         self.assertNotIn("after the largest dynamic motion", page)
         self.assertIn("after the motions that the requirement of the clearance counts", page)
+        two_stages = self.folder / "two stages"
+        trivet("run", SOURCE / "examples/two_stage/pump_on_raft.toml", "-o", two_stages)
+        page = (two_stages / "report.html").read_text()
+        self.assertIn("Every case under its own gravity", page)
+        self.assertNotIn("gap left", page)  # it has no clearances
         check = trivet("check", path).stdout
         self.assertIn("mount at rest", check)
         self.assertIn(f"trivet verdict {path}", check)

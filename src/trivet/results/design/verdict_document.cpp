@@ -226,6 +226,8 @@ Document envelope_document(const study::Envelope& envelope) {
   using LeftOut = std::pair<std::string, std::string>;
   const unsigned people = envelope.rows.empty() ? 0 : for_people;
   const auto case_name = [](const std::string& name) { return name.empty() ? "base model" : name; };
+  const bool has_gaps =
+      std::ranges::any_of(envelope.rows, [](const EnvelopeRow& one) { return one.name.ends_with(", gap left"); });
   const Rows row(envelope.rows);
   const Rows left_out(envelope.left_out);
   const auto shown_case = [&](std::string EnvelopeRow::* member) {
@@ -255,9 +257,11 @@ Document envelope_document(const study::Envelope& envelope) {
                           left_out("reason", Kind::words, "reason", &LeftOut::second)},
               .forms = in_json | people}},
        {Sentence{
-           .parts = {"Every case under its own gravity and constant forces. Compression of a mount is along "
-                     "its axis, deflection without creep. The gap left is after the motions that the requirement of "
-                     "the clearance counts; its row says which it does not."},
+           .parts = {std::string("Every case under its own gravity and constant forces. Compression of a mount is "
+                                 "along its axis, deflection without creep.") +
+                     (has_gaps ? " The gap left is after the motions that the requirement of the clearance counts; its "
+                                 "row says which it does not."
+                               : "")},
            .place = Sentence::Place::note,
            .forms = people & on_page}}}};
 }
