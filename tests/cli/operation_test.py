@@ -409,6 +409,16 @@ class Operation(unittest.TestCase):
         head = next(line for line in done.stdout.splitlines() if "velocity at" in line)
         self.assertRegex(head, "velocity at.*displacement at")
 
+    def test_a_sentence_has_the_level_of_its_table(self):
+        """The largest force has one order, others have two: all are root mean squares."""
+        text = MACHINE.replace('free = ["z"]', 'free = ["x", "z"]')
+        text = text.replace(f"translation = [0, 0, {STIFFNESS}]", f"translation = [{STIFFNESS}, 0, {STIFFNESS}]")
+        orders = '[excitations.shaft]\ntype = "orders"\non = "m"\nat = [0, 0, 0]\n'
+        orders += "table = [{order = 1, force = [500, 0, 20]}, {order = 2, force = [0, 0, 50]}]\n"
+        shown = self.trivet(text + orders + '[operation]\nspeeds = ["300 rpm"]\n', "operation").stdout
+        self.assertIn("Forces on the ground, in total and of each mount, rms", shown)
+        self.assertRegex(shown, r"largest force on the ground\s[0-9.]+\sk?N\s+rms\s+\(ground.force.x\)")
+
     def test_a_speed_named_twice_is_refused(self):
         text = MACHINE + ROTOR + '[operation]\nspeeds = ["980 rpm", ["600 rpm", "900 rpm"], "980 1/min"]\n'
         said = self.trivet(text, "operation", code=2).stderr

@@ -48,10 +48,13 @@ void add_speed(const OperatingSpeed& at, double speed, Sentence& sentence) {
   sentence.parts.emplace_back(Quantity{.value = speed, .kind = Kind::speed, .digits = sentence_digits});
 }
 
-void add_largest_value(const OperatingSpeed& at, const OperatingValue* value, const char* words, Sentence& sentence) {
+/// At the level of its table: where any value has several orders, all are root mean squares.
+void add_largest_value(const OperatingSpeed& at, const std::vector<const OperatingValue*>& list, const char* words,
+                       Sentence& sentence) {
+  const OperatingValue* value = largest_value(list);
   if (!value) return;
   sentence.parts.emplace_back(words);
-  const bool several = value->has_several_orders();
+  const bool several = std::ranges::any_of(list, &OperatingValue::has_several_orders);
   sentence.parts.emplace_back(Quantity{.value = several ? value->rms : value->amplitude(),
                                        .unit = value->unit,
                                        .kind = several ? Kind::quantity : Kind::amplitude,
@@ -120,8 +123,9 @@ std::string nearness_remark(const study::OperatingMode& mode) {
 Sentence operation_sentence(const study::OperatingSpeed& at) {
   Sentence sentence{.parts = {"At " + study::speed_words(at.speed) + ": "}, .place = Sentence::Place::text};
   const OperatingValue *velocity = largest_value(velocities(at)), *force = largest_value(forces_on_the_ground(at));
-  add_largest_value(at, velocity, "largest velocity ", sentence);
-  add_largest_value(at, force, velocity ? "; largest force on the ground " : "largest force on the ground ", sentence);
+  add_largest_value(at, velocities(at), "largest velocity ", sentence);
+  add_largest_value(at, forces_on_the_ground(at),
+                    velocity ? "; largest force on the ground " : "largest force on the ground ", sentence);
   if (!velocity && !force) sentence.parts.emplace_back("nothing moves");
   add_isolation(at, sentence);
   add_nearest_mode(at, sentence);
