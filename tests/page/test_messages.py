@@ -44,6 +44,17 @@ def test_a_setting_without_a_place_in_the_text_leads_to_its_field(serve):
     page.wait_for_function("() => document.activeElement.ariaLabel === 'stiffness of mount, value'")
 
 
+def test_a_wrong_unit_stays_in_the_field_of_a_slider(serve):
+    served = serve('genset/genset.toml')
+    page = opened(served)
+    field = page.get_by_label('stiffness of mount, value', exact=True)
+    for typed in ('640 lb', '640 kg'):
+        set_number(page, 'stiffness of mount, value', typed)
+        page.locator('problem-list .error .link').wait_for()
+        assert (field.input_value(), field.get_attribute('aria-invalid')) == (typed, 'true')
+    served.messages.clear()  # the status 422 of the text that cannot be written
+
+
 def test_a_number_that_is_too_large_is_called_so(serve):
     page = opened(serve('genset/genset.toml'))
     set_number(page, MASS, '1e400 kg')

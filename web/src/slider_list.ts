@@ -2,7 +2,7 @@
 // Which numbers are sliders: those of [parameters], those that the user pinned in the tree, else masses and mounts.
 import {inUnit} from './file_units.ts';
 import {pathInCase, quantityOf, type TextIndex} from './numbers_of_text.ts';
-import {quantity, written} from './quantities.ts';
+import {number, quantity, written} from './quantities.ts';
 import type {Scene} from './results.ts';
 import type {Design} from './state.ts';
 import {pathText, type Entry} from './toml_outline.ts';
@@ -15,6 +15,7 @@ export interface Slider {
   logarithmic: boolean;
   unit: string;
   value: number;
+  written?: string;  // the number as it is set, if it has a unit and the slider none, or one that cannot be converted here: then `value` only places the thumb
 }
 
 /// @param name  of the case on the page: a number that it changes is moved in the case, and not in the base model
@@ -42,9 +43,9 @@ function ofParameters(design: Design, index: TextIndex, inCase: InCase): Slider[
     const from = quantity(key('from')?.raw ?? ''), to = quantity(key('to')?.raw ?? ''), paths = pathsOf(key('path'), index).map(p => ({...p, path: inCase(p.path)}));
     if (!from || !to || !paths.length) continue;  // a choice of mounts is not a number
     const unit = to.unit || from.unit, now = quantityOf(paths[0]!.path, design, index);
-    const shown = now ? inUnit(now.value, now.unit, unit) : null, neutral = Math.min(Math.max(1, from.value), to.value);
+    const neutral = Math.min(Math.max(1, from.value), to.value);
     result.push({name, paths, unit, from: inUnit(from.value, from.unit, unit) ?? from.value, to: to.value,
-                 logarithmic: textOf(key('spacing')) === 'logarithmic', value: (shown ?? neutral) / paths[0]!.factor});
+                 logarithmic: textOf(key('spacing')) === 'logarithmic', ...inSliderUnit(now, unit, neutral, paths[0]!.factor)});
   }
   return result;
 }
@@ -63,7 +64,13 @@ function ofNumber(name: string, design: Design, index: TextIndex, inCase: InCase
   if (!base || !now) return null;
   const size = Math.abs(base.value), ends = size > 0 ? [base.value / 2, base.value * 2].sort((a, b) => a - b) : [-1, 1];
   return {name, paths: [{path, factor: 1}], from: ends[0]!, to: ends[1]!, logarithmic: base.value > 0, unit: base.unit,
-          value: inUnit(now.value, now.unit, base.unit) ?? base.value};
+          ...inSliderUnit(now, base.unit, base.value)};
+}
+/// A number that is set, in the unit of its slider. @param otherwise  the place of the thumb if it has none
+function inSliderUnit(now: ReturnType<typeof quantity>, unit: string, otherwise: number, factor = 1): Pick<Slider, 'value' | 'written'> {
+  const value = now ? inUnit(now.value, now.unit, unit) : null;
+  const isShown = now !== null && (value === null || !unit && now.unit !== '');
+  return {value: (value ?? otherwise) / factor, ...isShown ? {written: `${number(now.value / factor, 5)} ${now.unit}`.trim()} : {}};
 }
 const MOST = 4;  // elements and bodies
 type Machine = Pick<Scene, 'elements' | 'bodies'>;
@@ -104,5 +111,5 @@ function ofMass(name: string, design: Design, index: TextIndex, inCase: InCase):
 }
 /// A factor, which is 1 if the text has none. @param most  its largest value, and the inverse of its least one
 function ofFactor(name: string, path: string, most: number, design: Design, index: TextIndex): Slider {
-  return {name, paths: [{path, factor: 1}], from: 1 / most, to: most, logarithmic: true, unit: '', value: quantityOf(path, design, index)?.value ?? 1};
+  return {name, paths: [{path, factor: 1}], from: 1 / most, to: most, logarithmic: true, unit: '', ...inSliderUnit(quantityOf(path, design, index), '', 1)};
 }

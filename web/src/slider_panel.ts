@@ -27,7 +27,7 @@ export class SliderPanel extends Part {
     const pinned = this.app.display.pins.includes(s.name);
     return html`<li class=${isSet ? 'changed' : ''}>
       <label title=${s.paths.map(p => p.path).join('\n')}><span>${s.name}</span>
-        <input type="range" min="0" max=${STEPS} .value=${String(position)} aria-valuetext="${number(s.value)} ${s.unit}"
+        <input type="range" min="0" max=${STEPS} .value=${String(position)} aria-valuetext=${s.written ?? `${number(s.value)} ${s.unit}`}
           @input=${(e: Event) => this.move(s, (e.target as HTMLInputElement).value, true)} @change=${() => this.app.state.dropped()}></label>
       <input class="number" aria-label="${s.name}, value" aria-invalid=${isWrong ? 'true' : nothing} aria-describedby=${isWrong ? idOf(wrong) : nothing} .value=${shown(s)}
         @change=${(e: Event) => this.type(s, e.target as HTMLInputElement)}>
@@ -47,7 +47,7 @@ export class SliderPanel extends Part {
     this.app.state.set(settingsOf({...s, unit: typed.unit || s.unit}, typed.value));
   }
 }
-const shown = ({value, unit}: Slider) => `${number(value, 5)}${unit ? ` ${unit}` : ''}`;
+const shown = ({value, unit, written}: Slider) => written ?? `${number(value, 5)}${unit ? ` ${unit}` : ''}`;
 
 function positionOf({from, to, logarithmic}: Slider, value: number): number {
   const part = logarithmic ? Math.log(value / from) / Math.log(to / from) : (value - from) / (to - from);

@@ -43,3 +43,12 @@ test('before the machine is known no number is offered that might have no room',
   const text = '[bodies.a]\nmass = 5\n';
   assert.deepEqual(sliders({text, settings: new Map()}, indexOf(text), []), []);
 });
+test('a number in a unit that the slider does not have stays as it is written', () => {
+  const text = '[bodies.a]\nmass = 640\n[bodies.b]\nsolids = []\n[parameters.load]\npath = "bodies.a.mass"\nfrom = "500 kg"\nto = "1 t"\n';
+  const set = (path: string, value: string, pins: string[], own = text) => sliders({text: own, settings: new Map([[path, value]])}, indexOf(own), pins, '', {elements: [], bodies: [body('b')]}).at(-1)!;
+  assert.equal(set('bodies.a.mass', '"700 lb"', []).written, '700 lb');
+  assert.equal(set('bodies.a.mass', '"700 lb"', ['bodies.a.mass']).written, '700 lb');
+  assert.equal(set('bodies.a.mass', '"700 kg"', []).written, undefined);
+  assert.equal(set('bodies.b.mass_about_center', '"640 lb"', [], '[bodies.b]\nsolids = []\n').written, '640 lb');
+  assert.equal(set('bodies.b.mass_about_center', '"640 kg"', [], '[bodies.b]\nsolids = []\n').written, '640 kg');
+});
