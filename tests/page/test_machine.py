@@ -45,6 +45,35 @@ def test_mounts_are_coloured_by_the_share_of_their_limit_that_the_program_states
     assert red(picture(stage)) > reddish + 1e-3
 
 
+POLES = """() => {
+  const view = document.querySelector('machine-view'), {camera} = view.stage, {left, top, width, height} = view.querySelector('canvas').getBoundingClientRect();
+  return view.machine.root.children.filter(c => (c.userData.words ?? '').startsWith('pole of ')).map(mark => {
+    const at = mark.position.clone().project(camera);
+    return {words: mark.userData.words, place: mark.position.toArray(), x: left + (at.x + 1) / 2 * width, y: top + (1 - at.y) / 2 * height};
+  });
+}"""
+
+
+def test_a_pole_that_no_other_mark_shows_has_its_own(serve):
+    served = serve('two_stage/pump_on_raft.toml')
+    page = served.page()
+    choose(page, 'Motion', 'rest')
+    bodies, marks = command('scene', served.file)['bodies'], page.evaluate(POLES)
+    assert {m['words'].removeprefix('pole of '): m['place'] for m in marks} == {b['name']: b['pole'] for b in bodies}
+    assert 'pole of a body' in page.locator('.stage .marks').inner_text()
+    for mark in marks:
+        page.mouse.move(mark['x'], mark['y'])
+        page.locator('.hover').get_by_text(mark['words'], exact=True).wait_for()
+    page.mouse.click(mark['x'], mark['y'])
+    chosen = page.evaluate("() => document.querySelector('page-shell').app.state.selection")
+    assert chosen == {'kind': 'body', 'name': mark['words'].removeprefix('pole of ')}
+    choose(page, 'Motion', '1')
+    assert page.evaluate(POLES) != marks  # it moves with its body
+    origin = serve('genset/genset.toml').page()
+    drawn(origin)
+    assert origin.evaluate(POLES) == [] and origin.locator('.stage .marks').count() == 0
+
+
 def test_mounts_without_limits_have_a_sentence_and_their_deflections_a_scale(serve):
     served = serve('genset/genset.toml')
     page = served.page()

@@ -7,6 +7,7 @@ import {DARK, LIGHT} from './machine/colours.ts';
 import {GHOSTS, type Ghost} from './machine/ghosts.ts';
 import {labelledPicture} from './machine/labelled_picture.ts';
 import {MachineScene} from './machine/machine_scene.ts';
+import {markedPoles} from './machine/marks.ts';
 import {ALONE, BESIDE_NUMBERS, Stage, type View} from './machine/stage.ts';
 import {sizeWords, type Motion} from './motion.ts';
 import {COLOURINGS, mountValues, type Colouring} from './mount_colouring.ts';
@@ -51,6 +52,7 @@ export class MachineView extends Part {
         <div class="caption" aria-hidden="true">${label}${asker.isOld(command) ? html` <span class="old">…</span>` : nothing}</div>
         ${asker.isOutdated('scene') ? outdatedNote : nothing}
         ${this.legend()}
+        ${this.poleLegend()}
         <div class="hover" aria-hidden="true">${this.hovered || state.selection?.name || ''}${screw && !this.hovered ? html` · ${screwWords(screw, body)}` : nothing}</div>
         ${asker.result<Scene>('scene') ? nothing : html`<p class="missing">${asker.missing('scene')}</p>`}
       </div>
@@ -156,6 +158,10 @@ export class MachineView extends Part {
     const results = {verdict: asker.result<Verdict>('verdict'), check: asker.result<Check>('check'), modes: asker.result<Modes>('modes')};
     return mountValues(colouring, results, state.case, shown.kind === 'mode' ? shown.number : null);
   }
+  private poleLegend() {
+    const scene = this.app.asker.result<Scene>('scene');
+    return scene && markedPoles(scene).length ? html`<div class="marks"><b aria-hidden="true">P</b> pole of a body</div>` : nothing;
+  }
   private legend() {
     const {asker, display: {colouring}} = this.app, command = COMMAND_OF[colouring];
     const waits = command && !asker.result(command) && (command !== 'verdict' || hasSomethingToJudge(this.app));
@@ -209,11 +215,14 @@ export class MachineView extends Part {
   private down = [0, 0];
   private pressed(event: PointerEvent) { this.down = [event.clientX, event.clientY]; }
   private released(event: PointerEvent) {
-    if (Math.hypot(event.clientX - this.down[0]!, event.clientY - this.down[1]!) < 4) this.app.state.select(this.under(event));
+    if (Math.hypot(event.clientX - this.down[0]!, event.clientY - this.down[1]!) < 4) {
+      const under = this.under(event);
+      this.app.state.select(under && {kind: under.kind, name: under.name});
+    }
   }
   private moved(event: PointerEvent) {
     if (event.buttons) return;
-    const name = this.under(event)?.name ?? '';
+    const under = this.under(event), name = under?.words ?? under?.name ?? '';
     if (name !== this.hovered) {
       this.hovered = name;
       this.requestUpdate();

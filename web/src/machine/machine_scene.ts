@@ -5,6 +5,7 @@ import type {Scene, SceneBody, Vector} from '../results.ts';
 import type {MountValues} from '../mount_colouring.ts';
 import type {PlacedScrew} from '../screws.ts';
 import type {Selection} from '../state.ts';
+import type {Picked} from './picking.ts';
 import {armsOf} from './arms.ts';
 import {BodyObject, disposeAll} from './body_object.ts';
 import {colourOf} from './colour_scale.ts';
@@ -12,7 +13,7 @@ import type {Colours} from './colours.ts';
 import {ElementObject} from './element_object.ts';
 import {forceMark} from './force_marks.ts';
 import {Ghosts, type Ghost} from './ghosts.ts';
-import {centreOfMassMark, clearanceMark, ground, pointMark, stopMark, trace} from './marks.ts';
+import {centreOfMassMark, clearanceMark, ground, markedPoles, pointMark, poleMark, stopMark, trace} from './marks.ts';
 import {replace, screwMark} from './screw_mark.ts';
 
 interface Follower {
@@ -48,6 +49,7 @@ export class MachineScene {
     for (const {object, foot} of this.elements) this.root.add(object, ...(foot ? [foot] : []));
     this.root.add(this.rest, this.traces, this.ghosts.root, this.screw);
     for (const body of scene.bodies.filter(b => !b.node)) this.follow(centreOfMassMark(colours), body, body.centre_of_mass, {kind: 'body', name: body.name});
+    for (const body of markedPoles(scene)) this.follow(poleMark(), body, body.pole, {kind: 'body', name: body.name, words: `pole of ${body.name}`});
     for (const point of scene.points) {
       const body = this.byName.get(point.body);
       if (body) this.follow(pointMark(colours), body, point.at, {kind: 'point', name: point.name});
@@ -116,7 +118,7 @@ export class MachineScene {
     this.ghosts.dispose();
   }
 
-  private follow(object: Object3D, body: SceneBody, at: Vector, selection: Selection) {
+  private follow(object: Object3D, body: SceneBody, at: Vector, selection: Picked) {
     const rest = new Vector3(...at);
     object.position.copy(rest);
     object.traverse(part => (part.userData = selection));

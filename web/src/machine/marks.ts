@@ -35,6 +35,28 @@ export function centreOfMassMark(colours: Colours): Sprite {
     pen.stroke();
   }, 0.022);
 }
+/// A ring with the letter P: the pole of a body, to which its coordinates and screws refer.
+export function poleMark(): Sprite {
+  return sprite((pen, size) => {
+    pen.beginPath();
+    pen.arc(size / 2, size / 2, 0.42 * size, 0, 2 * Math.PI);
+    pen.fillStyle = '#fff';
+    pen.fill();
+    pen.strokeStyle = '#111';
+    pen.lineWidth = 6;
+    pen.stroke();
+    pen.font = `700 ${0.6 * size}px system-ui, sans-serif`;
+    pen.textAlign = 'center';
+    pen.textBaseline = 'middle';
+    pen.fillStyle = '#111';
+    pen.fillText('P', size / 2, 0.53 * size);
+  }, 0.024);
+}
+/// Poles that no other mark shows: they are neither the centre of mass of their body nor the origin of the project.
+export function markedPoles({bodies, size}: Scene): SceneBody[] {
+  const apart = (a: Vector, b: Vector) => Math.hypot(...a.map((v, k) => v - b[k]!)) > 1e-6 * size;
+  return bodies.filter(b => !b.node && apart(b.pole, b.centre_of_mass) && apart(b.pole, [0, 0, 0]));
+}
 export function pointMark(colours: Colours): Sprite {
   return sprite((pen, size) => {
     pen.beginPath();

@@ -2,6 +2,9 @@
 import {Box3, Matrix4, Raycaster, Vector2, Vector3, type Intersection, type Mesh, type Object3D, type PerspectiveCamera} from 'three';
 import type {Selection} from '../state.ts';
 
+/// @param words  what is under the pointer, if that is not the selected part as a whole
+export type Picked = Selection & {words?: string};
+
 const RINGS = [3, 6, 9];  // px around the pointer within which a small part is meant
 const DIRECTIONS = 12;
 
@@ -9,7 +12,7 @@ const DIRECTIONS = 12;
 /// seen through one can be selected. The inside of an element counts, too: one sees a coil, not its gaps.
 /// @param at    on the canvas, from −1 to 1
 /// @param size  of the canvas [px]
-export function partAt(root: Object3D, camera: PerspectiveCamera, at: Vector2, size: Vector2): Selection | null {
+export function partAt(root: Object3D, camera: PerspectiveCamera, at: Vector2, size: Vector2): Picked | null {
   root.updateMatrixWorld();
   const ray = new Raycaster(), selectable: Object3D[] = [];
   const sightTo = camera.position.distanceTo(new Vector3().setFromMatrixPosition(root.matrixWorld)), pixel = 2 * sightTo * Math.tan(camera.fov * Math.PI / 360) / size.y;
@@ -18,7 +21,7 @@ export function partAt(root: Object3D, camera: PerspectiveCamera, at: Vector2, s
   const isMark = (part: Object3D) => (part as {isSprite?: boolean}).isSprite === true, isLarge = (part: Object3D) => part.userData['kind'] === 'body' && radiusOf(part) > RINGS[2]! * pixel;
   const aimed = (right: number, up: number) => ray.setFromCamera(new Vector2(at.x + 2 * right / size.x, at.y + 2 * up / size.y), camera);
   const first = (parts: Object3D[]): Intersection | undefined => ray.intersectObjects(parts, false)[0];
-  const selection = (part: Object3D | undefined) => (part ? part.userData as Selection : null);
+  const selection = (part: Object3D | undefined) => (part ? part.userData as Picked : null);
 
   aimed(0, 0);
   const marks = selectable.filter(isMark), small = selectable.filter(part => !isMark(part) && !isLarge(part)), large = selectable.filter(isLarge);

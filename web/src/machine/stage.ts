@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {DirectionalLight, HemisphereLight, OrthographicCamera, PerspectiveCamera, Scene, Sphere, Vector2, Vector3, WebGLRenderer} from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
-import type {Selection} from '../state.ts';
 import type {Colours} from './colours.ts';
 import type {MachineScene} from './machine_scene.ts';
 import {disposeAll} from './body_object.ts';
 import {axesMark} from './marks.ts';
-import {partAt} from './picking.ts';
+import {partAt, type Picked} from './picking.ts';
 
 export type View = 'oblique' | 'front' | 'side' | 'top';
 const DIRECTIONS: Record<View, [number, number, number]> = {oblique: [0.75, -1, 0.55], front: [0, -1, 0], side: [1, 0, 0], top: [0, 0, 1]};
@@ -147,7 +146,7 @@ export class Stage {
     this.renderer.autoClear = true;
   }
   /// What is at a place of the canvas, from −1 to 1.
-  pick(x: number, y: number): Selection | null {
+  pick(x: number, y: number): Picked | null {
     return this.machine && partAt(this.machine.root, this.camera, new Vector2(x, y), this.renderer.getSize(new Vector2()));
   }
   dispose() {
