@@ -127,4 +127,9 @@ def drawn(page):
     page.wait_for_function(
         "() => { const {stage} = document.querySelector('machine-view'); return !stage.isBehind && !stage.wanted; }"
     )
+    painted(page)
+
+
+def painted(page):
+    """Waits until what was changed is laid out and painted."""
     page.evaluate('() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))')

@@ -2,7 +2,7 @@
 """axe finds no violation in any tab, light or dark."""
 import pytest
 
-from conftest import ROOT, settled
+from conftest import ROOT, painted, settled
 from test_play import set_number
 
 AXE = ROOT / 'web/node_modules/axe-core/axe.min.js'  # installed by scripts/web
@@ -25,7 +25,7 @@ def test_no_violation(serve, theme, example):
         assert violations(page) == []
     for tab in ('Model', 'Text', 'Sliders'):
         page.get_by_role('tab', name=tab, exact=True).click()
-        page.wait_for_timeout(300)
+        painted(page)
         assert violations(page) == []
 
 

@@ -2,7 +2,7 @@
 """Limits of the file as lines in the chart: dragged and by keyboard; the verdict follows, and saving changes one number."""
 import re
 
-from conftest import settled
+from conftest import drawn, settled
 from test_pictures import picture
 from test_play import changed_lines, command
 
@@ -128,7 +128,7 @@ def test_a_curve_is_red_where_it_exceeds_a_limit_line_of_its_quantity(serve):
     violated = (198, 26, 26)  # the colour of violated limits in light colours
 
     def red():
-        page.wait_for_timeout(300)
+        drawn(page)
         return sum(n for n, colour in picture(page.locator('.amplitude')).getcolors(1 << 24) if colour == violated)
 
     assert red() == 0

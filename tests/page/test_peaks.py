@@ -2,7 +2,7 @@
 """Peaks of the chart: the highest have their values, which labels of limits do not cover, and one without end is marked as that."""
 
 import pytest
-from conftest import settled
+from conftest import drawn, settled
 
 PEAKS = """() => {
     const {plot, peaks: {peaks}} = document.querySelector('curve-chart').amplitude, {left, top} = plot.over.getBoundingClientRect();
@@ -43,10 +43,10 @@ def test_the_highest_peaks_have_their_values_beside_the_label_of_a_limit(serve, 
     page.get_by_role('button', name='Make it').click()
     settled(page)
     page.locator('curve-chart .limit span').first.wait_for()
-    page.wait_for_timeout(300)
+    drawn(page)
     for log in (True, False):
         page.get_by_label('log', exact=True).set_checked(log)
-        page.wait_for_timeout(200)
+        drawn(page)
         peaks, labels = page.evaluate(PEAKS), page.evaluate(LABELS)
         assert len(peaks) >= 3 and labels
         assert all(p['hasText'] for p in sorted(peaks, key=lambda p: p['y'])[:2]), peaks
@@ -65,7 +65,7 @@ def test_a_peak_without_end_is_marked_at_its_frequency(serve):
     settled(page)
     for log in (True, False):
         page.get_by_label('log', exact=True).set_checked(log)
-        page.wait_for_timeout(200)
+        drawn(page)
         (mark,) = [p for p in page.evaluate(PEAKS) if p['text'] == '∞']
         assert mark['hasText']
         over = page.locator('.amplitude .u-over').bounding_box()

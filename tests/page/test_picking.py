@@ -2,7 +2,7 @@
 """Every mount that is seen can be selected in the picture, through a body in front of it, too."""
 import pytest
 
-from conftest import settled
+from conftest import drawn, settled
 
 # Places on the screen along each element, from end to end, as the camera projects them.
 PLACES = """() => {
@@ -22,7 +22,7 @@ def at_rest(serve, example):
     page = serve(example).page()
     settled(page)
     page.get_by_label('Motion', exact=True).select_option('rest')
-    page.wait_for_timeout(300)
+    drawn(page)
     return page
 
 

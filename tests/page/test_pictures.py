@@ -5,7 +5,7 @@ import io
 import pytest
 from PIL import Image, ImageChops
 
-from conftest import settled
+from conftest import drawn, painted, settled
 
 EXAMPLES = [
     'paper/corrected.toml',
@@ -67,9 +67,9 @@ def test_a_mode_moves_and_a_still_machine_does_not(serve):
     page.wait_for_timeout(400)
     assert share_changed(still, picture(stage)) == 0  # reduced motion: nothing moves by itself
     page.get_by_role('button', name='Play').click()
-    page.wait_for_timeout(500)
+    page.wait_for_function("() => document.querySelector('page-shell').app.display.phase > 1")
     page.get_by_role('button', name='Stop').click()
-    page.wait_for_timeout(200)
+    drawn(page)
     assert share_changed(still, picture(stage)) > 0.002
 
 
@@ -79,14 +79,14 @@ def test_modes_and_phases_look_different(serve):
     stage = page.locator('.stage')
     first = picture(stage)
     page.get_by_label('Motion', exact=True).select_option('3')
-    page.wait_for_timeout(300)
+    drawn(page)
     third = picture(stage)
     assert share_changed(first, third) > 0.002
     page.get_by_role('slider', name='Phase').fill('180')
-    page.wait_for_timeout(300)
+    drawn(page)
     assert share_changed(third, picture(stage)) > 0.002
     page.get_by_label('Motion', exact=True).select_option('rest')
-    page.wait_for_timeout(300)
+    drawn(page)
     assert share_changed(third, picture(stage)) > 0.002
 
 
@@ -96,7 +96,7 @@ def test_a_selected_mount_stands_out_in_the_picture_and_in_the_tree(serve):
     page.get_by_role('tab', name='Model').click()
     plain = picture(page.locator('.stage'))
     page.locator('model-tree summary', has_text='spring front left').click()
-    page.wait_for_timeout(300)
+    drawn(page)
     assert share_changed(plain, picture(page.locator('.stage'))) > 0.0002
     assert page.locator('model-tree .chosen').inner_text() == 'spring front left'
 
@@ -132,12 +132,9 @@ def test_the_picture_is_that_of_the_last_step_of_a_slider(serve):
     for step in range(12):
         slider.fill(str(500 + 40 * step))
     settled(page)
-    page.wait_for_function(
-        "() => { const {stage} = document.querySelector('machine-view'); return !stage.isBehind && !stage.wanted; }"
-    )
-    page.wait_for_timeout(200)
+    drawn(page)
     shown = picture(stage)
     page.evaluate("() => document.querySelector('machine-view').stage.drawNow()")
-    page.wait_for_timeout(100)
+    painted(page)
     assert share_changed(shown, picture(stage)) == 0
     assert share_changed(before, shown) > 0.002

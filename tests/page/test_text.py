@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The file as text."""
 
-from conftest import settled
+from conftest import painted, settled
 
 
 def test_the_caret_stays_in_view_when_messages_open(serve):
@@ -13,7 +13,7 @@ def test_the_caret_stays_in_view_when_messages_open(serve):
     page.keyboard.type('\nmas = 3')
     page.locator('.problems.error').wait_for()
     settled(page)
-    page.wait_for_timeout(200)
+    painted(page)
     line, bottom, last = page.evaluate(
         """() => {
             const {editor} = document.querySelector('text-view'), {head} = editor.state.selection.main;

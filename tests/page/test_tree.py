@@ -4,7 +4,7 @@
 import collections
 
 import pytest
-from conftest import settled
+from conftest import painted, settled
 
 FIELDS = '[...document.querySelectorAll("model-tree input")]'
 
@@ -14,7 +14,7 @@ def opened_tree(page):
     page.get_by_role('tab', name='Model', exact=True).click()
     page.locator('model-tree input').first.wait_for(state='attached')
     page.evaluate('document.querySelectorAll("model-tree details").forEach(e => { e.open = true; })')
-    page.wait_for_timeout(100)
+    painted(page)
 
 
 @pytest.mark.parametrize('size', [(1280, 800), (1920, 1080)])

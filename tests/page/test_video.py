@@ -6,7 +6,7 @@ import io
 import pytest
 from PIL import Image
 
-from conftest import settled
+from conftest import drawn, settled
 from test_pictures import picture, share_changed
 
 ELEMENTS_WITHIN = {0x1A45DFA3, 0x18538067, 0x1549A966, 0x1654AE6B, 0xAE, 0xE0, 0x1F43B675}
@@ -54,7 +54,7 @@ def test_the_video_has_the_frames_of_exactly_one_period(serve, browser, tmp_path
     settled(page)
     page.get_by_role('slider', name='Speed').fill('2')
     page.get_by_label('Motion', exact=True).select_option('3')
-    page.wait_for_timeout(300)
+    drawn(page)
     still = picture(page.locator('canvas.machine'))
     with page.expect_download(timeout=120_000) as download:
         page.get_by_role('button', name='Video').click()
