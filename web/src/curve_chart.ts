@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {html, nothing, svg} from 'lit';
 import {limitsOf, unitOfFirstLimit, type NotDrawn} from './chart/limits.ts';
-import {amplitudeAt, pictureOf, shownLimits, unitsOf, type Choice} from './chart/picture.ts';
+import {shownLines} from './chart/limit_lines.ts';
+import {amplitudeAt, pictureOf, shownAmplitude, shownLimits, unitsOf, type Choice} from './chart/picture.ts';
 import {readingAt, type Compared} from './chart/overlays.ts';
 import {Plot, type Picture, type Shown} from './chart/plot.ts';
 import {stabilityWords, steadyReadings} from './chart/steady_readings.ts';
@@ -133,7 +134,11 @@ export class CurveChart extends Part {
   private setLimits(curves: Curves): string {
     const {display} = this.app, {drawn, not} = limitsOf(curves, this.choice.model, this.mover.requirements), names = this.drawable(curves).map(r => r.name);
     this.notDrawn = not;
-    this.picture!.limits = shownLimits(this.mover.present(drawn), names, this.choice.hidden, this.picture!.scale, display);
+    const picture = this.picture!, {scale} = picture, {hidden, unit} = this.choice;
+    const lines = shownLines(this.mover.presentLines(curves), names, hidden, unit, scale, display, v => shownAmplitude(v, scale, display), [picture.x[0] ?? 0, picture.x.at(-1) ?? 0]);
+    this.mover.placed(lines.handles);
+    picture.limits = [...shownLimits(this.mover.present(drawn), names, hidden, scale, display), ...lines.handles];
+    picture.overlays = [...lines.overlays, ...picture.overlays.filter(o => o.kind !== 'limit')];
     return JSON.stringify([this.picture!.limits, not.map(n => n.why)]);
   }
   private drawable = (curves: Curves) => curves.results.filter(r => r.unit === this.choice.unit && !curves.vanishing?.includes(r.name));

@@ -169,6 +169,7 @@ export interface LimitLine {
   rms: boolean;
   angular_frequency: number[];
   limit: number[];
+  least_margin?: number | null;
   exceeded?: readonly (readonly [number, number])[];  // bands of ω
 }
 

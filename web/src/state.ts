@@ -94,9 +94,11 @@ export class State {
   }
   edit(text: string) { this.write(text, false); }
   /// Replaces one number in the text: as a moved slider it leaves the machine the same, and so do its undo and redo.
-  replaceNumber({from, to}: {from: number; to: number}, value: string) {
-    const {text} = this.design;
-    this.write(text.slice(0, from) + value + text.slice(to), true);
+  replaceNumber(place: {from: number; to: number}, value: string) { this.replaceNumbers([[place, value]]); }
+  /// Several in one step.
+  replaceNumbers(numbers: readonly (readonly [{from: number; to: number}, string])[]) {
+    const fromTheEnd = [...numbers].sort((a, b) => b[0].from - a[0].from);
+    this.write(fromTheEnd.reduce((text, [{from, to}, value]) => text.slice(0, from) + value + text.slice(to), this.design.text), true);
   }
   /// The settings are now written into the text: the same design in another form, no step of undo.
   folded(text: string) {

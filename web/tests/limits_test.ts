@@ -4,6 +4,7 @@ import {test} from 'node:test';
 import {limitsOf, unitOfFirstLimit} from '../src/chart/limits.ts';
 import {amplitudeAt, shownAmplitude, shownLimits} from '../src/chart/picture.ts';
 import type {Display} from '../src/display.ts';
+import {levelsOf, scaleLevels} from '../src/limit_line.ts';
 import {limitNumber, PresentLimits, rounded, setLimit} from '../src/limit_number.ts';
 import {indexOf} from '../src/numbers_of_text.ts';
 import {shareAtLevel} from '../src/quantities.ts';
@@ -137,4 +138,17 @@ test('a limit has the dash of its curve: seven curves have six colours', () => {
   const of = (result: string) => shownLimits([{limit: {requirement: limited({}), result, from: 0, to: Infinity, isOfCurve: true}, allowed: 1e-3, written: '1 mm', movable: true, old: false, binding: true}], names, new Set(), {factor: 1, unit: 'm'}, display)[0]!;
   assert.equal(of('a').colour, of('m.z').colour);
   assert.deepEqual([of('a').dash, of('m.z').dash], [[], [7, 4]]);
+});
+test('all levels of a line are scaled in the text, in one step; a published line has none', () => {
+  const text = '[limit_lines.a]\nrows = [[10, "4.5 mm/s"], [60, 0.002]]  # mine\n[limit_lines.b]\nline = "VC-C"\n[cases.cold]\nlimit_lines.a.rows = [[1, 1], [2, 3]]\n';
+  const state = new State();
+  state.open(text, '1');
+  const levels = (name: string, caseName = '') => levelsOf(name, caseName, state.index);
+  assert.equal(levels('b'), null);
+  assert.deepEqual(levels('a', 'cold')!.map(l => l.value), [1, 3]);
+  scaleLevels(state, levels('a')!, 1.1);
+  assert.equal(state.design.text, text.replace('4.5', '4.95').replace('0.002', '0.0022'));
+  state.undo();
+  assert.equal(state.design.text, text);
+  assert.equal(state.canUndo, false);
 });

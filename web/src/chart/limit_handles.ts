@@ -18,6 +18,7 @@ export interface ShownLimit {
   binding: boolean;  // in the case on the page
   movable: boolean;
   isOfCurve: boolean;
+  isLine?: boolean;  // over frequency: here is only the place where it is seized
   at: {x: number; y: number} | null;  // the judged value, where no curve shows it
 }
 /// What the user does with limits.

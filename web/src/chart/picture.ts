@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type {Display} from '../display.ts';
-import {FREQUENCY_UNITS, number, quantity, scaleAtLevel, shareAtLevel, type Scale} from '../quantities.ts';
+import {FREQUENCY_UNITS, number, quantity, scaleAtLevel, type Scale} from '../quantities.ts';
 import type {Curves, Steady} from '../results.ts';
 import type {ShownLimit} from './limit_handles.ts';
 import type {Limit} from './limits.ts';
@@ -42,9 +42,8 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
   const overlays: Overlay[] = steady ? steadyOverlays(steady, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)) : [];
   const steadyOfCurves = steadyCurves(steady, choice.unit, names.filter(name => !choice.hidden.has(name)), frequency, shownValue);
   for (const line of curves.lines ?? []) {
-    const stroke = names.indexOf(line.result), share = shareAtLevel(line.rms ? 'rms' : '0-p');
+    const stroke = names.indexOf(line.result);
     if (stroke < 0 || line.unit !== choice.unit || choice.hidden.has(line.result)) continue;
-    overlays.push({name: line.result, stroke, kind: 'limit', points: line.angular_frequency.map((w, k) => [w * frequency, shownValue(line.limit[k]! / share)])});
     const amplitude = sampled.amplitude[curves.results.findIndex(r => r.name === line.result)] ?? [];
     for (const [from, to] of line.exceeded ?? [])
       overlays.push({name: line.result, stroke, kind: binding ? 'violated' : 'unbinding', points: omega.flatMap((w, k) => (w >= from && w <= to ? [[w * frequency, shownValue(amplitude[k] ?? null)] as const] : []))});

@@ -140,7 +140,7 @@ export class Plot {
     for (const value of picture.natural) vertical(value, colours.mode, 1, [1, 3]);
     if (this.what === 'amplitude') {
       for (const overlay of picture.overlays) this.overlay(ctx, overlay, (points: Overlay['points']) => points.map(([a, b]) => [x(a), b === null ? null : y(b)] as const));
-      for (const limit of picture.limits) this.limit(plot, limit);
+      for (const limit of picture.limits) if (!limit.isLine) this.limit(plot, limit);
       this.upwards(plot, picture);
       const peaks = this.peaks = placedPeaks(plot, picture.curves, picture.overlays);  // before the labels of limits, which find room elsewhere
       this.handles?.place(plot, picture.limits, this.curveFinder(plot), peaks.taken.map(([left, top, right, bottom]): Box =>
