@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Tables of the results: numbers of the program, with the case in which a margin is least."""
+import json
+
 from conftest import settled, unanswered
 from test_limits import judged
 from test_play import command
@@ -7,6 +9,32 @@ from test_play import command
 
 def row(page, words):
     return page.locator('result-tables tbody tr').filter(has=page.get_by_role('rowheader', name=words, exact=True))
+
+
+def test_rows_of_modes_that_are_not_seen_follow_at_rest_and_when_they_are_scrolled_to(serve):
+    served = serve('../benchmarks/ten_bodies.toml')
+    page = served.page()
+    settled(page)
+    page.get_by_role('tab', name='Modes').click()
+    rows = "() => [...document.querySelectorAll('#table-panel tbody td:nth-child(2)')].map(cell => cell.textContent)"
+    before = page.evaluate(rows)
+    page.evaluate(
+        """() => {
+      const {asker} = document.querySelector('page-shell').app;
+      asker.isOld = name => name === 'curves';  // numbers move
+    }"""
+    )
+    slider = page.locator('.sliders input[type=range]').first
+    slider.fill('900')
+    page.wait_for_function(
+        f"before => JSON.stringify(({rows})()) !== before", arg=json.dumps(before, separators=(',', ':'))
+    )
+    moving = page.evaluate(rows)
+    assert moving[30:] == before[30:] and len(moving) > 40
+    page.locator('#table-panel').evaluate('panel => panel.scrollTo(0, panel.scrollHeight)')
+    page.wait_for_function(
+        f"before => JSON.stringify(({rows})().slice(30)) !== before", arg=json.dumps(before[30:], separators=(',', ':'))
+    )
 
 
 def test_a_requirement_names_the_case_with_the_least_margin_and_its_limit_is_edited(serve):

@@ -33,7 +33,7 @@ export class ResultTables extends Part {
     const shown = (Object.keys(TABS) as Table[]).filter(t => t !== 'map' || hasMap(app));
     const isOutdated = tab === 'map' ? app.beside.isOld('map') && app.asker.hasErrors : app.asker.isOutdated(COMMANDS[tab]);
     return html`<div class="tabs" role="tablist" aria-label="Tables">${shown.map(t => html`<button role="tab" id="tab-${t}" aria-controls="table-panel" aria-selected=${t === tab} @click=${() => this.choose(t)}>${TABS[t]}</button>`)}</div>
-      <div class="scroll table ${isOutdated ? 'outdated' : ''}" role="tabpanel" id="table-panel" aria-labelledby="tab-${tab}" tabindex="0">${isOutdated ? outdatedNote : nothing}${bodies[tab]()}</div>`;
+      <div class="scroll table ${isOutdated ? 'outdated' : ''}" role="tabpanel" id="table-panel" aria-labelledby="tab-${tab}" tabindex="0" @scroll=${this.scrolled}>${isOutdated ? outdatedNote : nothing}${bodies[tab]()}</div>`;
   }
   private choose(table: Table) {
     this.app.display.set({table});
@@ -45,13 +45,38 @@ export class ResultTables extends Part {
     const one = modes.bodies.length === 1, words = modes.kinetic_energy_share_words ?? 'shares of the kinetic energy';
     return html`<table><thead><tr><th scope="col">Mode</th><th scope="col">${display.frequencyUnit}</th><th scope="col" title="damping ratio of the nearest root">ζ</th><th scope="col" class="words">motion</th>
       ${one ? COORDINATES.map(c => html`<th scope="col" title=${words}>${c}</th>`) : html`<th scope="col">kinetic energy</th>`}</tr></thead><tbody>
-      ${modes.modes.map(m => {
+      ${this.modesInView(modes).map(m => {
         const chosen = display.shown.kind === 'mode' && display.shown.number === m.number, root = roots?.roots.find(r => r.nearest_mode === m.number && r.eigenvalue[1] > 0);
         return html`<tr aria-selected=${chosen} class=${chosen ? 'chosen' : ''} @click=${() => display.set({shown: {kind: 'mode', number: m.number}})}>
           <th scope="row"><button class="link" aria-label="Show mode ${m.number}">${m.number}</button></th><td>${frequency(m.angular_frequency, display.frequencyUnit).split(' ')[0]}</td>
           <td>${root ? `${number(100 * root.damping_ratio, 3)} %` : roots ? '–' : html`<span class="old">…</span>`}</td><td class="words" title=${m.name}>${briefMode(m.name)}</td>
           ${one ? m.kinetic_energy_share!.map(share => html`<td class=${isCoupled(share) ? 'share coupled' : 'share'} title=${isCoupled(share) ? words : ''}>${Math.abs(share) >= 0.005 ? Math.round(100 * share) : ''}</td>`) : html`<td class="words">${largestShares(modes, m)}</td>`}</tr>`;
       })}</tbody></table>${one ? html`<p class="hint">x … θz in %: ${modes.modes.some(m => m.kinetic_energy_share!.some(isCoupled)) ? words : 'shares of the kinetic energy'}.</p>` : nothing}${this.energies(modes)}`;
+  }
+  private inView: ReadonlySet<number> | null = null;  // rows that are seen; null: not known yet
+  private rows: readonly Mode[] = [];  // as they are on the page
+
+  /// While numbers move, only rows that are seen follow at once: the table of sixty modes would be laid out again at each step.
+  private modesInView({modes}: Modes): readonly Mode[] {
+    const keeps = this.numbersMove && this.inView && this.rows.length === modes.length;
+    this.rows = keeps ? modes.map((mode, i) => (this.inView!.has(i) ? mode : this.rows[i]!)) : modes;
+    return this.rows;
+  }
+  private get numbersMove() { return this.app.asker.isOld('curves') && !this.app.asker.hasErrors; }
+  override updated() {
+    if (!this.numbersMove && this.rows.length > MOST_LIVE) this.look();
+  }
+  private look() {
+    const panel = this.querySelector('#table-panel')!, {top, bottom} = panel.getBoundingClientRect();
+    this.inView = new Set([...panel.querySelectorAll('tbody tr')].flatMap((row, i) => {
+      const box = row.getBoundingClientRect();
+      return box.bottom >= top && box.top <= bottom ? [i] : [];
+    }));
+  }
+  private scrolled() {
+    if (this.rows.length <= MOST_LIVE) return;
+    this.look();
+    this.requestUpdate();
   }
   /// In which elements the chosen mode stores its energy.
   private energies(modes: Modes) {
@@ -128,6 +153,7 @@ export class ResultTables extends Part {
     return html`<p class="hint">${this.app.asker.missing(command)}</p>`;
   }
 }
+const MOST_LIVE = 12;  // rows that all follow at once
 /// Is a share of a single coordinate below 0 or above 100 %, as it is shown?
 const isCoupled = (share: number) => share <= -0.005 || share >= 1.005;
 /// A violation is red only where the requirements are binding.
