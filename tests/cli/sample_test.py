@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import shlex
 import unittest
 
 from trivet_test import SOURCE, InTemporaryFolder, trivet
@@ -71,6 +72,23 @@ class Sample(InTemporaryFolder):
         for one in json.loads(trivet("sample", ROBUST, *FEW, "--json").stdout)["cases"][0]["requirements"]:
             ends = [one[f"margin_{name}"] for name in ("least", "low", "median", "high", "largest")]
             self.assertEqual(ends, sorted(ends, key=lambda m: float("inf") if m is None else m))
+
+    def test_the_worst_found_design_has_its_margin(self):
+        settings = (*FEW, "--set", "analyses.sample.worst_case=true")
+        found = json.loads(trivet("sample", ROBUST, *settings, "--json").stdout)
+        rows = list(csv.DictReader(io.StringIO(trivet("sample", ROBUST, *settings, "--csv").stdout)))
+        text = trivet("sample", ROBUST, *settings).stdout
+        self.assertIn("there may be worse ones", text)
+        self.assertIn("all 16 corners", text)
+        for row, one in zip(rows, found["cases"][0]["requirements"]):
+            self.assertLessEqual(one["worst_margin"], one["margin_least"] * (1 + 1e-9))
+            self.assertEqual(float(row["worst_margin"]), one["worst_margin"])
+            self.assertEqual(row["worst_settings"], one["worst_settings"])
+            self.assertIn(one["worst_settings"], text)
+            judged = json.loads(trivet("verdict", ROBUST, "--json", *shlex.split(one["worst_settings"])).stdout)
+            again = next(r for r in judged["cases"][0]["requirements"] if r["requirement"] == one["requirement"])
+            self.assertAlmostEqual(again["margin"] / one["worst_margin"], 1, 6)
+        self.assertNotIn("worst_found", json.loads(trivet("sample", ROBUST, *FEW, "--json").stdout))
 
     def test_a_measured_batch_is_drawn_as_it_is(self):
         values = [6 * (0.8 + 0.02 * i) for i in range(20)]

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "trivet/numerics/sampling/sobol_numbers.h"
@@ -112,6 +113,20 @@ TEST(GaussianCopula, NamesThePairThatNoNumbersCanHave) {
   EXPECT_EQ(with(0.62).impossible(), 1) << "exactly on the limit";
   EXPECT_EQ(with(0.0).impossible(), 1) << "0.9² + 0.9² > 1";
   EXPECT_EQ(GaussianCopula(3, {{0, 1, 0.6}, {1, 2, 0.6}, {0, 2, -0.6}}).impossible(), 2);
+}
+
+TEST(Distributions, HaveTheEndsOfTheirRange) {
+  using enum DistributionShape;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  using Ends = std::pair<double, double>;
+  EXPECT_EQ(trivet::numerics::ends({uniform, 1, 0.25}), Ends(0.75, 1.25));
+  EXPECT_EQ(trivet::numerics::ends({triangular, 1, 0.25}), Ends(0.75, 1.25));
+  EXPECT_EQ(trivet::numerics::ends({normal, 1, 0.25}), Ends(-infinity, infinity));
+  EXPECT_EQ(trivet::numerics::ends({normal, 1, 0.25, 2.0}), Ends(-1, 3));
+  EXPECT_EQ(trivet::numerics::ends({lognormal, 1, 0.25, 0.5}), Ends(0.5, 1.5));
+  EXPECT_EQ(trivet::numerics::ends({lognormal, 1, 0.25, 2.0}), Ends(-infinity, 3))
+      << "none is negative, and none is the least";
+  EXPECT_EQ(trivet::numerics::ends({.shape = measured, .measured = {0.9, 1.0, 1.2}}), Ends(0.9, 1.2));
 }
 
 }  // namespace distributions_test

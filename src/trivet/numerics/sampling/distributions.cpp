@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <limits>
 
 #include "trivet/foundation/index.h"
 
@@ -85,6 +86,24 @@ double quantile(const Distribution& d, double share) {
   const double least = d.mean - *d.truncated_at, most = d.mean + *d.truncated_at;
   const double from = share_without_truncation(d, least), to = share_without_truncation(d, most);
   return std::clamp(quantile_without_truncation(d, from + share * (to - from)), least, most);  // for round-off
+}
+
+std::pair<double, double> ends(const Distribution& d) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto within = [&](double distance) { return std::pair(d.mean - distance, d.mean + distance); };
+  switch (d.shape) {
+    case DistributionShape::uniform:
+    case DistributionShape::triangular:
+      return within(d.spread);
+    case DistributionShape::measured:
+      return {d.measured.front(), d.measured.back()};
+    case DistributionShape::normal:
+    case DistributionShape::lognormal:
+      break;
+  }
+  auto found = within(d.truncated_at.value_or(infinity));
+  if (d.shape == DistributionShape::lognormal && found.first <= 0) found.first = -infinity;
+  return found;
 }
 
 namespace {

@@ -30,6 +30,10 @@ struct Distribution {
 /// @param share  in the open interval (0, 1)
 [[nodiscard]] double quantile(const Distribution& distribution, double share);
 
+/// The least and the largest number that occur; infinite where there is none. The numbers of a lognormal distribution
+/// have no least one unless it is truncated above 0.
+[[nodiscard]] std::pair<double, double> ends(const Distribution& distribution);
+
 /// The share of numbers below or at a value.
 [[nodiscard]] double share_up_to(const Distribution& distribution, double value);
 

@@ -40,6 +40,7 @@ struct SampleRequest {
   std::size_t designs = 100'000;
   bool sobol = true;  ///< scrambled Sobol numbers in independent replicates; otherwise random numbers
   std::uint64_t seed = 1;
+  bool worst_case = false;  ///< also search the worst design of each requirement
 };
 
 /// Independent replicates of scrambled Sobol numbers, whose differences give the confidence interval.

@@ -287,6 +287,7 @@ std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyse
   if (const auto seed = read_whole(reader, "seed", 0, most_seed, "seed = 1 is as good as any"))
     request.seed = static_cast<std::uint64_t>(*seed);
   request.sobol = reader.choice("sampling", {"sobol", "random"}) != "random";
+  request.worst_case = reader.boolean("worst_case").value_or(false);
   reader.finish();
   if (!root.has("tolerances"))
     reader.error("", "no tolerances", "sampled designs differ in at least one number",

@@ -13,6 +13,7 @@
 
 #include "trivet/results/design/sample_words.h"
 #include "trivet/results/design/verdict_words.h"
+#include "trivet/results/design/worst_case_parts.h"
 #include "trivet/results/format/json_parts.h"
 
 namespace trivet::results {
@@ -152,8 +153,11 @@ Table requirement_table(const Sample& sample, const std::vector<const SampledCas
     for (const SampledRequirement& result : one->requirements) list.push_back({&sample, one, &result});
   const DrawnRequirements row(std::move(list));
   Table table{.key = "requirements", .file = "sample.csv", .rows = row.size()};
-  for (std::vector<Column>& columns :
-       std::array{subject_columns(row), yield_columns(row), margin_columns(row), value_columns(row)})
+  std::vector<const SampledRequirement*> results;
+  for (const SampledCaseResult* one : cases)
+    for (const SampledRequirement& result : one->requirements) results.push_back(&result);
+  for (std::vector<Column>& columns : std::array{subject_columns(row), yield_columns(row), margin_columns(row),
+                                                 value_columns(row), worst_columns(std::move(results))})
     std::ranges::move(columns, std::back_inserter(table.columns));
   return table;
 }
@@ -168,14 +172,12 @@ Json yield_json(const Yield& yield) {
 
 Json design_json(const std::optional<study::NamedDesign>& design) {
   if (!design) return nullptr;
-  Json numbers = Json::object();
-  for (const study::NamedDesign::Number& one : design->numbers) numbers[one.path] = json::number(one.value);
-  return {{"design", design->number}, {"numbers", std::move(numbers)}};
+  return {{"design", design->number}, {"numbers", numbers_json(design->numbers)}};
 }
 
 std::string design_words(const study::NamedDesign& design) {
   std::string words = fmt::format("design {}", design.number);
-  for (const study::NamedDesign::Number& one : design.numbers)
+  for (const study::NamedNumber& one : design.numbers)
     words += fmt::format(
         "{}{} = {:.5g}{}", &one == &design.numbers.front() ? ": " : ", ", one.path, one.value,
         one.quantity && *one.quantity != project::Quantity::pure ? " " + project::printed_si_unit(*one.quantity) : "");
@@ -392,6 +394,7 @@ Document sample_document(const Sample& sample, const foundation::Problems& warni
     group.parts.push_back({Sentence{.parts = {case_words(one)}, .forms = on_screen | on_page}});
     group.parts.push_back({std::move(table)});
   }
+  add_worst_cases(sample, document);
   add_shares(sample, document);
   say(document, method_words(sample), on_screen | on_page);
   add("warnings", json::warnings(warnings));

@@ -14,6 +14,7 @@
 #include "trivet/project/text/shared_keys.h"
 #include "trivet/study/sample/sample_shares.h"
 #include "trivet/study/sample/sample_tally.h"
+#include "trivet/study/sample/worst_case.h"
 
 namespace trivet::study {
 namespace {
@@ -127,6 +128,17 @@ class Study {
 
   [[nodiscard]] const std::vector<SampledCase>& cases() const { return cases_; }
 
+  void search_worst(const foundation::Progress& progress) {
+    const WorstSearch search = worst_search(cases_, drawn_, found_.request.seed, progress);
+    found_.worst_case_search = {search.all_corners, search.corners, search.inside, search.failed, search.first_failure};
+    for (std::size_t c = 0; c < search.of.size(); ++c)
+      for (std::size_t r = 0; r < search.of[c].size(); ++r) {
+        const WorstFound& one = search.of[c][r];
+        found_.cases[c].requirements[r].worst = {one.margin, numbers(one.draws), one.is_corner,
+                                                 one.ended,  one.at_ends,        one.looked_at};
+      }
+  }
+
  private:
   [[nodiscard]] std::vector<SampledMargins> judged(std::uint64_t first, std::size_t count) const {
     const Eigen::MatrixXd draws = drawn_.draw(first, count);
@@ -154,18 +166,21 @@ class Study {
   }
 
   [[nodiscard]] NamedDesign named(std::uint64_t number) const {
-    NamedDesign design{number, {}};
-    const Eigen::VectorXd draws = drawn_.draw(number, 1).row(0).transpose();
+    return {number, numbers(drawn_.draw(number, 1).row(0).transpose())};
+  }
+
+  [[nodiscard]] std::vector<NamedNumber> numbers(const Eigen::VectorXd& draws) const {
+    std::vector<NamedNumber> list;
     for (std::size_t t = 0; t < found_.tolerances.size(); ++t) {
       const project::Tolerance& tolerance = found_.tolerances[t];
       for (std::size_t p = 0; p < tolerance.places.size(); ++p) {
         const std::string& path = tolerance.places[p].path;
         const double given = project::ModelNumber(path, "").read(project_.base()).value_or(0);
-        design.numbers.push_back({path, tolerance.number(p, given, draws(to_index(drawn_.draw_of(t, p)))),
-                                  project::quantity_at(project_.base().document, project::path_keys(path))});
+        list.push_back({path, tolerance.number(p, given, draws(to_index(drawn_.draw_of(t, p)))),
+                        project::quantity_at(project_.base().document, project::path_keys(path))});
       }
     }
-    return design;
+    return list;
   }
 
   void set_results(const SampleTally& all) {
@@ -215,6 +230,7 @@ Sample sample(const project::Project& project, const foundation::Progress& progr
   found.tolerances = analyses.tolerances;
   Study study(project, found);
   study.run(progress);
+  if (found.request.worst_case) study.search_worst(progress);
   if (shares) found.shares = variance_shares(study.cases(), found.tolerances, found.request, progress);
   return found;
 }

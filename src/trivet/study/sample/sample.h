@@ -32,6 +32,32 @@ struct Spread {
   numerics::Extremes extremes;
 };
 
+/// Share of the numbers of an unbounded draw beyond both ends of the range in which the worst design is searched.
+inline constexpr double beyond_worst_range = 1e-3;
+
+/// A number of a design.
+struct NamedNumber {
+  std::string path;
+  double value = 0;  ///< as a bare number of the file: SI
+  std::optional<project::Quantity> quantity;
+};
+
+/// The worst design of a requirement that a search found, see WorstFound.
+struct WorstDesign {
+  double margin = 0;
+  std::vector<NamedNumber> numbers;  ///< in the base model
+  bool is_corner = false, ended = true;
+  std::size_t at_ends = 0;      ///< drawn numbers
+  std::uint64_t looked_at = 0;  ///< designs
+};
+
+/// How it was searched.
+struct WorstCaseSearch {
+  bool all_corners = false;
+  std::uint64_t corners = 0, inside = 0, failed = 0;
+  std::string first_failure;
+};
+
 /// One requirement in one case, over all designs.
 struct SampledRequirement {
   RequirementResult given;  ///< of the design of the file
@@ -41,6 +67,7 @@ struct SampledRequirement {
   /// Where the margin is limit over value or value over limit, in all designs; SI.
   std::optional<Spread> value;
   std::optional<double> mean, deviation;  ///< of the value; none if it is unbounded in a design
+  std::optional<WorstDesign> worst;       ///< if it is requested
 };
 
 struct SampledCaseResult {
@@ -55,12 +82,7 @@ struct SampledCaseResult {
 /// A design by its number, and what was drawn for it.
 struct NamedDesign {
   std::uint64_t number = 0;
-  struct Number {
-    std::string path;
-    double value = 0;  ///< as a bare number of the file: SI
-    std::optional<project::Quantity> quantity;
-  };
-  std::vector<Number> numbers;
+  std::vector<NamedNumber> numbers;
 };
 
 /// Shares of the variance of the value of one requirement.
@@ -92,7 +114,8 @@ struct Sample {
   std::optional<NamedDesign> worst;  ///< the design with the least margin of all
   double worst_margin = 0;
   std::string worst_case;  ///< that has it, with the same deviations from its own numbers; empty: the base model
-  std::optional<SampledShares> shares;  ///< if they are requested
+  std::optional<SampledShares> shares;               ///< if they are requested
+  std::optional<WorstCaseSearch> worst_case_search;  ///< the same
 };
 
 /// Judges the requirements of the cases in which the design has to hold for the designs of [analyses.sample], by

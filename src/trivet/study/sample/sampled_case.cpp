@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "trivet/foundation/index.h"
@@ -24,13 +25,8 @@ using foundation::NotComputable;
 constexpr Eigen::Index kernel_lanes = 120;  // designs whose matrices fit in the cache
 
 /// Shares of the numbers of a draw beyond an end of its range. The first is that of bounded numbers: nothing is beyond.
-constexpr double no_tail = 0x1p-53;
+constexpr double no_tail = 0;
 constexpr std::array tails = {no_tail, 1e-6, 1e-4, 1e-2};
-
-bool is_unbounded(const numerics::Distribution& one) {
-  using numerics::DistributionShape;
-  return !one.truncated_at && (one.shape == DistributionShape::normal || one.shape == DistributionShape::lognormal);
-}
 
 std::string case_words(const project::Case& variant) {
   return variant.name.empty() ? "" : " in case " + foundation::quoted(variant.name);
@@ -100,9 +96,11 @@ std::string SampledCase::set_ranges(const DrawnDesigns& drawn, double tail) {
       const numerics::Distribution& one = drawn.distribution(d);
       std::string refused = "no range";
       for (const double share : tails) {
-        if (share < tail || (share == no_tail && is_unbounded(one))) continue;
+        const auto [least, largest] = numerics::ends(one);
+        const double last = upper ? largest : least;
+        if (share < tail || (share == no_tail && !std::isfinite(last))) continue;
         double& end = (upper ? to_ : from_)(to_index(d));
-        end = numerics::quantile(one, upper ? 1 - share : share);
+        end = share == no_tail ? last : numerics::quantile(one, upper ? 1 - share : share);
         Eigen::VectorXd draws = middle;
         draws(to_index(d)) = end;
         refused = without_model(draws);
