@@ -131,4 +131,48 @@ TEST(Extremes, NameTheFirstDesign) {
   EXPECT_EQ(extremes.largest_at, 2);
 }
 
+/// Read again from their words.
+template <typename Statistic>
+Statistic stored_and_restored(const Statistic& statistic) {
+  trivet::foundation::StoredWords words;
+  statistic.store(words);
+  trivet::foundation::WordReader reader(words.words());
+  Statistic found = Statistic::restored(reader);
+  reader.end();
+  return found;
+}
+
+TEST(StoredStatistics, AreTheSameAndCanBeMerged) {
+  const std::vector<double> list = numbers(2000);
+  Statistics first(1e6), all(1e6), second(1e6);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    for (Statistics* one : {&all, i < 900 ? &first : &second}) {
+      one->sum.add(list[i]);
+      one->histogram.add(list[i]);
+      one->extremes.add(list[i], i);
+    }
+  Statistics merged(1e6);
+  merged.sum = stored_and_restored(first.sum);
+  merged.histogram = stored_and_restored(first.histogram);
+  merged.extremes = stored_and_restored(first.extremes);
+  merged.merge(second);
+  EXPECT_LT(first.sum.value(), 1e9);
+  EXPECT_EQ(merged.sum, all.sum);
+  EXPECT_EQ(merged.histogram, all.histogram);
+  EXPECT_EQ(merged.extremes, all.extremes);
+}
+
+TEST(StoredStatistics, AreTheSameAtTheirEnds) {
+  ExactSum saturated(1e-300), negative(1);
+  saturated.add(-1);
+  negative.add(-0.75);
+  EXPECT_EQ(stored_and_restored(saturated), saturated);
+  EXPECT_EQ(stored_and_restored(negative).value(), -0.75);
+  LogHistogram histogram;
+  for (const double one : {-HUGE_VAL, -1e300, 0.0, 5e-324, 1.0, HUGE_VAL}) histogram.add(one, 3);
+  EXPECT_EQ(stored_and_restored(histogram), histogram);
+  EXPECT_EQ(stored_and_restored(histogram).count(), 18);
+  EXPECT_EQ(stored_and_restored(Extremes()), Extremes());
+}
+
 }  // namespace exact_statistics_test

@@ -5,8 +5,11 @@
 #include <limits>
 #include <vector>
 
+#include "trivet/foundation/stored_words.h"
+
 /// Statistics of many numbers that do not depend on the order in which these are added, nor on the parts in which they
-/// are counted and merged: all of them are whole numbers.
+/// are counted and merged: all of them are whole numbers. `store` writes them, `restored` reads the same statistics
+/// again and throws foundation::DamagedText where they cannot be such.
 namespace trivet::numerics {
 
 /// A sum in fixed point: a whole number of 128 bits in a unit that is a power of two. Each number is rounded to the
@@ -25,6 +28,9 @@ class ExactSum {
   [[nodiscard]] double value() const;
   [[nodiscard]] bool saturated() const { return saturated_; }
   bool operator==(const ExactSum&) const = default;
+
+  void store(foundation::StoredWords& words) const;
+  [[nodiscard]] static ExactSum restored(foundation::WordReader& words);
 
  private:
   __extension__ using Whole = __int128;
@@ -49,6 +55,9 @@ class LogHistogram {
   [[nodiscard]] double quantile(double share) const;
   bool operator==(const LogHistogram&) const = default;
 
+  void store(foundation::StoredWords& words) const;
+  [[nodiscard]] static LogHistogram restored(foundation::WordReader& words);
+
  private:
   /// Numbers of one sign by their intervals: the bits of a double without all but nine of its fraction.
   struct Side {
@@ -63,6 +72,8 @@ class LogHistogram {
     /// Magnitude of the number of this rank by magnitude, from 1.
     [[nodiscard]] double magnitude(std::uint64_t rank) const;
     [[nodiscard]] std::uint64_t at(std::int64_t interval) const;
+    void store(foundation::StoredWords& words) const;
+    [[nodiscard]] static Side restored(foundation::WordReader& words);
     bool operator==(const Side& other) const;
   };
 
@@ -80,6 +91,9 @@ struct Extremes {
   void add(double number, std::uint64_t index);
   void merge(const Extremes& other);
   bool operator==(const Extremes&) const = default;
+
+  void store(foundation::StoredWords& words) const;
+  [[nodiscard]] static Extremes restored(foundation::WordReader& words);
 };
 
 }  // namespace trivet::numerics
