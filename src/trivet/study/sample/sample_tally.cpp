@@ -40,7 +40,7 @@ std::optional<double> value_at_margin(const RequirementResult& requirement, doub
 }
 
 SampleTally::SampleTally(const std::vector<SampledCase>& cases, std::size_t replicates,
-                         const std::vector<std::vector<SumMagnitudes>>& magnitudes)
+                         const SampleMagnitudes& magnitudes)
     : designs(replicates), met(replicates), in_kernels(cases.size()), one_by_one(cases.size()), cases_(cases) {
   for (std::size_t c = 0; c < cases.size(); ++c) {
     auto& tallies = of.emplace_back();

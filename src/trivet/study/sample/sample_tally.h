@@ -19,6 +19,7 @@ namespace trivet::study {
 struct SumMagnitudes {
   double value = 1, square = 1;
 };
+using SampleMagnitudes = std::vector<std::vector<SumMagnitudes>>;  ///< per case and requirement
 
 /// What is counted of one requirement.
 struct RequirementTally {
@@ -32,9 +33,7 @@ struct RequirementTally {
 /// What is counted over designs, in whole numbers: tallies of parts are merged in any order.
 class SampleTally {
  public:
-  /// @param magnitudes  per case and requirement
-  SampleTally(const std::vector<SampledCase>& cases, std::size_t replicates,
-              const std::vector<std::vector<SumMagnitudes>>& magnitudes);
+  SampleTally(const std::vector<SampledCase>& cases, std::size_t replicates, const SampleMagnitudes& magnitudes);
 
   /// @param first  number of the first design  @param margins  of each case
   void add(const DrawnDesigns& drawn, std::uint64_t first, const std::vector<SampledMargins>& margins);

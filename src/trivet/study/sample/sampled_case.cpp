@@ -144,17 +144,19 @@ model::System SampledCase::system(const Eigen::VectorXd& draws) const {
   throw NotComputable("the model cannot be read");
 }
 
-std::vector<RequirementResult> SampledCase::results(const model::System& system) const {
-  const foundation::Progress silent;
-  const CaseContext context(system, silent);
+std::vector<RequirementResult> SampledCase::results(const model::System& system,
+                                                    const foundation::Progress& interruption) const {
+  const CaseContext context(system, interruption);
   foundation::Problems warnings;
   return requirement_values(context, case_.analyses, warnings);
 }
 
-void SampledCase::assemble(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into) const {
+void SampledCase::assemble(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into,
+                           const foundation::Progress& interruption) const {
+  foundation::report_progress(interruption, "", 0);
   std::string& failure = into.failures[to_size(design)];
   try {
-    const std::vector<RequirementResult> found = results(system(draws.row(design).transpose()));
+    const std::vector<RequirementResult> found = results(system(draws.row(design).transpose()), interruption);
     for (const RequirementResult& one : found)
       if (!one.value && failure.empty()) failure = "\"" + one.words.text() + "\" cannot be judged: " + one.reason;
     if (failure.empty() && found.size() != given_.size()) failure = "it has other requirements than the given design";
@@ -169,18 +171,19 @@ void SampledCase::assemble(const Eigen::MatrixXd& draws, Eigen::Index design, Sa
   else into.margins.row(design).setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
-SampledMargins SampledCase::assembled(const Eigen::MatrixXd& draws) const {
+SampledMargins SampledCase::assembled(const Eigen::MatrixXd& draws, const foundation::Progress& interruption) const {
   SampledMargins found{Eigen::ArrayXXd(draws.rows(), to_index(given_.size())),
                        std::vector<std::string>(to_size(draws.rows()))};
-  for (Eigen::Index d = 0; d < draws.rows(); ++d) assemble(draws, d, found);
+  for (Eigen::Index d = 0; d < draws.rows(); ++d) assemble(draws, d, found, interruption);
   return found;
 }
 
-SampledMargins SampledCase::judged(const Eigen::MatrixXd& draws) const {
-  if (!no_kernels_.empty()) return assembled(draws);
+SampledMargins SampledCase::judged(const Eigen::MatrixXd& draws, const foundation::Progress& interruption) const {
+  if (!no_kernels_.empty()) return assembled(draws, interruption);
   SampledMargins found{Eigen::ArrayXXd(draws.rows(), to_index(given_.size())),
                        std::vector<std::string>(to_size(draws.rows()))};
   for (Eigen::Index first = 0; first < draws.rows(); first += kernel_lanes) {
+    foundation::report_progress(interruption, "", 0);
     const Eigen::Index count = std::min(kernel_lanes, draws.rows() - first);
     // A design in a tail is judged with the ends of its ranges, and assembled afterwards.
     Eigen::MatrixXd inside = draws.middleRows(first, count);
@@ -193,7 +196,7 @@ SampledMargins SampledCase::judged(const Eigen::MatrixXd& draws) const {
       const bool proven =
           (inside.row(d).array() == draws.row(first + d).array()).all() && !found.margins.row(first + d).isNaN().any();
       if (proven) ++found.in_kernels;
-      else assemble(draws, first + d, found);
+      else assemble(draws, first + d, found, interruption);
     }
   }
   return found;

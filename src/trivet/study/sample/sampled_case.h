@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/foundation/interruption.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/project.h"
 #include "trivet/study/family/design_batch.h"
@@ -38,14 +39,17 @@ class SampledCase {
   [[nodiscard]] const std::string& no_kernels() const { return no_kernels_; }
   [[nodiscard]] const std::optional<DesignBatch>& batch() const { return batch_; }
 
-  /// @param draws  designs × draws
-  [[nodiscard]] SampledMargins judged(const Eigen::MatrixXd& draws) const;
+  /// @param draws  designs × draws  @param interruption  called meanwhile, may throw foundation::Interrupted
+  [[nodiscard]] SampledMargins judged(const Eigen::MatrixXd& draws,
+                                      const foundation::Progress& interruption = {}) const;
   /// The same by assembled models alone.
-  [[nodiscard]] SampledMargins assembled(const Eigen::MatrixXd& draws) const;
+  [[nodiscard]] SampledMargins assembled(const Eigen::MatrixXd& draws,
+                                         const foundation::Progress& interruption = {}) const;
 
  private:
   [[nodiscard]] model::System system(const Eigen::VectorXd& draws) const;
-  [[nodiscard]] std::vector<RequirementResult> results(const model::System& system) const;
+  [[nodiscard]] std::vector<RequirementResult> results(const model::System& system,
+                                                       const foundation::Progress& interruption = {}) const;
   void fit(const DrawnDesigns& drawn);
   /// Sets the ranges of all draws, without tails of these shares or of more, where their ends have no model with the
   /// other draws in their middle. @return why there are none; else empty
@@ -55,7 +59,8 @@ class SampledCase {
   /// Why kernels cannot prove all requirements of a design; empty if they can.
   [[nodiscard]] std::string beyond_kernels() const;
   /// Judges one design by its model; into row `design`.
-  void assemble(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into) const;
+  void assemble(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into,
+                const foundation::Progress& interruption) const;
 
   struct Number {
     project::ModelNumber number;

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/sample/sample_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/index.h"
+#include "trivet/project/model_number.h"
+#include "trivet/project/text/model_path.h"
+#include "trivet/project/text/shared_keys.h"
+#include "trivet/study/sample/worst_case.h"
+
+namespace trivet::study {
+namespace {
+
+/// Fewer met or violated designs per replicate say too little of their differences.
+constexpr std::uint64_t fewest_per_replicate = 10;
+
+std::uint64_t sum(const std::vector<std::uint64_t>& list) {
+  std::uint64_t all = 0;
+  for (const std::uint64_t one : list) all += one;
+  return all;
+}
+
+Yield yield_of(const std::vector<std::uint64_t>& met, const std::vector<std::uint64_t>& designs) {
+  Yield yield;
+  yield.met = sum(met);
+  yield.designs = sum(designs);
+  const std::uint64_t all = yield.designs, enough = fewest_per_replicate * designs.size();
+  yield.of_replicates = designs.size() > 1 && yield.met >= enough && all - yield.met >= enough;
+  if (!yield.of_replicates) {
+    yield.interval = numerics::share_of_trials(yield.met, all, sample_confidence);
+    return yield;
+  }
+  std::vector<double> shares;
+  for (std::size_t r = 0; r < designs.size(); ++r)
+    shares.push_back(static_cast<double>(met[r]) / static_cast<double>(designs[r]));
+  yield.interval = numerics::mean_of_replicates(shares, sample_confidence);
+  yield.interval.estimate = static_cast<double>(yield.met) / static_cast<double>(all);
+  return yield;
+}
+
+Spread spread_of_margin(const RequirementTally& tally) {
+  const numerics::Extremes& ends = tally.extremes;  // the middle of an interval of the histogram may be beyond them
+  const auto at = [&](double share) {
+    const double found = tally.margins.quantile(share);
+    return ends.any ? std::clamp(found, ends.least, ends.largest) : found;
+  };
+  return {at(0.05), at(0.5), at(0.95), ends};
+}
+
+/// The spread of the values that belong to margins; where more is worse the largest margin has the least value.
+std::optional<Spread> spread_of_value(const RequirementResult& given, const Spread& margin) {
+  const auto at = [&](double of_margin) { return value_at_margin(given, of_margin); };
+  const numerics::Extremes& ends = margin.extremes;
+  if (!ends.any || !at(ends.least)) return std::nullopt;
+  Spread spread{*at(margin.low),
+                *at(margin.median),
+                *at(margin.high),
+                {*at(ends.least), *at(ends.largest), ends.least_at, ends.largest_at, true}};
+  if (*at(2) > *at(1)) return spread;
+  std::swap(spread.low, spread.high);
+  std::swap(spread.extremes.least, spread.extremes.largest);
+  std::swap(spread.extremes.least_at, spread.extremes.largest_at);
+  return spread;
+}
+
+SampledRequirement requirement_of(const RequirementResult& given, const RequirementTally& tally,
+                                  const std::vector<std::uint64_t>& designs, std::uint64_t judged) {
+  SampledRequirement found{given, yield_of(tally.met, designs), tally.first, spread_of_margin(tally)};
+  found.value = spread_of_value(given, found.margin);
+  if (!found.value || tally.values.saturated() || tally.squares.saturated()) return found;
+  const auto count = static_cast<double>(judged);
+  found.mean = tally.values.value() / count;
+  found.deviation = std::sqrt(std::max(0.0, tally.squares.value() / count - *found.mean * *found.mean));
+  return found;
+}
+
+std::vector<NamedNumber> numbers(const SampleRun& run, const Eigen::VectorXd& draws) {
+  std::vector<NamedNumber> list;
+  for (std::size_t t = 0; t < run.tolerances().size(); ++t) {
+    const project::Tolerance& tolerance = run.tolerances()[t];
+    for (std::size_t p = 0; p < tolerance.places.size(); ++p) {
+      const std::string& path = tolerance.places[p].path;
+      const double given = project::ModelNumber(path, "").read(run.project().base()).value_or(0);
+      list.push_back({path, tolerance.number(p, given, draws(to_index(run.drawn().draw_of(t, p)))),
+                      project::quantity_at(run.project().base().document, project::path_keys(path))});
+    }
+  }
+  return list;
+}
+
+NamedDesign named(const SampleRun& run, std::uint64_t number) {
+  return {number, numbers(run, run.drawn().draw(number, 1).row(0).transpose())};
+}
+
+}  // namespace
+
+Sample sample_result(const SampleRun& run, const SampleTally& all) {
+  Sample found;
+  found.request = run.request();
+  found.tolerances = run.tolerances();
+  found.draws = run.drawn().draws();
+  found.replicates = run.drawn().replicates();
+  const std::vector<SampledCase>& cases = run.cases();
+  const std::uint64_t judged = sum(all.designs) - all.failed;
+  found.yield = yield_of(all.met, all.designs);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const SampledCase& one = cases[c];
+    SampledCaseResult result{one.variant().name, one.variant().display, {},
+                             all.in_kernels[c],  all.one_by_one[c],     one.no_kernels()};
+    if (one.no_kernels().empty()) result.family = one.batch()->family().words();
+    for (std::size_t r = 0; r < one.given().size(); ++r)
+      result.requirements.push_back(requirement_of(one.given()[r], all.of[c][r], all.designs, judged));
+    found.cases.push_back(std::move(result));
+  }
+  found.failed = all.failed;
+  if (all.failed > 0) {
+    found.first_failed = named(run, all.first_failed);
+    found.first_failure = all.first_failure;
+  }
+  if (all.least.any) {
+    found.worst = named(run, all.least.least_at);
+    found.worst_margin = all.least.least;
+    for (std::size_t c = cases.size(); c-- > 0;)  // the first of equal ones
+      if (std::ranges::any_of(all.of[c], [&](const RequirementTally& one) {
+            return one.extremes.any && one.extremes.least == all.least.least &&
+                one.extremes.least_at == all.least.least_at;
+          }))
+        found.worst_case = cases[c].variant().name;
+  }
+  return found;
+}
+
+void add_worst_designs(const SampleRun& run, Sample& found, const foundation::Progress& progress) {
+  const WorstSearch search = worst_search(run.cases(), run.drawn(), run.request().seed, progress);
+  found.worst_case_search = {search.all_corners, search.corners, search.inside, search.failed, search.first_failure};
+  for (std::size_t c = 0; c < search.of.size(); ++c)
+    for (std::size_t r = 0; r < search.of[c].size(); ++r) {
+      const WorstFound& one = search.of[c][r];
+      found.cases[c].requirements[r].worst = {one.margin, numbers(run, one.draws), one.is_corner,
+                                              one.ended,  one.at_ends,             one.looked_at};
+    }
+}
+
+}  // namespace trivet::study
