@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -30,17 +31,26 @@ int complain(const CommandLine& line, const foundation::Problems& errors) {
   return static_cast<int>(engine::Outcome::wrong_input);
 }
 
-/// From its first call on, Ctrl-C asks a search to end with the best design so far.
-std::function<bool()> interruption() {
-  struct Begun {
-    std::once_flag once;
-    std::optional<InterruptibleSearch> search;
-  };
-  return [begun = std::make_shared<Begun>()] {
-    std::call_once(begun->once, [&] { begun->search.emplace(); });
-    return begun->search->is_to_end();
-  };
-}
+/// What may be asked to end early, from the first time on that it asks whether it is to end.
+class EarlyEnd {
+ public:
+  [[nodiscard]] std::function<bool()> asked(Interruptible::Kind kind) {
+    return [this, kind] {
+      std::call_once(once_, [&] { begun_.emplace(kind); });
+      return begun_->is_to_end();
+    };
+  }
+  /// From now on signals end the program. @returns the exit code of the signal that asked for the end; 0: none has
+  int over() {
+    const int code = begun_ ? begun_->exit_code() : 0;
+    begun_.reset();
+    return code;
+  }
+
+ private:
+  std::once_flag once_;
+  std::optional<Interruptible> begun_;
+};
 
 /// On a terminal in lines of its width; programs that read a pipe get each sentence on one line.
 void write_text(const CommandLine& line, const engine::Result& result) {
@@ -86,7 +96,10 @@ bool show_result(const CommandLine& line) {
 }
 
 /// The file that is requested, checked; null: none. @throws foundation::InvalidInput
-std::unique_ptr<engine::ResultFile> result_file(const CommandLine& line) {
+std::unique_ptr<engine::ResultFile> result_file(CommandLine& line) {
+  if (line.output.empty()) line.output = engine::taken_result_file(*line.command, line.request);
+  if (!line.output.empty() && line.form != Form::text)
+    throw foundation::InvalidInput("--output " + line.output + ": its ending chooses the form; omit --json and --csv");
   if (line.is_shown && page_of(line).empty())
     throw foundation::InvalidInput("--open shows a page: name one, as in -o result.html");
   if (line.output.empty()) return nullptr;
@@ -95,20 +108,43 @@ std::unique_ptr<engine::ResultFile> result_file(const CommandLine& line) {
 
 }  // namespace
 
+namespace {
+
+int refuse(const CommandLine& line, const std::string& reason) {
+  foundation::Problems refused;
+  refused.error("", reason, "", "");
+  return complain(line, refused);
+}
+
+/// What is asked about no project.
+int run_alone(const CommandLine& line) {
+  if (!line.source.name.empty() || !line.settings.empty() || !line.output.empty())
+    return refuse(line, "this asks about no project; omit the project file and all other options");
+  engine::Result result = engine::ask_without_project(line.request);
+  if (result.errors.has_errors()) return complain(line, result.errors);
+  write_result(line, nullptr, result);
+  return static_cast<int>(engine::outcome(result, false));
+}
+
+}  // namespace
+
 int run(CommandLine line) {
+  if (engine::is_without_project(line.request)) return run_alone(line);
+  if (line.source.name.empty())
+    return refuse(line, "PROJECT is required: the project file (TOML); - for standard input");
   const auto session = engine::Session::open(line.source, line.settings, &line.request);
   if (!session) return complain(line, session.error());
   std::unique_ptr<engine::ResultFile> file;
   try {
     file = result_file(line);
   } catch (const foundation::InvalidInput& wrong) {
-    foundation::Problems refused;
-    refused.error("", wrong.what(), "", "");
-    return complain(line, refused);
+    return refuse(line, wrong.what());
   }
-  line.request.ends_search = interruption();
+  EarlyEnd early_end;
+  line.request.ends_search = early_end.asked(Interruptible::Kind::search);
+  line.request.ends_study = early_end.asked(Interruptible::Kind::study);
   engine::Result result = session->ask(line.request, progress());
-  line.request.ends_search = {};  // from now on Ctrl-C ends the program
+  const int code_of_signal = early_end.over();
   if (result.errors.has_errors()) return complain(line, result.errors);
   if (!result.failure.empty()) {
     foundation::Problems failure;
@@ -118,13 +154,14 @@ int run(CommandLine line) {
     write_result(line, file.get(), result);
   }
   if (!result.not_written.empty()) write_error("error: " + engine::on_one_line(result.not_written) + "\n");
+  if (!result.go_on.empty()) write_error("ended early; this goes on with the rest:\n  " + result.go_on + "\n");
   const bool is_there = result.failure.empty() && result.not_written.empty();
   const bool shown = !is_there || !line.is_shown || show_result(line);
   const engine::Outcome judged = engine::outcome(result, line.strict);
   const engine::Outcome code = judged == engine::Outcome::done && !shown ? engine::Outcome::not_computed : judged;
   if (line.strict && result.failure.empty() && result.complete && code != engine::Outcome::done)
     write_error(fmt::format("--strict: {}; exit code {}\n", result.findings.words(), static_cast<int>(code)));
-  return static_cast<int>(code);
+  return !result.go_on.empty() && code_of_signal != 0 ? code_of_signal : static_cast<int>(code);
 }
 
 }  // namespace trivet::cli

@@ -86,7 +86,7 @@ void add_forms(CLI::App& app, const Command& command, CommandLine& line) {
     for (CLI::Option* other : {json, csv})
       if (other) output->excludes(other);
   }
-  if (!has_output || command.name == "run")
+  if (!has_output || command.json || command.name == "run")
     app.add_flag("--open", line.is_shown, "show the page that is written in a browser: BROWSER, or xdg-open");
   const bool has_tables = command.json || command.name == "run";
   if (has_tables)
@@ -114,7 +114,7 @@ std::string footer_of(const Command& command) {
 void add_command(CLI::App& app, const Command& command, CommandLine& line) {
   CLI::App* added = app.add_subcommand(command.name, command.about)->group(heading(command.group));
   added->add_option("PROJECT", line.source.name, "project file (TOML); - for standard input")
-      ->required()
+      ->required(!engine::can_be_alone(command))
       ->type_name("FILE");
   added
       ->add_option("--set", line.settings,

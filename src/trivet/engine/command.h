@@ -36,10 +36,11 @@ struct Key {
   std::vector<std::string> choices = {};  ///< of a text: those that are known, for completion
   const char* by_default = "";
   bool repeatable = false, required = false;
-  bool positional = false;      ///< NAME after the project, instead of an option
-  const char* excludes = "";    ///< a key that must not be given with it
-  const char* short_name = "";  ///< "o": -o
-  const char* value = "";       ///< what is given, in the help: "FROM,TO"; empty: by its kind
+  bool positional = false;       ///< NAME after the project, instead of an option
+  const char* excludes = "";     ///< a key that must not be given with it
+  const char* short_name = "";   ///< "o": -o
+  bool without_project = false;  ///< asks something that is about no project
+  const char* value = "";        ///< what is given, in the help: "FROM,TO"; empty: by its kind
 };
 
 enum class Group { whole, machine, harmonic, time, nonlinear, design, data };
@@ -78,6 +79,8 @@ struct Command {
   std::vector<std::string> examples = {};
   /// @throws foundation::InvalidInput if the request is wrong, NotComputable if there is no result
   Result (*run)(const Task& task) = nullptr;
+  /// Of a request with a key `without_project`.
+  Result (*run_alone)(const KeyReader& keys) = nullptr;
 };
 
 /// All commands that ask something of a project.
@@ -85,6 +88,9 @@ struct Command {
 
 /// What a key takes, for the help: "FROM,TO", "FILE", "N"; empty for a flag.
 [[nodiscard]] std::string value_name(const Key& key);
+
+/// Has the command a key that asks without a project?
+[[nodiscard]] bool can_be_alone(const Command& command);
 
 /// nullptr if there is no such command.
 [[nodiscard]] const Command* find_command(std::string_view name);

@@ -16,8 +16,9 @@ namespace trivet::engine {
 [[nodiscard]] std::vector<Command> machine_commands();
 /// One for each analysis of a case.
 [[nodiscard]] std::vector<Command> analysis_commands();
-/// verdict, map, optimize, select
+/// verdict, map, optimize, sample, select
 [[nodiscard]] std::vector<Command> design_commands();
+[[nodiscard]] Command sample_command();
 
 /// Something that a result refers to, with the project that it was computed from.
 template <typename Found>
@@ -65,6 +66,8 @@ template <typename DocumentOf>
 /// The parts of `run` and of the single analyses that are the same: warnings, notes, failures, findings.
 void add_notices(const study::CaseResults& found, Result& result);
 
+/// Tables of the file that a command looks at, with those that decide whether a design is good.
+[[nodiscard]] std::vector<std::string> with_judged_tables(std::vector<std::string> tables);
 [[nodiscard]] Key picture_key(const std::string& drawn);
 [[nodiscard]] Key write_key(const std::string& best);
 

@@ -96,6 +96,8 @@ std::string value_name(const Key& key) {
   return name;
 }
 
+bool can_be_alone(const Command& command) { return std::ranges::any_of(command.keys, &Key::without_project); }
+
 const Command* find_command(std::string_view name) {
   const auto found = std::ranges::find(commands(), name, &Command::name);
   return found == commands().end() ? nullptr : &*found;

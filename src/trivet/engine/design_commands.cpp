@@ -18,28 +18,17 @@
 #include "trivet/results/design/map_document.h"
 #include "trivet/results/design/map_json.h"
 #include "trivet/results/design/optimization_results.h"
-#include "trivet/results/design/sample_document.h"
 #include "trivet/results/design/selection_document.h"
 #include "trivet/results/design/verdict_results.h"
 #include "trivet/results/format/written_results.h"
 #include "trivet/study/optimize/design_front.h"
 #include "trivet/study/optimize/optimization.h"
-#include "trivet/study/sample/sample.h"
 #include "trivet/study/select/mount_selection.h"
 
 namespace trivet::engine {
 namespace {
 
 using foundation::InvalidInput;
-
-/// Tables of the file that decide whether a design is good.
-const std::vector<std::string> judged_tables = {"requirements", "clearances", "limits", "limit_lines", "operation",
-                                                "response",     "peaks",      "random", "transient"};
-
-std::vector<std::string> with(std::vector<std::string> tables) {
-  tables.insert(tables.end(), judged_tables.begin(), judged_tables.end());
-  return tables;
-}
 
 constexpr const char* one_design_for_all =
     "one design is sought for all cases in which it has to hold; requirements.hold_in names them";
@@ -141,21 +130,6 @@ Result map(const Task& task) {
                               }));
   result.arrays = [held, &variant] { return results::result_arrays("map", variant, held->found); };
   result.held = held;
-  return result;
-}
-
-Result sample(const Task& task) {
-  const auto held = hold(task, study::sample(*task.project, task.progress, task.keys.flag("shares")));
-  Result result;
-  result.warnings = task.project->base().warnings;
-  const auto document = [held, warnings = result.warnings](const project::DisplayUnits& display) {
-    auto shown = std::make_shared<study::Sample>(held->found);
-    for (study::SampledCaseResult& one : shown->cases) one.display = display;
-    documents::Document found = results::sample_document(*shown, warnings);
-    found.held = shown;
-    return found;
-  };
-  set_forms(document, held, task.variant.display, {"sample.csv"}, result);
   return result;
 }
 
@@ -276,6 +250,13 @@ Result select(const Task& task) {
 
 }  // namespace
 
+std::vector<std::string> with_judged_tables(std::vector<std::string> tables) {
+  for (const char* one :
+       {"requirements", "clearances", "limits", "limit_lines", "operation", "response", "peaks", "random", "transient"})
+    tables.emplace_back(one);
+  return tables;
+}
+
 Key picture_key(const std::string& drawn) {
   return {.name = "picture",
           .kind = KeyKind::file,
@@ -296,7 +277,7 @@ std::vector<Command> design_commands() {
        .group = Group::design,
        .of_one_case = false,
        .case_alone = "judge this case alone, as one in which the design has to hold",
-       .looks_at = judged_tables,
+       .looks_at = with_judged_tables({}),
        .csv = true,
        .strict = true,
        .examples = {"trivet verdict machine.toml", "trivet verdict machine.toml --strict --csv"},
@@ -305,7 +286,7 @@ std::vector<Command> design_commands() {
        .about = "map of limits over two parameters: feasible designs and governing rules",
        .group = Group::design,
        .of_one_case = true,
-       .looks_at = with({"map", "parameters"}),
+       .looks_at = with_judged_tables({"map", "parameters"}),
        .keys = {{.name = "points",
                  .kind = KeyKind::text,
                  .about = "designs along both axes instead of those of the file: 200x150, or 100 for both",
@@ -320,7 +301,7 @@ std::vector<Command> design_commands() {
        .group = Group::design,
        .of_one_case = false,
        .without_case = one_design_for_all,
-       .looks_at = with({"optimize", "parameters"}),
+       .looks_at = with_judged_tables({"optimize", "parameters"}),
        .keys = {write_key("optimum"),
                 {.name = "time-limit",
                  .kind = KeyKind::text,
@@ -332,25 +313,13 @@ std::vector<Command> design_commands() {
        .examples = {"trivet optimize machine.toml --write best.toml",
                     "trivet optimize machine.toml --time-limit \"10 min\""},
        .run = optimize},
-      {.name = "sample",
-       .about = "the share of machines built within [tolerances] that meet every requirement, and what breaks first",
-       .group = Group::design,
-       .of_one_case = false,
-       .case_alone = "sample this case alone, as one in which the design has to hold",
-       .looks_at = with({"sample", "tolerances"}),
-       .keys = {{.name = "shares",
-                 .kind = KeyKind::flag,
-                 .about =
-                     "also which tolerance scatters which value: shares of its variance, from as many designs again"}},
-       .csv = true,
-       .examples = {"trivet sample machine.toml", "trivet sample machine.toml --set analyses.sample.seed=2 --csv"},
-       .run = sample},
+      sample_command(),
       {.name = "select",
        .about = "the mounts of a catalogue with the largest least margin of all requirements",
        .group = Group::design,
        .of_one_case = false,
        .without_case = one_design_for_all,
-       .looks_at = with({"parameters"}),
+       .looks_at = with_judged_tables({"parameters"}),
        .keys = {{.name = "most", .kind = KeyKind::count, .about = "number of combinations listed", .by_default = "10"},
                 {.name = "by",
                  .kind = KeyKind::choice,

@@ -27,6 +27,8 @@ struct Request {
   std::string before_keys = {};  ///< how messages name a key: "--" on a command line
   /// Once it is true, a search ends with the best design so far. Called on any thread; empty: never.
   std::function<bool()> ends_search = {};
+  /// Once it is true, a study ends with what it has in its folder. Called on any thread; empty: never.
+  std::function<bool()> ends_study = {};
 };
 
 }  // namespace trivet::engine

@@ -38,6 +38,7 @@ struct Result {
   std::vector<std::string> changes;   ///< of the best design, as settings: "elements.mount.scale = 1.5"
   std::vector<std::string> remarks;   ///< on files that were written
   std::string not_written;            ///< why files of the request could not be written; empty if they were
+  std::string go_on;                  ///< command that goes on where this one has ended early; empty: it has not
   bool complete = true;               ///< false: a part could not be computed, or ended early
   Findings findings;
 

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "trivet/engine/key_reader.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/page/result_page.h"
 #include "trivet/results/files/whole_file.h"
@@ -57,6 +58,16 @@ void ResultFile::publish(const Result& result) const {
   const std::string title = (result.title.empty() ? result.command : result.title + ": " + result.command) +
       (result.case_name.empty() ? "" : ", case " + result.case_name);
   file_->publish(report::result_page(title, preface(result), result.html(result.display)));
+}
+
+std::string taken_result_file(const Command& command, Request& request) {
+  const auto key = std::ranges::find(request.keys, "output", [](const auto& one) { return one.first; });
+  if (!command.json || key == request.keys.end()) return "";
+  const std::string name = text_of(key->second), ending = std::filesystem::path(name).extension().string();
+  const std::vector<std::string> endings = endings_of(command);
+  if (std::ranges::find(endings, ending) == endings.end()) return "";
+  request.keys.erase(key);
+  return name;
 }
 
 }  // namespace trivet::engine

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "trivet/engine/command.h"
+#include "trivet/engine/request.h"
 #include "trivet/engine/result.h"
 
 namespace trivet::results {
@@ -31,5 +32,9 @@ class ResultFile {
   std::string name_, ending_;
   std::unique_ptr<const results::WholeFile> file_;
 };
+
+/// Of a command whose key `output` names a folder: the file for the result that it names instead, by an ending; the key
+/// is then removed. Empty: it names none.
+[[nodiscard]] std::string taken_result_file(const Command& command, Request& request);
 
 }  // namespace trivet::engine

@@ -184,4 +184,39 @@ foundation::Expected<std::string> Session::text_with_settings(const std::string&
   return project::text_with_settings(text_, *project_, settings_, target);
 }
 
+namespace {
+
+bool is_alone(const Command& command, const Keys::value_type& key) {
+  return std::ranges::any_of(command.keys,
+                             [&](const Key& row) { return row.without_project && row.name == key.first; });
+}
+
+}  // namespace
+
+bool is_without_project(const Request& request) {
+  const Command* command = find_command(request.command);
+  return command && std::ranges::any_of(request.keys, [&](const auto& key) { return is_alone(*command, key); });
+}
+
+Result ask_without_project(const Request& request) {
+  Result result;
+  result.command = request.command;
+  const Command& command = *find_command(request.command);
+  const KeyReader keys(command, request, result.errors);
+  for (const auto& key : request.keys)
+    if (!is_alone(command, key))
+      result.errors.error(keys.written(key.first), text_of(key.second), "this asks about no project", "leave it out");
+  if (!request.case_name.empty())
+    result.errors.error(keys.written("case"), request.case_name, "this asks about no project", "leave it out");
+  if (result.errors.has_errors()) return result;
+  try {
+    Result found = command.run_alone(keys);
+    found.command = request.command;
+    return found;
+  } catch (const InvalidInput& wrong) {
+    result.errors.error("", wrong.what(), "", "");
+  }
+  return result;
+}
+
 }  // namespace trivet::engine

@@ -75,4 +75,9 @@ class Session {
   std::shared_ptr<Content> content_;
 };
 
+/// Does the request have a key that asks about no project, such as the status of a study folder?
+[[nodiscard]] bool is_without_project(const Request& request);
+/// The result of such a request; its other keys are errors.
+[[nodiscard]] Result ask_without_project(const Request& request);
+
 }  // namespace trivet::engine

@@ -320,6 +320,23 @@ std::string method_words(const Sample& sample) {
                                                 : "The interval is Clopper and Pearson's, as of random designs.");
 }
 
+/// Of a study that is not complete; a complete one is the same result as without a folder.
+void add_partial(const Sample& sample, Document& document) {
+  if (!sample.study || sample.study->is_complete()) return;
+  const study::StudyProgress& study = *sample.study;
+  say(document,
+      fmt::format("PARTIAL: {} of {} chunks of the study, {} of {} designs.", study.done, study.chunks,
+                  sample.request.designs, study.designs),
+      on_screen | on_page);
+  Group& group = document.add(Group{.key = "study", .parts = {}});
+  const auto add = [&](const char* name, std::uint64_t value) {
+    group.parts.push_back({Single{.name = name, .value = value}});
+  };
+  add("chunks", study.chunks);
+  add("done", study.done);
+  add("designs", study.designs);
+}
+
 std::string case_words(const SampledCaseResult& one) {
   const std::string name = one.case_name.empty() ? "" : "Case " + one.case_name + ": ";
   if (!one.no_kernels.empty())
@@ -347,6 +364,7 @@ std::string yield_words(const Yield& yield) {
 Document sample_document(const Sample& sample, const foundation::Problems& warnings) {
   Document document;
   const std::uint64_t designs = sample.request.designs;
+  add_partial(sample, document);
   say(document,
       fmt::format("Yield: {}; {} of {} designs meet every requirement.", yield_words(sample.yield),
                   sample.yield.met == designs ? "all"

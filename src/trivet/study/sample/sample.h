@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -101,7 +102,23 @@ struct SampledShares {
   std::vector<RequirementShares> list;  ///< of all requirements
 };
 
+/// What a study folder has, after this process has worked on it.
+struct StudyProgress {
+  std::filesystem::path folder;
+  std::uint64_t part = 1, of = 1;
+  std::uint64_t designs = 0;              ///< of the whole study
+  std::uint64_t chunks = 0, done = 0;     ///< of the whole study; in the folder
+  std::uint64_t found = 0, computed = 0;  ///< chunks that were there already, and of this process
+  std::vector<std::string> damaged;       ///< files that could not be read: their chunks are computed again
+  std::vector<std::string> overlapping;   ///< files with chunks of other files, which are not counted
+  bool is_locked = true;                  ///< false: the file system has no locks
+  bool ended_early = false;               ///< this process leaves chunks of its part
+
+  [[nodiscard]] bool is_complete() const { return done == chunks; }
+};
+
 struct Sample {
+  /// Of a study that is not complete: with the number of designs that are there.
   project::SampleRequest request;
   std::vector<project::Tolerance> tolerances;
   std::size_t draws = 0;  ///< numbers drawn for each design
@@ -116,6 +133,7 @@ struct Sample {
   std::string worst_case;  ///< that has it, with the same deviations from its own numbers; empty: the base model
   std::optional<SampledShares> shares;               ///< if they are requested
   std::optional<WorstCaseSearch> worst_case_search;  ///< the same
+  std::optional<StudyProgress> study;                ///< if it is one in a folder
 };
 
 /// Judges the requirements of the cases in which the design has to hold for the designs of [analyses.sample], by

@@ -27,7 +27,8 @@ Yield yield_of(const std::vector<std::uint64_t>& met, const std::vector<std::uin
   yield.met = sum(met);
   yield.designs = sum(designs);
   const std::uint64_t all = yield.designs, enough = fewest_per_replicate * designs.size();
-  yield.of_replicates = designs.size() > 1 && yield.met >= enough && all - yield.met >= enough;
+  const bool has_all = std::ranges::all_of(designs, [](std::uint64_t one) { return one > 0; });  // or it has few chunks
+  yield.of_replicates = has_all && designs.size() > 1 && yield.met >= enough && all - yield.met >= enough;
   if (!yield.of_replicates) {
     yield.interval = numerics::share_of_trials(yield.met, all, sample_confidence);
     return yield;
@@ -138,8 +139,8 @@ void add_worst_designs(const SampleRun& run, Sample& found, const foundation::Pr
   for (std::size_t c = 0; c < search.of.size(); ++c)
     for (std::size_t r = 0; r < search.of[c].size(); ++r) {
       const WorstFound& one = search.of[c][r];
-      found.cases[c].requirements[r].worst = {one.margin, numbers(run, one.draws), one.is_corner,
-                                              one.ended,  one.at_ends,             one.looked_at};
+      found.cases[c].requirements[r].worst = {
+          one.margin, numbers(run, one.draws), one.is_corner, one.ended, one.at_ends, one.looked_at};
     }
 }
 

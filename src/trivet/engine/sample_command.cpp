@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "trivet/engine/command_rows.h"
+#include "trivet/engine/key_reader.h"
+#include "trivet/engine/process_rank.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/results/design/sample_document.h"
+#include "trivet/results/design/study_status_document.h"
+#include "trivet/results/files/whole_file.h"
+#include "trivet/study/sample/sample_study.h"
+#include "trivet/study/sample/study_status.h"
+
+namespace trivet::engine {
+namespace {
+
+using foundation::InvalidInput;
+
+/// One word of a shell.
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char one : text) quoted += one == '\'' ? std::string("'\\''") : std::string(1, one);
+  return quoted + "'";
+}
+
+/// The command that does the rest of this one.
+std::string same_command(const Task& task) {
+  std::string words = "trivet " + task.command.name + " " + shell_word(task.project->source);
+  for (const std::string& setting : task.settings) words += " --set " + shell_word(setting);
+  if (!task.request.case_name.empty()) words += " --case " + shell_word(task.request.case_name);
+  for (const auto& [key, value] : task.request.keys)
+    words += " --" + key + (std::holds_alternative<bool>(value) ? "" : " " + shell_word(text_of(value)));
+  return words;
+}
+
+RankedPart part_of(const Task& task) {
+  if (task.keys.has("part"))
+    return {part_of_words(task.keys.text("part"), task.keys.written("part")), task.keys.written("part")};
+  return part_of_rank([](const char* name) -> const char* { return std::getenv(name); }).value_or(RankedPart());
+}
+
+study::Sample sampled(const Task& task) {
+  if (!task.keys.has("output")) {
+    if (task.keys.has("part"))
+      throw InvalidInput(fmt::format("{}: parts share a study folder; name it with {}", task.keys.written("part"),
+                                     task.keys.written("output")));
+    return study::sample(*task.project, task.progress, task.keys.flag("shares"));
+  }
+  return study::sample_in_folder(*task.project,
+                                 {.folder = task.keys.text("output"),
+                                  .part = part_of(task).part,
+                                  .shares = task.keys.flag("shares"),
+                                  .ends = task.request.ends_study},
+                                 task.progress);
+}
+
+std::string files_words(const std::vector<std::string>& names) {
+  return fmt::format("{} file{} ({})", names.size(), names.size() == 1 ? "" : "s", foundation::comma_separated(names));
+}
+
+void add_remarks(const study::StudyProgress& study, const Task& task, Result& result) {
+  const std::string folder = study.folder.string();
+  const RankedPart part = part_of(task);
+  result.remarks.push_back(fmt::format("{}: {} of {} chunks were there; part {} of {}{} computed {}", folder,
+                                       study.found, study.chunks, study.part, study.of,
+                                       part.reason.empty() ? "" : " (" + part.reason + ")", study.computed));
+  if (!study.damaged.empty())
+    result.remarks.push_back(fmt::format("{}: {} cannot be read: damaged; what it had is computed again", folder,
+                                         files_words(study.damaged)));
+  if (!study.overlapping.empty())
+    result.remarks.push_back(
+        fmt::format("{}: {} not counted: other files have the same chunks", folder, files_words(study.overlapping)));
+  if (!study.is_locked)
+    result.remarks.push_back(
+        fmt::format("{}: this file system has no locks: two processes with the same part are not noticed", folder));
+}
+
+/// The result as files of a complete study: every process that finds it complete writes the same bytes.
+void write_result_files(const study::StudyProgress& study, const Result& result) {
+  const auto write = [&](const char* name, const Writer& form) {
+    const results::WholeFile file(study.folder / name, [](const std::filesystem::path&) { return std::string(); });
+    file.publish(whole(form));
+  };
+  write("result.json", result.json);
+  write("sample.csv", result.tables.front().second);
+}
+
+Result sample(const Task& task) {
+  const auto held = hold(task, sampled(task));
+  Result result;
+  result.warnings = task.project->base().warnings;
+  const auto document = [held, warnings = result.warnings](const project::DisplayUnits& display) {
+    auto shown = std::make_shared<study::Sample>(held->found);
+    for (study::SampledCaseResult& one : shown->cases) one.display = display;
+    documents::Document found = results::sample_document(*shown, warnings);
+    found.held = shown;
+    return found;
+  };
+  set_forms(document, held, task.variant.display, {"sample.csv"}, result);
+  if (const auto& study = held->found.study) {
+    add_remarks(*study, task, result);
+    result.complete = !study->ended_early;
+    if (study->ended_early) result.go_on = same_command(task);
+    if (study->is_complete() && !study->ended_early) write_result_files(*study, result);
+  }
+  return result;
+}
+
+Result status(const KeyReader& keys) {
+  const auto held = std::make_shared<const study::StudyStatus>(study::study_status(keys.text("status")));
+  Result result;
+  set_forms([held](const project::DisplayUnits&) { return results::study_status_document(*held); }, held, {},
+            {"status.csv"}, result);
+  return result;
+}
+
+}  // namespace
+
+Command sample_command() {
+  return {
+      .name = "sample",
+      .about = "the share of machines built within [tolerances] that meet every requirement, and what breaks first",
+      .group = Group::design,
+      .of_one_case = false,
+      .case_alone = "sample this case alone, as one in which the design has to hold",
+      .looks_at = with_judged_tables({"sample", "tolerances"}),
+      .keys = {{.name = "shares",
+                .kind = KeyKind::flag,
+                .about =
+                    "also which tolerance scatters which value: shares of its variance, from as many designs again"},
+               {.name = "output",
+                .kind = KeyKind::file,
+                .about = "study folder that many processes share, and that goes on where it was ended; or a file for "
+                         "the result whose ending chooses the form: .json, .csv, .html or .txt",
+                .short_name = "o",
+                .value = "STUDY"},
+               {.name = "part",
+                .kind = KeyKind::text,
+                .about = "compute this part of the study folder: 3/64; by default the rank among the processes of "
+                         "mpirun, of srun or of an array of Slurm",
+                .value = "K/N"},
+               {.name = "status",
+                .kind = KeyKind::file,
+                .about =
+                    "in place of all else, also of the project file: how far the processes of this study folder are",
+                .without_project = true,
+                .value = "STUDY"}},
+      .csv = true,
+      .examples = {"trivet sample machine.toml", "trivet sample machine.toml --set analyses.sample.seed=2 --csv",
+                   "trivet sample machine.toml -o study --part 3/64", "trivet sample --status study"},
+      .run = sample,
+      .run_alone = status};
+}
+
+}  // namespace trivet::engine

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/foundation/stored_words.h"
+#include "trivet/study/sample/sample_tally.h"
+
+namespace trivet::study {
+
+void store(const SampleTally& tally, foundation::StoredWords& words);
+
+/// Sets a tally of the same cases and requirements to the one stored. @throws foundation::DamagedText
+void restore(foundation::WordReader& words, SampleTally& tally);
+
+}  // namespace trivet::study
