@@ -110,7 +110,7 @@ TEST(StoredTally, OfPartsIsThatOfAllDesigns) {
   const study::SampleMagnitudes magnitudes = run.first_designs({}).magnitudes;
   const auto words = [](const study::SampleTally& tally) {
     foundation::StoredWords stored;
-    study::store(tally, stored);
+    study::store_tally(tally, stored);
     return stored.words();
   };
   study::SampleTally all = run.empty_tally(magnitudes), merged = run.empty_tally(magnitudes);
@@ -120,7 +120,7 @@ TEST(StoredTally, OfPartsIsThatOfAllDesigns) {
     run.count(first, 240, part);
     const std::string stored = words(part);
     foundation::WordReader reader(stored);
-    study::restore(reader, restored);
+    study::restore_tally(reader, restored);
     reader.end();
     merged.merge(restored);
   }
@@ -130,7 +130,7 @@ TEST(StoredTally, OfPartsIsThatOfAllDesigns) {
   EXPECT_EQ(merged.of[0][1].values, all.of[0][1].values);
   EXPECT_EQ(merged.of[0][1].squares, all.of[0][1].squares);
   foundation::WordReader wrong("3 1 2 3");
-  EXPECT_THROW(study::restore(wrong, merged), foundation::DamagedText);
+  EXPECT_THROW(study::restore_tally(wrong, merged), foundation::DamagedText);
 }
 
 }  // namespace study_files_test

@@ -28,7 +28,7 @@ ExactSum ExactSum::restored(WordReader& words) {
 namespace {
 
 /// Intervals of the magnitudes of all doubles, see LogHistogram.
-constexpr std::uint64_t most_intervals = std::uint64_t{1} << 20;
+constexpr std::uint64_t intervals_of_doubles = std::uint64_t{1} << 20;
 
 }  // namespace
 
@@ -42,8 +42,8 @@ void LogHistogram::Side::store(StoredWords& words) const {
 LogHistogram::Side LogHistogram::Side::restored(WordReader& words) {
   Side side;
   side.infinite = words.whole();
-  side.first = static_cast<std::int64_t>(words.at_most(most_intervals));
-  side.counts.resize(words.at_most(most_intervals - static_cast<std::uint64_t>(side.first)));
+  side.first = static_cast<std::int64_t>(words.at_most(intervals_of_doubles));
+  side.counts.resize(words.at_most(intervals_of_doubles - static_cast<std::uint64_t>(side.first)));
   for (std::uint64_t& one : side.counts) side.count += one = words.whole();
   return side;
 }

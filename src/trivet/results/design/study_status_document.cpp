@@ -47,7 +47,7 @@ Table part_table(const StudyStatus& status) {
                       row("state", Kind::words, "state", [](const Part& one) { return state_name(one.state); }),
                       row("done", Kind::number, "chunks done", &Part::done),
                       row("missing", Kind::number, "missing", &Part::missing),
-                      row("rate", Kind::number, "designs/s", &Part::rate, {.unit = "1/s", .digits = 3}),
+                      row("rate", Kind::number, "designs", &Part::rate, {.unit = "1/s", .digits = 3}),
                       row("written_ago", Kind::number, "file written before", &Part::written_ago, {.unit = "s"})},
           .forms = in_json | in_csv | on_screen | on_page};
 }

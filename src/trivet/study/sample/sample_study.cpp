@@ -56,7 +56,7 @@ class CountedPart {
   void begin_with(const PartRecord& earlier) {
     record_.chunks = earlier.chunks;
     foundation::WordReader words(earlier.counts);
-    restore(words, tally_);
+    restore_tally(words, tally_);
   }
 
   /// Computes chunks until `request.ends`. @returns how many
@@ -120,7 +120,7 @@ class CountedPart {
     {
       const std::lock_guard lock(counting_);
       foundation::StoredWords words;
-      store(tally_, words);
+      store_tally(tally_, words);
       record_.counts = words.words();
       record_.written_at = seconds_since_1970();
       record_.milliseconds = milliseconds_since(start_);
@@ -165,7 +165,7 @@ SampleTally tally_of(const SampleRun& run, const StudyManifest& manifest, const 
   for (const auto& [part, record] : content.parts) {
     SampleTally one = run.empty_tally(manifest.magnitudes);
     foundation::WordReader words(record.counts);
-    restore(words, one);
+    restore_tally(words, one);
     all.merge(one);
   }
   return all;
@@ -178,8 +178,9 @@ Sample result_of(const SampleRun& run, const StudyManifest& manifest, const Stud
   std::uint64_t designs = 0;
   for (const std::uint64_t one : all.designs) designs += one;
   if (designs == 0)
-    throw foundation::NotComputable(
-        fmt::format("study folder {}: no chunk of designs is complete yet, so there is no result", folder.string()));
+    throw foundation::NotComputable(fmt::format(
+        "study folder {}: no chunk of designs is complete yet, so there is no result; the same command goes on",
+        folder.string()));
   Sample found = sample_result(run, all);
   found.request.designs = designs;
   return found;

@@ -40,7 +40,7 @@ void restore_requirement(WordReader& words, RequirementTally& tally) {
 
 }  // namespace
 
-void store(const SampleTally& tally, StoredWords& words) {
+void store_tally(const SampleTally& tally, StoredWords& words) {
   for (const auto* list : {&tally.designs, &tally.met, &tally.in_kernels, &tally.one_by_one}) store_list(*list, words);
   words.whole(tally.failed);
   words.whole(tally.first_failed);
@@ -51,7 +51,7 @@ void store(const SampleTally& tally, StoredWords& words) {
     for (const RequirementTally& one : requirements) store_requirement(one, words);
 }
 
-void restore(WordReader& words, SampleTally& tally) {
+void restore_tally(WordReader& words, SampleTally& tally) {
   for (auto* list : {&tally.designs, &tally.met, &tally.in_kernels, &tally.one_by_one}) restore_list(words, *list);
   tally.failed = words.whole();
   tally.first_failed = words.whole();

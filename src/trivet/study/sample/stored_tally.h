@@ -6,9 +6,9 @@
 
 namespace trivet::study {
 
-void store(const SampleTally& tally, foundation::StoredWords& words);
+void store_tally(const SampleTally& tally, foundation::StoredWords& words);
 
 /// Sets a tally of the same cases and requirements to the one stored. @throws foundation::DamagedText
-void restore(foundation::WordReader& words, SampleTally& tally);
+void restore_tally(foundation::WordReader& words, SampleTally& tally);
 
 }  // namespace trivet::study
