@@ -50,6 +50,12 @@ ELSEWHERE = {
     'pip install ".[notebook]"': ("it compiles for minutes", ".ci/run", "scripts/python"),
     "pip install FILE.whl": ("it installs into the system", ".ci/run", "scripts/release"),
     "trivet serve pump.toml": ("it serves until it is interrupted", "tests/cli/help_examples_test.py", "serve"),
+    "mpirun -n 64 trivet sample machine.toml -o study": (
+        "it needs MPI",
+        "tests/cli/study_folder_test.py",
+        "OMPI_COMM_WORLD_RANK",
+    ),
+    "sbatch examples/paper/robust.slurm": ("it needs Slurm", "tests/cli/study_folder_test.py", "SLURM_PROCID"),
     "scripts/web": ("it installs packages and needs Node", "scripts/page", "scripts/web --check"),
     "scripts/web --check": ("it installs packages and needs Node", "scripts/page", "scripts/web --check"),
     "scripts/test": ("it installs packages, builds and runs this test", ".ci/run", "scripts/test"),

@@ -130,7 +130,7 @@ TEST(Commands, HaveExamplesAndDescribeTheirKeysInTheFile) {
     EXPECT_EQ(engine::find_command(command.name), &command);
     EXPECT_NE(command.run, nullptr) << command.name;
     if (command.for_programs) continue;
-    EXPECT_EQ(command.examples.size(), 2u) << command.name;
+    EXPECT_GE(command.examples.size(), 2u) << command.name;
     for (const std::string& line : command.examples)
       EXPECT_THAT(line, testing::StartsWith("trivet " + command.name + " "));
   }

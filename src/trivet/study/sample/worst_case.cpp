@@ -201,10 +201,10 @@ class Descent {
 };
 
 /// The search over all requirements.
-class Search {
+class WorstDesigns {
  public:
-  Search(const std::vector<SampledCase>& cases, const DrawnDesigns& drawn, std::uint64_t seed,
-         const foundation::Progress& progress)
+  WorstDesigns(const std::vector<SampledCase>& cases, const DrawnDesigns& drawn, std::uint64_t seed,
+               const foundation::Progress& progress)
       : cases_(cases), box_(drawn), progress_(progress) {
     const numerics::SobolNumbers sobol(drawn.draws(), seed, scramble);
     const Places ends = corners(box_, sobol), inside = points_inside(box_, sobol);
@@ -310,7 +310,7 @@ DrawRange worst_range(const numerics::Distribution& distribution) {
 
 WorstSearch worst_search(const std::vector<SampledCase>& cases, const DrawnDesigns& drawn, std::uint64_t seed,
                          const foundation::Progress& progress) {
-  return Search(cases, drawn, seed, progress).run();
+  return WorstDesigns(cases, drawn, seed, progress).run();
 }
 
 }  // namespace trivet::study
