@@ -81,7 +81,7 @@ study::StudyPart part_of_words(const std::string& words, const std::string& key)
 }
 
 std::optional<RankedPart> part_of_rank(const Environment& environment) {
-  const auto process = part_of_process(environment), array = part_of_array(environment);
+  auto process = part_of_process(environment), array = part_of_array(environment);
   if (!array) return process;
   if (!process) return array;
   const auto [own, within] = std::pair(process->part, array->part);

@@ -63,7 +63,8 @@ void ResultFile::publish(const Result& result) const {
 std::string taken_result_file(const Command& command, Request& request) {
   const auto key = std::ranges::find(request.keys, "output", [](const auto& one) { return one.first; });
   if (!command.json || key == request.keys.end()) return "";
-  const std::string name = text_of(key->second), ending = std::filesystem::path(name).extension().string();
+  std::string name = text_of(key->second);
+  const std::string ending = std::filesystem::path(name).extension().string();
   const std::vector<std::string> endings = endings_of(command);
   if (std::ranges::find(endings, ending) == endings.end()) return "";
   request.keys.erase(key);
