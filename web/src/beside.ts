@@ -11,8 +11,9 @@ export interface Question {
   patience?: number;
 }
 interface Found {
-  identity: string;
-  outcome: Outcome | null;  // null: it took longer than `patience`
+  identity: string;  // of the question that was answered
+  outcome: Outcome | null;
+  givenUp: string;  // identity of the question that took longer than `patience`; the earlier result stays until another comes
 }
 const REST = 350;  // ms without a change or an answer of the page
 
@@ -42,14 +43,15 @@ export class BesideResults {
   takesLong(key: string): boolean {
     const question = this.wanted().find(q => q.key === key), found = this.found.get(key);
     if (question?.patience === undefined || this.waiting.has(key)) return false;
-    const isOfNow = found?.identity === identityOf(question);
-    return question.patience ? isOfNow && found?.outcome === null : !isOfNow;
+    const now = identityOf(question);
+    return found?.identity !== now && (question.patience === 0 || found?.givenUp === now);
   }
   isRunning = (key: string) => this.running?.key === key;
   /// Asks and waits as long as it takes.
   waitFor(key: string) {
     this.waiting.add(key);
-    this.found.delete(key);
+    const found = this.found.get(key);
+    if (found) found.givenUp = '';
     this.next();
   }
   /// The page asks something: this waits.
@@ -69,7 +71,10 @@ export class BesideResults {
 
   private next() {
     if (this.running) return;
-    const question = this.wanted().find(q => (q.patience !== 0 || this.waiting.has(q.key)) && this.found.get(q.key)?.identity !== identityOf(q));
+    const question = this.wanted().find(q => {
+      const found = this.found.get(q.key), now = identityOf(q);
+      return (q.patience !== 0 || this.waiting.has(q.key)) && found?.identity !== now && found?.givenUp !== now;
+    });
     if (question) void this.ask(question, identityOf(question));
   }
   private async ask({key, change, want, patience}: Question, identity: string) {
@@ -83,10 +88,11 @@ export class BesideResults {
     this.notify();
     try {
       const answer: Answer = await this.engine.ask(0, change, [want], stop.signal);
-      this.found.set(key, {identity, outcome: answer.results[0] ?? failed(answer.problems[0]?.message ?? '')});
+      this.found.set(key, {identity, givenUp: '', outcome: answer.results[0] ?? failed(answer.problems[0]?.message ?? '')});
     } catch (error) {
-      if (tired) this.found.set(key, {identity, outcome: null});
-      else if (!stop.signal.aborted) this.found.set(key, {identity, outcome: failed(error instanceof EngineError ? error.message : String(error))});
+      const earlier = this.found.get(key);
+      if (tired) this.found.set(key, {...earlier?.outcome?.ok ? earlier : {identity: '', outcome: null}, givenUp: identity});
+      else if (!stop.signal.aborted) this.found.set(key, {identity, givenUp: '', outcome: failed(error instanceof EngineError ? error.message : String(error))});
     }
     clearTimeout(limit);
     if (!stop.signal.aborted) this.waiting.delete(key);

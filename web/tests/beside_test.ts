@@ -65,6 +65,20 @@ test('what takes long is given up until the user waits for it', async () => {
   await until(() => beside.result('map') !== null);
   assert.deepEqual([beside.result('map'), beside.takesLong('map')], ['a = 1', false]);
 });
+test('what takes long leaves the earlier result, as an old one, until the user waits', async () => {
+  let now = change('a = 1'), patience = 1000;
+  const {beside, asked} = besides(80, () => [{key: 'map', change: now, want: {command: 'map'}, patience}]);
+  beside.rest();
+  await until(() => beside.result('map') !== null);
+  [now, patience] = [change('a = 2'), 20];
+  beside.rest();
+  await until(() => beside.takesLong('map'));
+  assert.deepEqual([beside.result('map'), beside.isOld('map'), asked.length], ['a = 1', true, 2]);
+  beside.waitFor('map');
+  assert.deepEqual([beside.result('map'), beside.takesLong('map')], ['a = 1', false]);
+  await until(() => !beside.isOld('map'));
+  assert.deepEqual([beside.result('map'), asked.length], ['a = 2', 3]);
+});
 test('without patience it is asked only when the user wants it, and an old result stays', async () => {
   let now = change('a = 1');
   const {beside, asked} = besides(1, () => [{key: 'map', change: now, want: {command: 'map'}, patience: 0}]);

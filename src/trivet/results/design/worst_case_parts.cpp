@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "trivet/foundation/index.h"
 #include "trivet/results/design/sample_words.h"
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/results/format/json_parts.h"
@@ -48,21 +49,38 @@ Table worst_table(const study::Sample& sample) {
           .forms = on_screen | on_page};
 }
 
+/// Requirements of which a drawn design is worse than the worst one that was found.
+std::size_t beaten_searches(const study::Sample& sample) {
+  std::size_t count = 0;
+  for (const study::SampledCaseResult& one : sample.cases)
+    count += to_size(std::ranges::count_if(one.requirements, [](const study::SampledRequirement& requirement) {
+      const numerics::Extremes& drawn = requirement.margin.extremes;
+      return requirement.worst && drawn.any && drawn.least < requirement.worst->margin;
+    }));
+  return count;
+}
+
 std::string search_words(const study::Sample& sample) {
   const study::WorstCaseSearch& search = *sample.worst_case_search;
   const auto unbounded = [](const project::Tolerance& one) {
     const auto [from, to] = numerics::ends(one.distribution);
     return !std::isfinite(from) || !std::isfinite(to);
   };
+  const std::size_t beaten = beaten_searches(sample);
   return fmt::format(
       "The worst designs are those that a search found; there may be worse ones. It began with {} of the ranges of the "
-      "drawn numbers and {} designs inside, and went down the slopes of each margin. {}",
+      "drawn numbers and {} designs inside, and went down the slopes of each margin. {}{}",
       search.all_corners ? fmt::format("all {} corners", search.corners) : fmt::format("{} corners", search.corners),
       search.inside,
       std::ranges::any_of(sample.tolerances, unbounded)
-          ? fmt::format("An unbounded end of a range is where {:g} % of the numbers are beyond it.",
+          ? fmt::format("An unbounded end of a range is where {:g} % of the numbers are beyond it; designs beyond it "
+                        "can be worse.",
                         100 * study::beyond_worst_range / 2)
-          : std::string("The ranges contain all numbers that can be drawn."));
+          : std::string("The ranges contain all numbers that can be drawn."),
+      beaten == 0
+          ? std::string()
+          : fmt::format(" For {} requirement{} a drawn design is worse than the one found: see its least margin.",
+                        beaten, beaten == 1 ? "" : "s"));
 }
 
 }  // namespace
