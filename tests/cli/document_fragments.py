@@ -183,6 +183,7 @@ service_speed = "980 rpm"
     ("docs/sample.md", "Designs within tolerances"): FRAME.replace("frame", "machine")
     + mounts("machine")
     + "[requirements]\ndamping_ratio = 0.01\n",
+    ("docs/robust.md", "The best design within tolerances"): (SOURCE / "examples/paper/robust.toml").read_text(),
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/plausibility.md", "If the number is right"): STARTER,
     ("docs/map.md", "Several pairs of parameters"): FRAME

@@ -84,6 +84,11 @@ struct OptimizeRequest {
   int points = 11;                 ///< of a front of two
   std::optional<int> starts;       ///< climbs; none: `usual_starts`, or fewer of designs that take long
   int combinations = 1000;         ///< most combinations of mounts whose numbers are optimised
+  std::optional<double> yield;     ///< share of the machines within the tolerances that has to meet every requirement
+  bool worst_case = false;         ///< the worst designs found within the tolerances have to meet them too
+
+  /// True if the tolerances count.
+  [[nodiscard]] bool is_robust() const { return yield || worst_case; }
 
   /// True if a parameter of this name is varied.
   [[nodiscard]] bool varies(const std::string& parameter) const {

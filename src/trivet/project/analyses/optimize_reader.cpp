@@ -130,6 +130,32 @@ std::optional<int> read_count(TableReader& reader, const std::string& key, doubl
   return std::nullopt;
 }
 
+/// `yield` or `worst_case`: what has to hold within the tolerances.
+void read_robustness(const TableReader& root, TableReader& reader, const std::vector<std::string>& choices,
+                     OptimizeRequest& request) {
+  constexpr double least_yield = 0.5, most_yield = 0.9999;  // beyond, 16,384 designs know too little
+  request.yield = reader.number("yield", Quantity::pure);
+  request.worst_case = reader.boolean("worst_case").value_or(false);
+  if (request.yield && !(*request.yield >= least_yield && *request.yield <= most_yield))
+    reader.error("yield", fmt::format("{:.6g}", *request.yield),
+                 fmt::format("a share from {:.0f} % to {:.2f} % is expected", 100 * least_yield, 100 * most_yield),
+                 "write yield = \"99 %\", or worst_case = true for all machines within bounded tolerances");
+  if (!request.is_robust()) return;
+  const char* key = request.yield ? "yield" : "worst_case";
+  if (request.yield && request.worst_case)
+    reader.error("worst_case", "yield and worst_case", "one of them says what has to hold", "keep one of them");
+  if (!root.has("tolerances"))
+    reader.error(key, "no tolerances", "without them all machines are the same",
+                 "write [tolerances.NAME] with path and half_width");
+  if (reader.has("front"))
+    reader.error(key, fmt::format("front and {}", key), "a front is searched without tolerances", "keep one of them");
+  for (const std::string& choice : choices)
+    if (request.varies(choice))
+      reader.error(key, fmt::format("choice {} and {}", foundation::quoted(choice), key),
+                   "mounts are chosen without tolerances",
+                   "choose the mounts first, then name the numbers in parameters = [\"NAME\"]");
+}
+
 /// The results of a front.
 void read_front(TableReader& reader, const ResultNames& names, const SymbolTable& symbols, OptimizeRequest& request) {
   const char* example = R"(["BODY.POINT.z", "ground.force.z"])";
@@ -186,6 +212,7 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
   request.starts = read_count(reader, "starts", 1, most_starts, "32 is usual");
   request.combinations =
       read_count(reader, "combinations", 1, most_combinations, "1000 is usual").value_or(request.combinations);
+  read_robustness(root, reader, names_of_choices(root), request);
   reader.finish();
   result.optimize = std::move(request);
 }

@@ -270,8 +270,9 @@ std::vector<Judgement> judgements(const std::vector<const study::CaseResults*>& 
     if (case_results.optimization)
       list.push_back({case_results.optimization->feasible ? Outcome::met : Outcome::violated, "best design",
                       "best design of the search",
-                      case_results.optimization->feasible ? optimization_headline(*case_results.optimization)
-                                                          : "no design that was found meets every requirement",
+                      case_results.optimization->feasible || case_results.optimization->robust
+                          ? optimization_headline(*case_results.optimization)
+                          : "no design that was found meets every requirement",
                       std::numeric_limits<double>::infinity(), i});
     add_cut_short(case_results, i, list);
     for (const std::string& failure : case_results.failures)

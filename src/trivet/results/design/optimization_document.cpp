@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "trivet/results/design/optimization_results.h"
+#include "trivet/results/design/robust_parts.h"
 #include "trivet/results/design/search_parts.h"
 #include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/result_writer.h"
@@ -223,6 +224,7 @@ void add_objective(const Optimization& found, Document& document) {
   value("after", found.objective_after);
   document.add(Single{.name = "unit", .value = unit});
   document.add(Single{.name = "feasible", .value = found.feasible});
+  add_robust(found, document);
 }
 
 }  // namespace

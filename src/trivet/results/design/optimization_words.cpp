@@ -9,6 +9,7 @@
 
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/results/design/robust_parts.h"
 #include "trivet/results/design/search_parts.h"
 #include "trivet/results/design/selection_document.h"
 
@@ -22,7 +23,8 @@ std::string objective_words(const Optimization& found) {
   if (found.mounts && found.mounts->price)
     return found.mounts->some_met ? "cheapest mounts found, and with these the largest least margin of all requirements"
                                   : "no mounts that were tried meet every requirement. Largest least margin instead";
-  if (!found.minimizes) return "least margin of all requirements";
+  if (!found.minimizes)
+    return found.robust ? "least margin of " + robust_subject(*found.robust) : "least margin of all requirements";
   if (!found.weights.empty()) {
     std::string words = "weighted sum of the largest amplitudes over the band: ";
     const std::vector<std::string> names = minimized_names(found);
@@ -101,6 +103,7 @@ std::string optimization_headline(const Optimization& found) {
   std::string text =
       fmt::format("{}: {} → {}{}{}", objective_words(found), before, number_text(found.objective_after), unit,
                   found.after.front().results.empty() ? ""
+                      : found.robust                  ? "; " + robust_verdict(*found.robust)
                       : found.feasible                ? ", every requirement is met"
                                                       : ", NOT every requirement is met");
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));

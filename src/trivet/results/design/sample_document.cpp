@@ -162,14 +162,6 @@ Table requirement_table(const Sample& sample, const std::vector<const SampledCas
   return table;
 }
 
-Json yield_json(const Yield& yield) {
-  return {{"share", yield.interval.estimate},
-          {"from", yield.interval.from},
-          {"to", yield.interval.to},
-          {"met", yield.met},
-          {"interval", yield.of_replicates ? "replicates" : "Clopper-Pearson"}};
-}
-
 Json design_json(const std::optional<study::NamedDesign>& design) {
   if (!design) return nullptr;
   return {{"design", design->number}, {"numbers", numbers_json(design->numbers)}};
@@ -359,6 +351,14 @@ std::string yield_words(const Yield& yield) {
   const int decimals = decimals_of(std::max(of.to - of.estimate, of.estimate - of.from));
   return fmt::format("{} % ({} confidence: {} % … {} %)", rounded_percent(of.estimate, decimals), confidence_words(),
                      rounded_percent(of.from, decimals), rounded_percent(of.to, decimals));
+}
+
+Json yield_json(const Yield& yield) {
+  return {{"share", yield.interval.estimate},
+          {"from", yield.interval.from},
+          {"to", yield.interval.to},
+          {"met", yield.met},
+          {"interval", yield.of_replicates ? "replicates" : "Clopper-Pearson"}};
 }
 
 Document sample_document(const Sample& sample, const foundation::Problems& warnings) {

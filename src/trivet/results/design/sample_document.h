@@ -13,5 +13,6 @@ namespace trivet::results {
 
 /// "97.3 % (95 % confidence: 97.1 % … 97.5 %)", "≥ 99.97 % with 95 % confidence" without violations.
 [[nodiscard]] std::string yield_words(const study::Yield& yield);
+[[nodiscard]] Json yield_json(const study::Yield& yield);
 
 }  // namespace trivet::results

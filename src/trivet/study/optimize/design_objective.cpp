@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -99,8 +100,8 @@ double lowest_natural_frequency(const model::System& system) {
 }  // namespace
 
 DesignObjective::DesignObjective(const project::Project& project, const project::OptimizeRequest& request,
-                                 Effort effort)
-    : space_(project, request.parameters), minimized_(request) {
+                                 Reserves reserves, Effort effort)
+    : space_(project, request.parameters), minimized_(request), reserves_(std::move(reserves)) {
   const std::vector<std::string> hold_in = cases_to_hold(project);
   for (const project::Case& variant : project.cases)
     if (std::ranges::find(hold_in, variant.name) != hold_in.end()) cases_.push_back(&variant);
@@ -135,7 +136,7 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
   minimized_.refuse_unlike(given_.front());
   if (!has_quick(effort)) return;
   try {
-    quick_ = std::make_unique<const DesignObjective>(project, request, Effort::quick);
+    quick_ = std::make_unique<const DesignObjective>(project, request, reserves_, Effort::quick);
   } catch (const foundation::NotComputable&) {  // some requirements are judged only with motions that are not connected
   }
 }
@@ -164,6 +165,14 @@ const std::vector<DesignBatch>& DesignObjective::families() const {
       families_.emplace_back(space_.numbers(*cases_[c]), *cases_[c], requests_[c], given_[c]);
   });
   return families_;
+}
+
+double DesignObjective::reserve(const Place& place) const {
+  if (reserves_.empty() || minimized_.contain(place)) return 0;
+  std::size_t number = place.result;
+  for (std::size_t r = 0; r < place.result; ++r)
+    if (minimized_.contain({place.result_case, r})) --number;
+  return reserves_[place.result_case][number];
 }
 
 bool DesignObjective::is_differenced(std::size_t c, std::size_t r) const {
@@ -247,6 +256,7 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
     if (is_ignored) values.segment(place, end - place).setConstant(unlimited);
     else if (!found[r].value) values.segment(place, end - place).setConstant(unusable);
     else smooth[r] = set_values(found[r], place, values);
+    for (const Eigen::Index row : smooth[r].rows) values(row) -= reserve({c, r});
     place = end;
   }
   const std::vector<Absence> absences = set_absences(c, context, found, first, ignored, values);

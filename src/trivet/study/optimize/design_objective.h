@@ -29,9 +29,12 @@ class DesignObjective {
     complete,
     quick  ///< upper bounds of the margins: motions that are not connected are not sought
   };
+  /// What margins have to keep for what differs from machine to machine: ln(margin) per case and requirement that is
+  /// not minimised, in the order of the results; empty: nothing.
+  using Reserves = std::vector<std::vector<double>>;
   /// @throws foundation::InvalidInput if there is nothing to meet or to minimise, NotComputable if a requirement cannot
   /// be judged
-  DesignObjective(const project::Project& project, const project::OptimizeRequest& request,
+  DesignObjective(const project::Project& project, const project::OptimizeRequest& request, Reserves reserves = {},
                   Effort effort = Effort::complete);
 
   [[nodiscard]] const DesignSpace& space() const { return space_; }
@@ -41,8 +44,9 @@ class DesignObjective {
   [[nodiscard]] const std::vector<Place>& places() const { return places_; }
   [[nodiscard]] const std::vector<bool>& is_objective() const { return is_objective_; }
 
-  /// ln(margin) at the places, at most `most`, or `unlimited`; designs without a model have `unusable` everywhere. If
-  /// nothing but peaks could limit a case, and it has none, their places are above `most` by how far they are gone.
+  /// ln(margin) without its reserve at the places, at most `most`, or `unlimited`; designs without a model have
+  /// `unusable` everywhere. If nothing but peaks could limit a case, and it has none, their places are above `most` by
+  /// how far they are gone.
   /// @param ignored  a requirement that counts as met
   void evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& values, Eigen::MatrixXd* slopes,
                 const std::optional<Place>& ignored = std::nullopt) const;
@@ -52,6 +56,8 @@ class DesignObjective {
 
   /// The requirements of one case at a design, with what is minimised.
   [[nodiscard]] std::vector<RequirementResult> results(std::size_t result_case, const model::System& system) const;
+  /// The reserve of a requirement; 0 of what is minimised.
+  [[nodiscard]] double reserve(const Place& place) const;
   [[nodiscard]] const Objectives& minimized() const { return minimized_; }
   /// Where curves without a peak are nearest to one, at a design that nothing else limits: per result, the nearest
   /// place.
@@ -114,6 +120,7 @@ class DesignObjective {
 
   DesignSpace space_;
   Objectives minimized_;
+  Reserves reserves_;
   std::unique_ptr<const DesignObjective> quick_;
   std::vector<const project::Case*> cases_;
   std::vector<project::Analyses> requests_;                  ///< per case: requirements with the objectives

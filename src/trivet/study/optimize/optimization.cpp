@@ -12,6 +12,7 @@
 #include "trivet/study/optimize/design_search.h"
 #include "trivet/study/optimize/mount_search.h"
 #include "trivet/study/optimize/optimum_warnings.h"
+#include "trivet/study/optimize/robust_optimization.h"
 #include "trivet/study/requirements/margin.h"
 #include "trivet/study/requirements/mount_loads.h"
 #include "trivet/study/requirements/unbounded_peaks.h"
@@ -179,7 +180,7 @@ class Description {
       for (std::size_t r = 0; r < found[c].size(); ++r) {
         if (objective_.minimized().contain({c, r}) != result_.minimizes) continue;
         if (!found[c][r].value) return std::nullopt;
-        least = std::min(least, found[c][r].margin);
+        least = std::min(least, found[c][r].margin * std::exp(-objective_.reserve({c, r})));
       }
     return result_.minimizes ? 1 / least : least;
   }
@@ -308,8 +309,15 @@ class Description {
 
 Optimization optimization(const project::Project& project, const foundation::Progress& progress,
                           const std::function<bool()>& enough) {
+  const auto& request = project.base().analyses.optimize;
+  return request && request->is_robust() ? robust_optimization(project, progress, enough)
+                                         : optimization_with_reserves(project, {}, progress, enough);
+}
+
+Optimization optimization_with_reserves(const project::Project& project, const DesignObjective::Reserves& reserves,
+                                        const foundation::Progress& progress, const std::function<bool()>& enough) {
   const project::OptimizeRequest request = project.base().analyses.optimize.value_or(project::OptimizeRequest());
-  const DesignObjective given(project, request);
+  const DesignObjective given(project, request, reserves);
   for (const project::Case* variant : given.cases()) refuse_unbounded_peaks(*variant, given.space().axes());
   std::optional<MountSearch> mounts = mount_search(project, request, progress, enough);
   const auto searched = [&](const DesignObjective& objective) {

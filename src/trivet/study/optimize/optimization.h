@@ -8,6 +8,7 @@
 
 #include "trivet/study/optimize/design_summary.h"
 #include "trivet/study/requirements/verdict.h"
+#include "trivet/study/sample/sample.h"
 
 /// The best design over some parameters: `trivet optimize`. Mathematics: docs/design.md.
 namespace trivet::study {
@@ -86,8 +87,37 @@ struct OptimizedMounts {
   std::vector<Other> others;
 };
 
+/// What the machines built within the tolerances have of a design.
+struct SampledDesign {
+  /// The least margin that the wanted share of the machines keeps, or the worst ones found have.
+  double kept = 0;
+  std::optional<Yield> yield;  ///< of all requirements in all cases that decide; none: the worst case is wanted
+};
+
+/// What a requirement keeps of its margin at the optimum.
+struct KeptMargin {
+  std::size_t result_case = 0;  ///< index in Optimization::after
+  std::string words, words_at_level;
+  double nominal = 0, kept = 0;  ///< of the design itself, of the machines
+  bool has_reserve = true;       ///< false: the margin jumps, so the search cannot keep a reserve for it
+};
+
+/// A search within tolerances.
+struct RobustOptimum {
+  std::optional<double> wanted;  ///< yield; none: the worst case
+  SampledDesign given, nominal;  ///< the design of the file; the optimum without tolerances
+  SampledDesign found;
+  std::vector<KeptMargin> margins;
+  std::uint64_t designs = 0;  ///< sampled for each yield
+  std::uint64_t failed = 0;   ///< of these of the optimum, without a model or a judgement
+  int rounds = 0;             ///< searches, each with the reserves that the last optimum needs
+  bool settled = false;       ///< the last ones need the same reserves
+  bool held = false;          ///< the interval of the yield is not below the wanted one; or no worst margin below 1
+};
+
 struct Optimization {
   std::vector<OptimizedParameter> parameters;
+  std::optional<RobustOptimum> robust;
   std::optional<OptimizedMounts> mounts;
   bool minimizes = false;  ///< amplitudes; false: the largest least margin
   /// Amplitudes were to be minimised, but no design met the requirements: it is that with their largest least margin.
@@ -98,8 +128,8 @@ struct Optimization {
   std::string objective_unit;              ///< SI, of amplitudes without limits; otherwise shares of these
   std::optional<double> objective_before;  ///< least margin, or largest amplitude or share of a limit
   double objective_after = 0;
-  bool feasible = false;                                         ///< every requirement is met
-  std::vector<CaseVerdict> before, after;                        ///< of the cases in which the design has to hold
+  bool feasible = false;                   ///< every requirement is met, within the tolerances too if they count
+  std::vector<CaseVerdict> before, after;  ///< of the cases in which the design has to hold
   std::vector<DesignSummary> summaries_before, summaries_after;  ///< of these
   std::vector<ActiveRequirement> active;
   std::vector<GonePeak> gone_peaks;         ///< if nothing else limits the optimum

@@ -97,7 +97,9 @@ class Looks {
     for (Eigen::Index r = 0; r < margins.size(); ++r) {
       const bool counts = !objective_.minimized().any() || objective_.minimized().contain({c, to_size(r)});
       double& least = counts ? objectives_[design] : constraints_[design];
-      const double value = margins(r) > 0 ? std::log(margins(r)) : DesignObjective::unusable;  // also if unknown
+      const double reserve = objective_.reserve({c, to_size(r)});
+      const double value =
+          margins(r) > 0 ? std::log(margins(r)) - reserve : DesignObjective::unusable;  // also if unknown
       least = std::min(least, std::max(value, DesignObjective::unusable));
     }
   }

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/design/robust_parts.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "trivet/results/design/optimization_results.h"
+#include "trivet/results/design/sample_document.h"
+#include "trivet/results/design/sample_words.h"
+#include "trivet/results/format/in_documents.h"
+#include "trivet/results/format/json_parts.h"
+
+namespace trivet::results {
+namespace {
+
+using study::Optimization;
+using study::RobustOptimum;
+
+std::string wanted_words(double wanted) { return fmt::format("{:.6g} %", 100 * wanted); }
+
+struct MachinesOfDesign {
+  const char* name;
+  const char* words;
+  const study::SampledDesign* design;
+};
+
+Table compared_designs(const RobustOptimum& robust) {
+  std::vector<MachinesOfDesign> list = {{"given", "given design", &robust.given},
+                                        {"nominal", "optimum without tolerances", &robust.nominal},
+                                        {"optimum", "optimum within tolerances", &robust.found}};
+  const Rows row(std::move(list));
+  Table table{.key = "sampled_designs",
+              .title = "Machines within the tolerances:",
+              .rows = row.size(),
+              .columns = {row("design", Kind::words, "", &MachinesOfDesign::name, {.forms = in_json | in_csv}),
+                          row("design", Kind::words, "design", &MachinesOfDesign::words, {.forms = for_people}),
+                          row("kept_margin", Kind::number, "least margin of " + robust_subject(robust),
+                              [](const MachinesOfDesign& one) { return one.design->kept; }, {.digits = 4})},
+              .mark = [&robust](std::size_t i) { return i == 2 && !robust.held ? Mark::bad : Mark::plain; }};
+  if (!robust.wanted) return table;
+  table.columns.push_back(row("yield", Kind::words, "",
+                              [](const MachinesOfDesign& one) { return yield_json(*one.design->yield); },
+                              {.forms = in_json}));
+  table.columns.push_back(row("yield", Kind::words, "meet every requirement",
+                              [](const MachinesOfDesign& one) { return yield_words(*one.design->yield); },
+                              {.forms = for_people}));
+  return table;
+}
+
+Table kept_margins(const Optimization& found) {
+  using study::KeptMargin;
+  const Rows row(found.robust->margins);
+  return {.key = "kept_margins",
+          .title = "Margins of the optimum:",
+          .rows = row.size(),
+          .columns = {
+              row("case", Kind::words, "",
+                  [&found](const KeptMargin& one) { return found.after[one.result_case].case_name; },
+                  {.forms = for_programs}),
+              row("requirement", Kind::words, "", &KeptMargin::words, {.forms = for_programs}),
+              row("requirement", Kind::words, "requirement",
+                  [&found](const KeptMargin& one) { return words_in_case(found, one.result_case, one.words_at_level); },
+                  {.forms = for_people}),
+              row("nominal", Kind::number, "of the design", &KeptMargin::nominal, {.digits = 4}),
+              row("kept", Kind::number, "kept by " + robust_subject(*found.robust), &KeptMargin::kept, {.digits = 4}),
+              row("has_reserve", Kind::yes_no, "", &KeptMargin::has_reserve),
+              row("remark", Kind::words, "remark",
+                  [](const KeptMargin& one) { return one.has_reserve ? "" : "jumps: the search keeps no reserve"; },
+                  {.forms = for_people})}};
+}
+
+}  // namespace
+
+std::string robust_subject(const RobustOptimum& robust) {
+  return robust.wanted ? wanted_words(*robust.wanted) + " of the machines" : "the worst machines found";
+}
+
+std::string robust_verdict(const RobustOptimum& robust) {
+  if (!robust.wanted)
+    return robust.held ? "the worst machines found within the tolerances meet every requirement"
+                       : "the worst machines found within the tolerances do NOT meet every requirement";
+  const numerics::ConfidenceInterval& of = robust.found.yield->interval;
+  const std::string words = "machines that meet every requirement: " + yield_words(*robust.found.yield);
+  const std::string wanted = wanted_words(*robust.wanted);
+  if (robust.held) return words + ", wanted " + wanted;
+  return words + (of.to < *robust.wanted ? ", NOT the wanted " : ", NOT certainly the wanted ") + wanted;
+}
+
+void add_robust(const Optimization& found, documents::Document& document) {
+  if (!found.robust) return;
+  const RobustOptimum& robust = *found.robust;
+  const auto note = [&](std::string words) {
+    document.add(Sentence{.parts = {std::move(words)}, .place = Sentence::Place::note});
+  };
+  document.add(Single{.name = "wanted", .value = robust.wanted ? Json(*robust.wanted) : Json("worst case")});
+  document.add(Single{.name = "held", .value = robust.held});
+  document.add(compared_designs(robust));
+  document.add(kept_margins(found));
+  if (robust.wanted)
+    note(fmt::format("Each yield is that of {} machines with other numbers than those of the search.", robust.designs));
+  else note("The worst machines are those that a search found, no proof: a worse one may remain.");
+  if (robust.failed > 0)
+    note(
+        fmt::format("{} of these of the optimum have no model or cannot be judged; they meet nothing.", robust.failed));
+  note(fmt::format("{} search{}, each with the reserves that the machines of the last optimum need; {}.", robust.rounds,
+                   robust.rounds == 1 ? "" : "es",
+                   robust.settled ? "the last two need the same within 0.1 %"
+                                  : "they have not settled, so a better optimum may remain"));
+  document.add(Single{.name = "rounds", .value = robust.rounds});
+  document.add(Single{.name = "settled", .value = robust.settled});
+}
+
+}  // namespace trivet::results

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+#include "trivet/study/optimize/design_objective.h"
+#include "trivet/study/optimize/optimization.h"
+
+namespace trivet::study {
+
+/// The best design whose margins keep these reserves.
+[[nodiscard]] Optimization optimization_with_reserves(const project::Project& project,
+                                                      const DesignObjective::Reserves& reserves,
+                                                      const foundation::Progress& progress,
+                                                      const std::function<bool()>& enough);
+
+/// The best design of which the machines within the tolerances meet the requirements: a wanted share of them, or the
+/// worst ones found. Every round searches with the reserves that the last optimum needs, and the best of all rounds is
+/// sampled with other numbers than those of the search. Mathematics: docs/robust.md.
+/// @throws foundation::InvalidInput, NotComputable as `optimization` and `sample`
+[[nodiscard]] Optimization robust_optimization(const project::Project& project, const foundation::Progress& progress,
+                                               const std::function<bool()>& enough);
+
+}  // namespace trivet::study

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Optima within tolerances against closed forms: a mass on a spring, not too soft for its sag and not too stiff for its
+// natural frequency.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/projects.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/study/optimize/optimization.h"
+
+namespace trivet {
+namespace robust_optimum_test {
+
+constexpr double gravity = 9.80665, mass = 10, stiffness = 40000, sag = 4e-3, highest = 2 * std::numbers::pi * 11;
+
+std::string suspended(const std::string& tolerance, const std::string& optimize) {
+  return R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m1]
+mass = 10
+free = ["z"]
+[elements.k1]
+type = "three_springs"
+on = "m1"
+at = [0, 0, 0]
+translation = [0, 0, 40000]
+[parameters.stiffness]
+path = "elements.k1.scale"
+from = 0.4
+to = 2
+[requirements]
+static = {"m1.z" = "4 mm"}
+natural_frequencies = {avoid = [["11 Hz", "30 Hz"]]}
+[tolerances.casting]
+path = "bodies.m1.mass"
+)" + tolerance +
+      "\n[analyses.optimize]\n" + optimize + "\n";
+}
+
+// ln of the margins with the scale e^u of the stiffness and the factor e^t of the mass: p + u − t and q − (u − t)/2.
+const double p = std::log(sag * stiffness / (mass * gravity)), q = std::log(highest / std::sqrt(stiffness / mass));
+
+/// Of a lognormal number with the mean 1 and this standard deviation: ln of it has the deviation `of_log`.
+constexpr double deviation = 0.05;
+const double of_log = std::sqrt(std::log(1 + deviation * deviation)), middle = -of_log * of_log / 2;
+const std::string lognormal = "standard_deviation = \"5 %\"\ndistribution = \"lognormal\"";
+
+/// Share of the normal numbers below z.
+double below(double z) { return std::erfc(-z / std::numbers::sqrt2) / 2; }
+
+/// Share of the machines that meet both requirements at a scale e^u.
+double yield_at(double u) {
+  const double most = p + u, least = u - 2 * q;  // of the logarithm t of the factor of the mass
+  return below((most - middle) / of_log) - below((least - middle) / of_log);
+}
+
+double scale_of(const study::Optimization& found) { return found.parameters.at(0).best; }
+
+// The margins decide at opposite ends of the distribution. Each leaves out half of the rest: z of 99.5 %.
+TEST(RobustOptimum, HasTheLargestMarginThatTheWantedShareKeeps) {
+  const study::Optimization found = study::optimization(test::project(suspended(lognormal, "yield = \"99 %\"")));
+  constexpr double z = 2.5758293035489;
+  // p + u − (middle + z s) = q − u/2 + (middle − z s)/2
+  const double u = (q - p + 1.5 * middle + 0.5 * z * of_log) / 1.5;
+  constexpr double of_16384_designs = 3e-3;  // of ln: a quantile in the tail at 0.5 %
+  EXPECT_NEAR(std::log(scale_of(found)), u, of_16384_designs);
+  ASSERT_TRUE(found.robust);
+  EXPECT_NEAR(std::log(found.robust->found.kept), p + u - middle - z * of_log, of_16384_designs);
+  EXPECT_NEAR(std::log(found.objective_after), p + u - middle - z * of_log, of_16384_designs);
+  EXPECT_TRUE(found.robust->settled);
+  EXPECT_TRUE(found.robust->held);
+  EXPECT_TRUE(found.feasible);
+  const study::Yield& yield = found.robust->found.yield.value();
+  EXPECT_LE(yield.interval.from, yield_at(std::log(scale_of(found))));
+  EXPECT_GE(yield.interval.to, yield_at(std::log(scale_of(found))));
+  EXPECT_NEAR(std::log(found.robust->nominal.kept), std::log(found.robust->found.kept), 0.1);
+  EXPECT_LT(found.robust->nominal.kept, found.robust->found.kept);
+  for (const study::KeptMargin& one : found.robust->margins) EXPECT_TRUE(one.has_reserve);
+}
+
+// The stiffest spring of which 99 % of the machines keep the natural frequency: what is sampled is what is wanted.
+TEST(RobustOptimum, MinimizesWithTheWantedYield) {
+  const study::Optimization found =
+      study::optimization(test::project(suspended(lognormal, "yield = 0.99\nminimize = {static = [\"m1.z\"]}")));
+  const double yield = yield_at(std::log(scale_of(found)));
+  EXPECT_GE(yield, 0.99);
+  EXPECT_LE(yield, 0.992);
+  EXPECT_TRUE(found.robust->held);
+  EXPECT_GE(found.robust->found.yield->interval.from, 0.99);
+  EXPECT_TRUE(found.minimizes);
+  EXPECT_NEAR(found.objective_after, mass * gravity / (stiffness * scale_of(found)) / sag, 1e-9);
+  // Without tolerances the natural frequency is at its limit, and half of the machines violate it.
+  EXPECT_NEAR(found.robust->nominal.yield->interval.estimate, yield_at(2 * q), 0.005);
+}
+
+TEST(RobustOptimum, BalancesTheWorstMachines) {
+  const study::Optimization found =
+      study::optimization(test::project(suspended("half_width = \"10 %\"", "worst_case = true")));
+  const double u = (q - p + std::log(1.1) + 0.5 * std::log(0.9)) / 1.5;
+  EXPECT_NEAR(std::log(scale_of(found)), u, 1e-5);
+  EXPECT_NEAR(std::log(found.robust->found.kept), p + u - std::log(1.1), 1e-5);
+  EXPECT_FALSE(found.robust->found.yield);
+  EXPECT_TRUE(found.robust->held);
+  EXPECT_TRUE(found.feasible);
+}
+
+// The heaviest machine sags too much or the lightest is too fast at any stiffness.
+TEST(RobustOptimum, SaysThatTheWantedYieldIsNotReached) {
+  const std::string wide = "standard_deviation = \"30 %\"\ndistribution = \"lognormal\"";
+  const study::Optimization found = study::optimization(test::project(suspended(wide, "yield = \"99 %\"")));
+  EXPECT_LT(found.robust->found.kept, 1);
+  EXPECT_FALSE(found.robust->held);
+  EXPECT_FALSE(found.feasible);
+  EXPECT_LT(found.robust->found.yield->interval.to, 0.99);
+}
+
+}  // namespace robust_optimum_test
+}  // namespace trivet
