@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Optima within tolerances as a user meets them: what the result promises is what trivet sample finds there."""
+import json
+import unittest
+
+from trivet_test import SOURCE, trivet
+
+FAN = SOURCE / "examples/fan/robust.toml"
+FEWER = ["--set", "analyses.sample.designs = 4000"]
+
+
+def optimize(*arguments):
+    return trivet("optimize", FAN, *FEWER, *arguments)
+
+
+class RobustOptimum(unittest.TestCase):
+    def test_promises_what_is_sampled(self):
+        found = json.loads(optimize("--json").stdout)
+        self.assertEqual(found["wanted"], 0.99)
+        self.assertTrue(found["held"])
+        self.assertTrue(found["feasible"])
+        designs = {one["design"]: one for one in found["sampled_designs"]}
+        self.assertEqual(list(designs), ["given", "nominal", "optimum"])
+        springs = found["parameters"][0]["optimum"]
+        changes = []
+        for place in ("front", "middle", "rear"):
+            for side in ("left", "right"):
+                changes += ["--set", f'elements."{place} {side}".scale = {springs!r}']
+        sampled = json.loads(trivet("sample", FAN, *FEWER, *changes, "--json").stdout)
+        self.assertEqual(sampled["yield"], designs["optimum"]["yield"])
+        given = json.loads(trivet("sample", FAN, *FEWER, "--json").stdout)
+        self.assertEqual(given["yield"], designs["given"]["yield"])
+        self.assertGreater(designs["optimum"]["kept_margin"], designs["nominal"]["kept_margin"])
+        self.assertAlmostEqual(min(one["kept"] for one in found["kept_margins"]), found["after"], delta=0.002)
+
+    def test_says_a_yield_that_is_not_held(self):
+        narrow = ["--set", 'requirements.static = {"fan.z" = "23 mm"}']
+        done = optimize(*narrow, "--strict")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("NOT the wanted 99 %", done.stdout)
+        self.assertIn("best design violates a requirement", done.stdout + done.stderr)
+
+    def test_worst_machines(self):
+        worst = [
+            "--set",
+            "analyses.optimize = {worst_case = true}",
+            "--set",
+            'requirements.static = {"fan.z" = "31 mm"}',
+        ]
+        text = FAN.read_text().replace('\n[analyses.optimize]\nyield = "99 %"\n', "")
+        done = trivet("optimize", "-", *FEWER, *worst, input=text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("the worst machines found within the tolerances meet every requirement", done.stdout)
+        self.assertIn("no proof", done.stdout)
+        self.assertNotIn("99 %", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
