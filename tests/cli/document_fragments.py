@@ -182,6 +182,7 @@ service_speed = "980 rpm"
     ("docs/design.md", "Fronts"): SUSPENDED,
     ("docs/sample.md", "Designs within tolerances"): FRAME.replace("frame", "machine")
     + mounts("machine")
+    + '[excitations.push]\ntype = "harmonic"\non = "machine"\nat = [0, 0, 0]\nforce = [0, 0, 100]\n'
     + "[requirements]\ndamping_ratio = 0.01\n",
     ("docs/robust.md", "The best design within tolerances"): (SOURCE / "examples/paper/robust.toml").read_text(),
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),

@@ -8,6 +8,7 @@
 #include "trivet/engine/process_rank.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/results/design/band_parts.h"
 #include "trivet/results/design/sample_document.h"
 #include "trivet/results/design/study_status_document.h"
 #include "trivet/results/files/whole_file.h"
@@ -87,7 +88,7 @@ void write_result_files(const study::StudyProgress& study, const Result& result)
     file.publish(whole(form));
   };
   write("result.json", result.json);
-  write("sample.csv", result.tables.front().second);
+  for (const auto& [name, table] : result.tables) write(name.c_str(), table);
 }
 
 Result sample(const Task& task) {
@@ -101,7 +102,9 @@ Result sample(const Task& task) {
     found.held = shown;
     return found;
   };
-  set_forms(document, held, task.variant.display, {"sample.csv"}, result);
+  std::vector<std::string> files = {"sample.csv"};
+  if (results::has_bands(held->found)) files.emplace_back("bands.csv");
+  set_forms(document, held, task.variant.display, files, result);
   if (const auto& study = held->found.study) {
     add_remarks(*study, task, result);
     result.complete = !study->ended_early;

@@ -190,7 +190,7 @@ Analyses read_analyses(TableReader& root, const SymbolTable& symbols) {
     read_independent_analyses(reader, false, names, symbols, analyses);
     read_map(root, reader, names, symbols, analyses);
     read_optimize(root, reader, names, symbols, analyses);
-    analyses.sample = read_sample(root, reader);
+    analyses.sample = read_sample(root, reader, names, analyses.response);
     reader.finish();
   }
   read_independent_analyses(root, true, names, symbols, analyses);

@@ -108,6 +108,16 @@ void check_response(Sizes& sizes, const ResponseRequest& request) {
   else if (request.spacing != Spacing::automatic) sizes.check_values("analyses.response.points", request.points, count);
 }
 
+void check_bands(Sizes& sizes, const SampleRequest& request, const ResponseRequest& response) {
+  const double count = sizes.curves(request.bands),
+               points = response.at.empty() ? request.band_points : static_cast<double>(response.at.size());
+  if (points * count > most_band_values)
+    sizes.problems.error(
+        "analyses.sample.bands",
+        fmt::format("{:.0f} frequencies × {:.0f} results = {:.0f} distributions", points, count, points * count),
+        fmt::format("a case counts at most {:.0f}", most_band_values), "name fewer results, or give fewer band_points");
+}
+
 void check_inputs(Sizes& sizes, const model::Description& description) {
   std::size_t together = 0;
   for (const model::Excitation& excitation : description.excitations)
@@ -166,6 +176,7 @@ foundation::Problems too_large(const model::Description& description, const Anal
   }
   check_inputs(sizes, description);
   if (request.response) check_response(sizes, *request.response);
+  if (request.sample && request.response) check_bands(sizes, *request.sample, *request.response);
   if (request.peaks) sizes.check_search("analyses.peaks", sizes.curves(request.peaks->selection.of));
   if (request.static_of) sizes.check_curves("analyses.static", sizes.curves(*request.static_of));
   for (const AnalysisReader& reader : analysis_readers()) {

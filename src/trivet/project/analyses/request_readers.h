@@ -25,8 +25,10 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
 /// Reads [tolerances.NAME].
 [[nodiscard]] std::vector<Tolerance> read_tolerances(TableReader& root);
 
-/// Reads [analyses.sample]; none if it is not requested.
-[[nodiscard]] std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyses);
+/// Reads [analyses.sample]; none if it is not requested. Call it after the response.
+[[nodiscard]] std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyses,
+                                                       const ResultNames& names,
+                                                       const std::optional<ResponseRequest>& response);
 
 /// Reports requested results that do not exist because no element holds that direction of a node.
 void refuse_left_out_results(const model::System& system, const Analyses& request, foundation::Problems& problems);

@@ -107,24 +107,28 @@ void ResultNames::refuse(TableReader& reader, const std::string& key, const std:
                guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
 }
 
-void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
-  const auto words = reader.texts("of", R"(["coordinates", "BODY.x", "ELEMENT.force.z"])");
-  if (!words) return;
+std::optional<std::vector<std::string>> read_result_names(TableReader& reader, const ResultNames& names,
+                                                          const std::string& key, const std::string& without) {
+  auto words = reader.texts(key, R"(["coordinates", "BODY.x", "ELEMENT.force.z"])");
+  if (!words) return std::nullopt;
   if (words->size() > most_curves) {
-    reader.error("of", fmt::format("{} results", words->size()),
-                 fmt::format("one analysis has at most {}", most_curves), "name fewer");
-    return;
+    reader.error(key, fmt::format("{} results", words->size()), fmt::format("one analysis has at most {}", most_curves),
+                 "name fewer");
+    return std::nullopt;
   }
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, assembly::MotionQuantity::displacement)) continue;
-    names.refuse(reader, "of", word,
+    names.refuse(reader, key, word,
                  "coordinates, ground, base, a body, BODY.POINT, an element, one of these with .relative, .deflection "
                  "or .foot, a relative motion, a section, a clearance, or one component (x … rz of a motion that is "
                  "free, force.x … moment.z of an element, a section or the ground)");
   }
-  if (words->empty())
-    reader.error("of", "an empty list", "at least one result is expected", "remove `of` for all coordinates");
-  of = *words;
+  if (words->empty()) reader.error(key, "an empty list", "at least one result is expected", without);
+  return words;
+}
+
+void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
+  if (auto words = read_result_names(reader, names, "of", "remove `of` for all coordinates")) of = std::move(*words);
 }
 
 namespace {

@@ -39,8 +39,13 @@ class ResultNames {
   std::vector<std::string> motions_, forces_, relatives_, clearances_, groups_, guided_;
 };
 
-/// The names under `key`: each must name a result.
+/// The names under `of`: each must name a result.
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of);
+
+/// The same under another key; none without it. @param without  what removing the key means, for an empty list
+[[nodiscard]] std::optional<std::vector<std::string>> read_result_names(TableReader& reader, const ResultNames& names,
+                                                                        const std::string& key,
+                                                                        const std::string& without);
 
 /// `of` and `quantity`.
 void read_results(TableReader& reader, const ResultNames& result_names, ChannelSelection& selection);

@@ -41,7 +41,14 @@ struct SampleRequest {
   bool sobol = true;  ///< scrambled Sobol numbers in independent replicates; otherwise random numbers
   std::uint64_t seed = 1;
   bool worst_case = false;  ///< also search the worst design of each requirement
+  /// Results whose amplitudes over the frequencies of [analyses.response] are counted; names as in its `of`.
+  std::vector<std::string> bands;
+  int band_points = 200;  ///< frequencies of the bands, beside the peaks of the given design
 };
+
+inline constexpr int fewest_band_points = 10, most_band_points = 2000;
+/// Most numbers, results × frequencies, whose distributions one case counts: each has about 6 kB in each thread.
+inline constexpr double most_band_values = 5000;
 
 /// Independent replicates of scrambled Sobol numbers, whose differences give the confidence interval.
 inline constexpr std::size_t sample_replicates = 16;

@@ -9,6 +9,7 @@
 #include "trivet/project/analyses/batch_file.h"
 #include "trivet/project/analyses/design_axis_reader.h"
 #include "trivet/project/analyses/request_readers.h"
+#include "trivet/project/analyses/selection_reader.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/shared_keys.h"
 #include "trivet/project/text/units.h"
@@ -250,6 +251,25 @@ std::optional<double> read_whole(TableReader& reader, const std::string& key, do
   return std::nullopt;
 }
 
+/// `bands` and `band_points`.
+void read_sampled_bands(TableReader& reader, const ResultNames& names, const std::optional<ResponseRequest>& response,
+                        SampleRequest& request) {
+  if (auto bands = read_result_names(reader, names, "bands", "remove `bands`, or name the results"))
+    request.bands = std::move(*bands);
+  if (const auto points = read_whole(reader, "band_points", fewest_band_points, most_band_points, "200 is usual"))
+    request.band_points = static_cast<int>(*points);
+  if (reader.has("bands") && !response)
+    reader.error("bands", "no response", "bands are over the frequencies of analyses.response, under its excitations",
+                 "add response = {band = [\"1 Hz\", \"50 Hz\"]} to [analyses]");
+  if (!reader.has("band_points")) return;
+  if (!reader.has("bands"))
+    reader.error("band_points", "band_points without bands", "they are the frequencies of bands",
+                 "add bands = [\"BODY.z\"], or remove it");
+  else if (response && !response->at.empty())
+    reader.error("band_points", "band_points beside single frequencies", "the response has at: bands are there too",
+                 "remove it, or give the response a band in place of at");
+}
+
 }  // namespace
 
 std::vector<Tolerance> read_tolerances(TableReader& root) {
@@ -276,7 +296,8 @@ std::vector<Tolerance> read_tolerances(TableReader& root) {
   return tolerances;
 }
 
-std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyses) {
+std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyses, const ResultNames& names,
+                                         const std::optional<ResponseRequest>& response) {
   const Node* table = analyses.table("sample");
   if (!table) return std::nullopt;
   TableReader reader(*table, "analyses.sample", root.problems());
@@ -288,6 +309,7 @@ std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyse
     request.seed = static_cast<std::uint64_t>(*seed);
   request.sobol = reader.choice("sampling", {"sobol", "random"}) != "random";
   request.worst_case = reader.boolean("worst_case").value_or(false);
+  read_sampled_bands(reader, names, response, request);
   reader.finish();
   if (!root.has("tolerances"))
     reader.error("", "no tolerances", "sampled designs differ in at least one number",

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/results/design/band_parts.h"
 #include "trivet/results/design/sample_words.h"
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/results/design/worst_case_parts.h"
@@ -412,6 +413,7 @@ Document sample_document(const Sample& sample, const foundation::Problems& warni
     group.parts.push_back({Sentence{.parts = {case_words(one)}, .forms = on_screen | on_page}});
     group.parts.push_back({std::move(table)});
   }
+  add_bands(sample, document);
   add_worst_cases(sample, document);
   add_shares(sample, document);
   say(document, method_words(sample), on_screen | on_page);

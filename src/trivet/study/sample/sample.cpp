@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/study/sample/sample_result.h"
@@ -16,15 +18,23 @@ Sample sample(const project::Project& project, const foundation::Progress& progr
   const FirstDesigns first = run.first_designs(progress);
   SampleTally all = run.empty_tally(first.magnitudes);
   first.count_in(run.drawn(), all);
-  std::mutex merging;
+  std::mutex taking;
+  std::vector<SampleTally> free;  // tallies of pieces, in any order: bands take long to merge
   foundation::parallel_for(run.request().designs - first.count,
                            {.size = run.piece(), .progress = progress, .task = "designs"},
                            [&](std::size_t from, std::size_t to) {
-                             SampleTally part = run.empty_tally(first.magnitudes);
+                             SampleTally part = [&] {
+                               const std::lock_guard lock(taking);
+                               if (free.empty()) return run.empty_tally(first.magnitudes);
+                               SampleTally one = std::move(free.back());
+                               free.pop_back();
+                               return one;
+                             }();
                              run.count(first.count + from, to - from, part);
-                             const std::lock_guard lock(merging);
-                             all.merge(part);
+                             const std::lock_guard lock(taking);
+                             free.push_back(std::move(part));
                            });
+  for (const SampleTally& part : free) all.merge(part);
   Sample found = sample_result(run, all);
   if (found.request.worst_case) add_worst_designs(run, found, progress);
   if (shares) found.shares = variance_shares(run.cases(), run.tolerances(), run.request(), progress);

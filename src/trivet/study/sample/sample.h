@@ -13,6 +13,7 @@
 #include "trivet/numerics/sampling/variance_shares.h"
 #include "trivet/project/project.h"
 #include "trivet/study/requirements/verdict.h"
+#include "trivet/study/sample/sampled_band.h"
 
 /// How many of the machines built within the tolerances meet the requirements? Definitions: docs/sample.md.
 namespace trivet::study {
@@ -25,12 +26,6 @@ struct Yield {
   numerics::ConfidenceInterval interval;
   /// From the differences of the replicates; otherwise Clopper and Pearson's, as of random designs.
   bool of_replicates = false;
-};
-
-/// 5, 50 and 95 % of a number over the judged designs, and its extremes.
-struct Spread {
-  double low = 0, median = 0, high = 0;
-  numerics::Extremes extremes;
 };
 
 /// Share of the numbers of an unbounded draw beyond both ends of the range in which the worst design is searched.
@@ -75,6 +70,7 @@ struct SampledCaseResult {
   std::string case_name;
   project::DisplayUnits display;
   std::vector<SampledRequirement> requirements;
+  std::vector<SampledBand> bands;                ///< if they are requested
   std::uint64_t in_kernels = 0, one_by_one = 0;  ///< designs judged
   std::string no_kernels;                        ///< why none were judged by kernels
   std::string family;                            ///< how the matrices of these were computed

@@ -41,10 +41,10 @@ Yield yield_of(const std::vector<std::uint64_t>& met, const std::vector<std::uin
   return yield;
 }
 
-Spread spread_of_margin(const RequirementTally& tally) {
-  const numerics::Extremes& ends = tally.extremes;  // the middle of an interval of the histogram may be beyond them
+/// The middle of an interval of the histogram may be beyond the extremes.
+Spread spread_of(const numerics::LogHistogram& numbers, const numerics::Extremes& ends) {
   const auto at = [&](double share) {
-    const double found = tally.margins.quantile(share);
+    const double found = numbers.quantile(share);
     return ends.any ? std::clamp(found, ends.least, ends.largest) : found;
   };
   return {at(0.05), at(0.5), at(0.95), ends};
@@ -68,13 +68,22 @@ std::optional<Spread> spread_of_value(const RequirementResult& given, const Spre
 
 SampledRequirement requirement_of(const RequirementResult& given, const RequirementTally& tally,
                                   const std::vector<std::uint64_t>& designs, std::uint64_t judged) {
-  SampledRequirement found{given, yield_of(tally.met, designs), tally.first, spread_of_margin(tally)};
+  SampledRequirement found{given, yield_of(tally.met, designs), tally.first, spread_of(tally.margins, tally.extremes)};
   found.value = spread_of_value(given, found.margin);
   if (!found.value || tally.values.saturated() || tally.squares.saturated()) return found;
   const auto count = static_cast<double>(judged);
   found.mean = tally.values.value() / count;
   found.deviation = std::sqrt(std::max(0.0, tally.squares.value() / count - *found.mean * *found.mean));
   return found;
+}
+
+std::vector<SampledBand> bands_of(const SampledCase& of, const BandTally& tally) {
+  std::vector<SampledBand> bands = of.bands()->empty(of.given());
+  auto value = tally.values().begin();
+  for (SampledBand& band : bands)
+    for (std::size_t f = 0; f < band.angular_frequency.size(); ++f, ++value)
+      band.spread.push_back(spread_of(value->amplitudes, value->extremes));
+  return bands;
 }
 
 std::vector<NamedNumber> numbers(const SampleRun& run, const Eigen::VectorXd& draws) {
@@ -108,11 +117,15 @@ Sample sample_result(const SampleRun& run, const SampleTally& all) {
   found.yield = yield_of(all.met, all.designs);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const SampledCase& one = cases[c];
-    SampledCaseResult result{one.variant().name, one.variant().display, {},
-                             all.in_kernels[c],  all.one_by_one[c],     one.no_kernels()};
+    SampledCaseResult result{.case_name = one.variant().name,
+                             .display = one.variant().display,
+                             .in_kernels = all.in_kernels[c],
+                             .one_by_one = all.one_by_one[c],
+                             .no_kernels = one.no_kernels()};
     if (one.no_kernels().empty()) result.family = one.batch()->family().words();
     for (std::size_t r = 0; r < one.given().size(); ++r)
       result.requirements.push_back(requirement_of(one.given()[r], all.of[c][r], all.designs, judged));
+    if (one.bands()) result.bands = bands_of(one, all.bands[c]);
     found.cases.push_back(std::move(result));
   }
   found.failed = all.failed;

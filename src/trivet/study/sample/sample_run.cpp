@@ -32,7 +32,8 @@ SampleRun::SampleRun(const project::Project& project)
       drawn_(tolerances_, request_) {
   const std::vector<std::string> hold_in = cases_to_hold(project);
   for (const project::Case& variant : project.cases)
-    if (std::ranges::find(hold_in, variant.name) != hold_in.end()) cases_.emplace_back(variant, tolerances_, drawn_);
+    if (std::ranges::find(hold_in, variant.name) != hold_in.end())
+      cases_.emplace_back(variant, tolerances_, drawn_, request_);
   const bool any = std::ranges::any_of(cases_, [](const SampledCase& one) { return !one.given().empty(); });
   if (!any)
     throw foundation::InvalidInput(
@@ -41,7 +42,7 @@ SampleRun::SampleRun(const project::Project& project)
 }
 
 std::size_t SampleRun::piece() const {
-  const bool kernels = std::ranges::all_of(cases_, [](const SampledCase& one) { return one.no_kernels().empty(); });
+  const bool kernels = std::ranges::all_of(cases_, &SampledCase::is_quick);
   return kernels ? kernel_piece : model_piece;
 }
 
@@ -74,7 +75,7 @@ std::vector<SampledMargins> SampleRun::judged(std::uint64_t first, std::size_t c
                                               const foundation::Progress& interruption) const {
   const Eigen::MatrixXd draws = drawn_.draw(first, count);
   std::vector<SampledMargins> margins;
-  for (const SampledCase& one : cases_) margins.push_back(one.judged(draws, interruption));
+  for (const SampledCase& one : cases_) margins.push_back(one.judged_with_bands(draws, interruption));
   return margins;
 }
 

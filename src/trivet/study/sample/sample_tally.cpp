@@ -43,6 +43,7 @@ SampleTally::SampleTally(const std::vector<SampledCase>& cases, std::size_t repl
                          const SampleMagnitudes& magnitudes)
     : designs(replicates), met(replicates), in_kernels(cases.size()), one_by_one(cases.size()), cases_(cases) {
   for (std::size_t c = 0; c < cases.size(); ++c) {
+    bands.emplace_back(cases[c].bands() ? cases[c].bands()->values() : 0);
     auto& tallies = of.emplace_back();
     for (std::size_t r = 0; r < cases[c].given().size(); ++r) {
       RequirementTally& one = tallies.emplace_back();
@@ -85,7 +86,8 @@ void SampleTally::add_judged(std::size_t replicate, std::uint64_t design, Eigen:
                              const std::vector<SampledMargins>& margins) {
   double least_margin = std::numeric_limits<double>::infinity();
   RequirementTally* governing = nullptr;
-  for (std::size_t c = 0; c < of.size(); ++c)
+  for (std::size_t c = 0; c < of.size(); ++c) {
+    if (!bands[c].values().empty()) bands[c].add(margins[c].amplitudes.col(row), design);
     for (std::size_t r = 0; r < of[c].size(); ++r) {
       RequirementTally& one = of[c][r];
       const double margin = margins[c].margins(row, to_index(r));
@@ -98,6 +100,7 @@ void SampleTally::add_judged(std::size_t replicate, std::uint64_t design, Eigen:
         one.squares.add(*value * *value);
       }
     }
+  }
   least.add(least_margin, design);
   if (least_margin >= 1) ++met[replicate];
   else if (governing) ++governing->first;
@@ -114,6 +117,7 @@ void SampleTally::merge(const SampleTally& other) {
   }
   failed += other.failed;
   least.merge(other.least);
+  for (std::size_t c = 0; c < bands.size(); ++c) bands[c].merge(other.bands[c]);
   for (std::size_t c = 0; c < of.size(); ++c)
     for (std::size_t r = 0; r < of[c].size(); ++r) {
       RequirementTally& to = of[c][r];

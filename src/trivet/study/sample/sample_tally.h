@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "trivet/numerics/sampling/exact_statistics.h"
+#include "trivet/study/sample/band_tally.h"
 #include "trivet/study/sample/sampled_case.h"
 
 namespace trivet::study {
@@ -41,6 +42,7 @@ class SampleTally {
 
   std::vector<std::uint64_t> designs, met;            ///< per replicate
   std::vector<std::vector<RequirementTally>> of;      ///< per case and requirement
+  std::vector<BandTally> bands;                       ///< per case
   std::vector<std::uint64_t> in_kernels, one_by_one;  ///< per case
   std::uint64_t failed = 0, first_failed = 0;         ///< designs; number of the first
   std::string first_failure;

@@ -43,7 +43,7 @@ bool is_constant(const RequirementResult& result) { return requirement_row(resul
 }  // namespace
 
 SampledCase::SampledCase(const project::Case& variant, const std::vector<project::Tolerance>& tolerances,
-                         const DrawnDesigns& drawn)
+                         const DrawnDesigns& drawn, const project::SampleRequest& request)
     : case_(variant), tolerances_(tolerances) {
   for (std::size_t t = 0; t < tolerances.size(); ++t)
     for (std::size_t p = 0; p < tolerances[t].places.size(); ++p) {
@@ -61,6 +61,7 @@ SampledCase::SampledCase(const project::Case& variant, const std::vector<project
     if (!one.value) throw unjudged(one, variant);
   for (const RequirementResult& one : limits_that_miss_speeds(variant.system, variant.analyses, given_))
     throw unjudged(one, variant);
+  if (!request.bands.empty()) bands_.emplace(variant, request);
   no_kernels_ = beyond_kernels();
   if (no_kernels_.empty()) fit(drawn);
 }
@@ -128,7 +129,9 @@ void SampledCase::fit(const DrawnDesigns& drawn) {
     for (std::size_t r = 0; no_kernels_.empty() && r < given_.size(); ++r)
       if (!batch_->packed().covers(r) && !is_constant(given_[r]))
         no_kernels_ = fmt::format("\"{}\" is not judged by a kernel here", given_[r].words.text());
-    if (no_kernels_.empty()) return;
+    if (!no_kernels_.empty()) continue;
+    if (bands_) bands_->fit(numbers);
+    return;
   }
 }
 
@@ -156,12 +159,14 @@ void SampledCase::assemble(const Eigen::MatrixXd& draws, Eigen::Index design, Sa
   foundation::report_progress(interruption, "", 0);
   std::string& failure = into.failures[to_size(design)];
   try {
-    const std::vector<RequirementResult> found = results(system(draws.row(design).transpose()), interruption);
+    const model::System machine = system(draws.row(design).transpose());
+    const std::vector<RequirementResult> found = results(machine, interruption);
     for (const RequirementResult& one : found)
       if (!one.value && failure.empty()) failure = "\"" + one.words.text() + "\" cannot be judged: " + one.reason;
     if (failure.empty() && found.size() != given_.size()) failure = "it has other requirements than the given design";
     for (std::size_t r = 0; failure.empty() && r < found.size(); ++r)
       into.margins(design, to_index(r)) = found[r].margin;
+    if (failure.empty() && into.amplitudes.rows() > 0) into.amplitudes.col(design) = bands_->amplitudes(machine);
   } catch (const NotComputable& reason) {
     failure = reason.what();
   } catch (const InvalidInput& reason) {
@@ -171,18 +176,39 @@ void SampledCase::assemble(const Eigen::MatrixXd& draws, Eigen::Index design, Sa
   else into.margins.row(design).setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
+SampledMargins SampledCase::unfilled(Eigen::Index designs, Eigen::Index amplitudes) const {
+  return {.margins = Eigen::ArrayXXd(designs, to_index(given_.size())),
+          .failures = std::vector<std::string>(to_size(designs)),
+          .amplitudes = Eigen::ArrayXXd(amplitudes, designs)};
+}
+
 SampledMargins SampledCase::assembled(const Eigen::MatrixXd& draws, const foundation::Progress& interruption) const {
-  SampledMargins found{Eigen::ArrayXXd(draws.rows(), to_index(given_.size())),
-                       std::vector<std::string>(to_size(draws.rows()))};
+  SampledMargins found = unfilled(draws.rows(), 0);
   for (Eigen::Index d = 0; d < draws.rows(); ++d) assemble(draws, d, found, interruption);
   return found;
 }
 
-SampledMargins SampledCase::judged(const Eigen::MatrixXd& draws, const foundation::Progress& interruption) const {
-  if (!no_kernels_.empty()) return assembled(draws, interruption);
-  SampledMargins found{Eigen::ArrayXXd(draws.rows(), to_index(given_.size())),
-                       std::vector<std::string>(to_size(draws.rows()))};
-  for (Eigen::Index first = 0; first < draws.rows(); first += kernel_lanes) {
+void SampledCase::set_amplitudes(const Eigen::MatrixXd& draws, Eigen::Index first, Eigen::Index count,
+                                 SampledMargins& into, const foundation::Progress& interruption) const {
+  const bool kernels = bands_->no_kernels().empty();
+  if (kernels) into.amplitudes.middleCols(first, count) = bands_->amplitudes(draws);
+  for (Eigen::Index d = 0; d < count && !kernels; ++d) {
+    foundation::report_progress(interruption, "", 0);
+    try {
+      into.amplitudes.col(first + d) = bands_->amplitudes(system(draws.row(d).transpose()));
+    } catch (const NotComputable& reason) {
+      into.failures[to_size(first + d)] = reason.what();
+    } catch (const InvalidInput& reason) {
+      into.failures[to_size(first + d)] = reason.what();
+    }
+  }
+}
+
+SampledMargins SampledCase::judged(const Eigen::MatrixXd& draws, Eigen::Index amplitudes,
+                                   const foundation::Progress& interruption) const {
+  SampledMargins found = unfilled(draws.rows(), amplitudes);
+  for (Eigen::Index d = 0; d < draws.rows() && !no_kernels_.empty(); ++d) assemble(draws, d, found, interruption);
+  for (Eigen::Index first = 0; first < draws.rows() && no_kernels_.empty(); first += kernel_lanes) {
     foundation::report_progress(interruption, "", 0);
     const Eigen::Index count = std::min(kernel_lanes, draws.rows() - first);
     // A design in a tail is judged with the ends of its ranges, and assembled afterwards.
@@ -190,11 +216,13 @@ SampledMargins SampledCase::judged(const Eigen::MatrixXd& draws, const foundatio
     for (Eigen::Index d = 0; d < count; ++d)
       inside.row(d) = inside.row(d).array().max(from_.transpose()).min(to_.transpose()).matrix();
     found.margins.middleRows(first, count) = packed_margins(batch_->packed(), batch_->family().designs(inside));
+    if (amplitudes > 0) set_amplitudes(inside, first, count, found, interruption);
     for (std::size_t r = 0; r < given_.size(); ++r)
       if (is_constant(given_[r])) found.margins.col(to_index(r)).segment(first, count).setConstant(given_[r].margin);
     for (Eigen::Index d = 0; d < count; ++d) {
-      const bool proven =
-          (inside.row(d).array() == draws.row(first + d).array()).all() && !found.margins.row(first + d).isNaN().any();
+      const bool proven = found.failures[to_size(first + d)].empty() &&
+          (inside.row(d).array() == draws.row(first + d).array()).all() &&
+          !found.margins.row(first + d).isNaN().any() && !found.amplitudes.col(first + d).isNaN().any();
       if (proven) ++found.in_kernels;
       else assemble(draws, first + d, found, interruption);
     }

@@ -12,6 +12,7 @@
 #include "trivet/project/project.h"
 #include "trivet/study/family/design_batch.h"
 #include "trivet/study/requirements/verdict.h"
+#include "trivet/study/sample/band_curves.h"
 #include "trivet/study/sample/drawn_designs.h"
 
 namespace trivet::study {
@@ -21,6 +22,7 @@ struct SampledMargins {
   Eigen::ArrayXXd margins;            ///< designs × requirements; NaN in a whole row: the design could not be judged
   std::vector<std::string> failures;  ///< per design, why; empty: it was judged
   std::size_t in_kernels = 0, one_by_one = 0;  ///< designs, of those judged
+  Eigen::ArrayXXd amplitudes = {};             ///< of its band curves, values × designs; without rows: not requested
 };
 
 /// One case of a sample: judges its requirements for drawn designs, by kernels over many designs where these prove all
@@ -30,7 +32,7 @@ class SampledCase {
   /// @throws foundation::NotComputable if a requirement cannot be judged in the case as given, InvalidInput if a number
   /// of a tolerance cannot be read there
   SampledCase(const project::Case& variant, const std::vector<project::Tolerance>& tolerances,
-              const DrawnDesigns& drawn);
+              const DrawnDesigns& drawn, const project::SampleRequest& request = {});
 
   [[nodiscard]] const project::Case& variant() const { return case_; }
   /// The requirements of the case as given.
@@ -38,15 +40,33 @@ class SampledCase {
   /// Why all designs are assembled; empty if kernels judge them.
   [[nodiscard]] const std::string& no_kernels() const { return no_kernels_; }
   [[nodiscard]] const std::optional<DesignBatch>& batch() const { return batch_; }
+  /// Those whose amplitudes are counted, if any are.
+  [[nodiscard]] const std::optional<BandCurves>& bands() const { return bands_; }
+  /// True if kernels compute all that is counted of nearly all designs.
+  [[nodiscard]] bool is_quick() const { return no_kernels_.empty() && (!bands_ || bands_->no_kernels().empty()); }
 
   /// @param draws  designs × draws  @param interruption  called meanwhile, may throw foundation::Interrupted
   [[nodiscard]] SampledMargins judged(const Eigen::MatrixXd& draws,
-                                      const foundation::Progress& interruption = {}) const;
-  /// The same by assembled models alone.
+                                      const foundation::Progress& interruption = {}) const {
+    return judged(draws, 0, interruption);
+  }
+  /// The same with the amplitudes of the bands.
+  [[nodiscard]] SampledMargins judged_with_bands(const Eigen::MatrixXd& draws,
+                                                 const foundation::Progress& interruption = {}) const {
+    return judged(draws, bands_ ? bands_->values() : 0, interruption);
+  }
+  /// The margins by assembled models alone.
   [[nodiscard]] SampledMargins assembled(const Eigen::MatrixXd& draws,
                                          const foundation::Progress& interruption = {}) const;
 
  private:
+  /// @param amplitudes  of the bands, per design; 0: none are computed
+  [[nodiscard]] SampledMargins judged(const Eigen::MatrixXd& draws, Eigen::Index amplitudes,
+                                      const foundation::Progress& interruption) const;
+  [[nodiscard]] SampledMargins unfilled(Eigen::Index designs, Eigen::Index amplitudes) const;
+  /// Amplitudes of designs whose margins kernels have proven, by kernels if there are any.
+  void set_amplitudes(const Eigen::MatrixXd& draws, Eigen::Index first, Eigen::Index count, SampledMargins& into,
+                      const foundation::Progress& interruption) const;
   [[nodiscard]] model::System system(const Eigen::VectorXd& draws) const;
   [[nodiscard]] std::vector<RequirementResult> results(const model::System& system,
                                                        const foundation::Progress& interruption = {}) const;
@@ -73,6 +93,7 @@ class SampledCase {
   std::vector<Number> numbers_;
   std::vector<RequirementResult> given_;
   std::optional<DesignBatch> batch_;
+  std::optional<BandCurves> bands_;
   Eigen::ArrayXd from_, to_;  ///< draws for which the batch was fitted
   std::string no_kernels_;
 };

@@ -49,6 +49,7 @@ void store_tally(const SampleTally& tally, StoredWords& words) {
   words.end_line();
   for (const auto& requirements : tally.of)
     for (const RequirementTally& one : requirements) store_requirement(one, words);
+  for (const BandTally& one : tally.bands) one.store(words);
 }
 
 void restore_tally(WordReader& words, SampleTally& tally) {
@@ -59,6 +60,7 @@ void restore_tally(WordReader& words, SampleTally& tally) {
   tally.least = numerics::Extremes::restored(words);
   for (auto& requirements : tally.of)
     for (RequirementTally& one : requirements) restore_requirement(words, one);
+  for (BandTally& one : tally.bands) one.restore(words);
 }
 
 }  // namespace trivet::study

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Bands of amplitudes of `trivet sample`: JSON, CSV, text and study folder."""
+import csv
+import io
+import json
+import unittest
+
+from trivet_test import SOURCE, InTemporaryFolder, trivet
+
+ROBUST = SOURCE / "examples/paper/robust.toml"
+FEW = ("--set", "analyses.sample.designs=1000", "--set", 'analyses.sample.bands=["aggregate.z", "aggregate.rx"]')
+NUMBERS = ("angular_frequency", "given", "least", "low", "median", "high", "largest")
+
+
+class SampleBands(InTemporaryFolder):
+    def test_json_and_csv_have_the_same_numbers_in_their_order(self):
+        study = self.folder / "study"
+        done = trivet("sample", ROBUST, *FEW, "-o", study, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        bands = json.loads(done.stdout)["bands"][0]["results"]
+        self.assertEqual([band["result"] for band in bands], ["aggregate.z", "aggregate.rx"])
+        rows = list(csv.DictReader(io.StringIO((study / "bands.csv").read_text())))
+        self.assertEqual(len(rows), sum(len(band["given"]) for band in bands))
+        for band in bands:
+            self.assertGreaterEqual(len(band["angular_frequency"]), 200)
+            of = [row for row in rows if row["result"] == band["result"]]
+            for k, row in enumerate(of):
+                for name in NUMBERS:
+                    column = "angular_frequency [rad/s]" if name == "angular_frequency" else name
+                    self.assertEqual(float(row[column]), band[name][k])
+                self.assertEqual(int(row["largest_design"]), band["largest_design"][k])
+            for order in zip(*(band[name] for name in ("least", "low", "median", "high", "largest"))):
+                self.assertEqual(list(order), sorted(order))
+        self.assertAlmostEqual(bands[0]["limits"][0]["amplitude"], 8e-3)
+        self.assertEqual(bands[1]["limits"], [])
+        plain = trivet("sample", ROBUST, *FEW, "--json").stdout
+        self.assertEqual((study / "result.json").read_text(), plain)
+
+    def test_the_given_design_has_its_response(self):
+        bands = json.loads(trivet("sample", ROBUST, *FEW, "--json").stdout)["bands"][0]["results"]
+        at = bands[0]["angular_frequency"]
+        response = ("--set", f"analyses.response={{at = {at}}}", "--csv")
+        rows = list(csv.DictReader(io.StringIO(trivet("response", ROBUST, *response).stdout)))
+        self.assertEqual(len(rows), len(at))
+        for row, expected in zip(rows, bands[0]["given"]):
+            self.assertAlmostEqual(
+                abs(complex(float(row["aggregate.z re [m]"]), float(row["aggregate.z im [m]"]))) / expected, 1, 9
+            )
+
+    def test_text_shows_where_most_designs_are_highest(self):
+        found = trivet("sample", ROBUST, *FEW).stdout
+        self.assertRegex(found, r"Bands of amplitudes over 1000 designs at 2\d\d frequencies")
+        self.assertRegex(found, r"\n  aggregate\.z +\S+ +\S+ mm 0-p")
+
+
+if __name__ == "__main__":
+    unittest.main()
