@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bands of amplitudes of `trivet sample`: JSON, CSV, text and study folder."""
+"""Bands of amplitudes of `trivet sample`: JSON, CSV, text, picture, page and study folder."""
 import csv
 import io
 import json
@@ -51,6 +51,28 @@ class SampleBands(InTemporaryFolder):
         found = trivet("sample", ROBUST, *FEW).stdout
         self.assertRegex(found, r"Bands of amplitudes over 1000 designs at 2\d\d frequencies")
         self.assertRegex(found, r"\n  aggregate\.z +\S+ +\S+ mm 0-p")
+
+    def test_picture_and_page_show_the_bands(self):
+        picture, page = self.folder / "bands.svg", self.folder / "result.html"
+        done = trivet("sample", ROBUST, *FEW, "--picture", picture)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = trivet("sample", ROBUST, *FEW, "-o", page)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for text in (picture.read_text(), page.read_text()):
+            self.assertIn("5 … 95 % of the designs", text)
+            self.assertIn("design of the file", text)
+            self.assertIn("limit", text)
+            self.assertNotIn("nan", text)
+
+    def test_a_picture_needs_bands(self):
+        project = self.folder / "plain.toml"
+        text = ROBUST.read_text()
+        start = text.index(", bands = ")
+        project.write_text(text[:start] + text[text.index("}", start) :])
+        done = trivet("sample", project, "--picture", self.folder / "bands.svg")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--picture: a picture shows bands; name their results", done.stderr)
+        self.assertNotIn("bands", json.loads(trivet("sample", project, "--json").stdout))
 
 
 if __name__ == "__main__":

@@ -8,6 +8,7 @@
 #include "trivet/engine/process_rank.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/report/figures/sample_figure.h"
 #include "trivet/results/design/band_parts.h"
 #include "trivet/results/design/sample_document.h"
 #include "trivet/results/design/study_status_document.h"
@@ -91,7 +92,24 @@ void write_result_files(const study::StudyProgress& study, const Result& result)
   for (const auto& [name, table] : result.tables) write(name.c_str(), table);
 }
 
+using HeldSample = std::shared_ptr<const Held<study::Sample>>;
+
+/// The bands as a picture, also below the tables of a page.
+void add_figure(const HeldSample& held, Result& result) {
+  const auto figure = report::band_figure(held->found);
+  if (!figure) return;
+  result.figures.emplace_back(figure->file_name, writer([svg = figure->svg] { return svg; }));
+  result.html = [held, tables = result.html](const project::DisplayUnits& display) {
+    return tables(display) + report::band_figure(held->found, display)->html();
+  };
+}
+
 Result sample(const Task& task) {
+  if (task.keys.has("picture") && task.project->base().analyses.sample.value_or(project::SampleRequest()).bands.empty())
+    throw InvalidInput(
+        fmt::format("{}: a picture shows bands; name their results: bands = [\"BODY.z\"] in "
+                    "[analyses.sample]",
+                    task.keys.written("picture")));
   const auto held = hold(task, sampled(task));
   Result result;
   result.warnings = task.project->base().warnings;
@@ -105,6 +123,7 @@ Result sample(const Task& task) {
   std::vector<std::string> files = {"sample.csv"};
   if (results::has_bands(held->found)) files.emplace_back("bands.csv");
   set_forms(document, held, task.variant.display, files, result);
+  add_figure(held, result);
   if (const auto& study = held->found.study) {
     add_remarks(*study, task, result);
     result.complete = !study->ended_early;
@@ -142,6 +161,7 @@ Command sample_command() {
                          "the result whose ending chooses the form: .json, .csv, .html or .txt",
                 .short_name = "o",
                 .value = "STUDY"},
+               picture_key("bands of amplitudes"),
                {.name = "part",
                 .kind = KeyKind::text,
                 .about = "compute this part of the study folder: 3/64; by default the rank among the processes of "

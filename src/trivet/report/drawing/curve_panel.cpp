@@ -136,11 +136,26 @@ std::vector<PanelCurve> turning_curve(const std::vector<double>& x, const std::v
   return curves;
 }
 
+namespace {
+
+void draw_area(SvgCanvas& canvas, const PlotPanel& panel, const PanelArea& area) {
+  const auto inside = [&](std::size_t i, double y) {
+    return panel.at(area.x[i], std::isnan(y) ? panel.y.from : std::clamp(y, panel.y.from, panel.y.to));
+  };
+  std::vector<PixelPoint> ring;
+  for (std::size_t i = 0; i < area.x.size(); ++i) ring.push_back(inside(i, area.low[i]));
+  for (std::size_t i = area.x.size(); i-- > 0;) ring.push_back(inside(i, area.high[i]));
+  canvas.area({ring}, fmt::format("fill=\"{}\"", area.colour));
+}
+
+}  // namespace
+
 void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row) {
   for (const auto& [from, to] : row.shaded) {
     const double left = panel.at(from, panel.y.from).x, right = panel.at(to, panel.y.from).x;
     canvas.rectangle({left, panel.corner.y}, std::max(right - left, 1.0), panel.height, "fill=\"#f7d9d0\"");
   }
+  for (const PanelArea& area : row.areas) draw_area(canvas, panel, area);
   draw_frame(canvas, panel);
   for (const double level : row.levels)
     canvas.line(panel.at(panel.x.from, level), panel.at(panel.x.to, level), "stroke=\"#333\" stroke-width=\"0.9\"");

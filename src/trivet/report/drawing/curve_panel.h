@@ -22,6 +22,12 @@ struct PanelMark {
   std::string text;  ///< next to it; may be empty
 };
 
+/// The area between two curves, below all lines; beyond the panel it is cut off.
+struct PanelArea {
+  std::vector<double> x, low, high;
+  std::string colour;
+};
+
 /// A curve whose x may turn back: pieces in which it rises or falls, with ascending x; the first has the key.
 [[nodiscard]] std::vector<PanelCurve> turning_curve(const std::vector<double>& x, const std::vector<double>& y,
                                                     const std::string& stroke, const std::string& key);
@@ -34,6 +40,7 @@ struct PanelRow {
   std::vector<double> levels = {};                     ///< thin horizontal lines
   std::vector<std::pair<double, double>> shaded = {};  ///< ranges (from, to) along x
   std::string title = {};                              ///< above it, next to other panels
+  std::vector<PanelArea> areas = {};
 };
 
 /// The part of a curve inside its panel, thinned to what is visible (extremes remain).
