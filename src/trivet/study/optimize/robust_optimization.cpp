@@ -247,7 +247,10 @@ class RobustSearch {
     SampledDesign design{kept.least, std::nullopt};
     if (!result_.wanted) return design;
     project::Project counted = project;
-    for (project::Case& variant : counted.cases) variant.analyses.sample->worst_case = false;
+    for (project::Case& variant : counted.cases) {
+      variant.analyses.sample->worst_case = false;
+      variant.analyses.sample->bands.clear();
+    }
     const Sample found = sample(counted, progress_);
     design.yield = found.yield;
     result_.designs = found.yield.designs;
