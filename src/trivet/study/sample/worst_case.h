@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
+#include "trivet/study/sample/margin_descent.h"
 #include "trivet/study/sample/sample.h"
 #include "trivet/study/sample/sampled_case.h"
 
@@ -31,15 +32,14 @@ struct WorstSearch {
 
 /// The range of a drawn number in which the worst design is searched: the whole one, or of an unbounded one that of all
 /// but `beyond_worst_range` of its numbers.
-struct DrawRange {
-  double from = 0, to = 0;
-};
 [[nodiscard]] DrawRange worst_range(const numerics::Distribution& distribution);
+/// These ranges of all draws.
+[[nodiscard]] DrawBox worst_box(const DrawnDesigns& drawn);
 
-/// Searches the least margin of each requirement in the box of these ranges: all corners of up to twelve draws, else
+/// Searches the least margin of each requirement in a box: all corners of up to twelve draws, else
 /// 4096 of them and the one that the slopes of the given design point to; 1024 designs inside; and descents of the
 /// margin from the worst of both and from the given design. A search, no proof. The same for any number of threads.
-[[nodiscard]] WorstSearch worst_search(const std::vector<SampledCase>& cases, const DrawnDesigns& drawn,
-                                       std::uint64_t seed, const foundation::Progress& progress);
+[[nodiscard]] WorstSearch worst_search(const std::vector<SampledCase>& cases, const DrawBox& box, std::uint64_t seed,
+                                       const foundation::Progress& progress);
 
 }  // namespace trivet::study
