@@ -131,7 +131,9 @@ Kept kept_by_share(const SampleRun& run, Aim& aim, const foundation::Progress& p
 
 Kept kept_by_worst(const SampleRun& run, const foundation::Progress& progress) {
   Kept found = nominal_margins(run);
-  const WorstSearch worst = worst_search(run.cases(), worst_box(run.drawn()), run.request().seed, progress);
+  WorstStarts none;
+  for (const SampledCase& one : run.cases()) none.emplace_back(one.given().size());
+  const WorstSearch worst = worst_search(run.cases(), worst_box(run.drawn()), none, run.request().seed, progress);
   for (std::size_t c = 0; c < found.kept.size(); ++c)
     for (std::size_t r = 0; r < found.kept[c].size(); ++r) {
       found.kept[c][r] = worst.failed > 0 ? 0 : std::min(worst.of[c][r].margin, found.nominal[c][r]);

@@ -108,11 +108,13 @@ MarginDescent::Place MarginDescent::pointed_corner(const Place& from) {
 }
 
 Eigen::ArrayXd MarginDescent::margins(const DrawPlaces& places) {
-  const SampledMargins found = in_.judged(box_.at(places));
+  const Eigen::MatrixXd numbers = box_.at(places);
+  const SampledMargins found = in_.judged(numbers);
   looked_at += to_size(places.rows());
-  for (const std::string& one : found.failures) {
-    if (one.empty()) continue;
-    if (failed++ == 0) first_failure = one;
+  for (std::size_t i = 0; i < found.failures.size(); ++i) {
+    if (found.failures[i].empty() || failed++ > 0) continue;
+    first_failure = found.failures[i];
+    first_failed = numbers.row(to_index(i)).transpose();
   }
   const Eigen::ArrayXd column = found.margins.col(requirement_);
   return column.isNaN().select(std::numeric_limits<double>::infinity(), column);

@@ -58,9 +58,11 @@ class MarginDescent {
   [[nodiscard]] Place run(Place here);
   /// The corner that the slopes of a design point to.
   [[nodiscard]] Place pointed_corner(const Place& from);
+  [[nodiscard]] Place judged(const Eigen::VectorXd& at) { return {at, margins(at.transpose())(0)}; }
 
   std::uint64_t looked_at = 0, failed = 0;
   std::string first_failure;
+  Eigen::VectorXd first_failed;  ///< draws of a design that cannot be judged
 
  private:
   /// Designs that cannot be judged are counted, and infinite here.

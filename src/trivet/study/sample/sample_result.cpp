@@ -147,7 +147,16 @@ Sample sample_result(const SampleRun& run, const SampleTally& all) {
 }
 
 void add_worst_designs(const SampleRun& run, Sample& found, const foundation::Progress& progress) {
-  const WorstSearch search = worst_search(run.cases(), worst_box(run.drawn()), run.request().seed, progress);
+  WorstStarts drawn;
+  for (const SampledCaseResult& one : found.cases) {
+    drawn.emplace_back();
+    for (const SampledRequirement& of : one.requirements) {
+      const numerics::Extremes& ends = of.margin.extremes;
+      drawn.back().emplace_back();
+      if (ends.any) drawn.back().back().emplace_back(run.drawn().draw(ends.least_at, 1).row(0).transpose());
+    }
+  }
+  const WorstSearch search = worst_search(run.cases(), worst_box(run.drawn()), drawn, run.request().seed, progress);
   found.worst_case_search = {search.all_corners, search.corners, search.inside, search.failed, search.first_failure};
   for (std::size_t c = 0; c < search.of.size(); ++c)
     for (std::size_t r = 0; r < search.of[c].size(); ++r) {

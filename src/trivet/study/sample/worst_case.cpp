@@ -45,9 +45,9 @@ DrawPlaces points_inside(const DrawBox& box, const numerics::SobolNumbers& sobol
 /// The search over all requirements.
 class WorstDesigns {
  public:
-  WorstDesigns(const std::vector<SampledCase>& cases, const DrawBox& box, std::uint64_t seed,
+  WorstDesigns(const std::vector<SampledCase>& cases, const DrawBox& box, const WorstStarts& starts, std::uint64_t seed,
                const foundation::Progress& progress)
-      : cases_(cases), box_(box), progress_(progress) {
+      : cases_(cases), box_(box), starts_(starts), progress_(progress) {
     const numerics::SobolNumbers sobol(to_size(box.draws()), seed, scramble);
     const DrawPlaces ends = corners(box_, sobol), inside = points_inside(box_, sobol);
     corners_ = ends.rows();
@@ -65,7 +65,7 @@ class WorstDesigns {
       found.of.emplace_back(cases_[c].given().size());
       for (std::size_t r = 0; r < cases_[c].given().size(); ++r) tasks.emplace_back(c, r);
     }
-    std::vector<std::pair<std::uint64_t, std::string>> failures(tasks.size());
+    std::vector<Failures> failures(tasks.size());
     foundation::parallel_for(tasks.size(), {.size = 1, .progress = progress_, .task = "worst designs"},
                              [&](std::size_t from, std::size_t to) {
                                for (std::size_t i = from; i < to; ++i) {
@@ -73,14 +73,21 @@ class WorstDesigns {
                                  found.of[c][r] = worst(c, to_index(r), failures[i]);
                                }
                              });
-    for (const auto& [count, reason] : failures) {
-      if (found.failed == 0) found.first_failure = reason;
-      found.failed += count;
+    for (const Failures& one : failures) {
+      if (found.failed == 0 && one.count > 0) found.first_failure = one.reason, found.first_failed = one.draws;
+      found.failed += one.count;
     }
     return found;
   }
 
  private:
+  /// Designs of a search that cannot be judged, and the first of them.
+  struct Failures {
+    std::uint64_t count = 0;
+    std::string reason;
+    Eigen::VectorXd draws;
+  };
+
   /// Designs that begin the searches of all requirements.
   void judge_first(WorstSearch& found) {
     for (const SampledCase& one : cases_) margins_.emplace_back(places_.rows(), to_index(one.given().size()));
@@ -97,9 +104,10 @@ class WorstDesigns {
               if (failures[i].empty()) failures[i] = part.failures[i - from];
           }
         });
-    for (const std::string& one : failures) {
-      if (one.empty()) continue;
-      if (found.failed++ == 0) found.first_failure = one;
+    for (std::size_t i = 0; i < failures.size(); ++i) {
+      if (failures[i].empty() || found.failed++ > 0) continue;
+      found.first_failure = failures[i];
+      found.first_failed = box_.at(places_.row(to_index(i))).row(0).transpose();
     }
   }
 
@@ -110,7 +118,7 @@ class WorstDesigns {
     return {places_.row(first + least).transpose(), margin};
   }
 
-  WorstFound worst(std::size_t c, Eigen::Index requirement, std::pair<std::uint64_t, std::string>& failures) const {
+  WorstFound worst(std::size_t c, Eigen::Index requirement, Failures& failures) const {
     MarginDescent search(cases_[c], requirement, box_);
     const Eigen::ArrayXd margins = margins_[c].col(requirement);
     const MarginDescent::Place given{box_.given(), margins(0)};
@@ -118,6 +126,8 @@ class WorstDesigns {
     if (to_size(box_.draws()) > most_for_all_corners) starts.push_back(search.pointed_corner(given));
     starts.push_back(worst_in(margins, 1 + corners_, inside_points));
     starts.push_back(given);
+    for (const Eigen::VectorXd& known : starts_[c][to_size(requirement)])
+      starts.push_back(search.judged(box_.place(known)));
     MarginDescent::Place worst;
     for (std::size_t s = 0; s < starts.size(); ++s) {
       const MarginDescent::Place found = search.run(starts[s]);
@@ -125,7 +135,7 @@ class WorstDesigns {
           !(std::abs(worst.margin - found.margin) <= same_worst_margin * std::abs(found.margin));
       if (s == 0 || lower) worst = found;
     }
-    failures = {search.failed, search.first_failure};
+    failures = {search.failed, search.first_failure, search.first_failed};
     WorstFound found{.margin = worst.margin,
                      .draws = box_.at(worst.at.transpose()).row(0).transpose(),
                      .ended = worst.ended,
@@ -137,6 +147,7 @@ class WorstDesigns {
 
   const std::vector<SampledCase>& cases_;
   const DrawBox& box_;
+  const WorstStarts& starts_;
   const foundation::Progress& progress_;
   Eigen::Index corners_ = 0;
   DrawPlaces places_;                     ///< the given design, corners, designs inside
@@ -161,9 +172,9 @@ DrawBox worst_box(const DrawnDesigns& drawn) {
   return {std::move(ranges), given};
 }
 
-WorstSearch worst_search(const std::vector<SampledCase>& cases, const DrawBox& box, std::uint64_t seed,
-                         const foundation::Progress& progress) {
-  return WorstDesigns(cases, box, seed, progress).run();
+WorstSearch worst_search(const std::vector<SampledCase>& cases, const DrawBox& box, const WorstStarts& starts,
+                         std::uint64_t seed, const foundation::Progress& progress) {
+  return WorstDesigns(cases, box, starts, seed, progress).run();
 }
 
 }  // namespace trivet::study

@@ -26,9 +26,13 @@ struct WorstSearch {
   bool all_corners = false;
   std::uint64_t corners = 0, inside = 0;    ///< designs that begin the search, the same for all requirements
   std::uint64_t failed = 0;                 ///< designs of all searches without a model, or that cannot be judged
-  std::string first_failure;                ///< its reason
+  std::string first_failure;                ///< the reason of the first
+  Eigen::VectorXd first_failed;             ///< its draws
   std::vector<std::vector<WorstFound>> of;  ///< per case and requirement
 };
+
+/// Draws of designs, per case and requirement.
+using WorstStarts = std::vector<std::vector<std::vector<Eigen::VectorXd>>>;
 
 /// The range of a drawn number in which the worst design is searched: the whole one, or of an unbounded one that of all
 /// but `beyond_worst_range` of its numbers.
@@ -38,8 +42,11 @@ struct WorstSearch {
 
 /// Searches the least margin of each requirement in a box: all corners of up to twelve draws, else
 /// 4096 of them and the one that the slopes of the given design point to; 1024 designs inside; and descents of the
-/// margin from the worst of both and from the given design. A search, no proof. The same for any number of threads.
-[[nodiscard]] WorstSearch worst_search(const std::vector<SampledCase>& cases, const DrawBox& box, std::uint64_t seed,
+/// margin from the worst of both, from the given design and from `starts`. A search, no proof. The same for any number
+/// of threads.
+/// @param starts  of each requirement, designs that are known to have small margins; the nearest in the box are taken
+[[nodiscard]] WorstSearch worst_search(const std::vector<SampledCase>& cases, const DrawBox& box,
+                                       const WorstStarts& starts, std::uint64_t seed,
                                        const foundation::Progress& progress);
 
 }  // namespace trivet::study
