@@ -70,7 +70,7 @@ def analyses():
     MACHINE or an example must contain each."""
     analyses = json.loads(trivet("schema").stdout)["properties"]["analyses"]["properties"]
     return [
-        *(name for name in analyses if name not in ("map", "optimize", "sample")),
+        *(name for name in analyses if name not in ("map", "optimize", "sample", "box")),
         "operation",
         "limit_lines",
         "measurements",

@@ -185,6 +185,9 @@ service_speed = "980 rpm"
     + '[excitations.push]\ntype = "harmonic"\non = "machine"\nat = [0, 0, 0]\nforce = [0, 0, 100]\n'
     + "[requirements]\ndamping_ratio = 0.01\n",
     ("docs/robust.md", "The best design within tolerances"): (SOURCE / "examples/paper/robust.toml").read_text(),
+    ("docs/box.md", "Solution box"): FRAME.replace("frame", "machine")
+    + mounts("machine")
+    + "[requirements]\ndamping_ratio = 0.01\n",
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/plausibility.md", "If the number is right"): STARTER,
     ("docs/map.md", "Several pairs of parameters"): FRAME

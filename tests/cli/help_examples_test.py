@@ -30,6 +30,7 @@ MACHINES = {
     "measurements": "measured_response/machine.toml",
     "select": "genset/mounts.toml",
     "sample": "paper/robust.toml",
+    "box": "powertrain/box.toml",
 }
 ADDED = {"earthquake": '[analyses.earthquake]\ndirection = "x"\nrows = [[0.001, 3], [10, 2]]\n'}
 

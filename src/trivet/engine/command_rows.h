@@ -16,9 +16,10 @@ namespace trivet::engine {
 [[nodiscard]] std::vector<Command> machine_commands();
 /// One for each analysis of a case.
 [[nodiscard]] std::vector<Command> analysis_commands();
-/// verdict, map, optimize, sample, select
+/// verdict, map, optimize, sample, box, select
 [[nodiscard]] std::vector<Command> design_commands();
 [[nodiscard]] Command sample_command();
+[[nodiscard]] Command box_command();
 
 /// Something that a result refers to, with the project that it was computed from.
 template <typename Found>

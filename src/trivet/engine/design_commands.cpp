@@ -314,6 +314,7 @@ std::vector<Command> design_commands() {
                     "trivet optimize machine.toml --time-limit \"10 min\""},
        .run = optimize},
       sample_command(),
+      box_command(),
       {.name = "select",
        .about = "the mounts of a catalogue with the largest least margin of all requirements",
        .group = Group::design,

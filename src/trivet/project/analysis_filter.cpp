@@ -34,6 +34,7 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
       {"optimize", [](Analyses& a) { a.optimize.reset(); }},
       {"tolerances", [](Analyses& a) { a.tolerances.clear(); }},
       {"sample", [](Analyses& a) { a.sample.reset(); }},
+      {"box", [](Analyses& a) { a.box.reset(); }},
   };
   return list;
 }

@@ -75,6 +75,12 @@ void refuse_tolerances(const std::string& name, const Node& change, foundation::
   const Node* analyses = change.find("analyses");
   refuse(analyses ? analyses->find("sample") : nullptr, "analyses.sample",
          "write it in [analyses.sample], or as a setting, analyses.sample.KEY=VALUE");
+  if (const Node* own = analyses ? analyses->find("box") : nullptr)
+    problems
+        .error("cases." + foundation::path_key(name) + ".analyses.box", "cannot be changed",
+               "one box holds for all cases in which the design has to hold",
+               "write it in [analyses.box], or as a setting, analyses.box.KEY=VALUE")
+        .origin = own->origin;
 }
 
 /// @param written  the document with the changed cases, without other settings of the command line

@@ -169,7 +169,8 @@ TEST(Sample, StatesWhatItNeeds) {
     return "";
   };
   EXPECT_THAT(message(machine), HasSubstr("neither requirements nor limits"));
-  EXPECT_THAT(message(rotor), HasSubstr("sample: \"m1.x at 600 rpm\" cannot be judged: no limit holds at this speed"));
+  EXPECT_THAT(message(rotor),
+              HasSubstr("tolerances: \"m1.x at 600 rpm\" cannot be judged: no limit holds at this speed"));
   EXPECT_THAT(message(test::chain({1}, {1}, {1}) + "[requirements]\ndamping_ratio = 0.1\n"),
               HasSubstr("the file has no tolerances"));
 }

@@ -181,6 +181,7 @@ struct Analyses {
   std::optional<OptimizeRequest> optimize;
   std::vector<Tolerance> tolerances;  ///< [tolerances.NAME]
   std::optional<SampleRequest> sample;
+  std::optional<BoxRequest> box;
   // The independent ones: analysis_table.h
   std::optional<OperationAnalysis> operation;
   std::optional<RandomAnalysis> random;

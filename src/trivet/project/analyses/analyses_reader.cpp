@@ -191,6 +191,7 @@ Analyses read_analyses(TableReader& root, const SymbolTable& symbols) {
     read_map(root, reader, names, symbols, analyses);
     read_optimize(root, reader, names, symbols, analyses);
     analyses.sample = read_sample(root, reader, names, analyses.response);
+    analyses.box = read_box(root, reader);
     reader.finish();
   }
   read_independent_analyses(root, true, names, symbols, analyses);

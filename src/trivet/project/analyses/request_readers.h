@@ -30,6 +30,14 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
                                                        const ResultNames& names,
                                                        const std::optional<ResponseRequest>& response);
 
+/// Reads [analyses.box]; none if it is not requested.
+[[nodiscard]] std::optional<BoxRequest> read_box(TableReader& root, TableReader& analyses);
+
+/// A whole number from `least` to `most`, or an error with this remedy.
+[[nodiscard]] std::optional<double> read_whole(TableReader& reader, const std::string& key, double least, double most,
+                                               const std::string& remedy);
+inline constexpr double most_seed = 9007199254740991;
+
 /// Reports requested results that do not exist because no element holds that direction of a node.
 void refuse_left_out_results(const model::System& system, const Analyses& request, foundation::Problems& problems);
 

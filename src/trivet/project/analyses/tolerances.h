@@ -49,6 +49,13 @@ struct SampleRequest {
 inline constexpr int fewest_band_points = 10, most_band_points = 2000;
 /// Most numbers, results × frequencies, whose distributions one case counts: each has about 6 kB in each thread.
 inline constexpr double most_band_values = 5000;
+/// The ranges around the numbers of the file in which every requirement is met: [analyses.box].
+struct BoxRequest {
+  std::optional<std::size_t> points;  ///< designs inside that are judged afterwards; none: by what it takes
+  double most = 10;                   ///< largest range that is tried, over that of the tolerance
+  std::uint64_t seed = 1;
+};
+inline constexpr double fewest_box_points = 100, most_box_points = 1e9, most_box_times = 1000;
 
 /// Independent replicates of scrambled Sobol numbers, whose differences give the confidence interval.
 inline constexpr std::size_t sample_replicates = 16;

@@ -242,15 +242,6 @@ class CorrelationCheck {
   std::vector<numerics::GaussianCopula::Correlation> found_;
 };
 
-std::optional<double> read_whole(TableReader& reader, const std::string& key, double least, double most,
-                                 const std::string& remedy) {
-  const auto value = reader.number(key, Quantity::pure);
-  if (!value || (*value >= least && *value <= most && *value == std::floor(*value))) return value;
-  reader.error(key, fmt::format("{:.6g}", *value),
-               fmt::format("a whole number from {:.0f} to {:.0f} is expected", least, most), remedy);
-  return std::nullopt;
-}
-
 /// `bands` and `band_points`.
 void read_sampled_bands(TableReader& reader, const ResultNames& names, const std::optional<ResponseRequest>& response,
                         SampleRequest& request) {
@@ -296,6 +287,15 @@ std::vector<Tolerance> read_tolerances(TableReader& root) {
   return tolerances;
 }
 
+std::optional<double> read_whole(TableReader& reader, const std::string& key, double least, double most,
+                                 const std::string& remedy) {
+  const auto value = reader.number(key, Quantity::pure);
+  if (!value || (*value >= least && *value <= most && *value == std::floor(*value))) return value;
+  reader.error(key, fmt::format("{:.6g}", *value),
+               fmt::format("a whole number from {:.0f} to {:.0f} is expected", least, most), remedy);
+  return std::nullopt;
+}
+
 std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyses, const ResultNames& names,
                                          const std::optional<ResponseRequest>& response) {
   const Node* table = analyses.table("sample");
@@ -304,7 +304,6 @@ std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyse
   SampleRequest request;
   if (const auto designs = read_whole(reader, "designs", fewest_sampled, most_sampled, "100_000 is usual"))
     request.designs = static_cast<std::size_t>(*designs);
-  constexpr double most_seed = 9007199254740991;
   if (const auto seed = read_whole(reader, "seed", 0, most_seed, "seed = 1 is as good as any"))
     request.seed = static_cast<std::uint64_t>(*seed);
   request.sobol = reader.choice("sampling", {"sobol", "random"}) != "random";

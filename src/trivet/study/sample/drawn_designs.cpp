@@ -38,8 +38,8 @@ DrawnDesigns::DrawnDesigns(const std::vector<project::Tolerance>& tolerances, co
       copula_(copula_of(tolerances, first_, first_.back())) {
   for (std::size_t t = 0; t < tolerances.size(); ++t) of_.insert(of_.end(), tolerances[t].draws(), t);
   if (of_.size() > numerics::SobolNumbers::most_dimensions)
-    throw foundation::InvalidInput(fmt::format("sample: {} numbers are drawn for each design; at most {}", of_.size(),
-                                               numerics::SobolNumbers::most_dimensions));
+    throw foundation::InvalidInput(fmt::format("tolerances: {} numbers vary from design to design; at most {}",
+                                               of_.size(), numerics::SobolNumbers::most_dimensions));
   for (std::size_t r = 0; request.sobol && r < project::sample_replicates; ++r)
     sobol_.emplace_back(of_.size(), seed_, r);
 }

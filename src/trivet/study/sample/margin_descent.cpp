@@ -49,7 +49,7 @@ DrawPlaces beyond(const Eigen::VectorXd& at, const Eigen::VectorXd& way) {
 
 /// Steps of each number alone, both ways.
 DrawPlaces around(const Eigen::VectorXd& at) {
-  DrawPlaces places = at.transpose().replicate(2 * steps * at.size(), 1);
+  DrawPlaces places = at.transpose().replicate(2 * at.size() * steps, 1);
   Eigen::Index row = 0;
   for (Eigen::Index d = 0; d < at.size(); ++d)
     for (int k = 0; k < steps; ++k)

@@ -34,7 +34,7 @@ std::string case_words(const project::Case& variant) {
 
 NotComputable unjudged(const RequirementResult& one, const project::Case& variant) {
   return NotComputable(
-      fmt::format("sample: \"{}\"{} cannot be judged: {}", one.words.text(), case_words(variant), one.reason));
+      fmt::format("tolerances: \"{}\"{} cannot be judged: {}", one.words.text(), case_words(variant), one.reason));
 }
 
 /// True for prices: no number of the model moves them.
@@ -51,9 +51,8 @@ SampledCase::SampledCase(const project::Case& variant, const std::vector<project
       project::ModelNumber number(path, "");
       const auto given = number.read(variant);
       if (!given)
-        throw InvalidInput(fmt::format("sample: tolerance {}: no number at {}{}",
-                                       foundation::quoted(tolerances[t].name), foundation::quoted(path),
-                                       case_words(variant)));
+        throw InvalidInput(fmt::format("tolerances: {}: no number at {}{}", foundation::quoted(tolerances[t].name),
+                                       foundation::quoted(path), case_words(variant)));
       numbers_.push_back({std::move(number), *given, t, p, to_index(drawn.draw_of(t, p))});
     }
   given_ = results(variant.system);

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/figures/box_figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "trivet/report/drawing/plot_panel.h"
+#include "trivet/results/design/box_document.h"
+
+namespace trivet::report {
+namespace {
+
+constexpr double box_width = 960, box_left = 210, box_right = 30, box_top = 56, box_below = 64, row_height = 64;
+constexpr double bar_height = 16, small_letter = 5.6;  // [pixels] of a letter at size 10
+
+/// As many letters as fit, counted in characters.
+std::string fitting(const std::string& text, double width) {
+  const auto most = static_cast<std::size_t>(std::max(4.0, width / small_letter));
+  std::string cut;
+  std::size_t letters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool starts = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
+    if (starts && ++letters > most - 1 && i + 1 < text.size()) return cut + "…";
+    cut += text[i];
+  }
+  return cut;
+}
+
+struct BoxRow {
+  const study::SolutionBox& box;
+  const study::BoxRange& range;
+  const PlotPanel& panel;
+  double middle;  ///< [pixels]
+
+  void draw(SvgCanvas& canvas) const {
+    const double from = panel.at(-range.lower.times, 0).x, to = panel.at(range.upper.times, 0).x;
+    const double zero = panel.at(0, 0).x, left = panel.at(-1, 0).x, right = panel.at(1, 0).x;
+    canvas.rectangle({from, middle - bar_height / 2}, std::max(to - from, 1.0), bar_height,
+                     fmt::format("fill=\"{}\" fill-opacity=\"0.55\"", series_colour(0)));
+    for (const double x : {left, right})
+      canvas.line({x, middle - bar_height / 2 - 3}, {x, middle + bar_height / 2 + 3},
+                  "stroke=\"#333\" stroke-width=\"1.2\"");
+    canvas.line({zero, middle - bar_height / 2 - 3}, {zero, middle + bar_height / 2 + 3},
+                "stroke=\"#333\" stroke-width=\"2\"");
+    draw_end(canvas, range.lower, from, false);
+    draw_end(canvas, range.upper, to, true);
+    draw_name(canvas);
+  }
+
+ private:
+  void draw_end(SvgCanvas& canvas, const study::BoxEnd& end, double x, bool upper) const {
+    const char* anchor = upper ? "start" : "end";
+    const std::string open = end.stop == study::BoxStop::most ? (upper ? "≥ " : "≤ ") : "";
+    const double room = upper ? panel.corner.x + panel.width - x : x - panel.corner.x;
+    constexpr double label_room = 66;
+    const bool inside = room < label_room;  // beside the bar there is no room
+    canvas.text({x + (upper == inside ? -5 : 5), middle + 4}, open + results::box_end_words(range, end),
+                fmt::format("font-size=\"11\" text-anchor=\"{}\"", inside ? (upper ? "end" : "start") : anchor));
+    const double half = panel.width / 2 - 12;
+    canvas.text({upper ? panel.corner.x + panel.width - 4 : panel.corner.x + 4, middle + bar_height / 2 + 15},
+                fitting(results::box_stop_words(box, end), half),
+                fmt::format("font-size=\"10\" fill=\"#555\" text-anchor=\"{}\"", upper ? "end" : "start"));
+  }
+
+  void draw_name(SvgCanvas& canvas) const {
+    const double x = panel.corner.x - 12;
+    canvas.text({x, middle - 1}, fitting(range.name, box_left - 24),
+                "text-anchor=\"end\" font-weight=\"bold\" font-size=\"12\"");
+    const study::BoxNumber& first = range.numbers.front();
+    std::string words = results::box_number_words(first, first.given);
+    if (range.numbers.size() > 1) words += fmt::format(" and {} more", range.numbers.size() - 1);
+    canvas.text({x, middle + 14}, fitting(words, box_left - 24), "text-anchor=\"end\" font-size=\"11\" fill=\"#555\"");
+  }
+};
+
+}  // namespace
+
+Figure box_figure(const study::SolutionBox& box, const std::string& title) {
+  double lower = 1, upper = 1;
+  for (const study::BoxRange& one : box.ranges) {
+    lower = std::max(lower, one.lower.times);
+    upper = std::max(upper, one.upper.times);
+  }
+  const double height = row_height * static_cast<double>(box.ranges.size());
+  constexpr double air = 1.12;
+  const PlotPanel panel{{box_left, box_top},
+                        box_width - box_left - box_right,
+                        height,
+                        {-air * lower, air * upper, false, "deviation over the tolerance of the file"},
+                        {0, 1, false, ""}};
+  SvgCanvas canvas(box_width, box_top + height + box_below);
+  canvas.text({box_width / 2, 24}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
+  canvas.text({box_width / 2, 42}, "Ranges in which every requirement is met, and what stops their ends",
+              "text-anchor=\"middle\" font-size=\"11\" fill=\"#555\"");
+  for (const Tick& tick : panel.x.ticks(8)) {
+    const double x = panel.at(tick.value, 0).x;
+    canvas.line({x, box_top}, {x, box_top + height}, "stroke=\"#ddd\"");
+    canvas.text({x, box_top + height + 16}, tick.label, "text-anchor=\"middle\" font-size=\"11\"");
+  }
+  canvas.rectangle(panel.corner, panel.width, height, "fill=\"none\" stroke=\"#333\"");
+  canvas.text({box_left + panel.width / 2, box_top + height + 36}, panel.x.label, "text-anchor=\"middle\"");
+  canvas.text({box_left + panel.width / 2, box_top + height + 54},
+              "thick line: number in the file; thin lines: its tolerance",
+              "text-anchor=\"middle\" font-size=\"10\" fill=\"#555\"");
+  double middle = box_top + row_height / 2 - 6;
+  for (const study::BoxRange& one : box.ranges) {
+    BoxRow{box, one, panel, middle}.draw(canvas);
+    middle += row_height;
+  }
+  return {title, "box.svg", canvas.svg("ranges of the tolerances in which every requirement is met")};
+}
+
+}  // namespace trivet::report
