@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import {BoxGeometry, BufferAttribute, BufferGeometry, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh,
-        MeshStandardMaterial, SphereGeometry, type Material, type Object3D, type Vector3} from 'three';
+        MeshLambertMaterial, SphereGeometry, type Material, type Object3D, type Vector3} from 'three';
 import {valuesAt, type RigidMotion} from '../motion.ts';
 import type {SceneBody, Vector} from '../results.ts';
 import type {Colours} from './colours.ts';
@@ -11,7 +11,7 @@ export class BodyObject {
   readonly object = new Group();
   readonly atRest = new Group();  // its edges, where it is at rest
   readonly rest: Matrix4;
-  private readonly materials: MeshStandardMaterial[] = [];
+  private readonly materials: MeshLambertMaterial[] = [];
 
   /// @param arms  lines to its places outside it, in the frame of the project
   constructor(readonly body: SceneBody, size: number, colours: Colours, arms: readonly (readonly [Vector3, Vector3])[] = []) {
@@ -41,8 +41,8 @@ export class BodyObject {
   }
 
   private add(geometry: BufferGeometry, colours: Colours, opacity = 1) {
-    const material = new MeshStandardMaterial({color: colours.body, roughness: 0.75, metalness: 0.05, transparent: opacity < 1, opacity, depthWrite: opacity === 1,
-                                               polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1});
+    const material = new MeshLambertMaterial({color: colours.body, transparent: opacity < 1, opacity, depthWrite: opacity === 1,
+                                              polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1});
     const edges = new EdgesGeometry(geometry, 25);
     this.materials.push(material);
     this.object.add(new Mesh(geometry, material), new LineSegments(edges, new LineBasicMaterial({color: colours.edge})));
@@ -61,7 +61,7 @@ export function disposeAll(object: Object3D) {
     const {geometry, material} = part as Partial<Mesh>;
     geometry?.dispose();
     for (const one of [material].flat()) {
-      (one as MeshStandardMaterial | undefined)?.map?.dispose();
+      (one as MeshLambertMaterial | undefined)?.map?.dispose();
       (one as Material | undefined)?.dispose();
     }
   });

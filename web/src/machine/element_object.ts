@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import {Group, Matrix4, Vector3, type Color, type Mesh, type MeshStandardMaterial} from 'three';
+import {Group, Matrix4, Vector3, type Color, type Mesh, type MeshLambertMaterial} from 'three';
 import {displacement, type Motion, type RigidMotion} from '../motion.ts';
 import type {End, SceneBody, SceneElement, Vector} from '../results.ts';
 import {disposeAll, rigidMatrix} from './body_object.ts';
@@ -55,14 +55,14 @@ export class ElementObject {
   }
   highlight(on: boolean, colours: Colours) {
     this.object.traverse(part => {
-      const material = (part as Mesh).material as MeshStandardMaterial | undefined;
+      const material = (part as Mesh).material as MeshLambertMaterial | undefined;
       material?.emissive?.setHex(on ? colours.selected : 0).multiplyScalar(on ? 0.7 : 1);
     });
   }
   /// Another colour for all its parts; null: its own.
   paint(colour: Color | null) {
     this.object.traverse(part => {
-      const material = (part as Mesh).material as MeshStandardMaterial | undefined;
+      const material = (part as Mesh).material as MeshLambertMaterial | undefined;
       if (!material?.color) return;
       const own: Color = material.userData['own'] ??= material.color.clone();
       material.color.copy(colour ?? own);

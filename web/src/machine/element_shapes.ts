@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import {BoxGeometry, BufferGeometry, CylinderGeometry, LatheGeometry, Mesh, MeshStandardMaterial, TorusGeometry, TubeGeometry, Vector2,
+import {BoxGeometry, BufferGeometry, CylinderGeometry, LatheGeometry, Mesh, MeshLambertMaterial, TorusGeometry, TubeGeometry, Vector2,
         type Object3D} from 'three';
 import type {SceneElement} from '../results.ts';
 import type {Colours} from './colours.ts';
@@ -8,14 +8,14 @@ import {Helix} from './helix.ts';
 interface Look {
   length: number;
   radius: number;  // of an element whose law has no dimensions: by the size of the machine
-  rubber: MeshStandardMaterial;
-  metal: MeshStandardMaterial;
+  rubber: MeshLambertMaterial;
+  metal: MeshLambertMaterial;
 }
 type Shape = (element: SceneElement, look: Look) => Object3D[];
 
 /// Parts of an element that stands on z = 0 and ends at z = length, in its axes e1, e2, e3.
 export function elementShape(element: SceneElement, length: number, size: number, colours: Colours): Object3D[] {
-  const rubber = new MeshStandardMaterial({color: colours.mount, roughness: 0.9}), metal = new MeshStandardMaterial({color: colours.metal, roughness: 0.5});
+  const rubber = new MeshLambertMaterial({color: colours.mount}), metal = new MeshLambertMaterial({color: colours.metal});
   const known = element.size[1], radius = known ? known / 2 : Math.min(Math.max(0.45 * length, 0.015 * size), 0.025 * size);
   return (SHAPES[element.kind] ?? mount)(element, {length, radius, rubber, metal});
 }
