@@ -44,7 +44,7 @@ test('a draft stands in for the modes until all of them follow', async () => {
   assert.equal(modes(), `one shape of ${first}`);
   assert.ok(!asker.isOld('modes'));
   assert.equal(still(), null);  // a still has all shapes
-  await after(60);
+  await after(130);
   assert.equal(modes(), `all shapes of ${first}`);
   assert.deepEqual(still()?.results.map(r => r.json), [`all shapes of ${first}`]);
   state.set({mass: '2'}, true);
@@ -54,6 +54,6 @@ test('a draft stands in for the modes until all of them follow', async () => {
 });
 test('a draft that fails leaves the modes as they are', async () => {
   const {state, modes} = played(true);
-  await after(60);
+  await after(130);
   assert.equal(modes(), `all shapes of ${state.revision}`);
 });
