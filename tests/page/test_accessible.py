@@ -9,7 +9,8 @@ AXE = ROOT / 'web/node_modules/axe-core/axe.min.js'  # installed by scripts/web
 
 
 def violations(page):
-    page.evaluate(AXE.read_text())
+    if not page.evaluate('() => "axe" in window'):
+        page.evaluate(AXE.read_text())
     found = page.evaluate("async () => (await axe.run(document, {resultTypes: ['violations']})).violations")
     return [f"{v['id']}: {node['html'][:160]} {node['failureSummary'][:300]}" for v in found for node in v['nodes']]
 

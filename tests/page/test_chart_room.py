@@ -2,9 +2,7 @@
 """The chart stays readable: labels of limits do not cover each other, and other parts do not take its room."""
 import itertools
 
-import pytest
-
-from conftest import settled
+from conftest import drawn, settled
 from test_compare import compare
 
 LEAST_HEIGHT = 180  # of the amplitudes [px]
@@ -23,22 +21,27 @@ def overlap(a, b):
     return a[0] < b[2] and a[2] > b[0] and a[1] < b[3] and a[3] > b[1]
 
 
-@pytest.mark.parametrize('size', [(1280, 800), (1920, 1080)], ids=['1280', '1920'])
-def test_labels_of_six_limits_do_not_cover_each_other_and_are_near_their_lines(serve, size):
+def test_labels_of_six_limits_do_not_cover_each_other_and_are_near_their_lines(serve):
     served = serve('bogie/loaded_frame.toml')
     served.file.write_text(served.file.read_text() + SIX)
-    page = served.page(size)
+    page = served.page()
     page.locator('.limit').nth(5).wait_for()
     settled(page)
-    plot, lines = box_of(page.locator('.amplitude .u-over')), page.locator('.limit').all()
-    labels = [box_of(line.locator('span')) for line in lines]
-    assert len(labels) == 6
-    assert not [pair for pair in itertools.combinations(labels, 2) if overlap(*pair)]
-    for line, label in zip(lines, labels, strict=True):
-        assert plot[0] <= label[0] and label[2] <= plot[2] + 1 and plot[1] - 10 <= label[1] and label[3] <= plot[3] + 1
-        _, top, _, bottom = box_of(line)
-        assert label[1] - bottom < 50 and top - label[3] < 50  # in the third row at most: peaks have their places first
-        assert 'margin' in line.inner_text()
+    for width, height in ((1280, 800), (1920, 1080)):
+        page.set_viewport_size({'width': width, 'height': height})
+        drawn(page)
+        plot, lines = box_of(page.locator('.amplitude .u-over')), page.locator('.limit').all()
+        labels = [box_of(line.locator('span')) for line in lines]
+        assert len(labels) == 6
+        assert not [pair for pair in itertools.combinations(labels, 2) if overlap(*pair)], width
+        for line, label in zip(lines, labels, strict=True):
+            assert plot[0] <= label[0] and label[2] <= plot[2] + 1
+            assert plot[1] - 10 <= label[1] and label[3] <= plot[3] + 1
+            _, top, _, bottom = box_of(line)
+            assert (
+                label[1] - bottom < 50 and top - label[3] < 50
+            )  # in the third row at most: peaks have their places first
+            assert 'margin' in line.inner_text()
 
 
 def test_a_label_without_room_is_within_the_chart_when_its_line_has_the_focus(serve):

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every mount that is seen can be selected in the picture, through a body in front of it, too."""
+"""Every machine is drawn, and every mount that is seen can be selected in the picture, through a body in front of it, too."""
 import pytest
 
 from conftest import drawn, settled
+from test_pictures import assert_alive
 
 # Places on the screen along each element, from end to end, as the camera projects them.
 PLACES = """() => {
@@ -37,8 +38,9 @@ def at_rest(serve, example):
         ('roll_stop/engine.toml', 1),  # two stops at one place
     ],
 )
-def test_every_element_can_be_selected(serve, example, most_covered):
+def test_every_machine_is_drawn_and_its_elements_can_be_selected(serve, example, most_covered):
     page = at_rest(serve, example)
+    assert_alive(page)
     missed = []
     for element in page.evaluate(PLACES):
         found = []

@@ -7,15 +7,8 @@ from PIL import Image, ImageChops
 
 from conftest import drawn, painted, settled
 
-EXAMPLES = [
-    'paper/corrected.toml',
-    'genset/genset.toml',
-    'bogie/loaded_frame.toml',
-    'isolator/hardening.toml',
-    'powertrain/decoupled.toml',
-    'rubber_mounts/compressor.toml',
-    'frame/frame.toml',
-]
+# test_picking looks at further ones.
+EXAMPLES = ['paper/corrected.toml', 'isolator/hardening.toml', 'rubber_mounts/compressor.toml', 'frame/frame.toml']
 
 
 def picture(locator):
@@ -37,19 +30,21 @@ def assert_alive(page):
     assert colours(picture(page.locator('.stage'))) > 200
 
 
-@pytest.mark.parametrize('size', [(1280, 800), (1920, 1080)], ids=['1280', '1920'])
 @pytest.mark.parametrize('theme', ['light', 'dark'])
-def test_machine_and_curves_are_drawn_in_both_themes(serve, size, theme):
-    page = serve('genset/genset.toml').page(size, theme)
+def test_machine_and_curves_are_drawn_in_both_themes(serve, theme):
+    page = serve('genset/genset.toml').page(theme=theme)
     settled(page)
-    assert_alive(page)
-    assert colours(picture(page.locator('.amplitude'))) > 20
-    back = picture(page.locator('header')).getpixel((2, 2))
-    assert (sum(back) < 200) == (theme == 'dark')
-    overflow = page.evaluate(
-        '() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]'
-    )
-    assert overflow == [0, 0]
+    for width, height in ((1280, 800), (1920, 1080)):
+        page.set_viewport_size({'width': width, 'height': height})
+        drawn(page)
+        assert_alive(page)
+        assert colours(picture(page.locator('.amplitude'))) > 20, width
+        back = picture(page.locator('header')).getpixel((2, 2))
+        assert (sum(back) < 200) == (theme == 'dark'), width
+        overflow = page.evaluate(
+            '() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]'
+        )
+        assert overflow == [0, 0], width
 
 
 @pytest.mark.parametrize('example', EXAMPLES, ids=[e.split('/')[0] for e in EXAMPLES])
