@@ -14,7 +14,7 @@ def printed(served, words):
     return subprocess.run([TRIVET, words, str(served.file)], capture_output=True, text=True, env=environment).stdout
 
 
-def test_rows_of_requirements_are_those_of_the_command_line(serve):
+def test_rows_of_requirements_are_those_of_the_command_line_and_velocities_are_rms(serve):
     served = serve('fan/fan.toml')
     page = served.page()
     judged(page)
@@ -27,12 +27,7 @@ def test_rows_of_requirements_are_those_of_the_command_line(serve):
     for words, cells in levelled:
         value = next(c for c in cells if c.endswith(' rms'))
         assert re.search(re.escape(words) + r' +' + re.escape(value) + ' ', text)
-
-
-def test_peaks_and_the_chart_of_velocities_are_rms(serve):
-    served = serve('fan/fan.toml')
-    page = served.page()
-    settled(page)
+    # peaks and the chart
     found = command('curves', served.file, '--quantity', 'velocity')
     levels = {r['unit']: (r['level'], r['level_factor']) for r in found['results']}
     assert levels['m/s'][0] == 'rms' and abs(levels['m/s'][1] * 2**0.5 - 1) < 1e-12 and levels['N'] == ('0-p', 1)

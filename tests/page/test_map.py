@@ -43,7 +43,7 @@ def test_the_best_design_of_the_map_becomes_the_design_on_the_page(serve):
     assert shown_frequencies(page) == computed_frequencies(served.file, *settings)
 
 
-def test_the_point_is_dragged_and_one_undo_brings_it_back(serve):
+def test_the_point_is_dragged_one_undo_brings_it_back_and_keys_move_it(serve):
     page = map_of(serve('paper/map.toml'))
     box, point = page.locator('.map').bounding_box(), page.locator('.design').bounding_box()
     at = [point['x'] + point['width'] / 2, point['y'] + point['height'] / 2]
@@ -62,10 +62,6 @@ def test_the_point_is_dragged_and_one_undo_brings_it_back(serve):
     page.get_by_role('button', name='Undo').click()
     settled(page)
     assert design(page) == [1, 0.05] and page.get_by_role('button', name='Undo').is_disabled()
-
-
-def test_the_point_moves_by_keyboard_and_is_read_out(serve):
-    page = map_of(serve('paper/map.toml'))
     page.locator('.map').focus()
     page.keyboard.press('ArrowRight')
     page.keyboard.press('Shift+ArrowUp')
@@ -75,7 +71,7 @@ def test_the_point_moves_by_keyboard_and_is_read_out(serve):
     assert f'δ {damping:g} s' in page.locator('map-panel [role=status]').inner_text()
 
 
-def test_the_colours_of_the_rules_are_those_of_the_program(serve):
+def test_the_colours_of_the_rules_are_those_of_the_program_and_axe_finds_no_violation(serve):
     served = serve('paper/map.toml')
     page = map_of(served)
     key = command('map', served.file)['colours']
@@ -87,7 +83,4 @@ def test_the_colours_of_the_rules_are_those_of_the_program(serve):
     drawn = {colour: n for n, colour in picture(page.locator('.map')).getcolors(1 << 24)}
     first = tuple(int(key[0]['colour'][i : i + 2], 16) for i in (1, 3, 5))
     assert drawn.get(first, 0) > 1000  # it governs most designs, which violate it
-
-
-def test_the_map_has_no_violation(serve):
-    assert violations(map_of(serve('paper/map.toml'))) == []
+    assert violations(page) == []

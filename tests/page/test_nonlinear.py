@@ -11,21 +11,13 @@ from test_limits import choose_quantity
 NOTE = 'nonlinear machine: all but static, steady and backbone is for small motions about rest'
 
 
-def test_the_chart_and_the_peaks_say_that_they_are_of_small_motions(serve):
-    page = serve('isolator/hardening.toml').page()
+def test_small_motions_are_said_to_be_so_and_steady_ones_are_read_at_the_cursor_spoken_and_in_the_table(serve):
+    served = serve('isolator/hardening.toml')
+    page = served.page()
     settled(page)
     page.locator('.readings').get_by_text(NOTE).wait_for()
     page.get_by_role('tab', name='Peaks').click()
     page.locator('result-tables').get_by_text(NOTE).wait_for()
-    page.locator('.readings').get_by_text('thick: steady motion').wait_for()
-    choose_quantity(page, 'velocity')
-    page.locator('.readings').get_by_text('the steady motion is not drawn: it is computed as displacement').wait_for()
-
-
-def test_steady_motions_are_read_at_the_cursor_spoken_and_in_the_table(serve):
-    served = serve('isolator/hardening.toml')
-    page = served.page()
-    settled(page)
     page.locator('.readings').get_by_text('thick: steady motion').wait_for()
     printed = json.loads(
         subprocess.run([TRIVET, 'steady', served.file, '--json'], stdout=subprocess.PIPE, check=True).stdout
@@ -62,3 +54,5 @@ def test_steady_motions_are_read_at_the_cursor_spoken_and_in_the_table(serve):
     for frequency, value, stable in motions[::40]:
         wanted = [f'{frequency:.4g}', f'{value:.3g}', 'stable' if stable else 'unstable']
         assert any(row.split() == wanted for row in rows), wanted
+    choose_quantity(page, 'velocity')
+    page.locator('.readings').get_by_text('the steady motion is not drawn: it is computed as displacement').wait_for()
