@@ -128,16 +128,18 @@ StaticResponse static_response(const model::System& system, const assembly::Asse
                                const std::vector<std::string>& of) {
   const assembly::Assembled &assembled = of_statics(system, given), &first = assembled.first_order();
   const StaticSolution rest = static_solution(system, assembled);
-  const std::vector<assembly::Channel> by_weight = channels_at_rest(system, first, of),
-                                       by_loads = channels_at_rest(system, assembled, of);
+  const std::vector<assembly::Channel> by_weight = channels_at_rest(system, first, of);
+  std::vector<assembly::Channel> by_loads;  // empty: without second order the weight is all of it
+  if (assembled.without_second_order) by_loads = channels_at_rest(system, assembled, of);
   StaticResponse result;
   result.backward_error = rest.backward_error;
-  assert(by_weight.size() == by_loads.size() && "the second order adds no result");
-  for (std::size_t i = 0; i < by_weight.size(); ++i)
-    if (by_weight[i].derivative == 0)
-      result.values.push_back({by_weight[i].name, by_weight[i].unit,
-                               value_at_rest(by_weight[i], first, rest.by_weight) +
-                                   value_at_rest(by_loads[i], assembled, rest.by_loads) + by_weight[i].at_rest});
+  assert((by_loads.empty() || by_weight.size() == by_loads.size()) && "the second order adds no result");
+  for (std::size_t i = 0; i < by_weight.size(); ++i) {
+    if (by_weight[i].derivative != 0) continue;
+    const double beside = by_loads.empty() ? 0.0 : value_at_rest(by_loads[i], assembled, rest.by_loads);
+    result.values.push_back({by_weight[i].name, by_weight[i].unit,
+                             value_at_rest(by_weight[i], first, rest.by_weight) + beside + by_weight[i].at_rest});
+  }
   return result;
 }
 
