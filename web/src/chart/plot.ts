@@ -10,6 +10,7 @@ import {partsAbove} from './parts_above.ts';
 import {drawPeaks, MARK_OF_INFINITY, placedPeaks, type PlacedPeaks} from './peak_labels.ts';
 import type {SteadyCurve} from './steady_readings.ts';
 import {chartColours, strokeOf} from './strokes.ts';
+import {ThinnedLine} from './thinned_line.ts';
 
 /// One curve on the page: values in the shown unit.
 export interface Shown {
@@ -229,16 +230,14 @@ function stroke(pen: CanvasRenderingContext2D, colour: string, width: number, da
 /// Straight lines between the points, at parts of pixels, so that steep parts are not stairs. A value that changes by more
 /// than `jump` begins a new line: a phase that passes ±180° continues at the other edge.
 const lines = (jump: number): uPlot.Series.PathBuilder => (plot, series, first, last) => {
-  const path = new Path2D(), x = plot.data[0], y = plot.data[series]!;
+  const path = new Path2D(), line = new ThinnedLine(path), x = plot.data[0], y = plot.data[series]!;
   let before: number | null = null;
   for (let i = Math.max(first - 1, 0); i <= Math.min(last + 1, x.length - 1); i++) {
     const value = y[i] ?? null;
-    if (value !== null) {
-      const at = [plot.valToPos(x[i]!, 'x', true), plot.valToPos(value, 'y', true)] as const;
-      if (before === null || Math.abs(value - before) > jump) path.moveTo(...at);
-      else path.lineTo(...at);
-    }
+    if (before === null || value === null || Math.abs(value - before) > jump) line.end();
+    if (value !== null) line.add(plot.valToPos(x[i]!, 'x', true), plot.valToPos(value, 'y', true));
     before = value;
   }
+  line.end();
   return {stroke: path, fill: null, clip: null, band: null, gaps: null, flags: 0} as unknown as uPlot.Series.Paths;
 };
