@@ -24,8 +24,8 @@ export interface Wish {
 /// Results that follow every move of a slider, and those that wait for it to rest. In this order they are asked for.
 const PACES = ['quick', 'exact', 'slow'] as const;
 type Pace = typeof PACES[number];
-/// ms without a change. A hand that moves a slider stops for up to 100 ms again and again, and the program ends no question about all curves.
-const REST: Record<Pace, number> = {quick: 0, exact: 100, slow: 200};
+/// ms without a change. A hand that moves a slider stops for a moment again and again, and the program ends no question about all curves.
+const REST: Record<Pace, number> = {quick: 0, exact: 70, slow: 200};
 const nameOf = (w: Wish) => w.as ?? w.want.command;
 /// The name of a quick result that stands in for that of the command until it follows.
 export const draftOf = (command: string) => `draft of ${command}`;
