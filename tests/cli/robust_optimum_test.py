@@ -31,7 +31,10 @@ class RobustOptimum(unittest.TestCase):
         given = json.loads(trivet("sample", FAN, *FEWER, "--json").stdout)
         self.assertEqual(given["yield"], designs["given"]["yield"])
         self.assertGreater(designs["optimum"]["kept_margin"], designs["nominal"]["kept_margin"])
-        self.assertAlmostEqual(min(one["kept"] for one in found["kept_margins"]), found["after"], delta=0.002)
+        self.assertEqual(found["after"], designs["optimum"]["kept_margin"])
+        for one in found["kept_margins"]:  # alone it keeps more than all together
+            self.assertGreaterEqual(one["kept"], found["after"])
+            self.assertGreater(one["nominal"], one["kept"])
 
     def test_says_a_yield_that_is_not_held(self):
         narrow = ["--set", 'requirements.static = {"fan.z" = "23 mm"}']

@@ -95,6 +95,48 @@ TEST(RobustOptimum, MinimizesWithTheWantedYield) {
   EXPECT_NEAR(found.robust->nominal.yield->interval.estimate, yield_at(2 * q), 0.005);
 }
 
+// Of a uniform mass more machines lie in a given ratio of masses at the heavy end. So the best design leaves out light
+// ones alone: all up to 1.3, and from 1.3 e^-L on with the wanted share (1.3 − 1.3 e^-L)/0.6.
+TEST(RobustOptimum, LeavesOutTheEndWithFewerMachines) {
+  const study::Optimization found =
+      study::optimization(test::project(suspended("half_width = \"30 %\"", "yield = \"70 %\"")));
+  const double length = -std::log(1 - 0.6 * 0.7 / 1.3), margin = (p + 2 * q - length) / 3;
+  EXPECT_NEAR(std::log(found.robust->found.kept), margin, 2e-3);
+  EXPECT_NEAR(std::log(scale_of(found)), std::log(1.3) + margin - p, 5e-3);
+  EXPECT_GT(found.robust->looked_at, 10);
+  EXPECT_GE(found.robust->found.kept, found.robust->nominal.kept);
+  EXPECT_GE(found.robust->found.kept, found.robust->given.kept);
+}
+
+// The amplitude below the resonance is least with the stiffest spring too; results of the requirements follow its own.
+TEST(RobustOptimum, MinimizesAnAmplitudeWithTheWantedYield) {
+  const std::string driven = suspended(lognormal, "yield = 0.99\nminimize = [\"m1.z\"]") + R"([excitations.force]
+type = "harmonic"
+on = "m1"
+at = [0, 0, 0]
+force = [0, 0, 10]
+[analyses.response]
+band = ["0.5 Hz", "1 Hz"]
+)";
+  const study::Optimization found = study::optimization(test::project(driven));
+  const double yield = yield_at(std::log(scale_of(found)));
+  EXPECT_GE(yield, 0.99);
+  EXPECT_LE(yield, 0.992);
+  EXPECT_TRUE(found.robust->held);
+}
+
+// With a spring that may have no stiffness at all some machines have no model: they are worse than any margin.
+TEST(RobustOptimum, SaysThatWorstMachinesHaveNoModel) {
+  const std::string text = suspended("half_width = \"10 %\"", "worst_case = true") +
+      "[tolerances.rubber]\npath = \"elements.k1.scale\"\nstandard_deviation = \"40 %\"\n";
+  const study::Optimization found = study::optimization(test::project(text));
+  EXPECT_GT(found.robust->failed, 0);
+  EXPECT_FALSE(found.robust->first_failure.empty());
+  EXPECT_EQ(found.robust->found.kept, 0);
+  EXPECT_FALSE(found.robust->held);
+  for (const study::KeptMargin& one : found.robust->margins) EXPECT_TRUE(one.has_reserve);
+}
+
 TEST(RobustOptimum, BalancesTheWorstMachines) {
   const study::Optimization found =
       study::optimization(test::project(suspended("half_width = \"10 %\"", "worst_case = true")));

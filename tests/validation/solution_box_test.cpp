@@ -190,7 +190,7 @@ TEST(SolutionBox, IsTheSameForAnyNumberOfThreads) {
   const auto json = [&](int threads) {
     const foundation::ThreadLimit limit(threads);
     const study::SolutionBox found = study::solution_box(project);
-    return results::as_json_text(results::box_document(found, {}));
+    return documents::as_json_text(results::box_document(found, {}));
   };
   const std::string one = json(1);
   EXPECT_EQ(json(2), one);

@@ -301,7 +301,7 @@ std::vector<Command> design_commands() {
        .group = Group::design,
        .of_one_case = false,
        .without_case = one_design_for_all,
-       .looks_at = with_judged_tables({"optimize", "parameters"}),
+       .looks_at = with_judged_tables({"optimize", "parameters", "sample", "tolerances"}),
        .keys = {write_key("optimum"),
                 {.name = "time-limit",
                  .kind = KeyKind::text,

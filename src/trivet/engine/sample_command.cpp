@@ -110,6 +110,11 @@ Result sample(const Task& task) {
         fmt::format("{}: a picture shows bands; name their results: bands = [\"BODY.z\"] in "
                     "[analyses.sample]",
                     task.keys.written("picture")));
+  const auto& response = task.project->base().analyses.response;
+  if (task.keys.has("picture") && response && response->at.size() == 1)
+    throw InvalidInput(task.keys.written("picture") +
+                       ": a picture shows bands over at least two frequencies of the response; "
+                       "without it the table has them");
   const auto held = hold(task, sampled(task));
   Result result;
   result.warnings = task.project->base().warnings;

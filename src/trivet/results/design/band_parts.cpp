@@ -126,10 +126,11 @@ void add_bands(const study::Sample& sample, Document& document) {
     group.parts.push_back({Single{.name = "case", .value = of.case_name}});
     group.parts.push_back({Single{.name = "no_kernels", .value = first.no_kernels}});
     group.parts.push_back({Single{.name = "results", .value = std::move(list)}});
-    say(fmt::format(
-        "Bands of amplitudes{} over {} designs at {} frequencies, each where 95 % of the designs are highest:",
-        in_case_words(of), sample.request.designs - sample.failed, first.angular_frequency.size()));
-    group.parts.push_back({worst_table(of)});
+    const std::size_t frequencies = first.angular_frequency.size();
+    say(fmt::format("Bands of amplitudes{} over {} designs at {}, each at the frequency where the 95 % of the designs is highest:",
+                    in_case_words(of), sample.request.designs - sample.failed,
+                    frequencies == 1 ? "one frequency" : fmt::format("{} frequencies", frequencies)));
+    group.parts.emplace_back().content = worst_table(of);
     if (sample.failed > 0)
       say(fmt::format("The {} design{} that could not be judged {} in no band.", sample.failed,
                       sample.failed == 1 ? "" : "s", sample.failed == 1 ? "is" : "are"));

@@ -195,6 +195,8 @@ void add_conditions(const Optimization& found, Document& document) {
   };
   document.add(active_table(found));
   if (found.cut_short) note("What holds the optimum is not known: the search was ended before it was complete.");
+  else if (found.robust && !found.no_slopes.empty())
+    note("What holds the optimum is not one requirement of one design: trivet sample shows what breaks first there.");
   else if (!found.no_slopes.empty())
     note("What holds the optimum is not known: there are no slopes next to it (" + found.no_slopes + ").");
   else if (found.active.empty()) note("Nothing holds the optimum: no requirement limits it.");

@@ -63,7 +63,8 @@ Table kept_margins(const Optimization& found) {
                   [&found](const KeptMargin& one) { return words_in_case(found, one.result_case, one.words_at_level); },
                   {.forms = for_people}),
               row("nominal", Kind::number, "of the design", &KeptMargin::nominal, {.digits = 4}),
-              row("kept", Kind::number, "kept by " + robust_subject(*found.robust), &KeptMargin::kept, {.digits = 4}),
+              row("kept", Kind::number, "of " + robust_subject(*found.robust) + ", each alone", &KeptMargin::kept,
+                  {.digits = 4}),
               row("has_reserve", Kind::yes_no, "", &KeptMargin::has_reserve),
               row("remark", Kind::words, "remark",
                   [](const KeptMargin& one) { return one.has_reserve ? "" : "jumps: the search keeps no reserve"; },
@@ -99,14 +100,21 @@ void add_robust(const Optimization& found, documents::Document& document) {
   document.add(kept_margins(found));
   if (robust.wanted)
     note(fmt::format("Each yield is that of {} machines with other numbers than those of the search.", robust.designs));
-  else note("The worst machines are those that a search found, no proof: a worse one may remain.");
-  if (robust.failed > 0)
+  else
     note(
-        fmt::format("{} of these of the optimum have no model or cannot be judged; they meet nothing.", robust.failed));
+        "The worst machines are those that a search found, no proof: a worse one may remain. Numbers without bounds "
+        "are "
+        "within 99.9 % of their distribution, and correlations do not restrict the search.");
+  if (robust.failed > 0)
+    note(fmt::format("{} {} have no model or cannot be judged ({}); they {}.", robust.failed,
+                     robust.wanted ? "of these of the optimum" : "of the machines looked at", robust.first_failure,
+                     robust.wanted ? "meet nothing" : "are worse than any margin"));
   note(fmt::format("{} search{}, each with the reserves that the machines of the last optimum need; {}.", robust.rounds,
                    robust.rounds == 1 ? "" : "es",
                    robust.settled ? "the last two need the same within 0.1 %"
                                   : "they have not settled, so a better optimum may remain"));
+  if (robust.looked_at > 0)
+    note(fmt::format("{} designs around them were tried for the margin that the machines keep.", robust.looked_at));
   document.add(Single{.name = "rounds", .value = robust.rounds});
   document.add(Single{.name = "settled", .value = robust.settled});
 }

@@ -340,6 +340,33 @@ Optimization optimization_with_reserves(const project::Project& project, const D
   return result;
 }
 
+Optimization optimum_at(const project::Project& project, const DesignObjective::Reserves& reserves,
+                        const Eigen::VectorXd& shares, const Optimization& search) {
+  const project::OptimizeRequest request = project.base().analyses.optimize.value_or(project::OptimizeRequest());
+  const DesignObjective objective(project, request, reserves);
+  DesignSearch at;
+  at.problem = search_problem(objective);
+  at.best = numerics::point_at(at.problem, shares);
+  at.ends = {at.best};
+  Optimization result = Description(project, objective, objective, std::move(at)).optimization();
+  result.active.clear();
+  result.no_slopes = "it is that of many machines";
+  result.conflicts.clear();
+  result.starts = search.starts;
+  result.agreeing = search.agreeing;
+  result.finished = search.finished;
+  result.stuck = search.stuck;
+  result.others = search.others;
+  result.evaluations = search.evaluations;
+  result.failed = search.failed;
+  result.first_failure = search.first_failure;
+  result.differences = search.differences;
+  result.looked_at = search.looked_at;
+  result.minimized_kind = search.minimized_kind;
+  result.warnings = search.warnings;
+  return result;
+}
+
 std::vector<project::Node> optimum_changes(const Optimization& found) {
   std::vector<project::Node> changes;
   for (std::size_t c = 0; found.mounts && c < found.mounts->choices.size(); ++c)

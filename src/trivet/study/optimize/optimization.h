@@ -109,8 +109,12 @@ struct RobustOptimum {
   SampledDesign found;
   std::vector<KeptMargin> margins;
   std::uint64_t designs = 0;  ///< sampled for each yield
-  std::uint64_t failed = 0;   ///< of these of the optimum, without a model or a judgement
+  /// Of these of the optimum, or of those looked at for the worst ones: without a model, or they cannot be judged.
+  std::uint64_t failed = 0;
+  std::string first_failure;
   int rounds = 0;             ///< searches, each with the reserves that the last optimum needs
+  std::size_t looked_at = 0;  ///< designs around the optimum whose machines were judged to raise the margin they keep
+  bool is_raised = false;     ///< false: it was not tried
   bool settled = false;       ///< the last ones need the same reserves
   bool held = false;          ///< the interval of the yield is not below the wanted one; or no worst margin below 1
 };

@@ -19,7 +19,7 @@ namespace {
 using Margins = std::vector<std::vector<double>>;  ///< per case and requirement
 
 constexpr std::size_t searched_designs = 16384;  // of a round
-constexpr int most_rounds = 12;
+constexpr int most_searches = 12;
 /// Rounds that need the same reserves within this have settled, ln(margin). Reserves are larger by it, so that the last
 /// optimum has what it needs.
 constexpr double same_reserves = 1e-3;
@@ -28,11 +28,17 @@ constexpr double nearly_met = 1e-2;
 /// Added to the numbers of the search, so that the yield is sampled with others.
 constexpr std::uint64_t other_numbers = 0x9e3779b9;
 
-/// The project with another design in all its cases.
+/// The project with another design in the cases in which it has to hold.
 project::Project with_changes(const project::Project& project, const std::vector<project::Node>& changes) {
   project::Project changed = project;
-  for (project::Case& variant : changed.cases)
-    if (auto one = judging::changed_case(variant, changes)) variant = std::move(*one);
+  const std::vector<std::string> hold_in = cases_to_hold(project);
+  for (project::Case& variant : changed.cases) {
+    if (std::ranges::find(hold_in, variant.name) == hold_in.end()) continue;
+    auto one = judging::changed_case(variant, changes);
+    if (!one)
+      throw foundation::NotComputable("optimize: the optimum has no model: " + message(one.error().list().front()));
+    variant = std::move(*one);
+  }
   return changed;
 }
 
@@ -41,8 +47,11 @@ bool meets(double margin) { return margin > 0 && std::log(margin) >= least_met; 
 /// What the machines within the tolerances have of a design.
 struct Kept {
   Margins nominal, kept;
-  double least =
-      foundation::infinity;  ///< margin that the wanted share keeps in all requirements, or the worst ones have
+  Margins alone;  ///< that the wanted share keeps in each requirement alone, or the worst ones have
+  /// Margin that the wanted share keeps in all requirements, or the worst ones have.
+  double least = foundation::infinity;
+  std::uint64_t failed = 0;  ///< designs looked at for the worst ones: without a model, or they cannot be judged
+  std::string first_failure;
 };
 
 /// Margins of designs in all cases side by side; 0 where a design cannot be judged.
@@ -94,8 +103,17 @@ Kept nominal_margins(const SampleRun& run) {
   return found;
 }
 
+/// The bound that a share of the margins keeps.
+double kept_of(const Eigen::ArrayXd& margins, double share) {
+  std::vector<double> list(margins.begin(), margins.end());
+  const auto place = list.begin() + static_cast<std::ptrdiff_t>((1 - share) * static_cast<double>(list.size()));
+  std::ranges::nth_element(list, place);
+  return *place;
+}
+
 /// Which machines of a search are above the bounds of all requirements at once.
 struct Aim {
+  double searched = 1;      ///< share of the machines; more than wanted if the sample has less than the search
   double wanted = 1;        ///< share of the machines
   bool minimizes = false;   ///< they only have to meet the requirements; false: a margin as large as possible counts
   double share = 1;         ///< above the bounds; less than wanted where most requirements have room to spare
@@ -105,7 +123,7 @@ struct Aim {
 /// Changes the share by how many machines of a design that has the reserves of the bounds are below what counts.
 void adapt(Aim& aim, double below) {
   constexpr double most_change = 4, fewest_above = 0.5;
-  const double factor = std::clamp((1 - aim.wanted) / std::max(below, 1e-9), 1 / most_change, most_change);
+  const double factor = std::clamp((1 - aim.searched) / std::max(below, 1e-9), 1 / most_change, most_change);
   aim.share = std::clamp(1 - (1 - aim.share) * factor, fewest_above, 1 - 2.0 / searched_designs);
 }
 
@@ -124,9 +142,18 @@ Kept kept_by_share(const SampleRun& run, Aim& aim, const foundation::Progress& p
     bounds = common_bounds(margins, aim.share);
   }
   std::size_t column = 0;
-  for (std::vector<double>& of_case : found.kept)
-    for (double& one : of_case) one = bounds[column++];
+  found.alone = found.kept;
+  for (std::size_t c = 0; c < found.kept.size(); ++c)
+    for (std::size_t r = 0; r < found.kept[c].size(); ++r, ++column) {
+      found.kept[c][r] = bounds[column];
+      found.alone[c][r] = kept_of(margins.col(to_index(column)), aim.wanted);
+    }
   return found;
+}
+
+/// The margin that a share of the machines keeps in all requirements.
+double kept_least(const SampleRun& run, double wanted, const foundation::Progress& progress) {
+  return kept_of(judged_designs(run, progress).rowwise().minCoeff(), wanted);
 }
 
 Kept kept_by_worst(const SampleRun& run, const foundation::Progress& progress) {
@@ -136,9 +163,13 @@ Kept kept_by_worst(const SampleRun& run, const foundation::Progress& progress) {
   const WorstSearch worst = worst_search(run.cases(), worst_box(run.drawn()), none, run.request().seed, progress);
   for (std::size_t c = 0; c < found.kept.size(); ++c)
     for (std::size_t r = 0; r < found.kept[c].size(); ++r) {
-      found.kept[c][r] = worst.failed > 0 ? 0 : std::min(worst.of[c][r].margin, found.nominal[c][r]);
+      found.kept[c][r] = std::min(worst.of[c][r].margin, found.nominal[c][r]);
       found.least = std::min(found.least, found.kept[c][r]);
     }
+  found.alone = found.kept;
+  found.failed = worst.failed;
+  found.first_failure = worst.first_failure;
+  if (worst.failed > 0) found.least = 0;  // they are worse than any margin
   return found;
 }
 
@@ -169,9 +200,12 @@ class RobustSearch {
  public:
   RobustSearch(const project::Project& project, const foundation::Progress& progress,
                const std::function<bool()>& enough)
-      : project_(with_usual_sample(project)), progress_(progress), enough_(enough) {
+      : project_(with_usual_sample(project)),
+        space_(project_, project_.base().analyses.optimize->parameters),
+        progress_(progress),
+        enough_(enough) {
     result_.wanted = project.base().analyses.optimize->yield;
-    aim_.wanted = aim_.share = result_.wanted.value_or(1);
+    aim_.wanted = aim_.searched = aim_.share = result_.wanted.value_or(1);
     aim_.minimizes = !project.base().analyses.optimize->minimize.empty();
   }
 
@@ -179,18 +213,20 @@ class RobustSearch {
     result_.given = sampled(project_, kept_by(project_));
     for (;;) {
       settle();
-      result_.found = sampled(best_->project, best_->kept);
-      judge();
-      if (result_.held || !result_.wanted || !nearly_meets(best_->kept)) break;
-      if (result_.rounds >= most_rounds || best_->optimum.cut_short) break;
-      // The search aimed at too few for the numbers of the sample.
-      constexpr double more_than_missing = 1.5, most_share = 1 - 2.0 / searched_designs;
-      const double missing = *result_.wanted - result_.found.yield->interval.from, before = aim_.wanted;
-      aim_.wanted = std::min(most_share, before + more_than_missing * missing);
-      aim_.share = 1 - (1 - aim_.share) * (1 - aim_.wanted) / (1 - before);
-      best_.reset();
+      if (result_.wanted && !aim_.minimizes && !best_->optimum.cut_short) raise_kept_margin();
+      SampledDesign found = sampled(best_->project, best_->kept);
+      const bool held = found.yield ? found.yield->interval.from >= *result_.wanted : meets(found.kept);
+      const bool may_search_on = found.yield && aim_.minimizes && !held && best_->kept.least > 1 - nearly_met &&
+          result_.rounds < most_searches && !best_->optimum.cut_short;
+      const double missing = found.yield ? *result_.wanted - found.yield->interval.from : 0;
+      if (!nearest_ || (found.yield && found.yield->interval.from > result_.found.yield->interval.from)) {
+        nearest_ = best_;
+        result_.found = std::move(found);
+        result_.held = held;
+      }
+      if (!may_search_on) return described();
+      aim_higher(missing);
     }
-    return described();
   }
 
  private:
@@ -219,12 +255,22 @@ class RobustSearch {
     return result_.wanted ? kept_by_share(run, aim_, progress_) : kept_by_worst(run, progress_);
   }
 
-  [[nodiscard]] static bool nearly_meets(const Kept& kept) { return kept.least > 1 - nearly_met; }
+  /// The search aimed at too few machines for the numbers of the sample.
+  void aim_higher(double missing) {
+    constexpr double more_than_missing = 1.5, most_share = 1 - 2.0 / searched_designs;
+    const double before = aim_.searched;
+    aim_.searched = std::min(most_share, before + more_than_missing * missing);
+    aim_.share = 1 - (1 - aim_.share) * (1 - aim_.searched) / (1 - before);
+    aim_.is_adapted = false;
+    reserves_ = reserves_for(kept_by(best_->project));
+    aim_.is_adapted = true;
+    best_.reset();
+  }
 
   /// Rounds until the reserves are those that their optimum needs; the best one is kept.
   void settle() {
     result_.settled = false;
-    while (result_.rounds < most_rounds && !result_.settled) {
+    while (result_.rounds < most_searches && !result_.settled) {
       Optimization optimum = optimization_with_reserves(project_, reserves_, progress_, enough_);
       project::Project there = with_changes(project_, optimum_changes(optimum));
       Kept kept = kept_by(there);
@@ -238,6 +284,100 @@ class RobustSearch {
       if (!best_ || replaces(round, *best_)) best_.emplace(std::move(round));
       if (ends) break;
     }
+  }
+
+  [[nodiscard]] std::vector<project::Node> changes(const Eigen::VectorXd& shares) const {
+    const Eigen::VectorXd values = space_.values(shares);
+    std::vector<project::Node> list;
+    for (std::size_t j = 0; j < space_.size(); ++j)
+      list.push_back(project::ModelNumber(space_.axes()[j]).change(values(to_index(j))));
+    return list;
+  }
+
+  /// 0 of a design that cannot be judged.
+  [[nodiscard]] double kept_at(const Eigen::VectorXd& shares) {
+    ++result_.looked_at;
+    try {
+      const project::Project there = searched(with_changes(project_, changes(shares)));
+      return kept_least(SampleRun(there), *result_.wanted, progress_);
+    } catch (const foundation::NotComputable&) {
+      return 0;
+    }
+  }
+
+  [[nodiscard]] bool has_kernels() const {
+    const SampleRun run(best_->project);
+    return std::ranges::all_of(run.cases(), [](const SampledCase& one) { return one.no_kernels().empty(); });
+  }
+
+  /// Reserves are alike for all requirements, and the machines are not: a search by steps of the numbers (Hooke and
+  /// Jeeves), around the best of the rounds and the given design, for the margin that the machines keep. It takes many
+  /// designs, so only those that kernels judge.
+  void raise_kept_margin() {
+    result_.is_raised = has_kernels();
+    if (!result_.is_raised) return;
+    Eigen::VectorXd best(to_index(space_.size()));
+    for (std::size_t j = 0; j < space_.size(); ++j)
+      best(to_index(j)) = std::clamp(space_.axes()[j].share(best_->optimum.parameters[j].best), 0.0, 1.0);
+    double least = best_->kept.least;
+    if (const auto given = space_.given_shares(); given && result_.given.kept > least) {
+      best = *given;
+      least = result_.given.kept;
+    }
+    const double before = best_->kept.least;
+    constexpr double first_step = 0.08, last_step = 3e-4;
+    for (double step = first_step; step >= last_step && !(enough_ && enough_()); step /= 2) {
+      for (bool better = true; better;) {
+        const Eigen::VectorXd from = best;
+        better = steps(step, best, least);
+        if (better) take(2 * best - from, best, least);
+      }
+    }
+    constexpr double worth_it = 1e-3;
+    if (least > before * (1 + worth_it)) move_to(best);
+    for (std::size_t j = 0; j < space_.size(); ++j) {
+      OptimizedParameter& parameter = best_->optimum.parameters[j];
+      for (auto* step : {&parameter.below, &parameter.above}) {
+        if (!*step) continue;
+        Eigen::VectorXd moved = best;
+        moved(to_index(j)) = std::clamp(space_.axes()[j].share((*step)->value), 0.0, 1.0);
+        (*step)->objective = kept_at(moved);
+        (*step)->met = meets(*(*step)->objective);
+      }
+    }
+  }
+
+  /// Takes another design in place of the best one.
+  void move_to(const Eigen::VectorXd& best) {
+    project::Project there = with_changes(project_, changes(best));
+    aim_.is_adapted = false;
+    Kept kept = kept_by(there);
+    Optimization optimum = optimum_at(project_, reserves_for(kept), best, best_->optimum);
+    best_ = Round{std::move(optimum), std::move(there), std::move(kept)};
+  }
+
+  /// Steps of every number, up and down. @return whether one was better
+  bool steps(double step, Eigen::VectorXd& best, double& least) {
+    bool better = false;
+    for (Eigen::Index j = 0; j < best.size(); ++j)
+      for (const double change : {step, -step}) {
+        Eigen::VectorXd trial = best;
+        trial(j) += change;
+        better = take(std::move(trial), best, least) || better;
+      }
+    return better;
+  }
+
+  /// Takes a trial within the ranges if it is better.
+  bool take(Eigen::VectorXd trial, Eigen::VectorXd& best, double& least) {
+    trial = trial.cwiseMax(0).cwiseMin(1);
+    if (trial == best) return false;
+    const double there = kept_at(trial);
+    constexpr double better = 1e-6;
+    if (!(there > least * (1 + better))) return false;
+    best = std::move(trial);
+    least = there;
+    return true;
   }
 
   /// Of what is minimised the last round counts, whose reserves are the most exact.
@@ -257,28 +397,34 @@ class RobustSearch {
     design.yield = found.yield;
     result_.designs = found.yield.designs;
     result_.failed = found.failed;
+    result_.first_failure = found.first_failure;
     return design;
   }
 
-  void judge() {
-    result_.held = result_.wanted ? result_.found.yield->interval.from >= *result_.wanted : meets(best_->kept.least);
-  }
-
   Optimization described() {
-    Optimization optimum = std::move(best_->optimum);
-    const Kept& kept = best_->kept;
+    Optimization optimum = std::move(nearest_->optimum);
+    const Kept& kept = nearest_->kept;
+    if (!result_.wanted) {
+      result_.failed = kept.failed;
+      result_.first_failure = kept.first_failure;
+    }
     for (std::size_t c = 0; c < kept.kept.size(); ++c)
       for (std::size_t r = 0; r < kept.kept[c].size(); ++r) {
         const RequirementResult& judged = optimum.after[c].results[r];
-        result_.margins.push_back({c, judged.words.text(), judged.words_at_level(), kept.nominal[c][r], kept.kept[c][r],
-                                   has_reserve(kept.nominal[c][r], kept.kept[c][r]) || meets(kept.kept[c][r])});
+        const double nominal = kept.nominal[c][r], bound = kept.kept[c][r];
+        result_.margins.push_back({c, judged.words.text(), judged.words_at_level(), nominal, kept.alone[c][r],
+                                   has_reserve(nominal, bound) || meets(bound)});
       }
     optimum.feasible = optimum.feasible && result_.held;
     if (!optimum.minimizes) {
-      const double of_search = optimum.objective_after;  // the same but for the last change of the reserves
+      // Margins of the search are those of the machines but for the last change of the reserves.
+      const double change =
+          result_.found.kept > 0 && optimum.objective_after > 0 ? result_.found.kept / optimum.objective_after : 1;
       for (OptimizedParameter& parameter : optimum.parameters)
-        for (auto* step : {&parameter.below, &parameter.above})
-          if (*step && (*step)->objective && of_search > 0) *(*step)->objective *= result_.found.kept / of_search;
+        if (!result_.is_raised)
+          for (auto* step : {&parameter.below, &parameter.above})
+            if (*step && (*step)->objective) *(*step)->objective *= change;
+      for (OtherOptimum& other : optimum.others) other.objective *= change;
       optimum.objective_before = result_.given.kept;
       optimum.objective_after = result_.found.kept;
     }
@@ -287,11 +433,13 @@ class RobustSearch {
   }
 
   project::Project project_;
+  DesignSpace space_;
   const foundation::Progress& progress_;
   const std::function<bool()>& enough_;
   DesignObjective::Reserves reserves_;
   Aim aim_;
-  std::optional<Round> best_;
+  std::optional<Round> best_;     ///< of the rounds with one aim
+  std::optional<Round> nearest_;  ///< of those that were sampled
   RobustOptimum result_;
 };
 

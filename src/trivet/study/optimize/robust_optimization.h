@@ -14,9 +14,14 @@ namespace trivet::study {
                                                       const foundation::Progress& progress,
                                                       const std::function<bool()>& enough);
 
+/// A design within the ranges as the optimum of a search, which found another one.
+/// @param shares  of the ranges  @param search  what that search found
+[[nodiscard]] Optimization optimum_at(const project::Project& project, const DesignObjective::Reserves& reserves,
+                                      const Eigen::VectorXd& shares, const Optimization& search);
+
 /// The best design of which the machines within the tolerances meet the requirements: a wanted share of them, or the
-/// worst ones found. Every round searches with the reserves that the last optimum needs, and the best of all rounds is
-/// sampled with other numbers than those of the search. Mathematics: docs/robust.md.
+/// worst ones found. Every round searches with the reserves that the last optimum needs, and where they settle
+/// the optimum is sampled with other numbers than those of the search. Mathematics: docs/robust.md.
 /// @throws foundation::InvalidInput, NotComputable as `optimization` and `sample`
 [[nodiscard]] Optimization robust_optimization(const project::Project& project, const foundation::Progress& progress,
                                                const std::function<bool()>& enough);
