@@ -7,18 +7,13 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/foundation/parallel_for.h"
 #include "trivet/judging/changed_case.h"
+#include "trivet/study/optimize/kept_margins.h"
 #include "trivet/study/requirements/margin.h"
-#include "trivet/study/sample/sample_run.h"
-#include "trivet/study/sample/worst_case.h"
 
 namespace trivet::study {
 namespace {
 
-using Margins = std::vector<std::vector<double>>;  ///< per case and requirement
-
-constexpr std::size_t searched_designs = 16384;  // of a round
 constexpr int most_searches = 12;
 /// Rounds that need the same reserves within this have settled, ln(margin). Reserves are larger by it, so that the last
 /// optimum has what it needs.
@@ -43,138 +38,6 @@ project::Project with_changes(const project::Project& project, const std::vector
 }
 
 bool meets(double margin) { return margin > 0 && std::log(margin) >= least_met; }
-
-/// What the machines within the tolerances have of a design.
-struct Kept {
-  Margins nominal, kept;
-  Margins alone;  ///< that the wanted share keeps in each requirement alone, or the worst ones have
-  /// Margin that the wanted share keeps in all requirements, or the worst ones have.
-  double least = foundation::infinity;
-  std::uint64_t failed = 0;  ///< designs looked at for the worst ones: without a model, or they cannot be judged
-  std::string first_failure;
-};
-
-/// Margins of designs in all cases side by side; 0 where a design cannot be judged.
-Eigen::ArrayXXd judged_designs(const SampleRun& run, const foundation::Progress& progress) {
-  Eigen::Index columns = 0;
-  for (const SampledCase& one : run.cases()) columns += to_index(one.given().size());
-  Eigen::ArrayXXd margins(to_index(searched_designs), columns);
-  foundation::parallel_for(searched_designs, {.size = run.piece(), .progress = progress, .task = "machines"},
-                           [&](std::size_t first, std::size_t last) {
-                             const Eigen::MatrixXd draws = run.drawn().draw(first, last - first);
-                             Eigen::Index column = 0;
-                             for (const SampledCase& one : run.cases()) {
-                               const Eigen::ArrayXXd found = one.judged(draws).margins;
-                               margins.block(to_index(first), column, draws.rows(), found.cols()) =
-                                   found.isNaN().select(0, found);
-                               column += found.cols();
-                             }
-                           });
-  return margins;
-}
-
-/// Bounds of all columns, each at the same place of its order, above which a share of the rows lies with all columns.
-std::vector<double> common_bounds(const Eigen::ArrayXXd& margins, double share) {
-  const std::size_t rows = to_size(margins.rows());
-  std::vector<std::vector<double>> sorted;
-  std::vector<std::size_t> least(rows, rows);  // of each row: how many rows a column has up to it
-  for (Eigen::Index c = 0; c < margins.cols(); ++c) {
-    std::vector<double>& column = sorted.emplace_back(margins.col(c).begin(), margins.col(c).end());
-    std::ranges::sort(column);
-    for (std::size_t i = 0; i < rows; ++i) {
-      const auto up_to = std::ranges::upper_bound(column, margins(to_index(i), c)) - column.begin();
-      least[i] = std::min(least[i], static_cast<std::size_t>(up_to));
-    }
-  }
-  std::ranges::sort(least);
-  const auto allowed = static_cast<std::size_t>((1 - share) * static_cast<double>(rows));
-  std::vector<double> bounds;
-  for (const std::vector<double>& column : sorted) bounds.push_back(column[std::min(least[allowed], rows) - 1]);
-  return bounds;
-}
-
-Kept nominal_margins(const SampleRun& run) {
-  Kept found;
-  for (const SampledCase& one : run.cases()) {
-    std::vector<double>& nominal = found.nominal.emplace_back();
-    for (const RequirementResult& result : one.given()) nominal.push_back(result.margin);
-  }
-  found.kept = found.nominal;
-  return found;
-}
-
-/// The bound that a share of the margins keeps.
-double kept_of(const Eigen::ArrayXd& margins, double share) {
-  std::vector<double> list(margins.begin(), margins.end());
-  const auto place = list.begin() + static_cast<std::ptrdiff_t>((1 - share) * static_cast<double>(list.size()));
-  std::ranges::nth_element(list, place);
-  return *place;
-}
-
-/// Which machines of a search are above the bounds of all requirements at once.
-struct Aim {
-  double searched = 1;      ///< share of the machines; more than wanted if the sample has less than the search
-  double wanted = 1;        ///< share of the machines
-  bool minimizes = false;   ///< they only have to meet the requirements; false: a margin as large as possible counts
-  double share = 1;         ///< above the bounds; less than wanted where most requirements have room to spare
-  bool is_adapted = false;  ///< to the design before
-};
-
-/// Changes the share by how many machines of a design that has the reserves of the bounds are below what counts.
-void adapt(Aim& aim, double below) {
-  constexpr double most_change = 4, fewest_above = 0.5;
-  const double factor = std::clamp((1 - aim.searched) / std::max(below, 1e-9), 1 / most_change, most_change);
-  aim.share = std::clamp(1 - (1 - aim.share) * factor, fewest_above, 1 - 2.0 / searched_designs);
-}
-
-Kept kept_by_share(const SampleRun& run, Aim& aim, const foundation::Progress& progress) {
-  Kept found = nominal_margins(run);
-  const Eigen::ArrayXXd margins = judged_designs(run, progress);
-  const Eigen::ArrayXd least_of_each = margins.rowwise().minCoeff();
-  std::vector<double> least(least_of_each.begin(), least_of_each.end());
-  std::ranges::sort(least);
-  const auto count = static_cast<double>(least.size());
-  found.least = least[static_cast<std::size_t>((1 - aim.wanted) * count)];
-  std::vector<double> bounds = common_bounds(margins, aim.share);
-  if (aim.is_adapted) {
-    const double level = aim.minimizes ? 1 : *std::ranges::min_element(bounds);
-    adapt(aim, static_cast<double>(std::ranges::lower_bound(least, level) - least.begin()) / count);
-    bounds = common_bounds(margins, aim.share);
-  }
-  std::size_t column = 0;
-  found.alone = found.kept;
-  for (std::size_t c = 0; c < found.kept.size(); ++c)
-    for (std::size_t r = 0; r < found.kept[c].size(); ++r, ++column) {
-      found.kept[c][r] = bounds[column];
-      found.alone[c][r] = kept_of(margins.col(to_index(column)), aim.wanted);
-    }
-  return found;
-}
-
-/// The margin that a share of the machines keeps in all requirements.
-double kept_least(const SampleRun& run, double wanted, const foundation::Progress& progress) {
-  return kept_of(judged_designs(run, progress).rowwise().minCoeff(), wanted);
-}
-
-Kept kept_by_worst(const SampleRun& run, const foundation::Progress& progress) {
-  Kept found = nominal_margins(run);
-  WorstStarts none;
-  for (const SampledCase& one : run.cases()) none.emplace_back(one.given().size());
-  const WorstSearch worst = worst_search(run.cases(), worst_box(run.drawn()), none, run.request().seed, progress);
-  for (std::size_t c = 0; c < found.kept.size(); ++c)
-    for (std::size_t r = 0; r < found.kept[c].size(); ++r) {
-      found.kept[c][r] = std::min(worst.of[c][r].margin, found.nominal[c][r]);
-      found.least = std::min(found.least, found.kept[c][r]);
-    }
-  found.alone = found.kept;
-  found.failed = worst.failed;
-  found.first_failure = worst.first_failure;
-  if (worst.failed > 0) found.least = 0;  // they are worse than any margin
-  return found;
-}
-
-/// A margin that is no number, or falls to nothing, has no distance that could be kept.
-bool has_reserve(double nominal, double kept) { return std::isfinite(nominal) && nominal > 0 && kept > 0; }
 
 DesignObjective::Reserves reserves_for(const Kept& at) {
   DesignObjective::Reserves reserves;
@@ -215,7 +78,7 @@ class RobustSearch {
       settle();
       if (result_.wanted && !aim_.minimizes && !best_->optimum.cut_short) raise_kept_margin();
       SampledDesign found = sampled(best_->project, best_->kept);
-      const bool held = found.yield ? found.yield->interval.from >= *result_.wanted : meets(found.kept);
+      const bool held = found.yield ? is_enough(*found.yield) : meets(found.kept);
       const bool may_search_on = found.yield && aim_.minimizes && !held && best_->kept.least > 1 - nearly_met &&
           result_.rounds < most_searches && !best_->optimum.cut_short;
       const double missing = found.yield ? *result_.wanted - found.yield->interval.from : 0;
@@ -224,9 +87,11 @@ class RobustSearch {
         result_.found = std::move(found);
         result_.held = held;
       }
-      if (!may_search_on) return described();
+      if (!may_search_on) break;
       aim_higher(missing);
     }
+    if (result_.wanted && aim_.minimizes && !result_.held && !nearest_->optimum.cut_short) hold_the_yield();
+    return described();
   }
 
  private:
@@ -257,7 +122,7 @@ class RobustSearch {
 
   /// The search aimed at too few machines for the numbers of the sample.
   void aim_higher(double missing) {
-    constexpr double more_than_missing = 1.5, most_share = 1 - 2.0 / searched_designs;
+    constexpr double more_than_missing = 1.5, most_share = 1 - 2.0 / searched_machines;
     const double before = aim_.searched;
     aim_.searched = std::min(most_share, before + more_than_missing * missing);
     aim_.share = 1 - (1 - aim_.share) * (1 - aim_.searched) / (1 - before);
@@ -316,25 +181,15 @@ class RobustSearch {
   void raise_kept_margin() {
     result_.is_raised = has_kernels();
     if (!result_.is_raised) return;
-    Eigen::VectorXd best(to_index(space_.size()));
-    for (std::size_t j = 0; j < space_.size(); ++j)
-      best(to_index(j)) = std::clamp(space_.axes()[j].share(best_->optimum.parameters[j].best), 0.0, 1.0);
+    Eigen::VectorXd best = shares_of(best_->optimum);
     double least = best_->kept.least;
     if (const auto given = space_.given_shares(); given && result_.given.kept > least) {
       best = *given;
       least = result_.given.kept;
     }
-    const double before = best_->kept.least;
-    constexpr double first_step = 0.08, last_step = 3e-4;
-    for (double step = first_step; step >= last_step && !(enough_ && enough_()); step /= 2) {
-      for (bool better = true; better;) {
-        const Eigen::VectorXd from = best;
-        better = steps(step, best, least);
-        if (better) take(2 * best - from, best, least);
-      }
-    }
+    raise(best, least);
     constexpr double worth_it = 1e-3;
-    if (least > before * (1 + worth_it)) move_to(best);
+    if (least > best_->kept.least * (1 + worth_it)) move_to(best);
     for (std::size_t j = 0; j < space_.size(); ++j) {
       OptimizedParameter& parameter = best_->optimum.parameters[j];
       for (auto* step : {&parameter.below, &parameter.above}) {
@@ -343,6 +198,52 @@ class RobustSearch {
         moved(to_index(j)) = std::clamp(space_.axes()[j].share((*step)->value), 0.0, 1.0);
         (*step)->objective = kept_at(moved);
         (*step)->met = meets(*(*step)->objective);
+      }
+    }
+  }
+
+  /// Of what is minimised: from an optimum that just misses the wanted yield towards the design with the largest margin
+  /// kept, as far as the sample needs it.
+  void hold_the_yield() {
+    if (!has_kernels()) return;
+    const Eigen::VectorXd from = shares_of(nearest_->optimum);
+    Eigen::VectorXd safe = from;
+    double least = nearest_->kept.least;
+    raise(safe, least);
+    const auto is_held = [&](double share) {
+      const project::Project there = with_changes(project_, changes(from + share * (safe - from)));
+      return is_enough(sampled(there, {}).yield.value());
+    };
+    if (safe == from || !is_held(1)) return;
+    double missed = 0, held = 1;
+    for (int halvings = 0; halvings < 8; ++halvings) {
+      const double middle = (missed + held) / 2;
+      (is_held(middle) ? held : missed) = middle;
+    }
+    best_ = nearest_;
+    move_to(from + held * (safe - from));
+    nearest_ = best_;
+    result_.found = sampled(nearest_->project, nearest_->kept);
+    result_.held = is_enough(*result_.found.yield);
+  }
+
+  [[nodiscard]] bool is_enough(const Yield& yield) const { return yield.interval.from >= *result_.wanted; }
+
+  [[nodiscard]] Eigen::VectorXd shares_of(const Optimization& optimum) const {
+    Eigen::VectorXd shares(to_index(space_.size()));
+    for (std::size_t j = 0; j < space_.size(); ++j)
+      shares(to_index(j)) = std::clamp(space_.axes()[j].share(optimum.parameters[j].best), 0.0, 1.0);
+    return shares;
+  }
+
+  /// The largest margin kept around a design. @param least  of it
+  void raise(Eigen::VectorXd& best, double& least) {
+    constexpr double first_step = 0.08, last_step = 3e-4;
+    for (double step = first_step; step >= last_step && !(enough_ && enough_()); step /= 2) {
+      for (bool better = true; better;) {
+        const Eigen::VectorXd from = best;
+        better = steps(step, best, least);
+        if (better) take(2 * best - from, best, least);
       }
     }
   }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/study/optimize/design_objective.h"
+#include "trivet/study/sample/sample_run.h"
+
+/// The margins that the machines built after a design keep. Mathematics: docs/robust.md.
+namespace trivet::study {
+
+inline constexpr std::size_t searched_machines = 16384;  ///< judged for a design
+
+/// What the machines within the tolerances have of a design.
+struct Kept {
+  using Margins = std::vector<std::vector<double>>;  ///< per case and requirement
+  Margins nominal, kept;
+  Margins alone;  ///< that the wanted share keeps in each requirement alone, or the worst ones have
+  /// Margin that the wanted share keeps in all requirements, or the worst ones have.
+  double least = foundation::infinity;
+  std::uint64_t failed = 0;  ///< designs looked at for the worst ones: without a model, or they cannot be judged
+  std::string first_failure;
+};
+
+/// Which machines of a search are above the bounds of all requirements at once.
+struct Aim {
+  double searched = 1;      ///< share of the machines; more than wanted if the sample has less than the search
+  double wanted = 1;        ///< share of the machines
+  bool minimizes = false;   ///< they only have to meet the requirements; false: a margin as large as possible counts
+  double share = 1;         ///< above the bounds; less than wanted where most requirements have room to spare
+  bool is_adapted = false;  ///< to the design before
+};
+
+/// What the wanted share of the machines keeps. Changes the share above the bounds if the aim is adapted: by how many
+/// machines are below what counts, of a design that has the reserves of these bounds.
+[[nodiscard]] Kept kept_by_share(const SampleRun& run, Aim& aim, const foundation::Progress& progress);
+
+/// The margin that a share of the machines keeps in all requirements.
+[[nodiscard]] double kept_least(const SampleRun& run, double wanted, const foundation::Progress& progress);
+
+/// What the worst machines found have.
+[[nodiscard]] Kept kept_by_worst(const SampleRun& run, const foundation::Progress& progress);
+
+/// False for a margin that is no number, or falls to nothing: it has no distance that could be kept.
+[[nodiscard]] bool has_reserve(double nominal, double kept);
+
+}  // namespace trivet::study
