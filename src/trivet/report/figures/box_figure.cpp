@@ -51,7 +51,8 @@ struct BoxRow {
  private:
   void draw_end(SvgCanvas& canvas, const study::BoxEnd& end, double x, bool upper) const {
     const char* anchor = upper ? "start" : "end";
-    const std::string open = end.stop == study::BoxStop::most ? (upper ? "≥ " : "≤ ") : "";
+    const bool is_open = end.stop == study::BoxStop::most || end.stop == study::BoxStop::not_determined;
+    const std::string open = is_open ? (upper ? "≥ " : "≤ ") : "";
     const double room = upper ? panel.corner.x + panel.width - x : x - panel.corner.x;
     constexpr double label_room = 66;
     const bool inside = room < label_room;  // beside the bar there is no room

@@ -261,13 +261,18 @@ std::string tolerance_words(const SolutionBox& box) {
 
 std::string method_words(const SolutionBox& box) {
   static_assert(study::box_step == 1e-6);
+  const bool given_up = std::ranges::any_of(box.ranges, [](const BoxRange& one) {
+    return one.lower.stop == BoxStop::not_determined || one.upper.stop == BoxStop::not_determined;
+  });
   return fmt::format(
       "All ends moved outward together, in proportion to the tolerances, until one was stopped, and the others went "
       "on. "
-      "So no end can be moved further alone by a millionth of its tolerance without a violation; a box with a larger "
-      "volume may exist. The worst designs were searched ({} designs): a search, not a proof. Printed ends are rounded "
+      "So no end{} can be moved further alone by a millionth of its tolerance (or of its range, if that is wider) "
+      "without a violation; a box with a larger volume may exist. The worst designs were searched ({} designs): a "
+      "search, not a proof. Printed ends are rounded "
       "inward.{}",
-      grouped(box.searched), box.correlated ? " Correlations of the tolerances do not restrict a box." : "");
+      given_up ? " except those that are not determined" : "", grouped(box.searched),
+      box.correlated ? " Correlations of the tolerances do not restrict a box." : "");
 }
 
 void add_singles(const SolutionBox& box, Document& document) {
@@ -305,6 +310,7 @@ std::string box_end_words(const BoxRange& range, const BoxEnd& end) {
 std::string box_stop_words(const SolutionBox& box, const BoxEnd& end) {
   if (end.stop == BoxStop::no_model) return "no model beyond: " + end.reason;
   if (end.stop == BoxStop::most) return fmt::format("nothing up to ×{:g}", box.request.most);
+  if (end.stop == BoxStop::not_determined) return "not determined: the search was given up here";
   const BoxCase& in = box.cases[end.in_case];
   return requirement_words(in.requirements[end.requirement].given, in.display) + in_case(in);
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/box/box_growth.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
 
 namespace trivet::study {
 namespace {
@@ -17,11 +20,18 @@ constexpr int most_growth_rounds = 60;                             // of one gro
 constexpr int most_restarts = 30;                                  // after a search that missed a violation
 constexpr double first_growth_limit = 1, growth_limit_factor = 2;  // of distances for which kernels are fitted
 constexpr double narrowest_growth = 1e-3;                          // they are not fitted for less
+constexpr double kept_before_known = 1e-3 * box_step;              // kernels may not see that these violate
 constexpr int parts_of_section = 16, most_sections = 8;  // of the distance at which a design begins to violate
 
 bool is_below(const BoxViolation& one, double margin) { return !one.failure.empty() || one.margin < margin; }
 
 double step_beyond(double times) { return box_step * std::max(1.0, times); }
+
+bool is_inside(const DrawBox& box, const Eigen::VectorXd& draws) {
+  for (std::size_t d = 0; d < box.ranges().size(); ++d)
+    if (draws(to_index(d)) < box.ranges()[d].from || draws(to_index(d)) > box.ranges()[d].to) return false;
+  return true;
+}
 
 }  // namespace
 
@@ -63,18 +73,28 @@ void BoxGrowth::run(const std::vector<BoxViolation>& known) {
       const double to = grow(movers, from, limit);
       if (missed_) break;
       stop_at_reach();
-      if (to >= limit || stop_blocked(movers)) continue;
+      if (exhausted_) {
+        for (const std::size_t e : movers)
+          if (!stops_[e]) stops_[e] = EndStop{BoxStop::not_determined};
+        continue;
+      }
+      if (to >= limit || stop_blocked(movers, 1)) continue;
       // No end is blocked alone, only several together: the first goes on alone.
       for (const std::size_t e : movers) {
         if (stops_[e] || ends_[e].times >= limit) continue;
         const bool free = grow({e}, ends_[e].times, limit) >= limit;
         stop_at_reach();
-        if (!free && !missed_ && !stops_[e] && !stop_blocked({e}))
-          stops_[e] = EndStop{BoxStop::requirement, blockers_.front().found};
+        // Where the margin hardly changes, a step uses up a part of the reserve only.
+        if (!free && !missed_ && !stops_[e] && !stop_blocked({e}, 1) && !stop_blocked({e}, margin_at_ends))
+          stops_[e] = EndStop{BoxStop::not_determined};
         break;
       }
     }
-    if (restarts == most_restarts) return;
+    if (restarts == most_restarts)
+      throw foundation::NotComputable(fmt::format(
+          "box: the search of the worst designs has missed violations in {} boxes, one after the other: the "
+          "ranges cannot be determined; their regions are too narrow for it",
+          most_restarts + 1));
     known_.push_back(*missed_);
   }
 }
@@ -102,21 +122,47 @@ void BoxGrowth::fit(double from, double& limit) {
 double BoxGrowth::grow(const Ends& movers, double from, double limit) {
   double to = limit;
   blockers_.clear();
-  for (int round = 0; round < most_growth_rounds; ++round) {
-    const std::vector<Blocker> found = violations(moved(movers, to));
-    if (found.empty()) break;
-    blockers_ = found;
-    double next = to;
-    for (const Blocker& one : found) next = std::min(next, last_met(one.place, movers, from, next));
-    if (missed_) return from;
-    if (next >= to) next = from + (to - from) / 2;  // round-off at the end, or a violation that two judge differently
-    to = next;
-    if (to <= from) break;
-    if (round == most_growth_rounds - 1) to = from;
+  exhausted_ = true;
+  for (int round = 0; round < most_growth_rounds && !missed_; ++round) {
+    std::vector<Blocker> found;
+    if (to > from) found = violations(moved(movers, to));
+    if (found.empty()) {
+      exhausted_ = false;
+      break;
+    }
+    for (Blocker& one : found) to = std::max(from, bounded(one, movers, from, to));
+    blockers_ = std::move(found);
   }
+  if (missed_) return from;
+  if (exhausted_) to = from;
   const Eigen::VectorXd times = moved(movers, to);
   for (const std::size_t e : movers) ends_[e].times = times(to_index(e));
   return to;
+}
+
+double BoxGrowth::left_at(const Eigen::VectorXd& draws, const Ends& movers) const {
+  double at = 0;
+  for (const std::size_t e : movers) {
+    const GrowingEnd& end = ends_[e];
+    for (std::size_t p = 0; p < ends_.tolerances()[end.tolerance].places.size(); ++p) {
+      const double deviation = draws(to_index(cases_->draw_of(end.tolerance, p))) - end.given;
+      const double distance = (end.upper ? deviation : -deviation) / end.width;
+      if (distance > end.times) at = std::max(at, distance);
+    }
+  }
+  return at;
+}
+
+double BoxGrowth::bounded(Blocker& one, const Ends& movers, double from, double to) {
+  const double left = left_at(one.found.draws, movers);
+  if (left <= from && is_below(one.found, 1)) {
+    if (!one.is_known) missed_ = one.found;
+    return from;
+  }
+  const double high = std::clamp(left, from, to);
+  one.place = ends_.box(moved(movers, high)).place(one.found.draws);
+  const double met = last_met(one.place, movers, from, high);
+  return one.is_known ? std::min(met, left - kept_before_known * std::max(1.0, left)) : met;
 }
 
 void BoxGrowth::stop_at_reach() {
@@ -127,17 +173,17 @@ void BoxGrowth::stop_at_reach() {
   }
 }
 
-bool BoxGrowth::stop_blocked(const Ends& movers) {
+bool BoxGrowth::stop_blocked(const Ends& movers, double margin) {
   bool any = false;
   std::vector<std::pair<std::size_t, EndStop>> found;
   for (const std::size_t e : movers)
     if (!stops_[e])
-      if (auto stop = blocked(e)) found.emplace_back(e, std::move(*stop));
+      if (auto stop = blocked(e, margin)) found.emplace_back(e, std::move(*stop));
   for (auto& [e, stop] : found) stops_[e] = std::move(stop), any = true;
   return any;
 }
 
-std::optional<EndStop> BoxGrowth::blocked(std::size_t end) const {
+std::optional<EndStop> BoxGrowth::blocked(std::size_t end, double margin) const {
   Eigen::VectorXd times = ends_.times();
   times(to_index(end)) += step_beyond(times(to_index(end)));
   if (times(to_index(end)) >= ends_[end].reach) return std::nullopt;
@@ -147,15 +193,16 @@ std::optional<EndStop> BoxGrowth::blocked(std::size_t end) const {
   for (const auto& in_case : worst_)
     for (const Eigen::VectorXd& draws : in_case)
       if (draws.size() > 0) places.push_back(before.place(draws));
-  if (places.empty()) return std::nullopt;
   DrawPlaces all(to_index(places.size()), box.draws());
   for (std::size_t i = 0; i < places.size(); ++i) all.row(to_index(i)) = places[i].transpose();
-  const std::vector<BoxViolation> found = judged(box.at(all));
+  std::vector<BoxViolation> found = judged(box.at(all));
+  for (const BoxViolation& one : known_)
+    if (is_inside(box, one.draws)) found.push_back(one);
   const auto worst = std::ranges::min_element(found, [](const BoxViolation& a, const BoxViolation& b) {
     return a.failure.empty() == b.failure.empty() ? a.margin < b.margin : b.failure.empty();
   });
-  if (!is_below(*worst, 1)) return std::nullopt;
-  const Eigen::VectorXd& at = places[to_size(worst - found.begin())];
+  if (worst == found.end() || !is_below(*worst, margin)) return std::nullopt;
+  const Eigen::VectorXd at = box.place(worst->draws);
   return EndStop{worst->failure.empty() ? BoxStop::requirement : BoxStop::no_model, *worst,
                  (at.array() == 0 || at.array() == 1).all()};
 }
@@ -173,12 +220,7 @@ std::vector<BoxGrowth::Blocker> BoxGrowth::violations(const Eigen::VectorXd& tim
   std::vector<Blocker> found;
   for (const BoxViolation& one : known_) {
     if (one.failure.empty()) starts[one.in_case][one.requirement].push_back(one.draws);
-    bool inside = true;
-    for (std::size_t d = 0; d < box.ranges().size(); ++d) {
-      const double draw = one.draws(to_index(d));
-      inside = inside && draw >= box.ranges()[d].from && draw <= box.ranges()[d].to;
-    }
-    if (inside) found.push_back({box.place(one.draws), one});
+    if (is_inside(box, one.draws)) found.push_back({box.place(one.draws), one, true});
   }
   double share = 0;
   for (std::size_t e = 0; e < ends_.size(); ++e) share += stops_[e] ? 1 : ends_[e].times / ends_[e].reach;

@@ -39,6 +39,7 @@ class BoxGrowth {
             const foundation::Progress& progress);
 
   /// From the design of the file until every end is stopped. Boxes do not contain the designs in `known`.
+  /// @throws foundation::NotComputable if box after box turns out to contain violations that its search had missed
   void run(const std::vector<BoxViolation>& known);
 
   [[nodiscard]] const EndStop& stop(std::size_t end) const { return *stops_[end]; }
@@ -46,10 +47,11 @@ class BoxGrowth {
 
  private:
   using Ends = std::vector<std::size_t>;
-  /// A violating design by its place in the box that contains it.
+  /// A violating design by its place in the smallest box that contains it.
   struct Blocker {
     Eigen::VectorXd place;
     BoxViolation found;
+    bool is_known = false;  ///< of `known_`
   };
 
   [[nodiscard]] Ends growing() const;
@@ -57,11 +59,16 @@ class BoxGrowth {
   void fit(double from, double& limit);
   /// Moves some ends from one distance to at most another. @return the distance they have then
   double grow(const Ends& movers, double from, double limit);
+  /// The distance at which the box of these ends leaves a design.
+  [[nodiscard]] double left_at(const Eigen::VectorXd& draws, const Ends& movers) const;
+  /// The largest distance of these ends with which the box neither contains the design, nor one that violates at its
+  /// place in smaller boxes.
+  [[nodiscard]] double bounded(Blocker& one, const Ends& movers, double from, double to);
   void stop_at_reach();
   /// Stops those of the ends that cannot be moved alone. @return any
-  bool stop_blocked(const Ends& movers);
-  /// The worst design with an end moved alone that violates a requirement, of the places that blocked.
-  [[nodiscard]] std::optional<EndStop> blocked(std::size_t end) const;
+  bool stop_blocked(const Ends& movers, double margin);
+  /// The worst design with an end moved alone of the places that blocked, if it is below a margin.
+  [[nodiscard]] std::optional<EndStop> blocked(std::size_t end, double margin) const;
   [[nodiscard]] std::vector<Blocker> violations(const Eigen::VectorXd& times);
   /// Up to which distance the design at a place of the box meets all requirements.
   [[nodiscard]] double last_met(const Eigen::VectorXd& place, const Ends& movers, double from, double to);
@@ -79,6 +86,7 @@ class BoxGrowth {
   std::vector<std::vector<Eigen::VectorXd>> worst_;  ///< draws of the last search, per case and requirement
   std::optional<BoxViolation> missed_;               ///< in a box that the search had taken for good
   std::uint64_t searched_ = 0;
+  bool exhausted_ = false;  ///< the last growth found violations in box after box and was given up
   bool may_have_kernels_ = true;
 };
 

@@ -38,7 +38,8 @@ void refuse_violations(const BoxCases& cases) {
                             given.margin);
   if (!list.empty())
     throw NotComputable(
-        fmt::format("box: the design of the file violates {}; ranges are around a design that meets every requirement "
+        fmt::format("box: the design of the file violates or only just meets {}; ranges are around a design that meets "
+                    "every requirement "
                     "with a margin "
                     "above 1: change it, see trivet verdict and trivet optimize",
                     list));
@@ -166,6 +167,8 @@ const char* name(BoxStop stop) {
       return "no_model";
     case BoxStop::most:
       return "most";
+    case BoxStop::not_determined:
+      return "not_determined";
   }
   return "";
 }

@@ -26,9 +26,10 @@ inline constexpr double box_distance_kept = 0.01;
 
 /// What stops an end of a range.
 enum class BoxStop {
-  requirement,  ///< a design just beyond violates it
-  no_model,     ///< designs beyond cannot be built or judged
-  most          ///< nothing up to the largest range that is tried
+  requirement,    ///< a design just beyond violates it, or only just meets it where its margin hardly changes
+  no_model,       ///< designs beyond cannot be built or judged
+  most,           ///< nothing up to the largest range that is tried
+  not_determined  ///< the search was given up: every range further out that was tried has violations
 };
 [[nodiscard]] const char* name(BoxStop stop);
 
