@@ -72,7 +72,7 @@ class DesignCheck {
                                CheckTally part = empty();
                                std::vector<std::uint64_t> designs(to - from);
                                for (std::size_t i = from; i < to; ++i) designs[i - from] = i;
-                               add(designs, false, part);
+                               add(designs, part);
                                const std::lock_guard lock(merging);
                                all.merge(part);
                              });
@@ -107,14 +107,19 @@ class DesignCheck {
     return box_.at(place(design).transpose()).row(0).transpose();
   }
 
-  void add(const std::vector<std::uint64_t>& designs, bool by_models, CheckTally& into) const {
+  [[nodiscard]] Eigen::MatrixXd numbers(const std::vector<std::uint64_t>& designs) const {
     DrawPlaces places(to_index(designs.size()), to_index(cases_.draws()));
     for (std::size_t i = 0; i < designs.size(); ++i) places.row(to_index(i)) = place(designs[i]).transpose();
-    const Eigen::MatrixXd numbers = box_.at(places);
+    return box_.at(places);
+  }
+
+  /// The designs that violate a requirement or cannot be judged.
+  std::vector<bool> violators(const std::vector<std::uint64_t>& designs, bool by_models, CheckTally& into) const {
+    const Eigen::MatrixXd of = numbers(designs);
     std::vector<bool> bad(designs.size());
     for (std::size_t c = 0; c < cases_.list().size(); ++c) {
       const SampledCase& one = cases_.list()[c];
-      const SampledMargins found = by_models ? one.assembled(numbers) : one.judged(numbers);
+      const SampledMargins found = by_models ? one.assembled(of) : one.judged(of);
       into.in_kernels[c] += by_models ? 0 : found.in_kernels;
       into.one_by_one[c] += by_models ? 0 : found.one_by_one;
       for (std::size_t i = 0; i < designs.size(); ++i) {
@@ -130,7 +135,18 @@ class DesignCheck {
         }
       }
     }
-    into.violations += to_size(std::ranges::count(bad, true));
+    return bad;
+  }
+
+  void add(const std::vector<std::uint64_t>& designs, CheckTally& into) const {
+    into.violations += to_size(std::ranges::count(violators(designs, false, into), true));
+  }
+
+  /// Of designs that were added: those that meet everything by kernels only are further violations.
+  void add_by_models(const std::vector<std::uint64_t>& designs, CheckTally& into) const {
+    CheckTally counted = empty();
+    const std::vector<bool> before = violators(designs, false, counted), bad = violators(designs, true, into);
+    for (std::size_t i = 0; i < designs.size(); ++i) into.violations += bad[i] && !before[i];
   }
 
   /// Kernels and models have matrices of different origin.
@@ -142,15 +158,15 @@ class DesignCheck {
     for (std::uint64_t i = 0; i < inside; ++i) chosen.push_back(check_.corners + i);
     check_.models = chosen.size();
     constexpr std::size_t piece = 8;
-    foundation::parallel_for(
-        chosen.size(), {.size = piece, .progress = progress_, .task = "assembled models"},
-        [&](std::size_t from, std::size_t to) {
-          CheckTally part = empty();
-          add({chosen.begin() + static_cast<std::ptrdiff_t>(from), chosen.begin() + static_cast<std::ptrdiff_t>(to)},
-              true, part);
-          const std::lock_guard lock(merging);
-          all.merge(part);
-        });
+    foundation::parallel_for(chosen.size(), {.size = piece, .progress = progress_, .task = "assembled models"},
+                             [&](std::size_t from, std::size_t to) {
+                               CheckTally part = empty();
+                               add_by_models({chosen.begin() + static_cast<std::ptrdiff_t>(from),
+                                              chosen.begin() + static_cast<std::ptrdiff_t>(to)},
+                                             part);
+                               const std::lock_guard lock(merging);
+                               all.merge(part);
+                             });
   }
 
   [[nodiscard]] CheckedBox found(const CheckTally& all) {
