@@ -5,8 +5,10 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 
 #include "support/projects.h"
+#include "trivet/study/sample/band_tally.h"
 #include "trivet/study/sample/sample.h"
 
 namespace trivet {
@@ -55,6 +57,42 @@ sample = {{designs = 65536, bands = ["m1.x"]}}
     EXPECT_NEAR(band.spread[f].high / amplitude(stiffness_at(-z), omega), 1, within) << omega;
     EXPECT_NEAR(band.given[f] / amplitude(stiffness, omega), 1, 1e-12) << omega;
   }
+}
+
+// At rest no kernel computes amplitudes: those of models are added to margins that kernels have proven.
+TEST(SampledBand, ChangesNeitherTheYieldNorWhoJudges) {
+  const std::string text = test::chain({mass}, {stiffness, 0}, {dashpot, 0}) + R"(
+[excitations.force]
+type = "harmonic"
+on = "m1"
+at = [0, 0, 0]
+force = [10, 0, 0]
+[tolerances.rubber]
+path = "elements.k1.scale"
+standard_deviation = "20 %"
+[requirements]
+limits = {"m1.x" = "0.3 mm"}
+[analyses]
+response = {at = ["0 Hz", "5 Hz"]}
+)";
+  const study::Sample without = study::sample(test::project(text + "sample = {designs = 4096}\n")),
+                      with = study::sample(test::project(text + "sample = {designs = 4096, bands = [\"m1.x\"]}\n"));
+  EXPECT_NE(with.cases[0].bands.at(0).no_kernels, "");
+  EXPECT_EQ(with.cases[0].bands[0].without, 0);
+  EXPECT_EQ(with.yield.met, without.yield.met);
+  EXPECT_EQ(with.failed, without.failed);
+  EXPECT_EQ(with.cases[0].in_kernels, without.cases[0].in_kernels);
+  EXPECT_EQ(with.cases[0].one_by_one, without.cases[0].one_by_one);
+}
+
+TEST(BandTally, DoesNotCountDesignsWithoutAmplitudes) {
+  study::BandTally tally(1);
+  tally.add(Eigen::ArrayXd::Constant(1, 2.0), 7);
+  tally.add(Eigen::ArrayXd::Constant(1, std::numeric_limits<double>::quiet_NaN()), 8);
+  tally.add(Eigen::ArrayXd::Constant(1, 3.0), 9);
+  EXPECT_EQ(tally.values()[0].amplitudes.count(), 2);
+  EXPECT_EQ(tally.values()[0].extremes.largest, 3.0);
+  EXPECT_EQ(tally.values()[0].extremes.largest_at, 9);
 }
 
 }  // namespace sample_bands_test

@@ -79,6 +79,7 @@ Json band_json(const SampledBand& band) {
   return {{"result", band.name},
           {"unit", band.unit},
           {"angular_frequency", json::list(band.angular_frequency)},
+          {"without", band.without},
           {"given", json::list(band.given)},
           {"least", list_of(band, [](const Spread& one) { return one.extremes.least; })},
           {"low", list_of(band, [](const Spread& one) { return one.low; })},
@@ -127,13 +128,17 @@ void add_bands(const study::Sample& sample, Document& document) {
     group.parts.push_back({Single{.name = "no_kernels", .value = first.no_kernels}});
     group.parts.push_back({Single{.name = "results", .value = std::move(list)}});
     const std::size_t frequencies = first.angular_frequency.size();
-    say(fmt::format("Bands of amplitudes{} over {} designs at {}, each at the frequency where the 95 % of the designs is highest:",
-                    in_case_words(of), sample.request.designs - sample.failed,
-                    frequencies == 1 ? "one frequency" : fmt::format("{} frequencies", frequencies)));
+    say(fmt::format(
+        "Bands of amplitudes{} over {} designs at {}, each at the frequency where the 95 % of the designs is highest:",
+        in_case_words(of), sample.request.designs - sample.failed - first.without,
+        frequencies == 1 ? "one frequency" : fmt::format("{} frequencies", frequencies)));
     group.parts.emplace_back().content = worst_table(of);
     if (sample.failed > 0)
       say(fmt::format("The {} design{} that could not be judged {} in no band.", sample.failed,
                       sample.failed == 1 ? "" : "s", sample.failed == 1 ? "is" : "are"));
+    if (first.without > 0)
+      say(fmt::format("{} judged design{} no amplitudes there, and {} in no band; bands do not change the yield.",
+                      first.without, first.without == 1 ? " has" : "s have", first.without == 1 ? "is" : "are"));
     if (!first.no_kernels.empty()) say(fmt::format("Bands are those of assembled models: {}.", first.no_kernels));
   }
   if (has_bands(sample)) document.add(band_table(sample));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/sample/band_tally.h"
 
+#include <cmath>
+
 #include "trivet/foundation/index.h"
 
 namespace trivet::study {
@@ -8,6 +10,7 @@ namespace trivet::study {
 void BandTally::add(const Eigen::Ref<const Eigen::ArrayXd>& amplitudes, std::uint64_t design) {
   for (std::size_t i = 0; i < values_.size(); ++i) {
     const double amplitude = amplitudes(to_index(i));
+    if (std::isnan(amplitude)) continue;
     values_[i].amplitudes.add(amplitude);
     values_[i].extremes.add(amplitude, design);
   }

@@ -22,7 +22,7 @@ class BandTally {
   explicit BandTally(Eigen::Index values = 0) : values_(static_cast<std::size_t>(values)) {}
 
   [[nodiscard]] const std::vector<Value>& values() const { return values_; }
-  /// @param amplitudes  one for each value, not NaN
+  /// @param amplitudes  one for each value; NaN, of a design that has none, is not counted
   void add(const Eigen::Ref<const Eigen::ArrayXd>& amplitudes, std::uint64_t design);
   void merge(const BandTally& other);
 

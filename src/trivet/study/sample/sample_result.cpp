@@ -77,12 +77,14 @@ SampledRequirement requirement_of(const RequirementResult& given, const Requirem
   return found;
 }
 
-std::vector<SampledBand> bands_of(const SampledCase& of, const BandTally& tally) {
+std::vector<SampledBand> bands_of(const SampledCase& of, const BandTally& tally, std::uint64_t judged) {
   std::vector<SampledBand> bands = of.bands()->empty(of.given());
   auto value = tally.values().begin();
-  for (SampledBand& band : bands)
+  for (SampledBand& band : bands) {
+    band.without = judged - value->amplitudes.count();
     for (std::size_t f = 0; f < band.angular_frequency.size(); ++f, ++value)
       band.spread.push_back(spread_of(value->amplitudes, value->extremes));
+  }
   return bands;
 }
 
@@ -125,7 +127,7 @@ Sample sample_result(const SampleRun& run, const SampleTally& all) {
     if (one.no_kernels().empty()) result.family = one.batch()->family().words();
     for (std::size_t r = 0; r < one.given().size(); ++r)
       result.requirements.push_back(requirement_of(one.given()[r], all.of[c][r], all.designs, judged));
-    if (one.bands()) result.bands = bands_of(one, all.bands[c]);
+    if (one.bands()) result.bands = bands_of(one, all.bands[c], judged);
     found.cases.push_back(std::move(result));
   }
   found.failed = all.failed;

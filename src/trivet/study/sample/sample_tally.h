@@ -50,7 +50,7 @@ class SampleTally {
 
  private:
   /// Why a design fails; empty if it is judged.
-  [[nodiscard]] std::string failure(Eigen::Index row, const std::vector<SampledMargins>& margins) const;
+  [[nodiscard]] static std::string failure(Eigen::Index row, const std::vector<SampledMargins>& margins);
   void add_judged(std::size_t replicate, std::uint64_t design, Eigen::Index row,
                   const std::vector<SampledMargins>& margins);
   const std::vector<SampledCase>& cases_;

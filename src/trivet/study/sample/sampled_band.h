@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct SampledBand {
   std::vector<double> given;              ///< of the design of the file; infinite at an undamped resonance
   std::vector<Spread> spread;
   std::vector<BandLimit> limits;
+  std::uint64_t without = 0;    ///< designs that were judged, but have no amplitudes
   bool is_logarithmic = false;  ///< the frequencies are those of a logarithmic spacing
   std::string no_kernels;       ///< why the amplitudes are those of assembled models; empty: kernels computed them
 

@@ -37,6 +37,19 @@ NotComputable unjudged(const RequirementResult& one, const project::Case& varian
       fmt::format("tolerances: \"{}\"{} cannot be judged: {}", one.words.text(), case_words(variant), one.reason));
 }
 
+/// Why something of a design has no result; empty if it has one.
+template <typename Compute>
+std::string refused(const Compute& compute) {
+  try {
+    compute();
+    return "";
+  } catch (const NotComputable& reason) {
+    return reason.what();
+  } catch (const InvalidInput& reason) {
+    return reason.what();
+  }
+}
+
 /// True for prices: no number of the model moves them.
 bool is_constant(const RequirementResult& result) { return requirement_row(result.kind).slopes == MarginSlopes::zero; }
 
@@ -153,32 +166,45 @@ std::vector<RequirementResult> SampledCase::results(const model::System& system,
   return requirement_values(context, case_.analyses, warnings);
 }
 
+void SampledCase::set_margins(const model::System& machine, Eigen::Index design, SampledMargins& into,
+                              const foundation::Progress& interruption) const {
+  const std::vector<RequirementResult> found = results(machine, interruption);
+  for (const RequirementResult& one : found)
+    if (!one.value) throw NotComputable("\"" + one.words.text() + "\" cannot be judged: " + one.reason);
+  if (found.size() != given_.size()) throw NotComputable("it has other requirements than the given design");
+  for (std::size_t r = 0; r < found.size(); ++r) {
+    if (std::isnan(found[r].margin))
+      throw NotComputable("the margin of \"" + found[r].words.text() + "\" is not a number");
+    into.margins(design, to_index(r)) = found[r].margin;
+  }
+}
+
+void SampledCase::set_amplitudes(const model::System& machine, Eigen::Index design, SampledMargins& into) const {
+  if (!refused([&] { into.amplitudes.col(design) = bands_->amplitudes(machine); }).empty())
+    into.amplitudes.col(design).setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
 void SampledCase::assemble(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into,
                            const foundation::Progress& interruption) const {
   foundation::report_progress(interruption, "", 0);
+  std::optional<model::System> machine;
   std::string& failure = into.failures[to_size(design)];
-  try {
-    const model::System machine = system(draws.row(design).transpose());
-    const std::vector<RequirementResult> found = results(machine, interruption);
-    for (const RequirementResult& one : found)
-      if (!one.value && failure.empty()) failure = "\"" + one.words.text() + "\" cannot be judged: " + one.reason;
-    if (failure.empty() && found.size() != given_.size()) failure = "it has other requirements than the given design";
-    for (std::size_t r = 0; failure.empty() && r < found.size(); ++r)
-      into.margins(design, to_index(r)) = found[r].margin;
-    if (failure.empty() && into.amplitudes.rows() > 0) into.amplitudes.col(design) = bands_->amplitudes(machine);
-  } catch (const NotComputable& reason) {
-    failure = reason.what();
-  } catch (const InvalidInput& reason) {
-    failure = reason.what();
+  failure = refused([&] {
+    machine.emplace(system(draws.row(design).transpose()));
+    set_margins(*machine, design, into, interruption);
+  });
+  if (!failure.empty()) {
+    into.margins.row(design).setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
   }
-  if (failure.empty()) ++into.one_by_one;
-  else into.margins.row(design).setConstant(std::numeric_limits<double>::quiet_NaN());
+  ++into.one_by_one;
+  if (into.amplitudes.rows() > 0) set_amplitudes(*machine, design, into);
 }
 
 SampledMargins SampledCase::unfilled(Eigen::Index designs, Eigen::Index amplitudes) const {
   return {.margins = Eigen::ArrayXXd(designs, to_index(given_.size())),
           .failures = std::vector<std::string>(to_size(designs)),
-          .amplitudes = Eigen::ArrayXXd(amplitudes, designs)};
+          .amplitudes = Eigen::ArrayXXd::Constant(amplitudes, designs, std::numeric_limits<double>::quiet_NaN())};
 }
 
 SampledMargins SampledCase::assembled(const Eigen::MatrixXd& draws, const foundation::Progress& interruption) const {
@@ -187,20 +213,11 @@ SampledMargins SampledCase::assembled(const Eigen::MatrixXd& draws, const founda
   return found;
 }
 
-void SampledCase::set_amplitudes(const Eigen::MatrixXd& draws, Eigen::Index first, Eigen::Index count,
-                                 SampledMargins& into, const foundation::Progress& interruption) const {
-  const bool kernels = bands_->no_kernels().empty();
-  if (kernels) into.amplitudes.middleCols(first, count) = bands_->amplitudes(draws);
-  for (Eigen::Index d = 0; d < count && !kernels; ++d) {
-    foundation::report_progress(interruption, "", 0);
-    try {
-      into.amplitudes.col(first + d) = bands_->amplitudes(system(draws.row(d).transpose()));
-    } catch (const NotComputable& reason) {
-      into.failures[to_size(first + d)] = reason.what();
-    } catch (const InvalidInput& reason) {
-      into.failures[to_size(first + d)] = reason.what();
-    }
-  }
+void SampledCase::complete_amplitudes(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into,
+                                      const foundation::Progress& interruption) const {
+  if (!into.amplitudes.col(design).isNaN().any()) return;
+  foundation::report_progress(interruption, "", 0);
+  static_cast<void>(refused([&] { set_amplitudes(system(draws.row(design).transpose()), design, into); }));
 }
 
 SampledMargins SampledCase::judged(const Eigen::MatrixXd& draws, Eigen::Index amplitudes,
@@ -215,15 +232,19 @@ SampledMargins SampledCase::judged(const Eigen::MatrixXd& draws, Eigen::Index am
     for (Eigen::Index d = 0; d < count; ++d)
       inside.row(d) = inside.row(d).array().max(from_.transpose()).min(to_.transpose()).matrix();
     found.margins.middleRows(first, count) = packed_margins(batch_->packed(), batch_->family().designs(inside));
-    if (amplitudes > 0) set_amplitudes(inside, first, count, found, interruption);
+    if (amplitudes > 0 && bands_->no_kernels().empty())
+      found.amplitudes.middleCols(first, count) = bands_->amplitudes(inside);
     for (std::size_t r = 0; r < given_.size(); ++r)
       if (is_constant(given_[r])) found.margins.col(to_index(r)).segment(first, count).setConstant(given_[r].margin);
     for (Eigen::Index d = 0; d < count; ++d) {
-      const bool proven = found.failures[to_size(first + d)].empty() &&
-          (inside.row(d).array() == draws.row(first + d).array()).all() &&
-          !found.margins.row(first + d).isNaN().any() && !found.amplitudes.col(first + d).isNaN().any();
-      if (proven) ++found.in_kernels;
-      else assemble(draws, first + d, found, interruption);
+      const bool proven =
+          (inside.row(d).array() == draws.row(first + d).array()).all() && !found.margins.row(first + d).isNaN().any();
+      if (!proven) {
+        assemble(draws, first + d, found, interruption);
+        continue;
+      }
+      ++found.in_kernels;
+      complete_amplitudes(draws, first + d, found, interruption);
     }
   }
   return found;

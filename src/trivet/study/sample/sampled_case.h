@@ -19,10 +19,12 @@ namespace trivet::study {
 
 /// Margins of some designs of one case.
 struct SampledMargins {
-  Eigen::ArrayXXd margins;            ///< designs × requirements; NaN in a whole row: the design could not be judged
+  Eigen::ArrayXXd margins;            ///< designs × requirements; NaN, and then in a whole row, if it has a failure
   std::vector<std::string> failures;  ///< per design, why; empty: it was judged
   std::size_t in_kernels = 0, one_by_one = 0;  ///< designs, of those judged
-  Eigen::ArrayXXd amplitudes = {};             ///< of its band curves, values × designs; without rows: not requested
+  /// Of its band curves, values × designs; without rows: not requested. NaN in the column of a design that has none:
+  /// bands do not decide whether a design is judged.
+  Eigen::ArrayXXd amplitudes = {};
 };
 
 /// One case of a sample: judges its requirements for drawn designs, by kernels over many designs where these prove all
@@ -64,9 +66,13 @@ class SampledCase {
   [[nodiscard]] SampledMargins judged(const Eigen::MatrixXd& draws, Eigen::Index amplitudes,
                                       const foundation::Progress& interruption) const;
   [[nodiscard]] SampledMargins unfilled(Eigen::Index designs, Eigen::Index amplitudes) const;
-  /// Amplitudes of designs whose margins kernels have proven, by kernels if there are any.
-  void set_amplitudes(const Eigen::MatrixXd& draws, Eigen::Index first, Eigen::Index count, SampledMargins& into,
-                      const foundation::Progress& interruption) const;
+  /// @throws foundation::NotComputable, InvalidInput if a requirement cannot be judged, or its margin is not a number
+  void set_margins(const model::System& machine, Eigen::Index design, SampledMargins& into,
+                   const foundation::Progress& interruption) const;
+  void set_amplitudes(const model::System& machine, Eigen::Index design, SampledMargins& into) const;
+  /// Those by a model that kernels have not computed, of a design whose margins they have proven.
+  void complete_amplitudes(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into,
+                           const foundation::Progress& interruption) const;
   [[nodiscard]] model::System system(const Eigen::VectorXd& draws) const;
   [[nodiscard]] std::vector<RequirementResult> results(const model::System& system,
                                                        const foundation::Progress& interruption = {}) const;
