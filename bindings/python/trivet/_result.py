@@ -352,11 +352,11 @@ class Result:
         return _plots.picture(self, names, backend, ax)
 
     def svg(self, figure: str | None = None) -> str:
-        """A picture of the report, if the command has one: a map, a front, an element, bands."""
+        """A picture of the report, if the command has one: a map, a front, an element, bands, a box."""
         figures = self._core.figures
         if not figures:
             raise InputError(
-                [problem(self.analysis, "no picture", "map, optimize, element and sample have one", "use .plot()")]
+                [problem(self.analysis, "no picture", "map, optimize, element, sample and box have one", "use .plot()")]
             )
         if figure is not None and figure not in figures:
             raise unknown_name(self.analysis, figure, "picture", figures)
