@@ -169,6 +169,31 @@ TEST(SolutionBox, HasTheSameEndsForAnyOrderOfTheTolerances) {
   }
 }
 
+// The step by which an end is tried changes a requirement by less than its reserve if the number hardly matters.
+TEST(SolutionBox, StopsEndsThatHardlyMatterWithTheOthersInAnyOrder) {
+  const double weak = 4, of_weak = 0.01 * weak;  // [N/m]
+  const double slow = (mass * window * window - stiffness - weak) / (rubber + of_weak);
+  const double sags = (stiffness + weak - mass * gravity / 2.6e-3) / (rubber + of_weak);
+  for (const bool weak_first : {false, true}) {
+    std::string text = narrow_window(false);
+    const std::size_t casting = text.find("[tolerances.casting]"), end = text.find("[requirements]");
+    text.erase(casting, end - casting);
+    text.insert(text.find("[tolerances.rubber]"),
+                "[elements.k2]\ntype = \"three_springs\"\non = \"m1\"\nat = [0, 0, 0]\ntranslation = [0, 0, 4]\n");
+    text.insert(text.find(weak_first ? "[tolerances.rubber]" : "[requirements]"),
+                "[tolerances.weak]\npath = \"elements.k2.translation.z\"\nhalf_width = \"1 %\"\n");
+    const study::SolutionBox found = study::solution_box(test::project(text));
+    const study::BoxRange &k = found.ranges.at(weak_first ? 1 : 0), &other = found.ranges.at(weak_first ? 0 : 1);
+    constexpr double stuck = 1e-4;
+    EXPECT_NEAR(k.upper.times, slow, exact);
+    EXPECT_NEAR(other.upper.times, slow, stuck);
+    EXPECT_NEAR(k.lower.times, sags, exact);
+    EXPECT_NEAR(other.lower.times, sags, stuck);
+    for (const study::BoxEnd* one : {&k.lower, &k.upper, &other.lower, &other.upper})
+      EXPECT_EQ(one->stop, study::BoxStop::requirement);
+  }
+}
+
 /// Three numbers of two masses; the amplitudes have their largest values at corners and inside.
 const std::string pair = test::driven_pair() + R"([tolerances.rubber]
 path = "elements.k1.scale"

@@ -20,6 +20,7 @@ constexpr int most_growth_rounds = 60;                             // of one gro
 constexpr int most_restarts = 30;                                  // after a search that missed a violation
 constexpr double first_growth_limit = 1, growth_limit_factor = 2;  // of distances for which kernels are fitted
 constexpr double narrowest_growth = 1e-3;                          // they are not fitted for less
+constexpr double stuck = 1e-4;                                     // an end that cannot move so far alone
 constexpr double kept_before_known = 1e-3 * box_step;              // kernels may not see that these violate
 constexpr int parts_of_section = 16, most_sections = 8;  // of the distance at which a design begins to violate
 
@@ -79,14 +80,13 @@ void BoxGrowth::run(const std::vector<BoxViolation>& known) {
         continue;
       }
       if (to >= limit || stop_blocked(movers, 1)) continue;
+      if (stop_stuck(movers, limit) || missed_) continue;
       // No end is blocked alone, only several together: the first goes on alone.
       for (const std::size_t e : movers) {
         if (stops_[e] || ends_[e].times >= limit) continue;
         const bool free = grow({e}, ends_[e].times, limit) >= limit;
         stop_at_reach();
-        // Where the margin hardly changes, a step uses up a part of the reserve only.
-        if (!free && !missed_ && !stops_[e] && !stop_blocked({e}, 1) && !stop_blocked({e}, margin_at_ends))
-          stops_[e] = EndStop{BoxStop::not_determined};
+        if (!free && !missed_) stop_alone(e);
         break;
       }
     }
@@ -97,6 +97,24 @@ void BoxGrowth::run(const std::vector<BoxViolation>& known) {
           most_restarts + 1));
     known_.push_back(*missed_);
   }
+}
+
+bool BoxGrowth::stop_stuck(const Ends& movers, double limit) {
+  bool any = false;
+  for (const std::size_t e : movers) {
+    if (stops_[e] || ends_[e].times >= limit) continue;
+    const double before = ends_[e].times, alone = grow({e}, before, limit);
+    if (missed_) return any;
+    if (alone - before < stuck) stop_alone(e), any = true;
+    else ends_[e].times = before;
+  }
+  return any;
+}
+
+void BoxGrowth::stop_alone(std::size_t end) {
+  if (stops_[end] || stop_blocked({end}, 1)) return;
+  // Where the margin hardly changes, a step uses up a part of the reserve only.
+  if (!stop_blocked({end}, margin_at_ends)) stops_[end] = EndStop{BoxStop::not_determined};
 }
 
 void BoxGrowth::fit(double from, double& limit) {

@@ -67,6 +67,10 @@ class BoxGrowth {
   void stop_at_reach();
   /// Stops those of the ends that cannot be moved alone. @return any
   bool stop_blocked(const Ends& movers, double margin);
+  /// Stops those of the ends that move hardly further alone; the others stay where they are. @return any
+  bool stop_stuck(const Ends& movers, double limit);
+  /// Stops an end that has grown alone, by what blocked it.
+  void stop_alone(std::size_t end);
   /// The worst design with an end moved alone of the places that blocked, if it is below a margin.
   [[nodiscard]] std::optional<EndStop> blocked(std::size_t end, double margin) const;
   [[nodiscard]] std::vector<Blocker> violations(const Eigen::VectorXd& times);
