@@ -157,16 +157,16 @@ class DesignCheck {
     for (std::uint64_t i = 0; i < corners; ++i) chosen.push_back(i * check_.corners / corners);
     for (std::uint64_t i = 0; i < inside; ++i) chosen.push_back(check_.corners + i);
     check_.models = chosen.size();
-    constexpr std::size_t piece = 8;
-    foundation::parallel_for(chosen.size(), {.size = piece, .progress = progress_, .task = "assembled models"},
-                             [&](std::size_t from, std::size_t to) {
-                               CheckTally part = empty();
-                               add_by_models({chosen.begin() + static_cast<std::ptrdiff_t>(from),
-                                              chosen.begin() + static_cast<std::ptrdiff_t>(to)},
-                                             part);
-                               const std::lock_guard lock(merging);
-                               all.merge(part);
-                             });
+    foundation::parallel_for(
+        chosen.size(), {.size = SampledCase::model_piece, .progress = progress_, .task = "assembled models"},
+        [&](std::size_t from, std::size_t to) {
+          CheckTally part = empty();
+          add_by_models(
+              {chosen.begin() + static_cast<std::ptrdiff_t>(from), chosen.begin() + static_cast<std::ptrdiff_t>(to)},
+              part);
+          const std::lock_guard lock(merging);
+          all.merge(part);
+        });
   }
 
   [[nodiscard]] CheckedBox found(const CheckTally& all) {

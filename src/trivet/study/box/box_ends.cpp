@@ -28,12 +28,6 @@ project::SampleRequest no_numbers() {
   return request;
 }
 
-std::size_t draw_count(const std::vector<project::Tolerance>& tolerances) {
-  std::size_t count = 0;
-  for (const project::Tolerance& one : tolerances) count += one.draws();
-  return count;
-}
-
 }  // namespace
 
 BoxEnds::BoxEnds(const std::vector<project::Tolerance>& tolerances, double most) : tolerances_(tolerances) {
@@ -63,13 +57,13 @@ Eigen::VectorXd BoxEnds::times() const {
 
 DrawBox BoxEnds::box(const Eigen::VectorXd& times) const {
   std::vector<DrawRange> ranges;
-  Eigen::VectorXd given(to_index(draw_count(tolerances_)));
+  std::vector<double> given;
   for (std::size_t t = 0; t < tolerances_.size(); ++t)
     for (std::size_t d = 0; d < tolerances_[t].draws(); ++d) {
-      given(to_index(ranges.size())) = ends_[2 * t].given;
+      given.push_back(ends_[2 * t].given);
       ranges.push_back({ends_[2 * t].draw(times(to_index(2 * t))), ends_[2 * t + 1].draw(times(to_index(2 * t + 1)))});
     }
-  return {std::move(ranges), given};
+  return {std::move(ranges), Eigen::Map<const Eigen::VectorXd>(given.data(), to_index(given.size()))};
 }
 
 std::vector<project::Tolerance> BoxEnds::ranges(const Eigen::VectorXd& times) const {

@@ -67,9 +67,12 @@ class BoxCases {
     return drawn_.draw_of(tolerance, place);
   }
   [[nodiscard]] std::size_t draws() const { return drawn_.draws(); }
+  [[nodiscard]] const DrawnDesigns& drawn() const { return drawn_; }
   [[nodiscard]] bool has_kernels() const;
   /// Designs that are judged at once.
-  [[nodiscard]] std::size_t piece() const { return has_kernels() ? 120 : 8; }
+  [[nodiscard]] std::size_t piece() const {
+    return has_kernels() ? SampledCase::kernel_piece : SampledCase::model_piece;
+  }
 
  private:
   std::vector<project::Tolerance> tolerances_;

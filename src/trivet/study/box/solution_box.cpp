@@ -17,6 +17,7 @@
 #include "trivet/study/box/box_check.h"
 #include "trivet/study/box/box_ends.h"
 #include "trivet/study/box/box_growth.h"
+#include "trivet/study/sample/named_numbers.h"
 
 namespace trivet::study {
 namespace {
@@ -43,21 +44,6 @@ void refuse_violations(const BoxCases& cases) {
                     "with a margin "
                     "above 1: change it, see trivet verdict and trivet optimize",
                     list));
-}
-
-std::vector<NamedNumber> design_numbers(const project::Project& project, const BoxCases& cases,
-                                        const std::vector<project::Tolerance>& tolerances,
-                                        const Eigen::VectorXd& draws) {
-  std::vector<NamedNumber> list;
-  if (draws.size() == 0) return list;
-  for (std::size_t t = 0; t < tolerances.size(); ++t)
-    for (std::size_t p = 0; p < tolerances[t].places.size(); ++p) {
-      const std::string& path = tolerances[t].places[p].path;
-      const double given = project::ModelNumber(path, "").read(project.base()).value_or(0);
-      list.push_back({path, tolerances[t].number(p, given, draws(to_index(cases.draw_of(t, p)))),
-                      project::quantity_at(project.base().document, project::path_keys(path))});
-    }
-  return list;
 }
 
 /// The unit in which the file has a number, and its SI value. Temperatures have none: their zero is not that of SI.
@@ -134,7 +120,7 @@ class BoxStudy {
             .in_case = stop.beyond.in_case,
             .requirement = stop.beyond.requirement,
             .reason = stop.beyond.failure,
-            .beyond = design_numbers(project_, cases_, tolerances_, stop.beyond.draws),
+            .beyond = named_numbers(project_, tolerances_, cases_.drawn(), stop.beyond.draws),
             .is_corner = stop.is_corner};
   }
 

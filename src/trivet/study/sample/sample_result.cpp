@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
-#include "trivet/project/model_number.h"
-#include "trivet/project/text/model_path.h"
-#include "trivet/project/text/shared_keys.h"
+#include "trivet/study/sample/named_numbers.h"
 #include "trivet/study/sample/worst_case.h"
 
 namespace trivet::study {
@@ -89,17 +87,7 @@ std::vector<SampledBand> bands_of(const SampledCase& of, const BandTally& tally,
 }
 
 std::vector<NamedNumber> numbers(const SampleRun& run, const Eigen::VectorXd& draws) {
-  std::vector<NamedNumber> list;
-  for (std::size_t t = 0; t < run.tolerances().size(); ++t) {
-    const project::Tolerance& tolerance = run.tolerances()[t];
-    for (std::size_t p = 0; p < tolerance.places.size(); ++p) {
-      const std::string& path = tolerance.places[p].path;
-      const double given = project::ModelNumber(path, "").read(run.project().base()).value_or(0);
-      list.push_back({path, tolerance.number(p, given, draws(to_index(run.drawn().draw_of(t, p)))),
-                      project::quantity_at(run.project().base().document, project::path_keys(path))});
-    }
-  }
-  return list;
+  return named_numbers(run.project(), run.tolerances(), run.drawn(), draws);
 }
 
 NamedDesign named(const SampleRun& run, std::uint64_t number) {

@@ -12,8 +12,7 @@
 namespace trivet::study {
 namespace {
 
-constexpr std::size_t kernel_piece = 120, model_piece = 8;  // designs
-constexpr std::size_t most_first_designs = 120;             // which set the units of the sums
+constexpr std::size_t most_first_designs = 120;  // which set the units of the sums
 
 const std::vector<project::Tolerance>& given_tolerances(const project::Project& project) {
   const project::Analyses& analyses = project.base().analyses;
@@ -43,7 +42,7 @@ SampleRun::SampleRun(const project::Project& project)
 
 std::size_t SampleRun::piece() const {
   const bool kernels = std::ranges::all_of(cases_, &SampledCase::is_quick);
-  return kernels ? kernel_piece : model_piece;
+  return kernels ? SampledCase::kernel_piece : SampledCase::model_piece;
 }
 
 void FirstDesigns::count_in(const DrawnDesigns& drawn, SampleTally& tally) const {
@@ -51,11 +50,13 @@ void FirstDesigns::count_in(const DrawnDesigns& drawn, SampleTally& tally) const
 }
 
 FirstDesigns SampleRun::first_designs(const foundation::Progress& progress) const {
-  FirstDesigns first{.count = std::min(most_first_designs, request_.designs), .piece = model_piece};
-  first.margins.resize((first.count + model_piece - 1) / model_piece);
-  foundation::parallel_for(
-      first.count, {.size = model_piece, .progress = progress, .task = "first designs"},
-      [&](std::size_t from, std::size_t to) { first.margins[from / model_piece] = judged(from, to - from, {}); });
+  FirstDesigns first{.count = std::min(most_first_designs, request_.designs), .piece = SampledCase::model_piece};
+  first.margins.resize((first.count + SampledCase::model_piece - 1) / SampledCase::model_piece);
+  foundation::parallel_for(first.count,
+                           {.size = SampledCase::model_piece, .progress = progress, .task = "first designs"},
+                           [&](std::size_t from, std::size_t to) {
+                             first.margins[from / SampledCase::model_piece] = judged(from, to - from, {});
+                           });
   first.magnitudes = magnitudes_of(first.margins);
   return first;
 }

@@ -22,7 +22,7 @@ namespace {
 using foundation::InvalidInput;
 using foundation::NotComputable;
 
-constexpr Eigen::Index kernel_lanes = 120;  // designs whose matrices fit in the cache
+constexpr auto kernel_lanes = static_cast<Eigen::Index>(SampledCase::kernel_piece);
 
 /// Shares of the numbers of a draw beyond an end of its range. The first is that of bounded numbers: nothing is beyond.
 constexpr double no_tail = 0;

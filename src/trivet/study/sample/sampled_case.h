@@ -31,6 +31,9 @@ struct SampledMargins {
 /// of them, otherwise by assembled models.
 class SampledCase {
  public:
+  /// Designs that are judged at once: by kernels as many as have their matrices in the cache, by models few.
+  static constexpr std::size_t kernel_piece = 120, model_piece = 8;
+
   /// @throws foundation::NotComputable if a requirement cannot be judged in the case as given, InvalidInput if a number
   /// of a tolerance cannot be read there
   SampledCase(const project::Case& variant, const std::vector<project::Tolerance>& tolerances,

@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t most_for_all_corners = 12;  // draws
 constexpr Eigen::Index sampled_corners = 4096, inside_points = 1024;
-constexpr Eigen::Index piece = 120;                             // designs, which kernels judge at once
 constexpr double same_worst_margin = 1e-9;                      // relative: a corner is preferred
 constexpr std::uint64_t scramble = project::sample_replicates;  // independent of the drawn designs
 
@@ -93,7 +92,8 @@ class WorstDesigns {
     for (const SampledCase& one : cases_) margins_.emplace_back(places_.rows(), to_index(one.given().size()));
     std::vector<std::string> failures(to_size(places_.rows()));
     foundation::parallel_for(
-        to_size(places_.rows()), {.size = to_size(piece), .progress = progress_, .task = "corners and designs inside"},
+        to_size(places_.rows()),
+        {.size = SampledCase::kernel_piece, .progress = progress_, .task = "corners and designs inside"},
         [&](std::size_t from, std::size_t to) {
           const Eigen::MatrixXd draws = box_.at(places_.middleRows(to_index(from), to_index(to - from)));
           for (std::size_t c = 0; c < cases_.size(); ++c) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "trivet/project/project.h"
+#include "trivet/study/sample/drawn_designs.h"
+#include "trivet/study/sample/sample.h"
+
+namespace trivet::study {
+
+/// The numbers of the model that the draws of a design set.
+/// @param draws  ratios or deviations, see project::Tolerance; none: no design
+[[nodiscard]] std::vector<NamedNumber> named_numbers(const project::Project& project,
+                                                     const std::vector<project::Tolerance>& tolerances,
+                                                     const DrawnDesigns& drawn, const Eigen::VectorXd& draws);
+
+}  // namespace trivet::study
