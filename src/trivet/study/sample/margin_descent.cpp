@@ -10,10 +10,10 @@
 namespace trivet::study {
 namespace {
 
-constexpr int steps = 20;             // of a line, each half the one before
-constexpr int most_rounds = 200;      // of a descent
-constexpr double difference = 1e-4;   // of the width of a range, for slopes
-constexpr double least_gain = 1e-10;  // of the margin, for another round
+constexpr int steps = 20;                 // of a line, each half the one before
+constexpr int most_descent_rounds = 200;  // of a descent
+constexpr double difference = 1e-4;       // of the width of a range, for slopes
+constexpr double least_gain = 1e-10;      // of the margin, for another round
 
 bool gains(const MarginDescent::Place& here, const MarginDescent::Place& next) {
   return next.margin < here.margin &&
@@ -83,7 +83,7 @@ Eigen::MatrixXd DrawBox::at(const DrawPlaces& places) const {
 
 MarginDescent::Place MarginDescent::run(Place here) {
   Eigen::VectorXd before = here.at, two_before = here.at;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < most_descent_rounds; ++round) {
     DrawPlaces next = along(here.at, -slopes(here));
     if (round > 1) append(next, beyond(here.at, here.at - two_before));
     Place best = worst_of(next, here);
