@@ -176,7 +176,7 @@ TEST(WorstCase, IsTheSameForAnyNumberOfThreads) {
   const auto json = [&](int threads) {
     const foundation::ThreadLimit limit(threads);
     const study::Sample found = study::sample(project);
-    return results::as_json_text(results::sample_document(found, {}));
+    return documents::as_json_text(results::sample_document(found, {}));
   };
   const std::string one = json(1);
   EXPECT_THAT(one, testing::HasSubstr("\"worst_margin\""));
