@@ -107,7 +107,9 @@ class Box(InTemporaryFolder):
         tight = self.wedge(lambda text: text.replace("3 mm", "2 mm"))
         done = trivet("box", tight)
         self.assertEqual(done.returncode, 1)
-        self.assertIn('the design of the file violates or only just meets "at rest m1.z ≤ 2 mm" (margin 0.8158)', done.stderr)
+        self.assertIn(
+            'the design of the file violates or only just meets "at rest m1.z ≤ 2 mm" (margin 0.8158)', done.stderr
+        )
 
     def test_messages(self):
         def without(first, last):

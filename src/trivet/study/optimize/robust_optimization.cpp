@@ -84,7 +84,7 @@ class RobustSearch {
       const double missing = found.yield ? *result_.wanted - found.yield->interval.from : 0;
       if (!nearest_ || (found.yield && found.yield->interval.from > result_.found.yield->interval.from)) {
         nearest_ = best_;
-        result_.found = std::move(found);
+        result_.found = found;
         result_.held = held;
       }
       if (!may_search_on) break;
