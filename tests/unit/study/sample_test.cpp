@@ -175,18 +175,19 @@ TEST(Sample, StatesWhatItNeeds) {
               HasSubstr("the file has no tolerances"));
 }
 
-TEST(Tally, CountsAMarginThatIsNoNumberAsFailed) {
+TEST(Tally, CountsADesignWithAFailureAndNoOther) {
   const project::Project project = test::project(machine + required);
   const std::vector<project::Tolerance>& tolerances = project.base().analyses.tolerances;
   const study::DrawnDesigns drawn(tolerances, {});
   const std::vector<study::SampledCase> cases(1, {project.base(), tolerances, drawn});
   study::SampleTally tally(cases, drawn.replicates(), {{{}, {}}});
   study::SampledMargins margins{Eigen::ArrayXXd::Constant(3, 2, 2.0), std::vector<std::string>(3)};
-  margins.margins(1, 1) = std::numeric_limits<double>::quiet_NaN();
+  margins.margins.row(1).setConstant(std::numeric_limits<double>::quiet_NaN());
+  margins.failures[1] = "it has no model";
   tally.add(drawn, 10, {margins});
   EXPECT_EQ(tally.failed, 1);
   EXPECT_EQ(tally.first_failed, 11);
-  EXPECT_EQ(tally.first_failure, "the margin of \"" + cases[0].given()[1].words.text() + "\" is not a number");
+  EXPECT_EQ(tally.first_failure, "it has no model");
   EXPECT_EQ(tally.of[0][0].margins.count(), 2);
 }
 
