@@ -76,7 +76,7 @@ SKIPPED = {
     "map": [(r"(?m)^  \d+ designs? .* one by one.*$", "how it was computed")],
     "orders": [(r"(?m)^note: .*$", "notes on the model, in results.json")],
     "verdict": [(r"limits over [^;\n]*", "the common band, a key of the file")],
-    "sample": [(r"(?m)^  requirement .*$", "headings with the shares of quantiles")],
+    "sample": [(r"(?m)^  (requirement|band of) .*$", "headings with the shares of quantiles")],
     "power": [(r"\d+\.\d %", "the quotient of two curves at one frequency")],
 }
 # Cells of the report: checks of its curves, formulas of laws, and excitations as given.
