@@ -262,9 +262,9 @@ class StudyFolder(InTemporaryFolder):
             time.sleep(1.5)
             found = json.loads(status("--json").stdout)
             self.assertEqual(found["parts"][0]["state"], "running")
-            self.assertGreater(found["rate"], 1000)
+            self.assertGreater(found["rate"], 0)
             self.assertEqual(found["parts"][0]["missing"] + found["done"], found["chunks"] // 2)
-            self.assertRegex(status().stdout, r"1 part running, \S+ designs/s, about \d+ s left for it\.")
+            self.assertRegex(status().stdout, r"1 part running, \S+ designs/s, about \d+ (s|min|h) left for it\.")
         finally:
             running.kill()
             running.communicate()
