@@ -43,25 +43,21 @@ struct BoxRow {
                   "stroke=\"#333\" stroke-width=\"1.2\"");
     canvas.line({zero, middle - bar_height / 2 - 3}, {zero, middle + bar_height / 2 + 3},
                 "stroke=\"#333\" stroke-width=\"2\"");
-    draw_end(canvas, range.lower, from, false);
-    draw_end(canvas, range.upper, to, true);
+    draw_end(canvas, range.lower, false);
+    draw_end(canvas, range.upper, true);
     draw_name(canvas);
   }
 
  private:
-  void draw_end(SvgCanvas& canvas, const study::BoxEnd& end, double x, bool upper) const {
-    const char* anchor = upper ? "start" : "end";
+  /// Below the bar, from the edges of the panel inward: labels at the ends themselves would cross the line of the number
+  /// where an end is near it.
+  void draw_end(SvgCanvas& canvas, const study::BoxEnd& end, bool upper) const {
     const bool is_open = end.stop == study::BoxStop::most || end.stop == study::BoxStop::not_determined;
     const std::string open = is_open ? (upper ? "≥ " : "≤ ") : "";
-    const double room = upper ? panel.corner.x + panel.width - x : x - panel.corner.x;
-    constexpr double label_room = 66;
-    const bool inside = room < label_room;  // beside the bar there is no room
-    canvas.text({x + (upper == inside ? -5 : 5), middle + 4}, open + results::box_end_words(range, end),
-                fmt::format("font-size=\"11\" text-anchor=\"{}\"", inside ? (upper ? "end" : "start") : anchor));
-    const double half = panel.width / 2 - 12;
-    canvas.text({upper ? panel.corner.x + panel.width - 4 : panel.corner.x + 4, middle + bar_height / 2 + 15},
-                fitting(results::box_stop_words(box, end), half),
-                fmt::format("font-size=\"10\" fill=\"#555\" text-anchor=\"{}\"", upper ? "end" : "start"));
+    const std::string words = open + results::box_end_words(range, end) + ": " + results::box_stop_words(box, end);
+    canvas.text({upper ? panel.corner.x + panel.width - 4 : panel.corner.x + 4, middle + bar_height / 2 + 16},
+                fitting(words, panel.width / 2 - 12),
+                fmt::format("font-size=\"10\" text-anchor=\"{}\"", upper ? "end" : "start"));
   }
 
   void draw_name(SvgCanvas& canvas) const {
