@@ -164,7 +164,7 @@ designs = 40_000
 )";
   for (const char* sampling : {"sobol", "random"}) {
     const project::Project project = test::project(text, {std::string("analyses.sample.sampling=") + sampling});
-    const study::Sample found = study::sample(project, {}, true);
+    const study::Sample found = study::sample(project, {}, {.shares = true});
     ASSERT_TRUE(found.shares);
     EXPECT_EQ(found.shares->reason, "");
     EXPECT_EQ(found.shares->pairs, 10000);

@@ -51,7 +51,7 @@ study::Sample sampled(const Task& task) {
     if (task.keys.has("part"))
       throw InvalidInput(fmt::format("{}: parts share a study folder; name it with {}", task.keys.written("part"),
                                      task.keys.written("output")));
-    return study::sample(*task.project, task.progress, task.keys.flag("shares"));
+    return study::sample(*task.project, task.progress, {.shares = task.keys.flag("shares")});
   }
   return study::sample_in_folder(*task.project,
                                  {.folder = task.keys.text("output"),

@@ -23,6 +23,7 @@
 #include "trivet/study/optimize/optimization.h"
 #include "trivet/study/requirements/overruled_cases.h"
 #include "trivet/study/requirements/requirement_values.h"
+#include "trivet/study/sample/sample.h"
 
 namespace trivet::study {
 namespace {
@@ -79,6 +80,20 @@ void add_optimum(const project::Project& project, const foundation::Progress& st
   }
 }
 
+/// Samples the designs within the tolerances that the file requests.
+void add_sample(const project::Project& project, const foundation::Progress& step, CaseResults& results) {
+  if (!project.base().analyses.sample) return;
+  try {
+    results.sample = std::make_shared<const Sample>(
+        sample(project, step,
+               {.shares = true, .most_by_kernels = most_sampled_in_a_run, .most_assembled = most_assembled_in_a_run}));
+  } catch (const foundation::NotComputable& reason) {
+    results.failures.emplace_back(reason.what());
+  } catch (const foundation::InvalidInput& reason) {
+    results.failures.emplace_back(reason.what());
+  }
+}
+
 /// @param lowest  lowest scaled eigenvalue; negative if the element generates energy
 void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v,
                       double lowest, bool symmetric, std::vector<CheckLine>& lines) {
@@ -123,6 +138,7 @@ std::vector<CaseResults> run(const project::Project& project, const foundation::
     if (project.cases.size() > 1) all.back().load_case = load_case_of(variant, all.back());
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());
     if (i == 0) add_optimum(project, step, all.back());
+    if (i == 0) add_sample(project, step, all.back());
     if (i == 0 && !project.base().analyses.optimize) all.back().warnings.add(overruled_by_search(project));
     if (done) done(i, all.back());
   }

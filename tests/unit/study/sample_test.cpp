@@ -215,7 +215,7 @@ damping_ratio = 0.01
 TEST(Sample, SaysWhyARequirementHasNoShares) {
   const std::string more = "no_peak = \"m1.x\"\npeak_tolerance = 0.5\n[analyses.sample]\ndesigns = 500\n";
   const project::Project project = test::project(machine + required + more);
-  const study::Sample found = study::sample(project, {}, true);
+  const study::Sample found = study::sample(project, {}, {.shares = true});
   ASSERT_EQ(found.shares->list.size(), 3);
   EXPECT_EQ(found.shares->list[0].reason, "");
   EXPECT_EQ(found.shares->list[2].reason, "its margin is not that of a value");
@@ -228,7 +228,7 @@ TEST(Sample, SaysWhyARequirementHasNoShares) {
       "at = [0, 0, 0]\ntranslation = [1000, 0, 0]\n[excitations.force]\ntype = \"harmonic\"\non = \"m1\"\n"
       "at = [0, 0, 0]\nforce = [10, 0, 0]\n[tolerances.own]\npath = \"elements.own.scale\"\nhalf_width = \"5 %\"\n"
       "[analyses.sample]\ndesigns = 500\n";
-  const study::Sample idle = study::sample(test::project(other + required), {}, true);
+  const study::Sample idle = study::sample(test::project(other + required), {}, {.shares = true});
   ASSERT_EQ(idle.shares->list.size(), 2);
   for (const study::RequirementShares& one : idle.shares->list) EXPECT_EQ(one.reason, "its value does not vary");
 }

@@ -74,6 +74,9 @@ namespace trivet::report {
 /// The machine of [analyses.optimize] over the given one, if places, shapes or masses differ.
 [[nodiscard]] std::vector<Figure> best_design_figures(const project::Case& variant, const study::CaseResults& results);
 
+/// The bands and the shares of the variance of the designs within tolerances.
+[[nodiscard]] std::vector<Figure> sample_figures(const study::CaseResults& results);
+
 /// The front of two results.
 [[nodiscard]] std::vector<Figure> front_figures(const study::CaseResults& results);
 

@@ -10,6 +10,7 @@
 #include "trivet/report/drawing/amplitude_range.h"
 #include "trivet/report/drawing/in_documents.h"
 #include "trivet/report/drawing/panel_figure.h"
+#include "trivet/report/drawing/result_figures.h"
 
 namespace trivet::report {
 namespace {
@@ -122,6 +123,13 @@ std::optional<Figure> band_figure(const study::Sample& sample, const std::option
   const std::string title = panels.size() == 1 ? fmt::format("Band of {} over {} designs", panels.front().title, count)
                                                : fmt::format("Bands over {} designs", count);
   return panel_figure(title, "bands.svg", panels);
+}
+
+std::vector<Figure> sample_figures(const study::CaseResults& results) {
+  std::vector<Figure> figures;
+  if (!results.sample) return figures;
+  if (auto bands = band_figure(*results.sample)) figures.push_back(std::move(*bands));
+  return figures;
 }
 
 }  // namespace trivet::report

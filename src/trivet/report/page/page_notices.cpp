@@ -14,6 +14,7 @@
 #include "trivet/report/drawing/in_documents.h"
 #include "trivet/report/drawing/svg_canvas.h"
 #include "trivet/report/page/design_judgement.h"
+#include "trivet/results/design/sample_document.h"
 
 namespace trivet::report {
 
@@ -162,6 +163,15 @@ std::string box(const std::string& style, const std::string& title, const std::v
   return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2><ul>{}</ul></div>\n", style, title, items);
 }
 
+/// The yield of the designs within tolerances.
+std::string sample_box(const std::vector<ShownCase>& cases) {
+  std::string words;
+  for (const ShownCase& shown : cases)
+    if (shown.results.sample)
+      for (const std::string& sentence : results::sample_sentences(*shown.results.sample)) words += paragraph(sentence);
+  return words.empty() ? "" : "<div class=\"note\" role=\"note\"><h2>Within tolerances</h2>" + words + "</div>\n";
+}
+
 }  // namespace
 
 std::string page_notices(const std::vector<ShownCase>& cases, bool linked) {
@@ -173,7 +183,7 @@ std::string page_notices(const std::vector<ShownCase>& cases, bool linked) {
     for (const std::string& text : cases[i].results.free_motions) add(rigid, text, "", i);
     for (const std::string& text : cases[i].results.notes) add(notes, text, "", i);
   }
-  std::string html = judgement_box(cases, linked) +
+  std::string html = judgement_box(cases, linked) + sample_box(cases) +
       box("alert", "⚠ " + count_words(warnings.size(), "warning"), warnings, cases) +
       box("alert", "✗ " + count_words(failed.size(), "failed check"), failed, cases) +
       box("note", "Rigid-body modes", rigid, cases) + box("note", "Notes", notes, cases);

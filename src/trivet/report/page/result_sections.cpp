@@ -43,6 +43,7 @@ const std::vector<Shown>& all_shown() {
       {"Map of designs", "map", nullptr, {map_figures}},
       {"Best design", nullptr, best_design, {}, best_design_figures},
       {"Front", nullptr, front_between, {front_figures}},
+      {"Designs within tolerances", "sample", nullptr, {sample_figures}},
       {"At the operating speed", "operation", nullptr, {}},
       {"Measured levels of the excitation", nullptr, nullptr, {}, band_level_figures},
       {"Random response", "random", nullptr, {random_figures}},

@@ -97,7 +97,7 @@ const std::vector<ResultWriter>& result_writers() {
   static const std::vector<ResultWriter> list = with_tables(
       {TRIVET_WRITER(modes) TRIVET_WRITER(roots) TRIVET_WRITER(response) TRIVET_WRITER(peaks) TRIVET_WRITER(static)
            TRIVET_ANALYSES(TRIVET_OWN_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(measurements) TRIVET_WRITER(map)
-               TRIVET_WRITER(optimize) TRIVET_WRITER(load_sharing)});
+               TRIVET_WRITER(optimize) TRIVET_WRITER(sample) TRIVET_WRITER(load_sharing)});
 #undef TRIVET_OWN_WRITER
 #undef TRIVET_WRITER
   return list;

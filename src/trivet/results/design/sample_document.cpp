@@ -17,6 +17,7 @@
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/results/design/worst_case_parts.h"
 #include "trivet/results/format/json_parts.h"
+#include "trivet/results/format/result_writer.h"
 
 namespace trivet::results {
 namespace {
@@ -182,6 +183,15 @@ void say(Document& document, std::string words, unsigned forms = for_people) {
   document.add(Sentence{.parts = {std::move(words)}, .forms = forms});
 }
 
+std::string yield_sentence(const Sample& sample) {
+  const std::uint64_t designs = sample.request.designs;
+  return fmt::format("Yield: {}; {} of {} designs meet every requirement.", yield_words(sample.yield),
+                     sample.yield.met == designs ? "all"
+                         : sample.yield.met == 0 ? "NONE"
+                                                 : std::to_string(sample.yield.met),
+                     designs);
+}
+
 /// Which requirement decides most of the designs that violate one.
 std::string first_words(const Sample& sample) {
   const SampledRequirement* most = nullptr;
@@ -263,18 +273,23 @@ Json yield_json(const Yield& yield) {
           {"interval", yield.of_replicates ? "replicates" : "Clopper-Pearson"}};
 }
 
-Document sample_document(const Sample& sample, const foundation::Problems& warnings) {
+std::vector<std::string> sample_sentences(const Sample& sample) {
+  std::vector<std::string> list;
+  if (sample.first_of)
+    list.push_back(fmt::format("These are the first {} of {} designs: trivet sample judges all of them.",
+                               sample.request.designs, *sample.first_of));
+  list.push_back(yield_sentence(sample));
+  if (std::string first = first_words(sample); !first.empty()) list.push_back(std::move(first));
+  return list;
+}
+
+Document sample_document(const Sample& sample) {
   Document document;
-  const std::uint64_t designs = sample.request.designs;
   add_partial(sample, document);
-  say(document,
-      fmt::format("Yield: {}; {} of {} designs meet every requirement.", yield_words(sample.yield),
-                  sample.yield.met == designs ? "all"
-                      : sample.yield.met == 0 ? "NONE"
-                                              : std::to_string(sample.yield.met),
-                  designs));
+  for (const std::string& words : sample_sentences(sample)) say(document, words);
   const auto add = [&](const char* name, Json value) { document.add(Single{.name = name, .value = std::move(value)}); };
-  add("designs", designs);
+  add("designs", sample.request.designs);
+  if (sample.first_of) add("first_of", *sample.first_of);
   add("sampling", sample.request.sobol ? "sobol" : "random");
   add("seed", sample.request.seed);
   add("replicates", sample.replicates);
@@ -288,7 +303,6 @@ Document sample_document(const Sample& sample, const foundation::Problems& warni
   add("worst", design_json(sample.worst));
   add("worst_margin", sample.worst ? json::number(sample.worst_margin) : Json());
   add("worst_case", sample.worst ? Json(sample.worst_case) : Json());
-  if (const std::string first = first_words(sample); !first.empty()) say(document, first);
   add_failures(sample, document);
   if (sample.worst)
     say(document,
@@ -318,8 +332,20 @@ Document sample_document(const Sample& sample, const foundation::Problems& warni
   add_worst_cases(sample, document);
   add_shares(sample, document);
   say(document, method_words(sample), on_screen | on_page);
-  add("warnings", json::warnings(warnings));
   return document;
 }
+
+Document sample_document(const Sample& sample, const foundation::Problems& warnings) {
+  Document document = sample_document(sample);
+  document.add(Single{.name = "warnings", .value = json::warnings(warnings)});
+  return document;
+}
+
+const ResultWriter sample_results = {
+    .has_result = [](const project::Case&, const study::CaseResults& results) { return results.sample != nullptr; },
+    .document = [](const project::Case&,
+                   const study::CaseResults& results) { return sample_document(*results.sample); },
+    .files = {"sample.csv"},
+    .optional_file = {"bands.csv", [](const study::CaseResults& results) { return has_bands(*results.sample); }}};
 
 }  // namespace trivet::results

@@ -17,6 +17,7 @@
 #include "trivet/results/design/judgements.h"
 #include "trivet/results/design/map_summary.h"
 #include "trivet/results/design/optimization_results.h"
+#include "trivet/results/design/sample_document.h"
 #include "trivet/results/format/axis_words.h"
 #include "trivet/results/format/in_documents.h"
 #include "trivet/results/format/shown_words.h"
@@ -234,6 +235,12 @@ std::string front_words(const study::DesignFront& front) {
                      front.knee ? fmt::format("; the knee is design {}", *front.knee + 1) : "");
 }
 
+std::string sample_text(const study::Sample& sample) {
+  std::string text = "Within tolerances\n";
+  for (const std::string& words : sample_sentences(sample)) text += "  " + words + "\n";
+  return text + "\n";
+}
+
 std::string designs_text(const Cases& cases) {
   std::string text;
   for (const study::CaseResults& results : cases) {
@@ -246,6 +253,7 @@ std::string designs_text(const Cases& cases) {
                           map->best ? "  " + best_words(*map) + "\n" : "");
     if (results.optimization) text += best_text(*results.optimization);
     if (results.front) text += front_words(*results.front);
+    if (results.sample) text += sample_text(*results.sample);
   }
   return text;
 }

@@ -59,7 +59,7 @@ struct ResultWriter {
 [[nodiscard]] Sentence excited_part(const std::vector<std::string>& names);
 
 extern const ResultWriter modes_results, roots_results, response_results, peaks_results, static_results,
-    limit_lines_results, measurements_results, optimize_results, load_sharing_results;
+    limit_lines_results, measurements_results, optimize_results, sample_results, load_sharing_results;
 #define TRIVET_WRITER(name) extern const ResultWriter name##_results;
 TRIVET_ANALYSES(TRIVET_WRITER)
 #undef TRIVET_WRITER

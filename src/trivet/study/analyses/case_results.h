@@ -33,6 +33,7 @@ namespace trivet::study {
 class SolvedCase;
 struct DesignFront;
 struct Optimization;
+struct Sample;
 
 struct ResponseResult {
   response::FrequencyResponse curves;
@@ -97,6 +98,7 @@ struct CaseResults {
   std::vector<DesignMap> map_pairs;                  ///< instead of it, the maps of several pairs of parameters
   std::shared_ptr<const Optimization> optimization;  ///< of the base model, if the file has [analyses.optimize]
   std::shared_ptr<const DesignFront> front;          ///< the same with `front`
+  std::shared_ptr<const Sample> sample;              ///< of the base model, if the file has [analyses.sample]
   std::vector<std::string> failures;                 ///< requests that could not be computed, with the reason
   // Those of analysis_table.h:
   std::optional<OperationResult> operation;

@@ -13,8 +13,10 @@
 
 namespace trivet::study {
 
-Sample sample(const project::Project& project, const foundation::Progress& progress, bool shares) {
-  const SampleRun run(project);
+Sample sample(const project::Project& project, const foundation::Progress& progress, const SampleOptions& options) {
+  SampleRun run(project);
+  const std::size_t wanted = run.request().designs;
+  run.keep_first(run.is_quick() ? options.most_by_kernels : options.most_assembled);
   const FirstDesigns first = run.first_designs(progress);
   SampleTally all = run.empty_tally(first.magnitudes);
   first.count_in(run.drawn(), all);
@@ -37,7 +39,8 @@ Sample sample(const project::Project& project, const foundation::Progress& progr
   for (const SampleTally& part : free) all.merge(part);
   Sample found = sample_result(run, all);
   if (found.request.worst_case) add_worst_designs(run, found, progress);
-  if (shares) found.shares = variance_shares(run.cases(), run.tolerances(), run.request(), progress);
+  if (run.request().designs < wanted) found.first_of = wanted;
+  if (options.shares) found.shares = variance_shares(run.cases(), run.tolerances(), run.request(), progress);
   return found;
 }
 

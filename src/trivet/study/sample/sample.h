@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -130,14 +131,22 @@ struct Sample {
   std::optional<SampledShares> shares;               ///< if they are requested
   std::optional<WorstCaseSearch> worst_case_search;  ///< the same
   std::optional<StudyProgress> study;                ///< if it is one in a folder
+  std::optional<std::size_t> first_of;               ///< designs of [analyses.sample], if only the first are judged
+};
+
+struct SampleOptions {
+  bool shares = false;  ///< also those of the variance, from at most as many designs again
+  /// Judge at most so many designs, the first of [analyses.sample], if kernels judge them, or else by assembled models.
+  std::size_t most_by_kernels = most_of_all, most_assembled = most_of_all;
+
+  static constexpr std::size_t most_of_all = std::numeric_limits<std::size_t>::max();
 };
 
 /// Judges the requirements of the cases in which the design has to hold for the designs of [analyses.sample], by
 /// default 100,000. All cases have the same designs. The same for any number of threads.
-/// @param shares  also those of the variance, from at most as many designs again
 /// @throws foundation::InvalidInput without tolerances or requirements, NotComputable if a requirement cannot be judged
 /// in the design of the file
 [[nodiscard]] Sample sample(const project::Project& project, const foundation::Progress& progress = {},
-                            bool shares = false);
+                            const SampleOptions& options = {});
 
 }  // namespace trivet::study

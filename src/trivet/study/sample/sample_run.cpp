@@ -40,10 +40,9 @@ SampleRun::SampleRun(const project::Project& project)
         "[requirements]");
 }
 
-std::size_t SampleRun::piece() const {
-  const bool kernels = std::ranges::all_of(cases_, &SampledCase::is_quick);
-  return kernels ? SampledCase::kernel_piece : SampledCase::model_piece;
-}
+bool SampleRun::is_quick() const { return std::ranges::all_of(cases_, &SampledCase::is_quick); }
+
+std::size_t SampleRun::piece() const { return is_quick() ? SampledCase::kernel_piece : SampledCase::model_piece; }
 
 void FirstDesigns::count_in(const DrawnDesigns& drawn, SampleTally& tally) const {
   for (std::size_t i = 0; i < margins.size(); ++i) tally.add(drawn, i * piece, margins[i]);

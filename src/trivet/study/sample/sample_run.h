@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -37,6 +38,10 @@ class SampleRun {
   [[nodiscard]] const DrawnDesigns& drawn() const { return drawn_; }
   /// Those in which the design has to hold.
   [[nodiscard]] const std::vector<SampledCase>& cases() const { return cases_; }
+  /// True if kernels judge nearly all designs of all cases.
+  [[nodiscard]] bool is_quick() const;
+  /// Leaves out all designs after the first ones.
+  void keep_first(std::size_t most) { request_.designs = std::min(request_.designs, most); }
   /// Designs that are judged at once: many by kernels, few by assembled models.
   [[nodiscard]] std::size_t piece() const;
 

@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Designs within tolerances as a part of `trivet run`: the same result as of `trivet sample`."""
+import html
+import json
+import re
+import unittest
+
+from trivet_test import SOURCE, InTemporaryFolder, trivet
+
+ROBUST = SOURCE / "examples/paper/robust.toml"
+
+
+def section(page, title):
+    return re.search(rf">{title}</h2>(.*?)</section>", page, re.S).group(1)
+
+
+def words(text):
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", text)))
+
+
+class ReportSample(InTemporaryFolder):
+    def project(self, text=None, *changes):
+        target = self.folder / "project.toml"
+        text = text or ROBUST.read_text().replace("designs = 100_000", "designs = 2000, worst_case = true")
+        # Shares are those of independent numbers.
+        text = text.replace('correlation = {with = "core", value = 0.5}\n', "")
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        target.write_text(text)
+        return target
+
+    def run_of(self, project, *options):
+        done = trivet("run", project, "-o", self.folder / "out", *options)
+        page = self.folder / "out/report.html"
+        return done, json.loads((self.folder / "out/results.json").read_text()), page.read_text()
+
+    def test_has_what_trivet_sample_prints(self):
+        project = self.project()
+        done, results, page = self.run_of(project)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = json.loads(trivet("sample", project, "--shares", "--json").stdout)
+        del found["warnings"]
+        self.assertEqual(results["cases"][0]["sample"], found)
+        head = trivet("sample", project).stdout.splitlines()[:2]
+        self.assertRegex(head[0], r"^Yield: 9\d\.\d")
+        notice = words(re.search(r"<h2>Within tolerances</h2>(.*?)</div>", page, re.S).group(1))
+        part = words(section(page, "Designs within tolerances"))
+        for line in head:
+            self.assertIn("  " + line, done.stdout)
+            self.assertIn(line, notice)
+            self.assertIn(line, part)
+        for heading in ("breaks first", "least margin", "worst found", "drawn number", "5 … 95 % of the designs"):
+            self.assertIn(heading, part)
+        folder = self.folder / "out/00-base"
+        self.assertEqual((folder / "sample.csv").read_text(), trivet("sample", project, "--csv").stdout)
+        for name in ("bands.csv", "bands.svg"):
+            self.assertTrue((folder / name).exists(), name)
+
+    def test_the_short_report_states_the_yield(self):
+        done, _, page = self.run_of(self.project(), "--report", "short")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Yield: ", words(re.search(r"<h2>Within tolerances</h2>(.*?)</div>", page, re.S).group(1)))
+
+    def test_a_large_sample_ends_after_the_first_designs(self):
+        for more, most in (("", 100_000), ("damping_ratio = 1e-6\n", 1000)):  # a damping ratio has no kernel
+            project = self.project(
+                None,
+                ("designs = 2000, worst_case = true", "designs = 1_000_000"),
+                ("no_peak = [", more + "no_peak = ["),
+            )
+            done, results, page = self.run_of(project)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            found = results["cases"][0]["sample"]
+            self.assertEqual((found["designs"], found["first_of"]), (most, 1_000_000))
+            sentence = f"These are the first {most} of 1000000 designs: trivet sample judges all of them."
+            self.assertIn(sentence, done.stdout)
+            self.assertEqual(words(page).count(sentence), 2)
+            few = trivet("sample", project, "--shares", "--json", "--set", f"analyses.sample.designs={most}").stdout
+            few = json.loads(few)
+            for key, value in few.items():
+                if key != "warnings":
+                    self.assertEqual(found[key], value, key)
+
+    def test_without_the_table_nothing_is_sampled(self):
+        project = self.project(None, ('sample = {designs = 2000, worst_case = true, bands = ["aggregate.y"]}\n', ""))
+        done, results, page = self.run_of(project)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("sample", results["cases"][0])
+        self.assertNotIn("ithin tolerances</h2>", page)
+
+    def test_a_sample_that_is_not_possible_is_reported(self):
+        text = ROBUST.read_text()
+        text = text[: text.index("[requirements]")] + text[text.index("[display]") :]
+        done, results, _ = self.run_of(self.project(text))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("NOT COMPUTED: sample: neither requirements nor limits", done.stdout)
+        self.assertNotIn("sample", results["cases"][0])
+
+
+if __name__ == "__main__":
+    unittest.main()
