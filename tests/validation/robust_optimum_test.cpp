@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Optima within tolerances against closed forms: a mass on a spring, not too soft for its sag and not too stiff for its
 // natural frequency.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <Eigen/Core>
 
 #include <cmath>
 #include <numbers>
@@ -9,6 +12,7 @@
 #include "support/projects.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/study/optimize/optimization.h"
+#include "trivet/study/sample/sample.h"
 
 namespace trivet {
 namespace robust_optimum_test {
@@ -93,6 +97,47 @@ TEST(RobustOptimum, MinimizesWithTheWantedYield) {
   EXPECT_NEAR(found.objective_after, mass * gravity / (stiffness * scale_of(found)) / sag, 1e-9);
   // Without tolerances the natural frequency is at its limit, and half of the machines violate it.
   EXPECT_NEAR(found.robust->nominal.yield->interval.estimate, yield_at(2 * q), 0.005);
+}
+
+/// The machines of `trivet sample` at an optimum.
+study::Sample sample_at(const study::Optimization& found, const std::string& text,
+                        std::vector<std::string> settings = {}) {
+  settings.push_back(fmt::format("elements.k1.scale={}", scale_of(found)));
+  return study::sample(test::project(text, settings));
+}
+
+const std::string least_sag = suspended(lognormal, "yield = 0.99\nminimize = {static = [\"m1.z\"]}");
+
+// What is promised is what is sampled, with the seed of the file.
+TEST(RobustOptimum, MinimizesWithTheYieldThatTrivetSampleFinds) {
+  const std::vector<std::string> few = {"analyses.sample.designs=3000", "analyses.sample.seed=7"};
+  const study::Optimization found = study::optimization(test::project(least_sag, few));
+  const study::Sample sampled = sample_at(found, least_sag, few);
+  EXPECT_EQ(found.robust->seed, 7);
+  EXPECT_EQ(found.robust->designs, 3000);
+  EXPECT_EQ(found.robust->found.yield->met, sampled.yield.met);
+  EXPECT_EQ(found.robust->found.yield->interval.from, sampled.yield.interval.from);
+}
+
+// A search that knows the sampled numbers moves the optimum by what they happen to have: where they have too few good
+// machines its true yield is higher, and the sampled one remains the same. With numbers that it does not know the
+// deviation of the sampled yield has nothing to do with the optimum.
+TEST(RobustOptimum, IsSampledWithNumbersThatTheSearchHasNotUsed) {
+  constexpr int seeds = 16;
+  Eigen::ArrayXd true_yield(seeds), deviation_of_sampled(seeds);
+  for (int seed = 0; seed < seeds; ++seed) {
+    const study::Optimization found = study::optimization(test::project(
+        least_sag,
+        {"analyses.sample.designs=2000", "analyses.sample.sampling='random'", "analyses.optimize.yield=0.9",
+         fmt::format("analyses.sample.seed={}", seed), "analyses.optimize.starts=1"}));
+    true_yield(seed) = yield_at(std::log(scale_of(found)));
+    deviation_of_sampled(seed) = found.robust->found.yield->interval.estimate - true_yield(seed);
+  }
+  const auto centered = [](const Eigen::ArrayXd& list) { return Eigen::ArrayXd(list - list.mean()); };
+  const Eigen::ArrayXd a = centered(true_yield), b = centered(deviation_of_sampled);
+  const double correlation = (a * b).sum() / std::sqrt(a.square().sum() * b.square().sum());
+  constexpr double by_chance = 0.6;  // of 16 independent pairs: 1 in 80; of known numbers: near -1
+  EXPECT_LT(std::abs(correlation), by_chance);
 }
 
 // Of a uniform mass more machines lie in a given ratio of masses at the heavy end. So the best design leaves out light

@@ -99,7 +99,8 @@ void add_robust(const Optimization& found, documents::Document& document) {
   document.add(compared_designs(robust));
   document.add(kept_margins(found));
   if (robust.wanted)
-    note(fmt::format("Each yield is that of {} machines with other numbers than those of the search.", robust.designs));
+    note(fmt::format("Each yield is that of {} machines with the numbers of seed {}, which the search has not used.",
+                     robust.designs, robust.seed));
   else
     note(
         "The worst machines are those that a search found, no proof: a worse one may remain. Numbers without bounds "

@@ -108,7 +108,7 @@ struct RobustOptimum {
   SampledDesign given, nominal;  ///< the design of the file; the optimum without tolerances
   SampledDesign found;
   std::vector<KeptMargin> margins;
-  std::uint64_t designs = 0;  ///< sampled for each yield
+  std::uint64_t designs = 0, seed = 0;  ///< sampled for each yield, with numbers that the search has not used
   /// Of these of the optimum, or of those looked at for the worst ones: without a model, or they cannot be judged.
   std::uint64_t failed = 0;
   std::string first_failure;

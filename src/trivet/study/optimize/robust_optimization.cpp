@@ -20,8 +20,12 @@ constexpr int most_searches = 12;
 constexpr double same_reserves = 1e-3;
 /// Bounds of the least margin of the search, which only the sample judges in the end.
 constexpr double nearly_met = 1e-2;
-/// Added to the numbers of the search, so that the yield is sampled with others.
-constexpr std::uint64_t other_numbers = 0x9e3779b9;
+/// Added to the seed of [analyses.sample], whose own numbers are left to the yields of the result: one for the margins
+/// by which designs are searched, one for the yields by which a design is chosen.
+constexpr std::uint64_t searching = 0x9e3779b9, choosing = 2 * searching;
+/// A yield is chosen so many times the reach of its interval (2σ) above what has to hold. That of other numbers differs
+/// from it by √2 σ: it holds in 98 of 100 searches.
+constexpr double spare = 1.5;
 
 /// The project with another design in the cases in which it has to hold.
 project::Project with_changes(const project::Project& project, const std::vector<project::Node>& changes) {
@@ -74,23 +78,12 @@ class RobustSearch {
 
   Optimization run() {
     result_.given = sampled(project_, kept_by(project_));
-    for (;;) {
-      settle();
-      if (result_.wanted && !aim_.minimizes && !best_->optimum.cut_short) raise_kept_margin();
-      SampledDesign found = sampled(best_->project, best_->kept);
-      const bool held = found.yield ? is_enough(*found.yield) : meets(found.kept);
-      const bool may_search_on = found.yield && aim_.minimizes && !held && best_->kept.least > 1 - nearly_met &&
-          result_.rounds < most_searches && !best_->optimum.cut_short;
-      const double missing = found.yield ? *result_.wanted - found.yield->interval.from : 0;
-      if (!nearest_ || (found.yield && found.yield->interval.from > result_.found.yield->interval.from)) {
-        nearest_ = best_;
-        result_.found = found;
-        result_.held = held;
-      }
-      if (!may_search_on) break;
-      aim_higher(missing);
-    }
-    if (result_.wanted && aim_.minimizes && !result_.held && !nearest_->optimum.cut_short) hold_the_yield();
+    settle();
+    if (result_.wanted && aim_.minimizes) reach_the_yield();
+    else if (result_.wanted && !best_->optimum.cut_short) raise_kept_margin();
+    result_.found = sampled(best_->project, best_->kept);
+    result_.held =
+        result_.found.yield ? result_.found.yield->interval.from >= *result_.wanted : meets(best_->kept.least);
     return described();
   }
 
@@ -108,21 +101,41 @@ class RobustSearch {
     return result;
   }
 
-  static project::Project searched(const project::Project& project) {
-    project::Project result = project;
-    for (project::Case& variant : result.cases) variant.analyses.sample->seed += other_numbers;
-    return result;
+  static project::Project with_numbers(project::Project project, std::uint64_t other) {
+    for (project::Case& variant : project.cases) variant.analyses.sample->seed += other;
+    return project;
   }
 
   [[nodiscard]] Kept kept_by(const project::Project& project) {
-    const project::Project with_other_numbers = searched(project);
-    const SampleRun run(with_other_numbers);
+    const project::Project searched = with_numbers(project, searching);
+    const SampleRun run(searched);
     return result_.wanted ? kept_by_share(run, aim_, progress_) : kept_by_worst(run, progress_);
   }
 
-  /// The search aimed at too few machines for the numbers of the sample.
+  /// Of what is minimised: rounds with a larger share of the machines while it misses the wanted yield by little, then
+  /// steps towards the largest margin kept. The best of them counts.
+  void reach_the_yield() {
+    std::optional<Round> nearest;
+    double most = 0;
+    for (;;) {
+      const double assured = assured_yield(best_->project);
+      const bool may_search_on = assured < *result_.wanted && best_->kept.least > 1 - nearly_met &&
+          result_.rounds < most_searches && !best_->optimum.cut_short;
+      if (!nearest || assured > most) {
+        nearest = best_;
+        most = assured;
+      }
+      if (!may_search_on) break;
+      aim_higher(*result_.wanted - assured);
+      settle();
+    }
+    best_ = std::move(nearest);
+    if (most < *result_.wanted && !best_->optimum.cut_short) approach_the_largest_margin(most);
+  }
+
+  /// The search aimed at too few machines.
   void aim_higher(double missing) {
-    constexpr double more_than_missing = 1.5, most_share = 1 - 2.0 / searched_machines;
+    constexpr double more_than_missing = 1.2, most_share = 1 - 2.0 / searched_machines;
     const double before = aim_.searched;
     aim_.searched = std::min(most_share, before + more_than_missing * missing);
     aim_.share = 1 - (1 - aim_.share) * (1 - aim_.searched) / (1 - before);
@@ -163,7 +176,7 @@ class RobustSearch {
   [[nodiscard]] double kept_at(const Eigen::VectorXd& shares) {
     ++result_.looked_at;
     try {
-      const project::Project there = searched(with_changes(project_, changes(shares)));
+      const project::Project there = with_numbers(with_changes(project_, changes(shares)), searching);
       return kept_least(SampleRun(there), *result_.wanted, progress_);
     } catch (const foundation::NotComputable&) {
       return 0;
@@ -203,31 +216,32 @@ class RobustSearch {
   }
 
   /// Of what is minimised: from an optimum that just misses the wanted yield towards the design with the largest margin
-  /// kept, as far as the sample needs it.
-  void hold_the_yield() {
+  /// kept, as far as it needs. @param assured  of that optimum
+  void approach_the_largest_margin(double assured) {
     if (!has_kernels()) return;
-    const Eigen::VectorXd from = shares_of(nearest_->optimum);
+    const Eigen::VectorXd from = shares_of(best_->optimum);
     Eigen::VectorXd safe = from;
-    double least = nearest_->kept.least;
+    double least = best_->kept.least;
     raise(safe, least);
-    const auto is_held = [&](double share) {
-      const project::Project there = with_changes(project_, changes(from + share * (safe - from)));
-      return is_enough(sampled(there, {}).yield.value());
+    if (safe == from) return;
+    const auto assured_at = [&](double share) {
+      return assured_yield(with_changes(project_, changes(from + share * (safe - from))));
     };
-    if (safe == from || !is_held(1)) return;
-    double missed = 0, held = 1;
-    for (int halvings = 0; halvings < 8; ++halvings) {
-      const double middle = (missed + held) / 2;
-      (is_held(middle) ? held : missed) = middle;
+    const double most = assured_at(1);
+    if (most <= assured) return;
+    double missed = 0, reached = 1;
+    for (int halvings = 0; halvings < 8 && most >= *result_.wanted; ++halvings) {
+      const double middle = (missed + reached) / 2;
+      (assured_at(middle) >= *result_.wanted ? reached : missed) = middle;
     }
-    best_ = nearest_;
-    move_to(from + held * (safe - from));
-    nearest_ = best_;
-    result_.found = sampled(nearest_->project, nearest_->kept);
-    result_.held = is_enough(*result_.found.yield);
+    move_to(from + reached * (safe - from));
   }
 
-  [[nodiscard]] bool is_enough(const Yield& yield) const { return yield.interval.from >= *result_.wanted; }
+  /// What other numbers than these find as well, see `spare`.
+  [[nodiscard]] double assured_yield(const project::Project& project) const {
+    const numerics::ConfidenceInterval found = sample_at(with_numbers(project, choosing)).yield.interval;
+    return found.from - spare * (found.estimate - found.from);
+  }
 
   [[nodiscard]] Eigen::VectorXd shares_of(const Optimization& optimum) const {
     Eigen::VectorXd shares(to_index(space_.size()));
@@ -289,22 +303,27 @@ class RobustSearch {
   [[nodiscard]] SampledDesign sampled(const project::Project& project, const Kept& kept) {
     SampledDesign design{kept.least, std::nullopt};
     if (!result_.wanted) return design;
-    project::Project counted = project;
-    for (project::Case& variant : counted.cases) {
-      variant.analyses.sample->worst_case = false;
-      variant.analyses.sample->bands.clear();
-    }
-    const Sample found = sample(counted, progress_);
+    const Sample found = sample_at(project);
     design.yield = found.yield;
     result_.designs = found.yield.designs;
+    result_.seed = found.request.seed;
     result_.failed = found.failed;
     result_.first_failure = found.first_failure;
     return design;
   }
 
+  /// Its yield alone.
+  [[nodiscard]] Sample sample_at(project::Project project) const {
+    for (project::Case& variant : project.cases) {
+      variant.analyses.sample->worst_case = false;
+      variant.analyses.sample->bands.clear();
+    }
+    return sample(project, progress_);
+  }
+
   Optimization described() {
-    Optimization optimum = std::move(nearest_->optimum);
-    const Kept& kept = nearest_->kept;
+    Optimization optimum = std::move(best_->optimum);
+    const Kept& kept = best_->kept;
     if (!result_.wanted) {
       result_.failed = kept.failed;
       result_.first_failure = kept.first_failure;
@@ -339,8 +358,7 @@ class RobustSearch {
   const std::function<bool()>& enough_;
   DesignObjective::Reserves reserves_;
   Aim aim_;
-  std::optional<Round> best_;     ///< of the rounds with one aim
-  std::optional<Round> nearest_;  ///< of those that were sampled
+  std::optional<Round> best_;  ///< of the rounds with one aim; at the end the result
   RobustOptimum result_;
 };
 

@@ -21,7 +21,7 @@ namespace trivet::study {
 
 /// The best design of which the machines within the tolerances meet the requirements: a wanted share of them, or the
 /// worst ones found. Every round searches with the reserves that the last optimum needs, and where they settle
-/// the optimum is sampled with other numbers than those of the search. Mathematics: docs/robust.md.
+/// the optimum is sampled with numbers that the search has not used. Mathematics: docs/robust.md.
 /// @throws foundation::InvalidInput, NotComputable as `optimization` and `sample`
 [[nodiscard]] Optimization robust_optimization(const project::Project& project, const foundation::Progress& progress,
                                                const std::function<bool()>& enough);
