@@ -106,10 +106,10 @@ void add_robust(const Optimization& found, documents::Document& document) {
         "The worst machines are those that a search found, no proof: a worse one may remain. Numbers without bounds "
         "are "
         "within 99.9 % of their distribution, and correlations do not restrict the search.");
-  if (robust.failed > 0)
-    note(fmt::format("{} {} have no model or cannot be judged ({}); they {}.", robust.failed,
-                     robust.wanted ? "of these of the optimum" : "of the machines looked at", robust.first_failure,
-                     robust.wanted ? "meet nothing" : "are worse than any margin"));
+  if (robust.found.failed > 0)
+    note(fmt::format("{} {} have no model or cannot be judged ({}); they {}.", robust.found.failed,
+                     robust.wanted ? "of these of the optimum" : "of the machines looked at",
+                     robust.found.first_failure, robust.wanted ? "meet nothing" : "are worse than any margin"));
   note(fmt::format("{} search{}, each with the reserves that the machines of the last optimum need; {}.", robust.rounds,
                    robust.rounds == 1 ? "" : "es",
                    robust.settled ? "the last two need the same within 0.1 %"

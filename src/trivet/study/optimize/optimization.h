@@ -92,6 +92,8 @@ struct SampledDesign {
   /// The least margin that the wanted share of the machines keeps, or the worst ones found have.
   double kept = 0;
   std::optional<Yield> yield;  ///< of all requirements in all cases that decide; none: the worst case is wanted
+  std::uint64_t failed = 0;    ///< of the sampled, or looked at for the worst: without a model, or not judged
+  std::string first_failure;
 };
 
 /// What a requirement keeps of its margin at the optimum.
@@ -109,10 +111,7 @@ struct RobustOptimum {
   SampledDesign found;
   std::vector<KeptMargin> margins;
   std::uint64_t designs = 0, seed = 0;  ///< sampled for each yield, with numbers that the search has not used
-  /// Of these of the optimum, or of those looked at for the worst ones: without a model, or they cannot be judged.
-  std::uint64_t failed = 0;
-  std::string first_failure;
-  int rounds = 0;             ///< searches, each with the reserves that the last optimum needs
+  int rounds = 0;                       ///< searches, each with the reserves that the last optimum needs
   std::size_t looked_at = 0;  ///< designs around the optimum whose machines were judged to raise the margin they keep
   bool is_raised = false;     ///< false: it was not tried
   bool settled = false;       ///< the last ones need the same reserves

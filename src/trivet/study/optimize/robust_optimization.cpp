@@ -301,15 +301,12 @@ class RobustSearch {
   }
 
   [[nodiscard]] SampledDesign sampled(const project::Project& project, const Kept& kept) {
-    SampledDesign design{kept.least, std::nullopt};
+    SampledDesign design{kept.least, std::nullopt, kept.failed, kept.first_failure};
     if (!result_.wanted) return design;
     const Sample found = sample_at(project);
-    design.yield = found.yield;
     result_.designs = found.yield.designs;
     result_.seed = found.request.seed;
-    result_.failed = found.failed;
-    result_.first_failure = found.first_failure;
-    return design;
+    return {kept.least, found.yield, found.failed, found.first_failure};
   }
 
   /// Its yield alone.
@@ -324,10 +321,6 @@ class RobustSearch {
   Optimization described() {
     Optimization optimum = std::move(best_->optimum);
     const Kept& kept = best_->kept;
-    if (!result_.wanted) {
-      result_.failed = kept.failed;
-      result_.first_failure = kept.first_failure;
-    }
     for (std::size_t c = 0; c < kept.kept.size(); ++c)
       for (std::size_t r = 0; r < kept.kept[c].size(); ++r) {
         const RequirementResult& judged = optimum.after[c].results[r];
