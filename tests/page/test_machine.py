@@ -7,6 +7,9 @@ from test_pictures import assert_alive, picture, share_changed
 from test_play import command, set_number
 
 
+PROGRAMS = "() => document.querySelector('machine-view').stage.renderer.info.programs.length"
+
+
 def choose(page, label, value):
     page.get_by_label(label, exact=True).select_option(value)
     drawn(page)
@@ -133,6 +136,7 @@ def test_ghosts_and_flashes_stand_beside_the_moving_machine(serve):
     assert share_changed(edges, rest) > 0.005
     choose(page, 'Motion against', 'strobe')
     assert share_changed(rest, picture(stage)) > 0.003
+    assert page.evaluate(PROGRAMS) == 3  # of surfaces, of lines and flat marks, of signs
     choose(page, 'Motion against', 'edges')
     assert share_changed(edges, picture(stage)) == 0  # nothing is left behind
     assert_alive(page)

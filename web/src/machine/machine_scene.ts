@@ -15,6 +15,7 @@ import {forceMark} from './force_marks.ts';
 import {Ghosts, type Ghost} from './ghosts.ts';
 import {centreOfMassMark, clearanceMark, ground, markedPoles, pointMark, poleMark, stopMark, trace} from './marks.ts';
 import {replace, screwMark} from './screw_mark.ts';
+import {sharePrograms} from './shader_programs.ts';
 
 interface Follower {
   object: Object3D;
@@ -71,6 +72,7 @@ export class MachineScene {
     this.measure();
     const centre = this.bounds.getCenter(new Vector3()), lowest = lowestAlong(this.bounds, up);
     this.root.add(ground(lowest, centre, scene.size, up, colours));
+    sharePrograms(this.root);
   }
   /// Factor from the true motion to the drawn one: the largest displacement is `share` of the size of the machine.
   scaleFor(motion: Motion, share: number): number {
@@ -96,11 +98,16 @@ export class MachineScene {
       for (const at of [...points, body.centre_of_mass, ...corners(body).slice(-4)])
         this.traces.add(trace(at, body, motion, scale, this.colours));
     }
+    sharePrograms(this.traces);
   }
-  showGhosts(ghost: Ghost, motion: Motion | null, scale: number) { this.ghosts.show(ghost, motion, scale); }
+  showGhosts(ghost: Ghost, motion: Motion | null, scale: number) {
+    this.ghosts.show(ghost, motion, scale);
+    sharePrograms(this.ghosts.root);
+  }
   /// The axis of a body that moves as a screw; null: none.
   showScrew(screw: PlacedScrew | null, body: SceneBody | null) {
     replace(this.screw, screw && body && screwMark(screw, new Vector3(...body.centre_of_mass), this.scene.size, this.colours));
+    sharePrograms(this.screw);
   }
   highlight(selection: Selection | null) {
     for (const b of this.bodies) b.highlight(selection?.kind === 'body' && selection.name === b.body.name, this.colours);

@@ -118,7 +118,9 @@ export function footPlate(size: number, up: Up, colours: Colours): Group {
 /// The ground below the machine, normal to `up`.
 export function ground(lowest: number, centre: Vector3, size: number, up: Up, colours: Colours): GridHelper {
   const step = 10 ** Math.round(Math.log10(size / 6)), cells = Math.ceil(2.6 * size / step);
-  const grid = new GridHelper(cells * step, cells, colours.grid, colours.grid);
+  const grid = new GridHelper(cells * step, cells);
+  grid.material.dispose();
+  grid.material = new LineBasicMaterial({color: colours.grid});
   grid.quaternion.copy(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), up));
   grid.position.copy(centre).addScaledVector(up, lowest - centre.dot(up));
   return grid;

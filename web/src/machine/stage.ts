@@ -6,6 +6,7 @@ import type {MachineScene} from './machine_scene.ts';
 import {disposeAll} from './body_object.ts';
 import {axesMark} from './marks.ts';
 import {partAt, type Picked} from './picking.ts';
+import {sharePrograms} from './shader_programs.ts';
 
 export type View = 'oblique' | 'front' | 'side' | 'top';
 const DIRECTIONS: Record<View, [number, number, number]> = {oblique: [0.75, -1, 0.55], front: [0, -1, 0], side: [1, 0, 0], top: [0, 0, 1]};
@@ -50,7 +51,8 @@ export class Stage {
     this.renderer.setClearColor(colours.background);
     disposeAll(this.corner);
     this.corner.clear();
-    this.corner.add(axesMark(1, colours));
+    this.corner.add(axesMark(1, colours), new HemisphereLight(), new DirectionalLight());  // shader programs depend on how many lights there are
+    sharePrograms(this.corner);
     if (fit) this.look('oblique');
     this.draw();
   }
