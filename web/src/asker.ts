@@ -89,10 +89,15 @@ export class Asker {
     });
     return {revision: this.state.revision, ok: results.every(r => r.ok), problems: this.problems, results};
   }
-  /// A wish changed, or the program is there again: ask again.
+  /// A wish changed: asks for what there is not yet.
   again() {
     this.asked = {quick: -1, exact: -1, slow: -1};
     this.next();
+  }
+  /// The program was started again: asks for everything.
+  afresh() {
+    for (const kept of this.results.values()) kept.asked = '';
+    this.again();
   }
   subscribe(listener: () => void) {
     this.listeners.add(listener);
@@ -115,7 +120,7 @@ export class Asker {
     else this.restTimer = setTimeout(() => this.next(), wait);
   }
   private async send(pace: Pace, revision: number) {
-    const wished = this.wishes().filter(w => paceOf(w) === pace && (pace !== 'exact' || !this.isKept(w)));
+    const wished = this.wishes().filter(w => paceOf(w) === pace && !this.isKept(w));
     const {generation, change} = this.state;
     this.asked[pace] = revision;
     if (wished.length) {
@@ -147,7 +152,7 @@ export class Asker {
   /// Is the result that of the state on the page and of just this wish?
   private isKept(wish: Wish) {
     const kept = this.results.get(nameOf(wish)), {revision, generation} = this.state;
-    return kept?.revision === revision && kept.generation === generation && kept.asked === textOf(wish);
+    return kept?.outcome.ok && kept.revision === revision && kept.generation === generation && kept.asked === textOf(wish);
   }
   /// A want that need not be answered if the result is the one that is kept: most sliders change nothing of the scene.
   private unknown(wish: Wish): Want {

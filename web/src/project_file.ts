@@ -117,7 +117,7 @@ export class ProjectFile {
       const onDisk = await engine.version();
       if (this.trouble?.kind === 'away') {
         this.set(null);
-        this.asker.again();
+        this.asker.afresh();
       }
       if (!this.isSaving && version === this.version) await this.compare(onDisk);
     } catch (error) {

@@ -148,6 +148,24 @@ test('curves in another quantity are asked for although the numbers are the same
   await after(130);
   assert.deepEqual(asked.at(-1), {command: 'curves', keys: {quantity: 'velocity'}});
 });
+test('a further wish asks for nothing that is there, and a program that was started again is asked for everything', async () => {
+  const {engine, asker} = played(), wants = () => engine.asked.map(wanted);
+  const answered = async () => {
+    for (const pace of [5, 130, 230]) {
+      await after(pace);
+      engine.asked.at(-1)!.answer();
+    }
+    await after(5);
+  };
+  await answered();
+  assert.deepEqual(wants(), ['curves draft', 'curves', 'check']);
+  asker.again();
+  await after(230);
+  assert.equal(engine.asked.length, 3);
+  asker.afresh();
+  await answered();
+  assert.deepEqual(wants().slice(3), ['curves draft', 'curves', 'check']);
+});
 test('while the file has errors, the results of its last state without errors stay and are known to be that', async () => {
   let wrong = false;
   const engine = {ask: async (revision: number, _: Change, wants: readonly Want[]): Promise<Answer> => ({revision, ok: !wrong, problems: wrong ? [{severity: 'error', message: 'impossible'}] : [],
