@@ -8,10 +8,24 @@ from test_play import set_number
 AXE = ROOT / 'web/node_modules/axe-core/axe.min.js'  # installed by scripts/web
 
 
+# What changed since axe was last asked about this page: parts of it, or all. The class of `main` names the chosen tab.
+CHANGED = """() => {
+  const PARTS = 'header, .tabs, #left-panel, .middle, curve-chart, result-tables';
+  const parts = [...document.querySelectorAll(PARTS)], others = document.documentElement.cloneNode(true);
+  for (const part of others.querySelectorAll(PARTS)) part.remove();
+  others.querySelector('main')?.removeAttribute('class');
+  const now = [others, ...parts].map(part => part.outerHTML), before = window.judged ?? [];
+  window.judged = now;
+  if (now[0] !== before[0] || now.length !== before.length) return document;
+  return {include: parts.filter((_, i) => now[i + 1] !== before[i + 1])};
+}"""
+
+
 def violations(page):
+    """Of all rules, in what changed since this was last called for the page."""
     if not page.evaluate('() => "axe" in window'):
         page.evaluate(AXE.read_text())
-    found = page.evaluate("async () => (await axe.run(document, {resultTypes: ['violations']})).violations")
+    found = page.evaluate(f"async () => (await axe.run(({CHANGED})(), {{resultTypes: ['violations']}})).violations")
     return [f"{v['id']}: {node['html'][:160]} {node['failureSummary'][:300]}" for v in found for node in v['nodes']]
 
 
