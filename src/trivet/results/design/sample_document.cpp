@@ -135,7 +135,7 @@ std::vector<Column> value_columns(const DrawnRequirements& row) {
     if (!*heading) return;
     const auto shown = [get](const DrawnRequirement& one) {
       const std::optional<double> value = get(one);
-      return value ? value_text(*value, requirement_unit(one.result->given, one.in->display)) : std::string("–");
+      return value ? value_words(one.result->given, *value, one.in->display) : std::string("–");
     };
     columns.push_back(row(name, Kind::words, heading, shown, {.forms = for_people}));
   };
@@ -173,9 +173,8 @@ Json design_json(const std::optional<study::NamedDesign>& design) {
 std::string design_words(const study::NamedDesign& design) {
   std::string words = fmt::format("design {}", design.number);
   for (const study::NamedNumber& one : design.numbers)
-    words += fmt::format(
-        "{}{} = {:.5g}{}", &one == &design.numbers.front() ? ": " : ", ", one.path, one.value,
-        one.quantity && *one.quantity != project::Quantity::pure ? " " + project::printed_si_unit(*one.quantity) : "");
+    words += fmt::format("{}{} = {:.5g}{}{}", &one == &design.numbers.front() ? ": " : ", ", one.path,
+                         one.value / one.factor, one.unit.empty() ? "" : " ", one.unit);
   return words;
 }
 

@@ -33,9 +33,7 @@ std::string isolation_cell(double transmissibility) {
 
 /// "2.557 of 3.12 µm/s rms (81.94 %)"
 std::string level_on_line(const RequirementResult& r, const project::DisplayUnits& display) {
-  constexpr double percent = 100;
-  const std::string share = fmt::format("{:.4g} %", percent * *r.value);
-  if (!r.on_line) return share;
+  const std::string share = fmt::format("{:.4g} %", 100 * *r.value);
   DisplayUnit unit = display_unit(display, r.on_line->unit);
   unit.level = r.on_line->rms ? " rms" : " 0-p";
   const UnitPrefix prefix = unit_prefix(r.on_line->limit, unit);  // of both: a level is compared with its limit
@@ -88,28 +86,32 @@ std::string requirement_words(const RequirementResult& r, const project::Display
   return judged + (r.words.bound.empty() ? with_shown_band(r.words.scope, r, display) : " " + bound_words(r, display));
 }
 
-std::string judged_value(const RequirementResult& r, const project::DisplayUnits& display) {
-  if (!r.value) return "";
-  if (std::isinf(*r.value)) return "∞";
+std::string value_words(const RequirementResult& r, double value, const project::DisplayUnits& display) {
+  if (std::isinf(value)) return "∞";
   switch (study::requirement_row(r.kind).shown) {
     case ShownValue::share_of_line:
-      return level_on_line(r, display);
     case ShownValue::share:
-      return fmt::format("{:.4g} %", 100 * *r.value);
+      return fmt::format("{:.4g} %", 100 * value);
     case ShownValue::isolation:
-      return isolation_cell(*r.value);
+      return isolation_cell(value);
     case ShownValue::count:
-      return fmt::format("{:g}", *r.value);
+      return fmt::format("{:g}", value);
     case ShownValue::frequency:
-      return shown_quantity({.value = *r.value, .kind = Kind::frequency}, display);
+      return shown_quantity({.value = value, .kind = Kind::frequency}, display);
     case ShownValue::number:
-      return fmt::format("{:.5g}", *r.value);
+      return fmt::format("{:.5g}", value);
     case ShownValue::sum:
-      return fmt::format("{:.6g} {}", *r.value * requirement_unit(r, display).factor,
+      return fmt::format("{:.6g} {}", value * requirement_unit(r, display).factor,
                          requirement_unit(r, display).unit);
     default:
-      return value_text(without_round_off(*r.value, r.allowed), requirement_unit(r, display));
+      return value_text(without_round_off(value, r.allowed), requirement_unit(r, display));
   }
+}
+
+std::string judged_value(const RequirementResult& r, const project::DisplayUnits& display) {
+  if (!r.value) return "";
+  const bool has_line = study::requirement_row(r.kind).shown == ShownValue::share_of_line && r.on_line;
+  return has_line && std::isfinite(*r.value) ? level_on_line(r, display) : value_words(r, *r.value, display);
 }
 
 std::string judged_place(const RequirementResult& r, const project::DisplayUnits& display) {

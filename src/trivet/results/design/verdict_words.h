@@ -24,6 +24,9 @@ namespace trivet::results {
 /// What is behind "machine.z": "≤ 0.5 mm in 5 … 12 Hz", with a bound of numbers in the units of the display.
 [[nodiscard]] std::string bound_words(const study::RequirementResult& result, const project::DisplayUnits& display);
 
+/// A value of what is judged, as those of other designs, in the units of the display.
+[[nodiscard]] std::string value_words(const study::RequirementResult& result, double value,
+                                      const project::DisplayUnits& display);
 /// The value, empty if there is none, and where it occurs: "at" a frequency or a time, with details.
 [[nodiscard]] std::string judged_value(const study::RequirementResult& result, const project::DisplayUnits& display);
 [[nodiscard]] std::string judged_place(const study::RequirementResult& result, const project::DisplayUnits& display);

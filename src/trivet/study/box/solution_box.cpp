@@ -46,22 +46,12 @@ void refuse_violations(const BoxCases& cases) {
                     list));
 }
 
-/// The unit in which the file has a number, and its SI value. Temperatures have none: their zero is not that of SI.
-std::pair<std::string, double> unit_in_file(const project::Project& project, const std::string& path) {
-  const project::Node* node = project::node_at(project.base().document, project::path_keys(path));
-  const auto written = node ? project::written_number(*node) : std::nullopt;
-  if (!written || written->unit.empty()) return {"", 1};
-  const auto zero = project::in_unit({0, written->unit}, ""), one = project::in_unit({1, written->unit}, "");
-  return zero == 0.0 && one ? std::pair(written->unit, *one) : std::pair(std::string(), 1.0);
-}
-
 BoxNumber number_of(const project::Project& project, const project::Tolerance& tolerance, std::size_t place,
                     const BoxRange& range) {
   BoxNumber found{.path = tolerance.places[place].path};
   const auto quantity = project::quantity_at(project.base().document, project::path_keys(found.path));
   found.si = quantity ? project::si_unit(*quantity) : "1";
   std::tie(found.unit, found.factor) = unit_in_file(project, found.path);
-  if (found.unit.empty() && quantity) found.unit = project::printed_si_unit(*quantity);
   found.given = project::ModelNumber(found.path, "").read(project.base()).value_or(0);
   found.from = tolerance.number(place, found.given, range.lower.draw);
   found.to = tolerance.number(place, found.given, range.upper.draw);

@@ -8,6 +8,18 @@
 
 namespace trivet::study {
 
+std::pair<std::string, double> unit_in_file(const project::Project& project, const std::string& path) {
+  const project::Node& document = project.base().document;
+  const std::vector<std::string> keys = project::path_keys(path);
+  const project::Node* node = project::node_at(document, keys);
+  if (const auto written = node ? project::written_number(*node) : std::nullopt; written && !written->unit.empty()) {
+    const auto zero = project::in_unit({0, written->unit}, ""), one = project::in_unit({1, written->unit}, "");
+    if (zero == 0.0 && one) return {written->unit, *one};
+  }
+  const auto quantity = project::quantity_at(document, keys);
+  return {quantity ? project::printed_si_unit(*quantity) : "", 1.0};
+}
+
 std::vector<NamedNumber> named_numbers(const project::Project& project,
                                        const std::vector<project::Tolerance>& tolerances, const DrawnDesigns& drawn,
                                        const Eigen::VectorXd& draws) {
@@ -17,8 +29,8 @@ std::vector<NamedNumber> named_numbers(const project::Project& project,
     for (std::size_t p = 0; p < tolerances[t].places.size(); ++p) {
       const std::string& path = tolerances[t].places[p].path;
       const double given = project::ModelNumber(path, "").read(project.base()).value_or(0);
-      list.push_back({path, tolerances[t].number(p, given, draws(to_index(drawn.draw_of(t, p)))),
-                      project::quantity_at(project.base().document, project::path_keys(path))});
+      auto [unit, factor] = unit_in_file(project, path);
+      list.push_back({path, tolerances[t].number(p, given, draws(to_index(drawn.draw_of(t, p)))), std::move(unit), factor});
     }
   return list;
 }

@@ -35,8 +35,9 @@ inline constexpr double beyond_worst_range = 1e-3;
 /// A number of a design.
 struct NamedNumber {
   std::string path;
-  double value = 0;  ///< as a bare number of the file: SI
-  std::optional<project::Quantity> quantity;
+  double value = 0;   ///< as a bare number of the file: SI
+  std::string unit;   ///< as people read it: that of the number in the file, otherwise SI; empty: a pure number
+  double factor = 1;  ///< SI value of one unit
 };
 
 /// The worst design of a requirement that a search found, see WorstFound.
