@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/part_size.h"
 #include "trivet/numerics/linalg/eigenvalues.h"
@@ -56,10 +57,7 @@ void check_shape_factor(foundation::Problems& problems, double shape_factor) {
                      "use a finite-element mount or check the dimensions");
 }
 
-void require_sound(const foundation::Problems& problems) {
-  for (const foundation::Problem& problem : problems.list())
-    if (problem.severity == foundation::Severity::error) throw foundation::InvalidInput(foundation::message(problem));
-}
+void require_sound(const foundation::Problems& problems) { foundation::refuse_errors(problems); }
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/part_size.h"
 
@@ -161,9 +162,8 @@ Problems check(const CoilSpring& spring, bool massive) {
 
 void require_sound(const CoilSpring& spring, bool massive) {
   const Problems problems = check(spring, massive);
-  for (const foundation::Problem& problem : problems.list())
-    if (problem.severity == foundation::Severity::error)
-      throw foundation::InvalidInput("coil spring: " + problem.subject + " " + problem.finding + ", " + problem.rule);
+  if (const foundation::Problem* first = foundation::first_error(problems))
+    throw foundation::InvalidInput("coil spring: " + first->subject + " " + first->finding + ", " + first->rule);
 }
 
 namespace {

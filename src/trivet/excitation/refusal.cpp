@@ -32,9 +32,4 @@ void require_not_negative(double value, std::string_view quantity, std::string_v
 
 void require_damping_ratio(double zeta) { require(zeta >= 0 && zeta < 1, zeta, "damping ratio", "", "≥ 0 and < 1"); }
 
-void refuse_errors(const foundation::Problems& problems) {
-  for (const foundation::Problem& problem : problems.list())
-    if (problem.severity == foundation::Severity::error) throw foundation::InvalidInput(foundation::message(problem));
-}
-
 }  // namespace trivet::excitation

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "trivet/foundation/problems.h"
+#include "trivet/foundation/first_error.h"
 
 /// Precondition checks of this module: each throws foundation::InvalidInput with quantity, value with unit, and rule.
 namespace trivet::excitation {
@@ -15,7 +15,6 @@ void require_not_negative(double value, std::string_view quantity, std::string_v
 /// 0 ≤ ζ < 1.
 void require_damping_ratio(double zeta);
 
-/// Throws foundation::InvalidInput with the first error, if there is one.
-void refuse_errors(const foundation::Problems& problems);
+using foundation::refuse_errors;
 
 }  // namespace trivet::excitation

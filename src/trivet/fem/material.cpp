@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::fem {
@@ -13,8 +14,7 @@ namespace trivet::fem {
 namespace {
 
 Material checked(const Material& material) {
-  const foundation::Problems problems = check(material);
-  if (problems.has_errors()) throw foundation::InvalidInput(foundation::message(problems.list().front()));
+  foundation::refuse_errors(check(material));
   return material;
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "trivet/fem/element_kernel.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
@@ -166,9 +167,7 @@ Problems check_mesh(const Mesh& mesh, const std::vector<Material>& materials) {
 }
 
 void require_sound(const Mesh& mesh, const std::vector<Material>& materials) {
-  const Problems problems = check_mesh(mesh, materials);
-  for (const foundation::Problem& problem : problems.list())
-    if (problem.severity == foundation::Severity::error) throw foundation::InvalidInput(foundation::message(problem));
+  foundation::refuse_errors(check_mesh(mesh, materials));
 }
 
 }  // namespace trivet::fem

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/first_error.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/identification/passive_sections.h"
@@ -191,7 +193,7 @@ foundation::Problems table_problems(const DynamicStiffnessTable& table) {
 std::complex<double> interpolated_stiffness(const DynamicStiffnessTable& table, double angular_frequency) {
   const foundation::Problems problems = table_problems(table);
   if (problems.has_errors())
-    throw foundation::InvalidInput("dynamic stiffness table: " + foundation::message(problems.list().front()));
+    throw foundation::InvalidInput("dynamic stiffness table: " + foundation::first_message(problems));
   const Eigen::VectorXd& w = table.angular_frequency;
   const Eigen::Index last = w.size() - 1;
   if (!(angular_frequency >= w(0) && angular_frequency <= w(last)))

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/judging/changed_case.h"
 #include "trivet/project/model_number.h"
@@ -32,9 +33,7 @@ std::optional<foundation::Problem> refusal(const project::Case& base, const proj
                                            double value) {
   const auto system = changed_system(base, {{number, value}});
   if (system) return std::nullopt;
-  for (const foundation::Problem& problem : system.error().list())
-    if (problem.severity == foundation::Severity::error) return problem;
-  return std::nullopt;
+  return *foundation::first_error(system.error());
 }
 
 std::string percent(double share) {

@@ -3,16 +3,13 @@
 
 #include <algorithm>
 
+#include "trivet/assembly/band_ends.h"
 #include "trivet/plausibility/rules.h"
 
 /// What limits and lines leave out without saying so.
 namespace trivet::plausibility {
-namespace {
 
-/// Ends that differ by round-off are the same.
-constexpr double same_end = 1e-9;
-
-}  // namespace
+using assembly::same_end;
 
 void judge_service_speeds(const std::vector<Rotor>& rotors, const std::vector<LimitedRange>& ranges,
                           Suspicions& found) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/foundation/first_error.h"
 #include "trivet/project/part_readers.h"
 
 #include <fmt/format.h>
@@ -146,7 +147,7 @@ class ChoiceReader {
         reader_.error("choices", shown, "it is named twice", "name it once");
       if (shelf.readable)
         if (const auto found = mount_named(name, shelf.catalogues); !found) {
-          const foundation::Problem& problem = found.error().list().front();
+          const foundation::Problem& problem = *foundation::first_error(found.error());
           reader_.error("choices", shown, problem.rule, problem.remedy);
         }
       choice_.mounts.push_back(name);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/part_size.h"
@@ -116,8 +117,7 @@ Problems problems(const Primitive& primitive) {
 }
 
 VolumeIntegrals integrals(const Primitive& primitive) {
-  const Problems found = problems(primitive);
-  if (found.has_errors()) throw foundation::InvalidInput(message(found.list().front()));
+  foundation::refuse_errors(problems(primitive));
   return std::visit([](const auto& shape) { return integrals_of(shape); }, primitive);
 }
 

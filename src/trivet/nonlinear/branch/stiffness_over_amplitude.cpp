@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/branch/steady_branch.h"
@@ -40,7 +41,7 @@ model::System on_test_rig(const model::System& system, std::size_t index, double
   auto checked = model::System::checked(std::move(rig));
   if (!checked)
     throw std::logic_error("an element of a valid machine is not valid alone: " +
-                           foundation::message(checked.error().list().front()));
+                           foundation::first_message(checked.error()));
   return std::move(*checked);
 }
 

@@ -9,6 +9,8 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/first_error.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/search/zeros_and_minima.h"
@@ -142,8 +144,7 @@ LimitComparison compared_with_limit(const assembly::Assembled& assembled, const 
                                     const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
                                     const assembly::LimitLine& line, const assembly::Band& band,
                                     const foundation::Progress& progress) {
-  if (const foundation::Problems problems = check(line, "limit line"); problems.has_errors())
-    throw foundation::InvalidInput(foundation::message(problems.list().front()));
+  foundation::refuse_errors(check(line, "limit line"));
   if (line.unit != channel.unit)
     throw foundation::InvalidInput(fmt::format("limit line \"{}\" is in {}, {} in {}; the units must agree", line.name,
                                                line.unit, channel.name, channel.unit));

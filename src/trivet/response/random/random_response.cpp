@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/first_error.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pole_residue.h"
@@ -27,9 +29,7 @@ constexpr double hopeless = 1e-2;
 
 void refuse_errors(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                    const RandomLoading& loading, const RandomOptions& options) {
-  const foundation::Problems problems = check(loading, "random response");
-  for (const foundation::Problem& problem : problems.list())
-    if (problem.severity == foundation::Severity::error) throw foundation::InvalidInput(foundation::message(problem));
+  foundation::refuse_errors(check(loading, "random response"));
   for (const RandomInput& input : loading.inputs)
     if (input.loading.force.size() != assembled.layout.size())
       throw foundation::InvalidInput(fmt::format("random input \"{}\": its load belongs to another model", input.name));
@@ -244,9 +244,7 @@ std::vector<double> dense_grid(const Eigen::VectorXcd& poles, const RandomLoadin
 RandomCurves random_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                            const RandomLoading& loading, std::vector<double> angular_frequency,
                            const foundation::Progress& progress) {
-  const foundation::Problems problems = check(loading, "random response");
-  for (const foundation::Problem& problem : problems.list())
-    if (problem.severity == foundation::Severity::error) throw foundation::InvalidInput(foundation::message(problem));
+  foundation::refuse_errors(check(loading, "random response"));
   RandomCurves result;
   result.angular_frequency = std::move(angular_frequency);
   if (result.angular_frequency.empty())

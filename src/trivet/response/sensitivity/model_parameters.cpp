@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/model/adjustments.h"
@@ -132,10 +133,7 @@ model::System changed(const model::System& system, const Parameter& parameter, d
   for (model::Body& body : description.bodies) body.allow_unphysical = true;
   auto result = model::System::checked(std::move(description));
   if (result) return std::move(*result);
-  for (const foundation::Problem& problem : result.error().list())
-    if (problem.severity == foundation::Severity::error)
-      throw foundation::NotComputable(parameter.name + ": " + foundation::message(problem));
-  throw foundation::NotComputable(parameter.name + ": the changed model is rejected");
+  throw foundation::NotComputable(parameter.name + ": " + foundation::first_message(result.error()));
 }
 
 }  // namespace trivet::response

@@ -12,6 +12,7 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/design/design_rules.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
@@ -336,9 +337,8 @@ class CaseStudy {
 /// The analyses of a file were checked against these sizes when it was read; those of a command line are checked here.
 void require_admissible_size(const project::Case& variant, const project::Analyses& analyses) {
   const foundation::Problems sizes = project::too_large(variant.system.description(), analyses);
-  if (sizes.has_errors())
-    throw foundation::NotComputable(sizes.list().front().subject + ": " + sizes.list().front().finding + "; " +
-                                    sizes.list().front().rule + "; " + sizes.list().front().remedy);
+  if (const foundation::Problem* first = foundation::first_error(sizes))
+    throw foundation::NotComputable(foundation::first_reason(sizes) + "; " + first->remedy);
 }
 
 }  // namespace

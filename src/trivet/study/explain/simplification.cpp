@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "trivet/elements/stiffness_properties.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
@@ -178,7 +179,7 @@ model::System with_three_springs(const model::System& system, const std::vector<
   auto checked = model::System::checked(std::move(description));
   if (!checked)
     throw foundation::NotComputable("three springs instead of the element: " +
-                                    foundation::message(checked.error().list().front()));
+                                    foundation::first_message(checked.error()));
   return std::move(*checked);
 }
 

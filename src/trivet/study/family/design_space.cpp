@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
@@ -69,10 +70,7 @@ model::System DesignSpace::system(const project::Case& variant, const Eigen::Vec
   for (std::size_t j = 0; j < numbers_.size(); ++j) design.emplace_back(numbers_[j], values(to_index(j)));
   auto changed = judging::changed_system(variant, design);
   if (changed) return std::move(*changed);
-  for (const foundation::Problem& problem : changed.error().list())
-    if (problem.severity == foundation::Severity::error)
-      throw foundation::NotComputable(problem.subject + ": " + problem.finding + "; " + problem.rule);
-  throw foundation::NotComputable("the model cannot be read");
+  throw foundation::NotComputable(foundation::first_reason(changed.error()));
 }
 
 DesignNumbers DesignSpace::numbers(const project::Case& variant) const {

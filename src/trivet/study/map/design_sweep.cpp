@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "trivet/design/design_rules.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
@@ -66,7 +67,7 @@ class Sweep {
     project::Design design;
     for (std::size_t i = 0; i < numbers_.size(); ++i) design.emplace_back(numbers_[i], values(to_index(i)));
     auto changed = judging::changed_system(case_, design);
-    if (!changed) throw foundation::NotComputable(foundation::message(changed.error().list().front()));
+    if (!changed) throw foundation::NotComputable(foundation::first_message(changed.error()));
     return std::move(*changed);
   }
 

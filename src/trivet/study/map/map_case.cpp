@@ -12,6 +12,7 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
@@ -135,7 +136,7 @@ void MapCase::fit_batch(const std::vector<RequirementResult>& results) {
   analyses.requirements->min_prominence = request_.min_prominence;
   const auto model = [&](const Eigen::VectorXd& values) {
     auto system = system_at({values(0), values(1)});
-    if (!system) throw foundation::NotComputable(system.error().list().front().finding);
+    if (!system) throw foundation::NotComputable(foundation::first_error(system.error())->finding);
     return std::move(*system);
   };
   batch_.emplace(DesignNumbers{{{request_.x.from, request_.x.to, request_.x.name},
@@ -211,10 +212,9 @@ void MapCase::judge_from_model(std::size_t index, const DesignPoint& point, Marg
   assembled_separately_ += wants_own;
   const auto system = system_at(point);
   if (!system) {
-    const auto& list = system.error().list();
-    const auto first = std::ranges::find(list, foundation::Severity::error, &foundation::Problem::severity);
-    return refuse(first->subject + ": " + first->rule,
-                  fmt::format("{}: {}; {}", first->subject, first->finding, first->rule), DesignOutcome::no_model);
+    const foundation::Problem* first = foundation::first_error(system.error());
+    return refuse(first->subject + ": " + first->rule, foundation::first_reason(system.error()),
+                  DesignOutcome::no_model);
   }
   try {
     if (wants_own) {

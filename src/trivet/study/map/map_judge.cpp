@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
@@ -20,10 +21,6 @@ namespace trivet::study {
 namespace {
 
 using design::DesignOutcome;
-
-const foundation::Problem& first_error(const foundation::Problems& problems) {
-  return *std::ranges::find(problems.list(), foundation::Severity::error, &foundation::Problem::severity);
-}
 
 /// The rules of the map in a case of `hold_in`, on the axes of the base map.
 project::MapRequest request_in(const project::Case& variant, const project::MapRequest& base) {
@@ -142,7 +139,7 @@ design::JudgedDesign MapJudge::judged_design(const model::System& system,
     const auto there = cases_[p]->system_at(*design);
     if (!there)
       throw foundation::NotComputable("in case " + foundation::quoted(cases_[p]->name()) + ": " +
-                                      first_error(there.error()).finding);
+                                      foundation::first_error(there.error())->finding);
     cases_[p]->add_judged(*there, result);
   }
   result.rules.values.resize(rules_.size(), std::numeric_limits<double>::quiet_NaN());

@@ -8,7 +8,9 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/judging/changed_case.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/study/optimize/kept_margins.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {
@@ -35,7 +37,7 @@ project::Project with_changes(const project::Project& project, const std::vector
     if (std::ranges::find(hold_in, variant.name) == hold_in.end()) continue;
     auto one = judging::changed_case(variant, changes);
     if (!one)
-      throw foundation::NotComputable("optimize: the optimum has no model: " + message(one.error().list().front()));
+      throw foundation::NotComputable("optimize: the optimum has no model: " + foundation::first_message(one.error()));
     variant = std::move(*one);
   }
   return changed;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/assembly/band_ends.h"
 #include "trivet/study/requirements/requirement_values.h"
 
 #include <fmt/format.h>
@@ -202,7 +203,7 @@ class CurveRequirements {
 
   /// "judged in 50 … 63 Hz of 1 … 80 Hz" if the bands do not cover the line; else empty.
   static std::string judged_part(const project::LimitLineRequest& line, const LimitLineResult& found) {
-    constexpr double same_end = 1e-9;
+    using assembly::same_end;
     const auto& points = line.line.angular_frequency;
     const auto& bands = found.bands;
     const double from = points.front() / foundation::two_pi, to = points.back() / foundation::two_pi;

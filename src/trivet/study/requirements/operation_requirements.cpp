@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/assembly/band_ends.h"
 #include "trivet/study/requirements/requirement_values.h"
 
 #include <fmt/format.h>
@@ -56,7 +57,7 @@ std::optional<assembly::Band> judged_speeds(const RequirementResult& one) {
 
 /// The lowest of some speeds at which nothing is judged; none if something is at all of them.
 std::optional<double> first_missed(const assembly::Band& speed, std::vector<assembly::Band> judged) {
-  constexpr double same_end = 1e-9;  // ends that differ by the round-off of their units are the same
+  using assembly::same_end;
   std::ranges::sort(judged, {}, &assembly::Band::from);
   double missed = speed.from;
   for (const assembly::Band& band : judged) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
@@ -153,10 +154,7 @@ model::System SampledCase::system(const Eigen::VectorXd& draws) const {
     design.emplace_back(one.number, tolerances_[one.tolerance].number(one.place, one.given, draws(one.draw)));
   auto changed = judging::changed_system(case_, design);
   if (changed) return std::move(*changed);
-  for (const foundation::Problem& problem : changed.error().list())
-    if (problem.severity == foundation::Severity::error)
-      throw NotComputable(problem.subject + ": " + problem.finding + "; " + problem.rule);
-  throw NotComputable("the model cannot be read");
+  throw NotComputable(foundation::first_reason(changed.error()));
 }
 
 std::vector<RequirementResult> SampledCase::results(const model::System& system,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
@@ -80,11 +81,8 @@ void add_mounts(const CaseContext& context, const Eigen::MatrixXd& shapes, const
 template <typename Model>
 Model valid(foundation::Expected<Model> changed) {
   if (changed) return std::move(*changed);
-  for (const foundation::Problem& problem : changed.error().list())
-    if (problem.severity == foundation::Severity::error)
-      throw foundation::NotComputable(problem.subject + ": " + problem.finding + "; " + problem.rule + "; " +
-                                      problem.remedy);
-  throw foundation::NotComputable("the model cannot be read");
+  throw foundation::NotComputable(foundation::first_reason(changed.error()) + "; " +
+                                  foundation::first_error(changed.error())->remedy);
 }
 
 /// A case must not set a mount that a choice sets: the choice would undo it.
