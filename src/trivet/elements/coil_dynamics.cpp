@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/up_to_twelve.h"
@@ -49,7 +50,8 @@ Matrix12 at_seats(const SeatedCoil& coil, const Matrix6& own, const Matrix6& tra
 void require_finite(bool finite, std::complex<double> omega) {
   if (!finite)
     throw foundation::NotComputable("coil spring: its dynamic stiffness is infinite at " +
-                                    std::to_string(omega.real()) + " rad/s, a natural frequency with both seats held");
+                                    foundation::hertz_words(omega.real(), 6) +
+                                    ", a natural frequency with both seats held");
 }
 
 struct Clamped {

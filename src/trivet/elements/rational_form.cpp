@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "trivet/elements/viscoelastic.h"
+#include "trivet/foundation/first_error.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/nonnegative_least_squares.h"
@@ -90,9 +92,8 @@ RationalForm fitted(const FractionalZener& law, const Band& band, double accurac
 RationalForm rational_form(const Viscoelastic& law, double from, double to, double accuracy) {
   if (!(from > 0 && to > from && std::isfinite(to)))
     throw foundation::InvalidInput(
-        fmt::format("band of a rational form: {:.6g} … {:.6g} rad/s, must be 0 < from < to", from, to));
-  if (const foundation::Problems problems = check(law); problems.has_errors())
-    throw foundation::InvalidInput(foundation::message(problems.list().front()));
+        fmt::format("band of a rational form: {}, must be 0 < from < to", foundation::hertz_range(from, to, 6)));
+  foundation::refuse_errors(check(law));
   if (const auto* l = std::get_if<KelvinVoigt>(&law)) return {.viscous_time = l->time, .ratios = {}, .times = {}};
   if (const auto* l = std::get_if<Zener>(&law)) return {.ratios = {l->ratio}, .times = {l->time}};
   if (const auto* l = std::get_if<GeneralizedMaxwell>(&law)) return {.ratios = l->ratios, .times = l->times};

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "trivet/exchange/text/text_lines.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/units.h"
@@ -180,7 +181,7 @@ double KeyReader::frequency(const std::string& key, const Value& value) const {
     omega = *converted;
   }
   if (const auto broken = project::outside_range(*omega, project::Quantity::angular_frequency))
-    throw InvalidInput(fmt::format("{}: {:.6g} rad/s; {}", written(key), *omega, *broken));
+    throw InvalidInput(fmt::format("{}: {}; {}", written(key), foundation::hertz_words(*omega, 6), *broken));
   if (!(*omega >= 0))
     throw InvalidInput(fmt::format("{}: \"{}\"; a frequency is ≥ 0; {}", written(key), text,
                                    std::isnan(*omega) ? "give a number" : "remove the sign"));

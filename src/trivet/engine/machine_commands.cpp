@@ -8,6 +8,7 @@
 
 #include "trivet/engine/command_rows.h"
 #include "trivet/engine/key_reader.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/foundation/thread_progress.h"
@@ -88,8 +89,8 @@ Result suspension(const Task& task) {
   const std::vector<double> excitations = task.keys.frequencies("excitation");
   for (const double omega : excitations)
     if (!(omega > 0) || !std::isfinite(omega))
-      throw InvalidInput(fmt::format("{}: {} rad/s; a frequency of excitation is > 0 and finite",
-                                     task.keys.written("excitation"), omega));
+      throw InvalidInput(fmt::format("{}: {}; a frequency of excitation is > 0 and finite",
+                                     task.keys.written("excitation"), foundation::hertz_words(omega)));
   study::SuspensionResult found = study::suspension(variant, task.keys.directions("torque"), excitations);
   found.warnings = without_unused(*task.project, found.warnings);
   const auto held = hold(task, std::move(found));

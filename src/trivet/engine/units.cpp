@@ -27,7 +27,9 @@ double in_unit(double value, const std::string& from, const std::string& to) {
 
 double angular_frequency(const std::string& text) {
   const auto value = project::to_si(text, project::Quantity::angular_frequency);
-  if (!value) throw foundation::InvalidInput("\"" + text + "\": " + value.error() + "; give rad/s, or \"5 Hz\"");
+  if (!value)
+    throw foundation::InvalidInput("\"" + text + "\": " + value.error() +
+                                   "; give a number and its unit, as in \"5 Hz\" or \"31.4 rad/s\"");
   return *value;
 }
 

@@ -9,6 +9,7 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -69,7 +70,7 @@ std::vector<double> breakpoints(const Spectrum& spectrum) {
 double mean_square(const Spectrum& spectrum, double from, double to) {
   if (!(from <= to))
     throw foundation::InvalidInput(
-        fmt::format("mean square from {:.6g} to {:.6g} rad/s: the band must not be reversed", from, to));
+        fmt::format("mean square in {}: the band must not be reversed", foundation::hertz_range(from, to, 6)));
   double sum = 0;
   for (const SpectrumPiece& piece : spectrum.pieces) {
     const double a = std::max(from, piece.from), b = std::min(to, piece.to);

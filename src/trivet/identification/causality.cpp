@@ -12,6 +12,7 @@
 #include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/identification/passive_sections.h"
 
 namespace trivet::identification {
@@ -182,8 +183,8 @@ foundation::Problems table_problems(const DynamicStiffnessTable& table) {
                      "a stiffness must not be 0", "remove the row");
     else if (constexpr double rounding = 1e-9; k.imag() < -rounding * stiffest)
       problems.warning(subject,
-                       fmt::format("negative loss at {:.6g} Hz: k'' = {:.4g} N/m, k' = {:.4g} N/m", w(i) / two_pi,
-                                   k.imag(), k.real()),
+                       fmt::format("negative loss at {}: k'' = {}, k' = {}", foundation::hertz_words(w(i), 6),
+                                   foundation::prefixed(k.imag(), "N/m"), foundation::prefixed(k.real(), "N/m")),
                        "a passive element dissipates energy (e^{+iωt}: k'' ≥ 0)",
                        "check the sign of the phase, or the noise");
   }
@@ -197,8 +198,9 @@ std::complex<double> interpolated_stiffness(const DynamicStiffnessTable& table, 
   const Eigen::VectorXd& w = table.angular_frequency;
   const Eigen::Index last = w.size() - 1;
   if (!(angular_frequency >= w(0) && angular_frequency <= w(last)))
-    throw foundation::InvalidInput(fmt::format("{:.6g} rad/s is outside the table, which covers {:.6g} to {:.6g} rad/s",
-                                               angular_frequency, w(0), w(last)));
+    throw foundation::InvalidInput(fmt::format("{} is outside the table, which covers {}",
+                                               foundation::hertz_words(angular_frequency, 6),
+                                               foundation::hertz_range(w(0), w(last), 6)));
   const Eigen::Index above =
       std::max<Eigen::Index>(1, std::lower_bound(w.data(), w.data() + last, angular_frequency) - w.data());
   const double share = std::log(angular_frequency / w(above - 1)) / std::log(w(above) / w(above - 1));

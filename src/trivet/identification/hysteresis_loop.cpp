@@ -8,8 +8,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/significant_digits.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/numerics/sampling/student_distribution.h"
 
 namespace trivet::identification {
@@ -56,7 +59,7 @@ foundation::Problems sample_problems(const LoopRecord& record) {
   }
   if (!std::isnan(record.angular_frequency) &&
       !(record.angular_frequency > 0 && std::isfinite(record.angular_frequency)))
-    problems.error(subject, fmt::format("angular frequency {} rad/s", record.angular_frequency), "it must be > 0",
+    problems.error(subject, "a frequency of " + foundation::hertz_words(record.angular_frequency), "it must be > 0",
                    "omit it if it is unknown");
   return problems;
 }
@@ -162,7 +165,7 @@ void warn(const LoopRecord& record, LoopFit& loop) {
   };
   constexpr double far = 0.05, frequency_differs = 0.02;
   if (loop.stiffness.value < -loop.stiffness.half_width)
-    warning(fmt::format("stiffness {:.4g} N/m", loop.stiffness.value), "the stiffness should be > 0",
+    warning("stiffness " + foundation::prefixed(loop.stiffness.value, "N/m"), "the stiffness should be > 0",
             "reverse the sign of the force");
   if (loop.loss_energy.value < -loop.loss_energy.half_width)
     warning(fmt::format("loss energy {:.4g} J per cycle", loop.loss_energy.value),
@@ -174,11 +177,12 @@ void warn(const LoopRecord& record, LoopFit& loop) {
             "amplitude, viscous coefficient and loss factor are defined for a sine",
             "excite with a sine; without time the samples must be equally spaced");
   if (loop.amplitude.half_width > far * loop.amplitude.value)
-    warning(fmt::format("amplitude {:.4g} ± {:.2g} m", loop.amplitude.value, loop.amplitude.half_width),
+    warning(fmt::format("amplitude {} ± {}", foundation::prefixed(loop.amplitude.value, "m"),
+                        foundation::prefixed_exactly(loop.amplitude.half_width, "m", 2)),
             "the motion should be well above the noise", "record more cycles");
   if (record.time.size() > 0 && std::abs(*loop.angular_frequency / record.angular_frequency - 1) > frequency_differs)
-    warning(fmt::format("{:.5g} rad/s from the sample times, {:.5g} rad/s stated", *loop.angular_frequency,
-                        record.angular_frequency),
+    warning(fmt::format("{} from the sample times, {} stated", foundation::hertz_words(*loop.angular_frequency, 5),
+                        foundation::hertz_words(record.angular_frequency, 5)),
             "the two should agree; the sample times are used", "check the units of time and frequency");
   if (loop.cycles >= 4 && loop.cycle_scatter > 1.5)
     warning(fmt::format("cycles differ {:.1f} times more than noise explains", loop.cycle_scatter),

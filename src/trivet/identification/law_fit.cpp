@@ -8,8 +8,10 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/identification/levenberg_marquardt.h"
 #include "trivet/numerics/sampling/student_distribution.h"
 
@@ -206,7 +208,7 @@ foundation::Problems point_problems(const std::vector<StiffnessPoint>& points) {
     const StiffnessPoint& p = points[i];
     const std::string subject = fmt::format("point {}", i + 1);
     if (!(p.angular_frequency > 0 && std::isfinite(p.angular_frequency)))
-      problems.error(subject, fmt::format("angular frequency {} rad/s", p.angular_frequency), "it must be > 0",
+      problems.error(subject, "a frequency of " + foundation::hertz_words(p.angular_frequency), "it must be > 0",
                      "remove static points");
     if (!std::isfinite(p.stiffness.real()) || !std::isfinite(p.stiffness.imag()) || std::abs(p.stiffness) == 0)
       problems.error(subject, "the stiffness is 0 or not a number", "every point must have a stiffness",
@@ -248,9 +250,11 @@ std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, 
           differs(loops[j].amplitude.value, loop.amplitude.value, other_amplitude) &&
           differs(loops[j].stiffness.value, loop.stiffness.value, other_stiffness)) {
         problems.warning(fmt::format("loop '{}'", loop.name),
-                         fmt::format("stiffness {:.4g} N/m at amplitude {:.3g} m, but {:.4g} N/m at {:.3g} m in '{}'",
-                                     loop.stiffness.value, loop.amplitude.value, loops[j].stiffness.value,
-                                     loops[j].amplitude.value, loops[j].name),
+                         fmt::format("stiffness {} at amplitude {}, but {} at {} in '{}'",
+                                     foundation::prefixed(loop.stiffness.value, "N/m"),
+                                     foundation::prefixed(loop.amplitude.value, "m"),
+                                     foundation::prefixed(loops[j].stiffness.value, "N/m"),
+                                     foundation::prefixed(loops[j].amplitude.value, "m"), loops[j].name),
                          "a linear law does not depend on amplitude", "fit each amplitude separately");
         break;
       }

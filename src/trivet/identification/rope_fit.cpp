@@ -10,6 +10,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/identification/levenberg_marquardt.h"
 #include "trivet/numerics/linalg/decompositions.h"
 
@@ -181,8 +182,9 @@ foundation::Expected<RopeFit> rope_fit(const std::vector<LoopFit>& loops) {
   std::string found_instead;
   if (!fit) found_instead = "the search did not converge";
   else if (!(fit->friction.force > 0))
-    found_instead = fmt::format("a friction of {:.4g} N fits best", fit->friction.force);
-  else if (!(fit->stiffness >= 0)) found_instead = fmt::format("a spring of {:.4g} N/m fits best", fit->stiffness);
+    found_instead = "a friction of " + foundation::prefixed(fit->friction.force, "N") + " fits best";
+  else if (!(fit->stiffness >= 0))
+    found_instead = "a spring of " + foundation::prefixed(fit->stiffness, "N/m") + " fits best";
   else if (fit->friction.exponent > at_bound * highest_exponent)
     found_instead = fmt::format("an exponent above {:g} fits best", at_bound * highest_exponent);
   if (!found_instead.empty()) {

@@ -90,9 +90,8 @@ void judge_window(const Window& window, const std::vector<double>& natural, Susp
                                    ? "small motions about rest, in which friction sticks and no gap closes,"
                                    : "the machine",
                                hertz(natural.front()), hertz(natural.back())),
-                   std::string(window.spectrum ? "rows of a psd are in Hz, a band without a unit in rad/s"
-                                               : "a number without a unit is in rad/s") +
-                       "; change the band, or check masses and stiffnesses if the resonances should be in it" +
+                   std::string(window.spectrum ? "rows of a psd without units are in Hz; " : "") +
+                       "change the band, or check masses and stiffnesses if the resonances should be in it" +
                        stiffness});
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::numerics {
@@ -87,10 +88,12 @@ PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& loa
                              : std::max(largest / panel_ratio, 2 * cover.lowest);  // at least one panel before infinity
   const double most = turning ? most_turning / load.longest_delay : std::numeric_limits<double>::infinity();
   if (turning && end * load.longest_delay > most_turns * 2 * std::numbers::pi)
-    throw foundation::NotComputable(fmt::format(
-        "peaks: a delay of {:.4g} s turns the phase by {:.3g} revolutions up to {:.4g} rad/s; at most {:.0f} "
-        "can be searched: use a faster wave or a lower band",
-        load.longest_delay, end * load.longest_delay / (2 * std::numbers::pi), end, most_turns));
+    throw foundation::NotComputable(
+        fmt::format("peaks: a delay of {:.4g} s turns the phase by {:.3g} revolutions up to {}; at most {:.0f} can be "
+                    "searched: use "
+                    "a faster wave or a lower band",
+                    load.longest_delay, end * load.longest_delay / (2 * std::numbers::pi), foundation::hertz_words(end),
+                    most_turns));
   double from = cover.lowest;
   auto pole = cover.poles_on_axis.begin();
   while (from < end) {
@@ -101,10 +104,10 @@ PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& loa
     const double radius =
         std::max(std::min(panel_radius(poles, from), most), 64 * std::numeric_limits<double>::epsilon() * from);
     if (!(from + 2 * radius > from) || cover.panels.size() >= most_panels)
-      throw foundation::NotComputable(
-          fmt::format("peaks: the axis from {:.4g} to {:.4g} rad/s cannot be covered with {} panels free of poles: the "
-                      "roots of the system are spread too widely",
-                      from, end, most_panels));
+      throw foundation::NotComputable(fmt::format(
+          "peaks: {} cannot be covered with {} panels free of poles: the roots of the system are spread too "
+          "widely",
+          foundation::hertz_range(from, end), most_panels));
     cover.panels.push_back({from + radius, radius, false});
     from += 2 * radius;
   }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/peaks/axis_panels.h"
@@ -138,9 +139,9 @@ class CircleScan {
     foundation::report_progress(options_.progress, "peaks", from / options_.to);
     if (++trials_ > most_trials + more_per_seam * seams_.size())
       throw foundation::NotComputable(
-          fmt::format("peaks: after {} panels the search has only reached {:.6g} rad/s: request a lower band, or use "
-                      "tables with fewer rows",
-                      trials_, from));
+          fmt::format("peaks: after {} panels the search has only reached {}: request a lower band, or use tables with "
+                      "fewer rows",
+                      trials_, foundation::hertz_words(from, 6)));
     // The whole circle must be where the laws are defined: Re ω > 0.
     const double seam = *std::ranges::upper_bound(seams_, from * (1 + on_a_seam));
     radius = std::min({radius, 0.5 * (std::min(seam, options_.to) - from), from / (spread - 1) * 0.9});
@@ -182,7 +183,7 @@ class CircleScan {
     std::ranges::fill(rise_, 0);
     if (++gaps_ > most_gaps_in_a_row)
       throw foundation::NotComputable(
-          fmt::format("peaks: the laws of the elements give no smooth curve at {:.6g} rad/s", from));
+          fmt::format("peaks: the laws of the elements give no smooth curve at {}", foundation::hertz_words(from, 6)));
     poles_.push_back(from * (1 + gap_at_pole));
     from *= 1 + 4 * gap_at_pole;
   }

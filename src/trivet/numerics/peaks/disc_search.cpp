@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/peaks/axis_panels.h"
@@ -132,10 +133,10 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
       curve.complete = false;
       if (!stands_on_a_pole(panel, cover.poles_on_axis))
         throw foundation::NotComputable(fmt::format(
-            "peaks: near {:.4g} rad/s the response is beyond the range of computation, as near a rigid-body mode "
+            "peaks: near {} the response is beyond the range of computation, as near a rigid-body mode "
             "with a stiffness of round-off only: support that direction, or check the magnitudes of masses, "
             "stiffnesses and dampings",
-            where_sized(panel)));
+            foundation::hertz_words(where_sized(panel))));
     };
     if (!q.response.coefficients.allFinite()) {  // exactly at an undamped pole, or no solver is accurate here
       for (SearchedCurve& curve : result.curves) note_gap(curve);

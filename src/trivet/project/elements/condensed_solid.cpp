@@ -147,7 +147,7 @@ void add_stroke(const Stroke& stroke, TableReader& reader, const std::string& ke
   for (const auto& [reached, next] :
        {std::pair{first.deflection, stroke.from / in_compression}, std::pair{last.deflection, stroke.to / in_tension}})
     if (reached == 0) {
-      reader.error("nonlinear", fmt::format("no equilibrium at {:.6g} m", next),
+      reader.error("nonlinear", "no equilibrium at " + foundation::prefixed(next, "m"),
                    "the deformed solid must be in equilibrium", "give a smaller range, or check the material");
       return;
     }
@@ -171,9 +171,10 @@ void add_stroke(const Stroke& stroke, TableReader& reader, const std::string& ke
            stroke.axis + 1, slopes.front() / undeformed, slopes.back() / undeformed)});
   if (first.deflection > stroke.from || last.deflection < stroke.to)
     reader.problems()
-        .warning(reader.path() + ".nonlinear",
-                 fmt::format("equilibrium from {:.6g} to {:.6g} m only", first.deflection, last.deflection),
-                 "beyond, the mesh finds none, or the solid buckles", "give a range within it")
+        .warning(
+            reader.path() + ".nonlinear",
+            fmt::format("equilibrium in {} only", foundation::prefixed_range(first.deflection, last.deflection, "m")),
+            "beyond, the mesh finds none, or the solid buckles", "give a range within it")
         .origin = reader.content().origin;
   element.over_deflection.emplace(states, stroke.axis, arm);
   constexpr double middle = 0.5;

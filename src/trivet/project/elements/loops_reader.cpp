@@ -6,6 +6,7 @@
 #include <map>
 #include <numbers>
 
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/foundation/unit_prefix.h"
 #include "trivet/identification/law_fit.h"
 #include "trivet/project/elements/element_table_readers.h"
@@ -98,10 +99,11 @@ void read_loops(TableReader& damping, model::Element& element) {
   const Eigen::Vector3d translations = element.law.nominal_stiffness.diagonal().tail<6>().head<3>();
   if (translations.maxCoeff() > 0 &&
       !(taken->stiffness > translations.minCoeff() / alike && taken->stiffness < alike * translations.maxCoeff()))
-    doubts.warning("loops",
-                   fmt::format("the loops have a stiffness of {:.4g} N/m, the element {:.4g} to {:.4g} N/m",
-                               taken->stiffness, translations.minCoeff(), translations.maxCoeff()),
-                   "loops and stiffness should be of one element", "check length_unit and force_unit of the loops");
+    doubts.warning(
+        "loops",
+        fmt::format("the loops have a stiffness of {}, the element {}", foundation::prefixed(taken->stiffness, "N/m"),
+                    foundation::prefixed_range(translations.minCoeff(), translations.maxCoeff(), "N/m")),
+        "loops and stiffness should be of one element", "check length_unit and force_unit of the loops");
   damping.add(doubts);
   if (taken->loss_factor) element.law.damping = elements::LossFactor{*taken->loss_factor};
   else element.law.damping = *taken->viscoelastic;

@@ -3,12 +3,12 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "trivet/elements/coil_dynamics.h"
 #include "trivet/elements/coil_preload.h"
 #include "trivet/elements/coil_reduction.h"
 #include "trivet/elements/coil_spring.h"
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/significant_digits.h"
 #include "trivet/project/elements/condensed_solid.h"
@@ -86,8 +86,6 @@ void read_ends_of_coil(TableReader& reader, CoilSpring& spring) {
   spring.seat_k = ends[1] == "pivoted" ? elements::Seat::pivoted : elements::Seat::clamped;
 }
 
-std::string hertz(double omega) { return fmt::format("{:.6g} Hz", omega / (2 * std::numbers::pi)); }
-
 void add_facts(const CoilSpring& spring, double distance, model::Element& element) {
   const elements::Matrix12& k = element.law.nominal_stiffness;
   element.facts.push_back({"spring index D/d", fmt::format("{:.4g}", elements::spring_index(spring))});
@@ -103,7 +101,8 @@ void read_level(TableReader& reader, const std::optional<elements::SeatedCoil>& 
                 model::Element& element) {
   if (seated) {
     element.massless_up_to = elements::natural_frequencies(*seated, elements::SeatsHeld::both, 1).front();
-    element.facts.push_back({"first own natural frequency, both seats held", hertz(element.massless_up_to)});
+    element.facts.push_back(
+        {"first own natural frequency, both seats held", foundation::hertz_words(element.massless_up_to, 6)});
   }
   const auto modes = reader.number("internal_modes", Quantity::pure);
   if (modes && level == "quasi_static")

@@ -5,6 +5,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/significant_digits.h"
+#include "trivet/foundation/unit_prefix.h"
 #include "trivet/identification/rope_fit.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
@@ -49,17 +50,19 @@ std::optional<AxisOfRope> read_measured_axis(TableReader& reader, const char* ax
   const double slips_at = fit->friction.force / fit->friction.stiffness;
   foundation::Problems remarks;
   if (largest < slips_well * slips_at)
-    remarks.warning("", fmt::format("loops up to {:.4g} m, and the fit slips from about {:.4g} m", largest, slips_at),
+    remarks.warning("",
+                    fmt::format("loops up to {}, and the fit slips from about {}", foundation::prefixed(largest, "m"),
+                                foundation::prefixed(slips_at, "m")),
                     "the limit of the friction and the spring of large loops are then extrapolated",
                     "measure loops of at least one and a half times that amplitude");
   if (largest > in_metres)
-    remarks.warning("", fmt::format("loops up to {:.4g} m", largest), "a wire rope hardly moves that far",
+    remarks.warning("", "loops up to " + foundation::prefixed(largest, "m"), "a wire rope hardly moves that far",
                     "give length_unit and force_unit of the file");
   add_loop_problems(reader, remarks);
   std::string deviations;
   for (std::size_t i = 0; i < loops->size(); ++i)
-    deviations +=
-        fmt::format("{}{:.3g} % at {:.4g} m", i > 0 ? ", " : "", 100 * fit->rms[i], (*loops)[i].amplitude.value);
+    deviations += fmt::format("{}{:.3g} % at {}", i > 0 ? ", " : "", 100 * fit->rms[i],
+                              foundation::prefixed((*loops)[i].amplitude.value, "m"));
   element.facts.push_back(
       {fmt::format("loops along {}", axis),
        fmt::format("{}, {:.4g} N/m², {:.4g} N/m³ together with friction with a limit of {}, {} in small loops, "

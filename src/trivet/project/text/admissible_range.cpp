@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "trivet/foundation/hertz.h"
+
 namespace trivet::project {
 
 Largest largest(Quantity quantity) {
@@ -85,6 +87,9 @@ Largest largest(Quantity quantity) {
 std::optional<std::string> outside_range(double value, Quantity quantity) {
   const Largest most = largest(quantity);
   const std::string unit = si_unit(quantity);
+  if (std::abs(value) > most.magnitude && quantity == Quantity::angular_frequency)
+    return fmt::format("at most {:.1e} Hz in magnitude is allowed here, {:.0e} rad/s ({})",
+                       foundation::hertz(most.magnitude), most.magnitude, most.reason);
   if (std::abs(value) > most.magnitude)
     return fmt::format("at most {:.0e}{}{} in magnitude is allowed here ({})", most.magnitude, unit.empty() ? "" : " ",
                        unit, most.reason);
@@ -100,7 +105,7 @@ std::optional<std::string> wrong_band(double from, double to) {
   constexpr double lowest = 1e-9;     // [rad/s] a turn in 200 years
   if (!(from >= 0 && to > from)) return "[from, to] with 0 ≤ from < to";
   if (to - from < narrowest * to) return fmt::format("its ends differ by {:.0e} of the upper one or more", narrowest);
-  if (to < lowest) return fmt::format("its upper end is {:.0e} rad/s or more", lowest);
+  if (to < lowest) return fmt::format("its upper end is {:.1e} Hz or more", foundation::hertz(lowest));
   return std::nullopt;
 }
 

@@ -126,7 +126,7 @@ std::optional<assembly::Band> read_band(TableReader& reader, const std::string& 
   if (!broken) return assembly::Band{(*band)[0], (*band)[1]};
   const bool near = band->size() == 2 && (*band)[0] >= 0 && (*band)[1] > (*band)[0];
   reader.error(key,
-               near                    ? fmt::format("{:.17g} to {:.17g} rad/s", (*band)[0], (*band)[1])
+               near                    ? fmt::format("{} to {}", canonical(list.items[0]), canonical(list.items[1]))
                    : band->size() == 2 ? fmt::format("{} to {}", value_text(list, 0), value_text(list, 1))
                                        : fmt::format("{} numbers", band->size()),
                "a " + kind + " is [from, to] with 0 ≤ from < to" + (near ? ", and " + *broken : ""),

@@ -113,9 +113,7 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
                                           Levels levels) {
   value.quantity = quantity;
   const std::string unit = si_unit(quantity);
-  const std::string remedy = quantity == Quantity::pure
-      ? "give a plain number"
-      : fmt::format("give a number in {0}, or a text with a unit that converts to {0}", unit);
+  const std::string remedy = number_remedy(quantity);
   double number = 0;
   if (value.kind == Node::Kind::integer || value.kind == Node::Kind::real) {
     number = value.number;
@@ -144,7 +142,9 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
     return std::nullopt;
   }
   if (const auto broken = outside_range(number, quantity)) {
-    error_at(value, where, fmt::format("{:.6g}{}{}", number, unit.empty() ? "" : " ", unit), *broken,
+    const bool as_typed = quantity == Quantity::angular_frequency && value.kind == Node::Kind::text;
+    error_at(value, where,
+             as_typed ? value_text(value) : fmt::format("{:.6g}{}{}", number, unit.empty() ? "" : " ", unit), *broken,
              "check digits and unit");
     return std::nullopt;
   }
@@ -160,8 +160,9 @@ std::optional<double> TableReader::number(const std::string& key, Quantity quant
 double TableReader::required_number(const std::string& key, Quantity quantity, Levels levels) {
   if (!node(key))
     missing(key,
-            quantity == Quantity::pure ? "give " + key + " as a number"
-                                       : fmt::format("give {} in {}", key, si_unit(quantity)));
+            quantity == Quantity::pure                    ? "give " + key + " as a number"
+                : quantity == Quantity::angular_frequency ? "give " + key + " with its unit, as in \"5 Hz\""
+                                                          : fmt::format("give {} in {}", key, si_unit(quantity)));
   return number(key, quantity, levels).value_or(0);
 }
 

@@ -54,13 +54,19 @@ std::string other_motion_advice(std::string_view text, Quantity quantity, std::s
   return "";
 }
 
+std::string number_remedy(Quantity quantity) {
+  if (quantity == Quantity::pure) return "give a plain number";
+  if (quantity == Quantity::angular_frequency)
+    return "give a text with a unit: \"5 Hz\", \"300 rpm\" or \"31.4 rad/s\"";
+  return fmt::format("give a number in {0}, or a text with a unit that converts to {0}", si_unit(quantity));
+}
+
 std::string unit_remedy(std::string_view text, Quantity quantity, std::string_view where) {
   if (quantity == Quantity::pure) return "give a plain number";
   const auto [number, unit] = number_and_unit(text);
   if (const std::string meant = meant_unit(unit, quantity); !meant.empty() && !unit_ratio(unit, unit))
     return "did you mean \"" + number + " " + meant + "\"?";
-  return other_motion_advice(text, quantity, where) +
-      fmt::format("give a number in {0}, or a text with a unit that converts to {0}", si_unit(quantity));
+  return other_motion_advice(text, quantity, where) + number_remedy(quantity);
 }
 
 }  // namespace trivet::project

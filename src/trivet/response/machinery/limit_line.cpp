@@ -135,8 +135,8 @@ double zero_to_peak_limit(const assembly::LimitLine& line, double angular_freque
     if (angular_frequency >= piece.band.from && angular_frequency <= piece.band.to)
       lowest = std::min(lowest, piece.at(angular_frequency));
   if (std::isinf(lowest))
-    throw foundation::InvalidInput(
-        fmt::format("limit line \"{}\" is not defined at {:g} rad/s", line.name, angular_frequency));
+    throw foundation::InvalidInput(fmt::format("limit line \"{}\" is not defined at {}", line.name,
+                                               foundation::hertz_words(angular_frequency, 6)));
   return lowest;
 }
 

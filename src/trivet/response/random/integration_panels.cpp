@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/foundation/hertz.h"
 #include "trivet/response/random/basis_integrals.h"
 
 #include <fmt/format.h>
@@ -67,10 +68,10 @@ std::vector<double> graded_panels(const Eigen::VectorXcd& poles, double from, do
     double h = poles.size() > 0 ? std::min(half_width(poles, at), most) : most;
     h = std::max(h, 64 * std::numeric_limits<double>::epsilon() * at);
     if (!(at + 2 * h > at) || ends.size() > most_panels)
-      throw foundation::NotComputable(
-          fmt::format("random response: the band from {:.4g} to {:.4g} rad/s cannot be integrated in {} panels: the "
-                      "roots of the system lie too far apart, or one is too near {:.4g} rad/s",
-                      from, to, most_panels, at));
+      throw foundation::NotComputable(fmt::format(
+          "random response: the band of {} cannot be integrated in {} panels: the roots of the system lie too "
+          "far apart, or one is too near {}",
+          foundation::hertz_range(from, to), most_panels, foundation::hertz_words(at)));
     // No narrow last panel: the remainder becomes one panel or two halves.
     ends.push_back(at + 2 * h >= to ? to : at + 4 * h >= to ? 0.5 * (at + to) : at + 2 * h);
   }

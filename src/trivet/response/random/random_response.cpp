@@ -125,8 +125,8 @@ foundation::Problems check(const RandomLoading& loading, const std::string& subj
       if (!(p.from >= 0 && p.from < p.to && p.density_from >= 0 && p.density_to >= 0) ||
           !std::isfinite(p.to + p.density_from + p.density_to))
         problems.error(of_input,
-                       fmt::format("density {:.6g} … {:.6g} from {:.6g} to {:.6g} rad/s", p.density_from, p.density_to,
-                                   p.from, p.to),
+                       fmt::format("density {:.6g} … {:.6g} in {}", p.density_from, p.density_to,
+                                   foundation::hertz_range(p.from, p.to, 6)),
                        "frequencies ascend, and densities are finite and not negative", "correct the table");
   }
   if (!problems.has_errors()) problems.add(excitation::check(inputs, subject));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
@@ -27,15 +28,15 @@ std::vector<SteadyMotion> steady_motions(const assembly::Assembled& assembled, c
   for (const double omega : angular_frequency)
     if (!(omega > 0))
       throw foundation::InvalidInput(
-          fmt::format("steady motion: {:g} rad/s; the angular frequency must be > 0", omega));
+          fmt::format("steady motion: {}; the frequency must be > 0", foundation::hertz_words(omega, 6)));
   const Eigen::MatrixXcd q = steady_solution(assembled, loading, angular_frequency).response;
   std::vector<SteadyMotion> result;
   for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
     SteadyMotion motion{angular_frequency[i], q.col(to_index(i)), Eigen::VectorXcd::Zero(assembled.ground.size())};
     if (!motion.free.allFinite())
       throw foundation::NotComputable(
-          fmt::format("steady motion: {:.6g} rad/s is an undamped natural frequency: the motion is unbounded",
-                      motion.angular_frequency));
+          fmt::format("steady motion: {} is an undamped natural frequency: the motion is unbounded",
+                      foundation::hertz_words(motion.angular_frequency, 6)));
     if (!loading.motion.vanishes()) motion.ground = loading.motion.at(motion.angular_frequency);
     result.push_back(std::move(motion));
   }

@@ -9,6 +9,7 @@
 #include "trivet/documents/shown_numbers.h"
 #include "trivet/documents/text_table.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/results/model/element_results.h"
 
 /// What the 12×12 of an element does not contain: its uncertainty, damping, and what depends on the frequency and on
@@ -38,8 +39,9 @@ std::string words_of_damping(const model::Element& element) {
       [](double sum, const model::DistancePart& part) {
         return sum + elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero()).by_rate.trace();
       });
-  return over_distance > 0 ? fmt::format("{:.6g} N s/m along the line between its ends, at rest", over_distance)
-                           : law_of_damping(element.law);
+  return over_distance > 0
+      ? foundation::prefixed_exactly(over_distance, "N s/m", 6) + " along the line between its ends, at rest"
+      : law_of_damping(element.law);
 }
 
 std::vector<Sentence> notes_on_frequency(const model::Element& element) {
@@ -52,8 +54,9 @@ std::vector<Sentence> notes_on_frequency(const model::Element& element) {
   for (const model::NonlinearPart& part : element.nonlinear_parts) {
     const double damping = elements::small_motion(part.laws, part.at_rest).damping;
     if (damping == 0 || part.is_inner()) continue;
-    note({fmt::format("its laws add {:.6g} {} {} at rest", damping,
-                      part.is_rotation() ? "N m s/rad about" : "N s/m along", "xyz"[part.axis % 3])});
+    note({fmt::format("its laws add {} {} {} at rest",
+                      foundation::prefixed_exactly(damping, part.is_rotation() ? "N m s/rad" : "N s/m", 6),
+                      part.is_rotation() ? "about" : "along", "xyz"[part.axis % 3])});
   }
   if (const auto& given = law.frequency_dependence) {
     const std::string words = std::string("Frequency dependence: the stiffness above is static; ") +

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "trivet/documents/text_table.h"
+#include "trivet/foundation/significant_digits.h"
 #include "trivet/results/format/in_documents.h"
 
 namespace trivet::results {
@@ -17,6 +18,9 @@ namespace trivet::results {
 namespace {
 
 std::string n(double value) { return number_text(value, 6); }
+
+/// With the prefix of its unit: "243.7 kN/m".
+std::string q(double value, const std::string& unit) { return foundation::prefixed_exactly(value, unit, 6); }
 
 /// Over a deflection [m] or an angle [rad].
 struct LawWords {
@@ -35,25 +39,25 @@ struct LawWords {
   }
   std::string operator()(const elements::GapStop& law) const {
     std::string words = "gap stop:";
-    if (std::isfinite(law.gap_above)) words += fmt::format(" gap {} {},", n(law.gap_above), length);
-    if (std::isfinite(law.gap_below)) words += fmt::format(" gap below {} {},", n(law.gap_below), length);
+    if (std::isfinite(law.gap_above)) words += fmt::format(" gap {},", q(law.gap_above, length));
+    if (std::isfinite(law.gap_below)) words += fmt::format(" gap below {},", q(law.gap_below, length));
     if (law.gaps_at_rest) words += " from rest,";
     if (law.curve)
-      words += fmt::format(" curve of {} points over {} {}", law.curve->knots().size(), n(law.curve->knots().back()),
-                           length);
-    else words += fmt::format(" {} {}/{}", n(law.stiffness), force, length);
+      words +=
+          fmt::format(" curve of {} points over {}", law.curve->knots().size(), q(law.curve->knots().back(), length));
+    else words += " " + (law.power == 1 ? q(law.stiffness, slope()) : n(law.stiffness) + " " + slope());
     if (law.power != 1) words += fmt::format("^{0}, power {0}", n(law.power));
     if (law.dissipation > 0) words += fmt::format(", dissipation {} s/{}", n(law.dissipation), length);
     return words;
   }
   std::string operator()(const elements::ForceCurve& law) const {
     const std::vector<double>& x = law.force.knots();
-    return fmt::format("curve: {} points from {} to {} {}{}", x.size(), n(x.front()), n(x.back()), length,
+    return fmt::format("curve: {} points from {} to {}{}", x.size(), q(x.front(), length), q(x.back(), length),
                        law.is_limited ? ", known there only" : "");
   }
   std::string operator()(const elements::GasForce& law) const {
-    return fmt::format("gas: {} Pa, {} m³, {} m², exponent {}, atmosphere {} Pa", n(law.pressure), n(law.volume),
-                       n(law.area), n(law.exponent), n(law.atmosphere));
+    return fmt::format("gas: {}, {} m³, {} m², exponent {}, atmosphere {}", q(law.pressure, "Pa"), n(law.volume),
+                       n(law.area), n(law.exponent), q(law.atmosphere, "Pa"));
   }
   std::string operator()(const elements::ElasticForce& law) const { return std::visit(*this, law); }
   std::string operator()(const elements::QuadraticDamping& law) const {
@@ -62,53 +66,52 @@ struct LawWords {
   }
   std::string operator()(const elements::DampingCurve& law) const {
     const std::vector<double>& v = law.force.knots();
-    if (v.size() == 2 && law.force.at(0).value == 0)
-      return fmt::format("damper: {} {} s/{}", n(law.force.at(0).slope), force, length);
-    return fmt::format("damping curve: {} points from {} to {} {}/s", v.size(), n(v.front()), n(v.back()), length);
+    if (v.size() == 2 && law.force.at(0).value == 0) return "damper: " + q(law.force.at(0).slope, rate());
+    return fmt::format("damping curve: {} points from {} to {}", v.size(), q(v.front(), length + "/s"),
+                       q(v.back(), length + "/s"));
   }
   std::string operator()(const elements::DampingForce& law) const { return std::visit(*this, law); }
   std::string operator()(const elements::Slider& law) const {
-    return fmt::format("friction: slips at {} {}{}, sticks with {} {}/{}", n(law.slip), force, static_limit(law),
-                       n(law.stiffness), force, length);
+    return fmt::format("friction: slips at {}{}, sticks with {}", q(law.slip, force), static_limit(law),
+                       q(law.stiffness, slope()));
   }
   std::string operator()(const elements::CoulombFriction& law) const {
-    return fmt::format("friction: slips at {} {}{}, without a spring", n(law.slip), force, static_limit(law));
+    return fmt::format("friction: slips at {}{}, without a spring", q(law.slip, force), static_limit(law));
   }
   std::string operator()(const elements::BergFriction& law) const {
-    return fmt::format("Berg's friction: {} {}, half of it at {} {}", n(law.force), force, n(law.deflection), length);
+    return fmt::format("Berg's friction: {}, half of it at {}", q(law.force, force), q(law.deflection, length));
   }
   std::string operator()(const elements::BoucWen& law) const {
-    std::string words = fmt::format("Bouc–Wen: {} {}/{}, force {} {}, n = {}, β = {}, γ = {}", n(law.stiffness), force,
-                                    length, n(law.force), force, n(law.exponent), n(law.beta), n(law.gamma));
+    std::string words = fmt::format("Bouc–Wen: {}, force {}, n = {}, β = {}, γ = {}", q(law.stiffness, slope()),
+                                    q(law.force, force), n(law.exponent), n(law.beta), n(law.gamma));
     return law.asymmetry == 0 ? words : words + fmt::format(", asymmetry {}", n(law.asymmetry));
   }
   std::string operator()(const elements::HystereticForce& law) const { return std::visit(*this, law); }
   std::string operator()(const elements::PayneForce& law) const {
-    return fmt::format(
-        "rubber over amplitude: stiffness falls by {0} {1}/{2}, loss up to {3} {1}/{2}, amplitude {4} {2}, exponent "
-        "{5}",
-        n(law.stiffness), force, length, n(law.loss), n(law.amplitude), n(law.exponent));
+    return fmt::format("rubber over amplitude: stiffness falls by {}, loss up to {}, amplitude {}, exponent {}",
+                       q(law.stiffness, slope()), q(law.loss, slope()), q(law.amplitude, length), n(law.exponent));
   }
   std::string operator()(const elements::LuGreFriction& law) const {
     std::string words =
-        fmt::format("LuGre: slips at {} {}{}, bristles {} {}/{}, damping {} {} s/{}, viscous {} {} s/{}", n(law.slip),
-                    force, static_limit(law), n(law.stiffness), force, length, n(law.damping), force, length,
-                    n(law.viscous), force, length);
+        fmt::format("LuGre: slips at {}{}, bristles {}, damping {}, viscous {}", q(law.slip, force), static_limit(law),
+                    q(law.stiffness, slope()), q(law.damping, rate()), q(law.viscous, rate()));
     return law.breakaway > law.slip
-        ? words + fmt::format(", Stribeck velocity {} {}/s", n(law.stribeck_velocity), length)
+        ? words + fmt::format(", Stribeck velocity {}", q(law.stribeck_velocity, length + "/s"))
         : words;
   }
 
  private:
+  [[nodiscard]] std::string slope() const { return force + "/" + length; }
+  [[nodiscard]] std::string rate() const { return force + " s/" + length; }
   template <typename Law>
   [[nodiscard]] std::string static_limit(const Law& law) const {
-    return law.breakaway > law.slip ? fmt::format(" (static {} {})", n(law.breakaway), force) : "";
+    return law.breakaway > law.slip ? fmt::format(" (static {})", q(law.breakaway, force)) : "";
   }
 };
 
 std::string friction_words(const elements::RubbingFriction& law) {
-  return fmt::format("friction: up to {} of the force that presses it, sticks with {} N/m", n(law.coefficient),
-                     n(law.stiffness));
+  return fmt::format("friction: up to {} of the force that presses it, sticks with {}", n(law.coefficient),
+                     q(law.stiffness, "N/m"));
 }
 
 std::string place_of(const model::Element& element, const model::NonlinearPart& part) {
@@ -135,7 +138,7 @@ std::vector<model::Fact> law_facts(const model::Element& element) {
     for (const elements::ScalarLaw& law : part.law.laws)
       facts.push_back(
           {part.law.across ? "law across its axis" : "law over its length", std::visit(LawWords{"N", "m"}, law)});
-    if (!part.law.across) facts.push_back({"length without force", n(part.law.length) + " m"});
+    if (!part.law.across) facts.push_back({"length without force", q(part.law.length, "m")});
     if (part.friction) facts.push_back({"around and along its wall", friction_words(*part.friction)});
   }
   for (const model::RubbingPart& part : element.rubbing_parts)

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/requirements/band_words.h"
 
-#include <fmt/format.h>
-
-#include "trivet/foundation/constants.h"
+#include "trivet/foundation/hertz.h"
 
 namespace trivet::study {
 
 std::string hertz_words(const assembly::Band& band) {
-  const double from = band.from / foundation::two_pi, to = band.to / foundation::two_pi;
-  return band.from == band.to ? fmt::format("{:.5g} Hz", from) : fmt::format("{:.5g} … {:.5g} Hz", from, to);
+  return band.from == band.to ? foundation::hertz_words(band.from, 5) : foundation::hertz_range(band.from, band.to, 5);
 }
 
 }  // namespace trivet::study
