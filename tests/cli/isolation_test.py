@@ -88,7 +88,22 @@ class Isolation(InTemporaryFolder):
             "verdict",
             self.file(OSCILLATOR + '[requirements]\nisolation = {at = "10 Hz", least = "80 %"}\n'),
         ).stdout
-        self.assertIn(f"amplified: T = {transmitted(20 * math.pi):.4g}", text)
+        amplified = transmitted(20 * math.pi)
+        self.assertIn(f"amplified: T = {amplified:.4g}, isolation {-20 * math.log10(amplified):.3g} dB", text)
+
+    def test_the_level_of_an_isolation_has_one_sign_everywhere(self):
+        isolates, amplifies = transmitted(60 * math.pi), transmitted(20 * math.pi)
+        levels = [f"{-20 * math.log10(t):.3g} dB" for t in (isolates, amplifies)]
+        self.assertEqual([level.startswith("-") for level in levels], [False, True])
+        required = OSCILLATOR + '[requirements]\nisolation = {at = "30 Hz", least = "3 dB"}\n'
+        verdict = trivet("verdict", self.file(required)).stdout
+        self.assertIn(f"(T = {isolates:.4g}, {levels[0]})", verdict)
+        for hertz, level in zip((30, 10), levels):
+            running = OSCILLATOR + f'[operation]\nspeeds = ["{hertz} Hz"]\n'
+            self.assertIn(f"%, {level}", trivet("operation", self.file(running)).stdout)
+        silent = '[analyses.transmissibility]\nforce = "f"\nband = ["10 Hz", "10.0001 Hz"]\n'
+        _, warnings = self.rows(OSCILLATOR + silent, 'limits = {"m.z" = "9 mm"}')
+        self.assertTrue(any(f"isolation {levels[1]}" in w for w in warnings), warnings)
 
     def test_an_unbalance_is_isolated_along_both_axes_of_its_circle(self):
         stiff = OSCILLATOR.replace('free = ["z"]', 'free = ["y", "z"]').replace("[1, 1,", "[1, 1e5,")
@@ -416,7 +431,8 @@ catalogue = "maker.toml"
         self.assertGreater(found["best"][0]["transmissibility"], 1)
         self.assertTrue(any("is amplified" in w for w in found["warnings"]))
         shown = trivet("select", self.file(machine + operation)).stdout
-        self.assertIn("AMPLIFIES", shown)
+        level = -20 * math.log10(found["best"][0]["transmissibility"])
+        self.assertIn(f"({level:.3g} dB) AMPLIFIES", shown)
         self.assertIn('transmits: largest force on the ground over "run", 10 … 11 Hz', shown)
         with_isolation = result_of("select", self.file(machine + ISOLATION + operation))
         self.assertFalse(any("is amplified" in w for w in with_isolation["warnings"]))

@@ -239,6 +239,10 @@ double transmissibility_level(double transmissibility) {
   return transmissibility == 0 ? -infinity : 20 * std::log10(std::abs(transmissibility));
 }
 
+double isolation_level(double transmissibility) {
+  return 0.0 - transmissibility_level(transmissibility);  // no −0 for T = 1
+}
+
 double isolation_efficiency(double transmissibility) { return 1 - std::abs(transmissibility); }
 
 }  // namespace trivet::response

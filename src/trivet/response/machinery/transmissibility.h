@@ -72,6 +72,10 @@ struct Crossover {
 /// Transmissibility level 20 lg |T| [dB]; −∞ for 0.
 [[nodiscard]] double transmissibility_level(double transmissibility);
 
+/// Level of isolation −20 lg |T| [dB]: positive isolates, negative amplifies; ∞ for 0. Requirements, verdicts and
+/// operating speeds speak of it, only the analysis of the transmissibility itself of the level above.
+[[nodiscard]] double isolation_level(double transmissibility);
+
 /// Isolation efficiency 1 − |T|, a fraction; negative if the mounts amplify. [VDI 2062-1]
 [[nodiscard]] double isolation_efficiency(double transmissibility);
 

@@ -106,9 +106,8 @@ std::vector<Column> isolation_columns(const Rows<AtSpeed<OperatingIsolation>>& r
           number([](const OperatingIsolation& one) { return one.transmissibility; }), {.digits = 4}),
       row("isolation", Kind::share, "isolation",
           number([](const OperatingIsolation& one) { return response::isolation_efficiency(one.transmissibility); })),
-      row("isolation_db", Kind::number, "isolation", number([](const OperatingIsolation& one) {
-            return -response::transmissibility_level(one.transmissibility) + 0.0;
-          }),
+      row("isolation_db", Kind::number, "isolation",
+          number([](const OperatingIsolation& one) { return response::isolation_level(one.transmissibility); }),
           {.unit = "dB", .digits = 3}),
       row("at", Kind::speed, "at", number([](const OperatingIsolation& one) { return one.at; })),
       row("reason", Kind::words, "", [](const One& one) { return one.what->reason; }, {.forms = for_programs}),

@@ -107,7 +107,7 @@ std::string isolation_words(double transmissibility) {
   if (std::isinf(transmissibility)) return "AMPLIFIED without bound: an undamped resonance";
   if (transmissibility == 0) return "complete, no force reaches it";
   const std::string numbers = fmt::format("{:.4g} %, {:.3g} dB", 100 * response::isolation_efficiency(transmissibility),
-                                          -response::transmissibility_level(transmissibility) + 0.0);
+                                          response::isolation_level(transmissibility));
   return transmissibility > 1 ? fmt::format("AMPLIFIED: T = {:.4g}, isolation {}", transmissibility, numbers) : numbers;
 }
 

@@ -32,12 +32,12 @@ std::string governing_words(const MountDesign& design) {
   return std::isinf(design.margin) ? "nothing limits it" : design.governing_at_level;
 }
 
-/// "0.393 (−8.11 dB)", or "6.41 (+16.1 dB) AMPLIFIES".
+/// T and the level of isolation: "0.393 (8.11 dB)", or "6.41 (-16.1 dB) AMPLIFIES".
 std::string transmitted_words(const MountDesign& design) {
   if (!design.transmissibility) return "–";
   constexpr double round_off = 1e-9;  // a rigid machine transmits 1
   const double transmitted = *design.transmissibility;
-  return fmt::format("{:.3g} ({:+.3g} dB){}", transmitted, response::transmissibility_level(transmitted),
+  return fmt::format("{:.3g} ({:.3g} dB){}", transmitted, response::isolation_level(transmitted),
                      transmitted > 1 + round_off ? " AMPLIFIES" : "");
 }
 
@@ -84,7 +84,7 @@ Table design_table(const MountSelection& found, const std::string& heading, std:
   add("lowest_angular_frequency", Kind::frequency, "lowest", &MountDesign::lowest, {.digits = 4});
   add("highest_angular_frequency", Kind::frequency, "highest", &MountDesign::highest, {.digits = 4});
   add("transmissibility", Kind::number, "", &MountDesign::transmissibility);
-  add("transmits", Kind::words, "transmits", transmitted_words, shown);
+  add("transmits", Kind::words, "transmits (isolation)", transmitted_words, shown);
   add("price", Kind::number, "", [](const MountDesign& d) { return d.price ? Json(d.price->amount) : Json(); });
   add("currency", Kind::words, "", [](const MountDesign& d) { return d.price ? d.price->currency : ""; });
   add(

@@ -22,13 +22,13 @@ namespace {
 using study::RequirementResult;
 using study::ShownValue;
 
-/// "60.7 % (T = 0.393, −8.11 dB)", or "amplified: T = 6.41, +16.1 dB".
+/// "60.7 % (T = 0.393, 8.11 dB)", or "amplified: T = 6.41, isolation -16.1 dB".
 std::string isolation_cell(double transmissibility) {
   constexpr double percent = 100;
-  const std::string ratio =
-      fmt::format("T = {:.4g}, {:+.3g} dB", transmissibility, response::transmissibility_level(transmissibility));
-  if (transmissibility > 1) return "amplified: " + ratio;
-  return fmt::format("{:.4g} % ({})", percent * response::isolation_efficiency(transmissibility), ratio);
+  const double level = response::isolation_level(transmissibility);
+  if (transmissibility > 1) return fmt::format("amplified: T = {:.4g}, isolation {:.3g} dB", transmissibility, level);
+  return fmt::format("{:.4g} % (T = {:.4g}, {:.3g} dB)", percent * response::isolation_efficiency(transmissibility),
+                     transmissibility, level);
 }
 
 /// "2.557 of 3.12 µm/s rms (81.94 %)"

@@ -157,8 +157,9 @@ foundation::Problems amplification_warnings(const CaseContext& c, const project:
     const double hertz = one.requirement.angular_frequency.value_or(0) / foundation::two_pi;
     warnings.warning(
         "requirements",
-        fmt::format("{} is amplified at {:.5g} Hz, where the machine runs: transmissibility {:.4g} ({:+.3g} dB)",
-                    one.words, hertz, *one.requirement.value, response::transmissibility_level(*one.requirement.value)),
+        fmt::format(
+            "{} is amplified at {:.5g} Hz, where the machine runs: transmissibility {:.4g}, isolation {:.3g} dB",
+            one.words, hertz, *one.requirement.value, response::isolation_level(*one.requirement.value)),
         "these mounts do not isolate it, and no requirement speaks of that",
         missing_requirement(*one.requirement.transmitted, hertz));
   }

@@ -21,7 +21,7 @@ namespace {
 
 std::string least_isolation_words(const project::Isolation& wanted) {
   constexpr double percent = 100;
-  return wanted.in_decibels ? fmt::format("≥ {:.5g} dB", -response::transmissibility_level(wanted.transmitted) + 0.0)
+  return wanted.in_decibels ? fmt::format("≥ {:.5g} dB", response::isolation_level(wanted.transmitted))
                             : fmt::format("≥ {:.5g} %", percent * (1 - wanted.transmitted));
 }
 
