@@ -17,9 +17,11 @@ struct MapRule {
   double allowed = 0;               ///< amplitude [SI], or relative prominence
   std::string words;                ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
   std::string requirement = {};     ///< kind of a requirement: "damping_ratio"
-  std::string words_at_level = {};  ///< of a requirement, with the level of its bound, without a further case
+  std::string words_at_level = {};  ///< of a requirement, at the level that people read, without a further case
   std::string level = {};           ///< of a requirement: "0-p", "rms" or empty
-  std::string in_case = {};         ///< a further case in which it is judged; its words name that case too
+  std::string shown_level = {};     ///< that people read, with values times `shown_factor`
+  double shown_factor = 1;
+  std::string in_case = {};  ///< a further case in which it is judged; its words name that case too
 
   /// Notes a further case and names it in the words.
   void set_case(const std::string& name);

@@ -90,8 +90,7 @@ std::string units_note(const project::DisplayUnits& display) {
 }
 
 std::string level_note(const project::DisplayUnits& display) {
-  const std::string elsewhere =
-      " Limits are at the level of what they limit; in maps and best designs all are zero-to-peak";
+  const std::string elsewhere = " Limits are at the level of what they limit";
   if (display.level) return std::string(results::level_words(*display.level)) + "." + elsewhere;
   return "rms for velocities and zero-to-peak (0-p) for all others, as their units show." + elsewhere;
 }

@@ -67,7 +67,7 @@ UnitPrefix words_unit(const design::MapRule& rule, const project::DisplayUnits& 
 
 /// " 0-p" behind a value of a requirement that people read.
 std::string level_after(const design::MapRule& rule, double value, Readers readers) {
-  return readers == Readers::people && !rule.level.empty() && std::isfinite(value) ? " " + rule.level : "";
+  return readers == Readers::people && !rule.shown_level.empty() && std::isfinite(value) ? " " + rule.shown_level : "";
 }
 
 /// The words of a rule beside a mark, without the case if that is the mark's own.
@@ -120,7 +120,8 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
     if (rule.kind == design::DesignRule::Kind::requirement && judged.margins[r] < 1)
       add(fmt::format("{}: {}{}, margin {:.4g}", words_beside(map, mark, rule, readers),
-                      requirement_value(rule, value, display), level_after(rule, value, readers), judged.margins[r]));
+                      requirement_value(rule, readers == Readers::people ? value * rule.shown_factor : value, display),
+                      level_after(rule, value, readers), judged.margins[r]));
     if (rule.kind == design::DesignRule::Kind::no_peak && judged.margins[r] < 1 && !lists_peaks(map, mark, rule))
       add(fmt::format("{}{} peaks at {} ({})", rule.channel, rule.case_words(), frequency_words(display, at),
                       height_words(value)));

@@ -32,9 +32,10 @@ Table compared(const std::string& heading, Kind kind, const std::vector<Compared
 }
 
 /// The words of a requirement; those of both designs if they differ, as load ranges of other mounts do.
-std::string words_of_both(const study::RequirementResult& given, const study::RequirementResult& best) {
-  const std::string best_words = best.words_at_level();
-  return given.words == best.words ? best_words : fmt::format("{} (given: {})", best_words, given.words_at_level());
+std::string words_of_both(const study::RequirementResult& given, const study::RequirementResult& best,
+                          const project::DisplayUnits& display) {
+  const std::string words = best.words_for_people(display);
+  return given.words == best.words ? words : fmt::format("{} (given: {})", words, given.words_for_people(display));
 }
 
 /// The requirements of each case by ascending margin.
@@ -48,8 +49,8 @@ std::vector<Compared> compared_requirements(const Optimization& found) {
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return after[i].margin; });
     const auto margin = [](const RequirementResult& r) { return r.value ? Json(r.margin) : Json("not judged"); };
     for (const std::size_t i : order)
-      list.push_back({words_in_case(found, c, words_of_both(before[i], after[i])), margin(before[i]), margin(after[i]),
-                      verdict_word(after[i]),
+      list.push_back({words_in_case(found, c, words_of_both(before[i], after[i], found.after[c].display)),
+                      margin(before[i]), margin(after[i]), verdict_word(after[i]),
                       !after[i].value      ? Mark::doubt
                           : after[i].met() ? Mark::plain
                                            : Mark::bad});

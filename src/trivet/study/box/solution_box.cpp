@@ -34,9 +34,9 @@ void refuse_violations(const BoxCases& cases) {
   for (const SampledCase& one : cases.list())
     for (const RequirementResult& given : one.given())
       if (given.margin < 1 + box_reserve)
-        list += fmt::format("{}\"{}\"{} (margin {:.4g})", list.empty() ? "" : ", ", given.words.text(),
-                            one.variant().name.empty() ? "" : " in case " + foundation::quoted(one.variant().name),
-                            given.margin);
+        list += fmt::format(
+            "{}\"{}\"{} (margin {:.4g})", list.empty() ? "" : ", ", given.words_for_people(one.variant().display),
+            one.variant().name.empty() ? "" : " in case " + foundation::quoted(one.variant().name), given.margin);
   if (!list.empty())
     throw NotComputable(
         fmt::format("box: the design of the file violates or only just meets {}; ranges are around a design that meets "

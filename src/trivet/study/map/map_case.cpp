@@ -93,8 +93,12 @@ MapCase::MapCase(const project::Case& variant, project::MapRequest request, cons
   for (const RequirementResult& result : required) {
     rules_.push_back({DesignRule::Kind::requirement, result.subject, result.unit, result.allowed, result.words.text(),
                       study::name(result.kind)});
-    rules_.back().words_at_level = result.words_at_level();
-    rules_.back().level = result.level();
+    rules_.back().words_at_level = result.words_for_people(case_.display);
+    rules_.back().level = rules_.back().shown_level = result.level();
+    if (const auto shown_at = result.level_for_people(case_.display)) {
+      rules_.back().shown_level = project::level_ending(*shown_at);
+      rules_.back().shown_factor = project::level_factor(*shown_at);
+    }
   }
 }
 
@@ -228,7 +232,7 @@ void MapCase::judge_from_model(std::size_t index, const DesignPoint& point, Marg
     const std::vector<RequirementResult> results = requirements(*system, of_design);
     for (std::size_t r = 0; r < results.size(); ++r) {
       if (!results[r].value) {
-        const std::string words = results[r].words.text() + ": " + results[r].reason;
+        const std::string words = results[r].words_for_people(case_.display) + ": " + results[r].reason;
         return refuse(words, words, DesignOutcome::not_computed);
       }
       double& margin = margins(d, n + to_index(r));
@@ -321,7 +325,8 @@ void MapCase::add_judged(const model::System& system, design::JudgedDesign& resu
   if (own() == rules_.size()) return;
   foundation::Problems of_design;
   for (const RequirementResult& requirement : requirements(system, of_design)) {
-    if (!requirement.value) throw foundation::NotComputable(requirement.words.text() + ": " + requirement.reason);
+    if (!requirement.value)
+      throw foundation::NotComputable(requirement.words_for_people(case_.display) + ": " + requirement.reason);
     result.rules.values.push_back(*requirement.value);
     result.rules.angular_frequencies.push_back(requirement.angular_frequency.value_or(no_margin));
     result.margins.push_back(requirement.margin);

@@ -194,8 +194,9 @@ std::string DesignObjective::words(const Place& place) const {
   return minimized_.contain(place) ? minimized_.words(result) : result.words.text();
 }
 
-std::string DesignObjective::words_at_level(const Place& place) const {
-  return minimized_.contain(place) ? words(place) : given_[place.result_case][place.result].words_at_level();
+std::string DesignObjective::words_for_people(const Place& place) const {
+  const project::DisplayUnits& display = cases_[place.result_case]->display;
+  return minimized_.contain(place) ? words(place) : given_[place.result_case][place.result].words_for_people(display);
 }
 
 std::vector<RequirementResult> DesignObjective::results(std::size_t result_case, const model::System& system) const {

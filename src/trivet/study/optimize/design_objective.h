@@ -67,7 +67,7 @@ class DesignObjective {
   [[nodiscard]] const std::vector<std::vector<RequirementResult>>& given() const { return given_; }
   /// "machine.z ≤ 1 mm", or "the largest amplitude of machine.z"
   [[nodiscard]] std::string words(const Place& place) const;
-  [[nodiscard]] std::string words_at_level(const Place& place) const;
+  [[nodiscard]] std::string words_for_people(const Place& place) const;
 
   /// The cases as families, in which many designs are judged without their models; fitted when first needed.
   [[nodiscard]] const std::vector<DesignBatch>& families() const;

@@ -231,7 +231,7 @@ class Description {
     for (const Held& one : held) {
       const RequirementResult& result = at_best_[one.place.result_case][one.place.result];
       result_.active.push_back({one.place.result_case, objective_.words(one.place),
-                                objective_.words_at_level(one.place), objective_.minimized().contain(one.place),
+                                objective_.words_for_people(one.place), objective_.minimized().contain(one.place),
                                 one.multiplier * effect_of_bound(result)});
       if (!result_.feasible && !result_.minimizes) describe_conflict(one.place, result);
     }
@@ -243,7 +243,7 @@ class Description {
     MaxMinPoint others = max_min(problem_of_requirements(searched, place), best_.x);
     if (&searched != &objective_) others = numerics::point_at(problem_of_requirements(objective_, place), others.x);
     const double factor = result.kind == RequirementKind::no_peak ? *result.value / result.allowed : 1 / result.margin;
-    result_.conflicts.push_back({place.result_case, objective_.words(place), objective_.words_at_level(place), factor,
+    result_.conflicts.push_back({place.result_case, objective_.words(place), objective_.words_for_people(place), factor,
                                  whole(others.objective)});
   }
 

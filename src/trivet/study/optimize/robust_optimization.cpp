@@ -327,8 +327,8 @@ class RobustSearch {
       for (std::size_t r = 0; r < kept.kept[c].size(); ++r) {
         const RequirementResult& judged = optimum.after[c].results[r];
         const double nominal = kept.nominal[c][r], bound = kept.kept[c][r];
-        result_.margins.push_back({c, judged.words.text(), judged.words_at_level(), nominal, kept.alone[c][r],
-                                   has_reserve(nominal, bound) || meets(bound)});
+        result_.margins.push_back({c, judged.words.text(), judged.words_for_people(optimum.after[c].display), nominal,
+                                   kept.alone[c][r], has_reserve(nominal, bound) || meets(bound)});
       }
     optimum.feasible = optimum.feasible && result_.held;
     if (!optimum.minimizes) {

@@ -153,6 +153,20 @@ std::string RequirementResult::words_at_level() const {
   return shown.text();
 }
 
+std::optional<project::Level> RequirementResult::level_for_people(const project::DisplayUnits& display) const {
+  if (requirement_row(kind).shown != ShownValue::amplitude || unit == "1") return std::nullopt;
+  return display.level ? *display.level : level_of_limit.value_or(project::shown_level(display, unit));
+}
+
+std::string RequirementResult::words_for_people(const project::DisplayUnits& display) const {
+  const auto shown_at = level_for_people(display);
+  if (!shown_at || !has_bound_in_units()) return words_at_level();
+  RequirementWords shown = words;
+  shown.bound = fmt::format("≤ {} {}", value_words(allowed * project::level_factor(*shown_at), unit),
+                            project::level_ending(*shown_at));
+  return shown.text();
+}
+
 std::size_t CaseVerdict::not_judged() const {
   return to_size(std::ranges::count_if(results, [](const RequirementResult& r) { return !r.value; }));
 }

@@ -91,8 +91,12 @@ struct RequirementResult {
   [[nodiscard]] const char* level() const;
   /// Its bound is the text of `allowed`, not another number or a name.
   [[nodiscard]] bool has_bound_in_units() const;
-  /// The words in SI with the level of the bound: "machine.seat.z ≤ 0.5 mm 0-p".
+  /// The words in SI with the level of the bound as data have it: "machine.seat.z ≤ 3.96 mm/s 0-p".
   [[nodiscard]] std::string words_at_level() const;
+  /// Level that people read of an amplitude: that of [display] or of the file, else the usual one; none of all others.
+  [[nodiscard]] std::optional<project::Level> level_for_people(const project::DisplayUnits& display) const;
+  /// The words with the bound at this level: "machine.seat.z ≤ 2.8 mm/s rms".
+  [[nodiscard]] std::string words_for_people(const project::DisplayUnits& display) const;
 };
 
 /// The requirement that governs an element.

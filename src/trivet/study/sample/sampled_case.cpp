@@ -34,8 +34,8 @@ std::string case_words(const project::Case& variant) {
 }
 
 NotComputable unjudged(const RequirementResult& one, const project::Case& variant) {
-  return NotComputable(
-      fmt::format("tolerances: \"{}\"{} cannot be judged: {}", one.words.text(), case_words(variant), one.reason));
+  return NotComputable(fmt::format("tolerances: \"{}\"{} cannot be judged: {}", one.words_for_people(variant.display),
+                                   case_words(variant), one.reason));
 }
 
 /// Why something of a design has no result; empty if it has one.
@@ -87,7 +87,7 @@ std::string SampledCase::beyond_kernels() const {
       return "a mount has no range in some direction, where only a model shows whether its load is noticeable";
   for (const RequirementResult& one : given_)
     if (requirement_row(one.kind).packed == PackedPart::none && !is_constant(one))
-      return fmt::format("\"{}\" has no kernel over many designs", one.words.text());
+      return fmt::format("\"{}\" has no kernel over many designs", one.words_for_people(case_.display));
   return "";
 }
 
@@ -141,7 +141,7 @@ void SampledCase::fit(const DrawnDesigns& drawn) {
     no_kernels_ = batch_->reason();
     for (std::size_t r = 0; no_kernels_.empty() && r < given_.size(); ++r)
       if (!batch_->packed().covers(r) && !is_constant(given_[r]))
-        no_kernels_ = fmt::format("\"{}\" is not judged by a kernel here", given_[r].words.text());
+        no_kernels_ = fmt::format("\"{}\" is not judged by a kernel here", given_[r].words_for_people(case_.display));
     if (!no_kernels_.empty()) continue;
     if (bands_) bands_->fit(numbers);
     return;
@@ -168,11 +168,12 @@ void SampledCase::set_margins(const model::System& machine, Eigen::Index design,
                               const foundation::Progress& interruption) const {
   const std::vector<RequirementResult> found = results(machine, interruption);
   for (const RequirementResult& one : found)
-    if (!one.value) throw NotComputable("\"" + one.words.text() + "\" cannot be judged: " + one.reason);
+    if (!one.value)
+      throw NotComputable("\"" + one.words_for_people(case_.display) + "\" cannot be judged: " + one.reason);
   if (found.size() != given_.size()) throw NotComputable("it has other requirements than the given design");
   for (std::size_t r = 0; r < found.size(); ++r) {
     if (std::isnan(found[r].margin))
-      throw NotComputable("the margin of \"" + found[r].words.text() + "\" is not a number");
+      throw NotComputable("the margin of \"" + found[r].words_for_people(case_.display) + "\" is not a number");
     into.margins(design, to_index(r)) = found[r].margin;
   }
 }

@@ -43,14 +43,15 @@ void judge_case(const project::Case& variant, const model::System& system, Mount
   const std::string of_case = variant.name.empty() ? "" : "case " + variant.name + ": ";
   const std::vector<RequirementResult> results = requirement_values(context, variant.analyses, warnings);
   for (const RequirementResult& result : results) {
-    if (!result.value && design.reason.empty()) design.reason = of_case + result.words.text() + ": " + result.reason;
+    if (!result.value && design.reason.empty())
+      design.reason = of_case + result.words_for_people(variant.display) + ": " + result.reason;
     const double margin = result.value ? result.margin : 0;
     if (result.kind == RequirementKind::isolation && result.value)
       design.isolation_share = std::max(design.isolation_share.value_or(0), *result.value / result.allowed);
     if (!design.governing.empty() && !(margin < design.margin * (1 - same_margin))) continue;
     design.margin = margin;
     design.governing = of_case + result.words.text();
-    design.governing_at_level = of_case + result.words_at_level();
+    design.governing_at_level = of_case + result.words_for_people(variant.display);
   }
   add_loads(context, design);
   if (design.lowest) return;  // the first case

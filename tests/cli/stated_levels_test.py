@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A limit has one level in all words of a run: verdict, best design, map, selection, box and messages."""
+import re
+import unittest
+
+from trivet_test import InTemporaryFolder, result_of, trivet
+
+MACHINE = """trivet = 1
+[bodies.m]
+mass = 40
+free = ["z"]
+[elements.s]
+type = "bushing"
+on = "m"
+at = [0, 0, 0]
+translation = [1, 1, 2.5e5]
+damping = {translation = [1e-3, 1e-3, 400]}
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0, 0, 30]
+[requirements]
+limits = {"m.z" = "LIMIT"}
+[analyses]
+response = {band = ["1 Hz", "30 Hz"], of = ["m.z"], quantity = "velocity"}
+optimize = {}
+map = {x = {parameter = "elements.s.scale", from = 0.5, to = 2, points = 5}, y = {parameter = "bodies.m.mass", from = 20, to = 80, points = 5}}
+[parameters.p]
+path = "elements.s.scale"
+from = 0.5
+to = 2
+[tolerances.t]
+path = "elements.s.scale"
+half_width = "10 %"
+"""
+BOUND = re.compile(r"m\.z ≤ ([^ ]+ [^ ]+( rms| 0-p| p-p)?)")
+
+
+class StatedLevels(InTemporaryFolder):
+    def bounds(self, text, *arguments):
+        done = trivet(arguments[0], self.file(text), *arguments[1:])
+        return {found[0] for found in BOUND.findall(done.stdout + done.stderr)}
+
+    def test_a_limit_has_the_level_of_the_file_everywhere(self):
+        text = MACHINE.replace("LIMIT", "2.8 mm/s rms")
+        for command in ("verdict", "optimize", "box", "sample", "map"):
+            with self.subTest(command=command):
+                self.assertEqual(self.bounds(text, command), {"2.8 mm/s rms"})
+        self.assertEqual(self.bounds(text, "run", "-o", self.folder / "out", "--full"), {"2.8 mm/s rms"})
+
+    def test_peak_to_peak_and_the_level_of_the_display(self):
+        text = MACHINE.replace("LIMIT", "8 mm/s p-p")
+        self.assertEqual(self.bounds(text, "optimize"), {"8 mm/s p-p"})
+        shown = text + '[display]\nlevel = "amplitude"\n'
+        self.assertEqual(self.bounds(shown, "optimize"), {"4 mm/s 0-p"})
+        self.assertEqual(self.bounds(shown, "verdict"), {"4 mm/s 0-p"})
+
+    def test_values_of_a_map_have_the_level_of_their_limit(self):
+        in_band = '{limit = "2.8 mm/s rms", band = ["5 Hz", "25 Hz"]}'
+        path = self.file(MACHINE.replace('"LIMIT"', in_band))
+        bound = r"m\.z ≤ 2\.8 mm/s rms in 5 … 25 Hz"
+        (value,) = re.findall(bound + " +([0-9.]+) mm/s rms", trivet("verdict", path).stdout)
+        self.assertIn(value, re.findall(bound + ": ([0-9.]+) mm/s rms", trivet("map", path, "--full").stdout))
+
+    def test_data_stay_zero_to_peak(self):
+        text = MACHINE.replace("LIMIT", "2.8 mm/s rms")
+        (case,) = result_of("verdict", self.file(text))["cases"]
+        self.assertEqual(case["requirements"][0]["requirement"], "m.z ≤ 3.96 mm/s 0-p")
+        self.assertEqual(case["requirements"][0]["level"], "0-p")
+
+
+if __name__ == "__main__":
+    unittest.main()
