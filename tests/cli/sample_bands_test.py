@@ -49,7 +49,10 @@ class SampleBands(InTemporaryFolder):
 
     def test_text_shows_where_most_designs_are_highest(self):
         found = trivet("sample", ROBUST, *FEW).stdout
-        self.assertRegex(found, r"Bands of amplitudes over 1000 designs at 2\d\d frequencies")
+        self.assertRegex(
+            found,
+            r"Amplitudes of 1000 designs, each result at that of 2\d\d frequencies where the 95 % value is largest",
+        )
         self.assertRegex(found, r"\n  aggregate\.z +\S+ +\S+ mm 0-p")
 
     def test_picture_and_page_show_the_bands(self):

@@ -70,5 +70,22 @@ class StatedLevels(InTemporaryFolder):
         self.assertEqual(case["requirements"][0]["level"], "0-p")
 
 
+class BestDesign(InTemporaryFolder):
+    def test_of_a_search_that_does_not_suffice_is_not_the_machine(self):
+        out = self.folder / "out"
+        done = trivet("run", self.file(MACHINE.replace("LIMIT", "2.8 mm/s rms")), "-o", out)
+        self.assertIn("even the best design that was found does not meet every requirement: Least margin", done.stdout)
+        report = (out / "report.html").read_text()
+        self.assertIn("Even the best design that was found does not meet", report)
+        self.assertNotIn("best design of the search", report)
+
+    def test_a_yield_needs_requirements(self):
+        text = MACHINE.replace('[requirements]\nlimits = {"m.z" = "LIMIT"}\n', "")
+        text = text.replace("optimize = {}", 'optimize = {yield = "99 %", minimize = ["m.z"]}')
+        done = trivet("optimize", self.file(text))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("optimize: yield without requirements and limits", done.stderr)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -248,15 +248,16 @@ bool read_bands_of_line(TableReader& root, TableReader& reader, const SymbolTabl
 /// `line = "VC-E"`: its points from the table of published lines.
 bool read_named_line(TableReader& reader, Quantity measured, LimitLineRequest& request) {
   const std::string name = reader.required_text("line");
-  for (const char* key : {"rows", "file"})
-    if (reader.has(key)) {
-      reader.error(key, "line and " + std::string(key), "a named line has its points", "keep one of the two");
-      reader.also_known({"rows", "file", "frequency_hz", "limit", "unit"});
-    }
   const NamedLimitLine* line = named_limit_line(name);
+  const bool has_points = reader.has("rows") || reader.has("file");
+  if (has_points) reader.also_known({"rows", "file", "frequency_hz", "limit", "unit"});
+  for (const char* key : {"rows", "file"})
+    if (line && reader.has(key))
+      reader.error(key, "line and " + std::string(key), "a named line has its points", "keep one of the two");
   if (reader.has("line") && !line)
     reader.error("line", foundation::quoted(name), "the named lines are " + names_of_limit_lines(),
-                 "name one of these, or give the points of your line as rows");
+                 has_points ? "remove the key: a line with points of its own has the name of its table"
+                            : "name one of these, or give the points of your line as rows");
   if (line && measured != Quantity::velocity)
     reader.error("line", foundation::quoted(name) + " for " + foundation::quoted(request.of),
                  "the named lines bound velocities of translation along x, y or z",

@@ -32,8 +32,11 @@ class ToleranceReader {
   ToleranceReader(TableReader& root, TableReader& reader) : root_(root), reader_(reader) {}
 
   Tolerance read(const std::string& name) {
+    const std::size_t before = reader_.errors();
     tolerance_.name = name;
     tolerance_.places = read_places(root_, reader_, "tolerance");
+    if (reader_.errors() == before) refuse_unwritten();
+    path_is_wrong_ = reader_.errors() > before;
     tolerance_.together = reader_.boolean("together").value_or(false);
     if (!tolerance_.places.empty()) quantity_ = quantity_at(root_.content(), path_keys(tolerance_.places.front().path));
     if (reader_.has("file")) read_batch();
@@ -44,6 +47,24 @@ class ToleranceReader {
   }
 
  private:
+  /// A last key that the table in the file does not have: a typing error, or a number that the file leaves out.
+  void refuse_unwritten() {
+    for (const ParameterPlace& place : tolerance_.places) {
+      std::vector<std::string> keys = path_keys(place.path);
+      if (node_at(root_.content(), keys) || default_number(keys)) continue;
+      const std::string key = keys.back();
+      keys.pop_back();
+      const Node* table = node_at(root_.content(), keys);
+      std::vector<std::string> known = numbers_with_default();
+      if (table) known.insert(known.end(), table->keys.begin(), table->keys.end());
+      const std::string guess = foundation::nearest_name(key, known);
+      reader_.error("path", foundation::quoted(place.path),
+                    fmt::format("the file has no {} there", foundation::quoted(foundation::shortened(key))),
+                    guess.empty() ? "a tolerance is around a number of the file: write it there, or name another one"
+                                  : "did you mean " + foundation::quoted(guess) + "?");
+    }
+  }
+
   /// The number in the file at each place, or its default; none if it cannot be read.
   [[nodiscard]] std::optional<double> given(const ParameterPlace& place) const {
     const std::vector<std::string> keys = path_keys(place.path);
@@ -57,7 +78,7 @@ class ToleranceReader {
 
   std::optional<Deviation> read_deviation(const std::string& key) {
     const Node* node = reader_.node(key);
-    if (!node) return std::nullopt;
+    if (!node || path_is_wrong_) return std::nullopt;  // the unit of the number is not known
     const auto number = written_number(*node);
     const bool relative = number && unit_ratio(number->unit, "%").has_value() && !number->unit.empty();
     const std::size_t before = reader_.errors();
@@ -178,6 +199,7 @@ class ToleranceReader {
   TableReader& reader_;
   Tolerance tolerance_;
   std::optional<Quantity> quantity_;
+  bool path_is_wrong_ = false;
 };
 
 /// Checks the correlations of all tolerances with each other.

@@ -37,9 +37,15 @@ std::optional<Quantity> quantity_of_copies(const Node& number, const Node& docum
 
 }  // namespace
 
+const std::vector<std::string>& numbers_with_default() {
+  static const std::vector<std::string> keys = {"scale",          "stiffening",        "creep",
+                                                "damping_factor", "mass_about_center", "modal_factor"};
+  return keys;
+}
+
 std::optional<DefaultNumber> default_number(const std::vector<std::string>& keys) {
   const std::string& key = keys.back();
-  if (is_one_of(key, {"scale", "stiffening", "creep", "damping_factor", "mass_about_center", "modal_factor"}))
+  if (std::ranges::find(numbers_with_default(), key) != numbers_with_default().end())
     return DefaultNumber{1, Quantity::pure};
   if (keys.size() < 2) return std::nullopt;
   const std::string& table = keys[keys.size() - 2];

@@ -18,6 +18,9 @@ struct DefaultNumber {
   Quantity quantity = Quantity::pure;
 };
 
+/// Keys of such numbers that are no components of a table.
+[[nodiscard]] const std::vector<std::string>& numbers_with_default();
+
 /// Default at a path, for keys of which the file need not have any.
 [[nodiscard]] std::optional<DefaultNumber> default_number(const std::vector<std::string>& keys);
 

@@ -34,7 +34,7 @@ std::vector<Column> amplitude_columns(const Rows<BandRow>& row) {
     return [member](const BandRow& one) { return one.spread().*member; };
   };
   return {
-      row("result", Kind::words, "band of", [](const BandRow& one) { return one.of->name; }),
+      row("result", Kind::words, "amplitude of", [](const BandRow& one) { return one.of->name; }),
       row("unit", Kind::words, "", [](const BandRow& one) { return one.of->unit; }),
       row("angular_frequency", Kind::frequency, "at", &BandRow::frequency, {.digits = 5}),
       row(
@@ -45,7 +45,8 @@ std::vector<Column> amplitude_columns(const Rows<BandRow>& row) {
       row("median", Kind::amplitude, "50 %", of_spread(&Spread::median), shown),
       row("high", Kind::amplitude, "95 %", of_spread(&Spread::high), shown),
       row(
-          "largest", Kind::amplitude, "largest", [](const BandRow& one) { return one.extremes().largest; }, shown),
+          "largest", Kind::amplitude, "largest of all", [](const BandRow& one) { return one.extremes().largest; },
+          shown),
       row(
           "least_design", Kind::number, "", [](const BandRow& one) { return one.extremes().least_at; }, data),
       row("largest_design", Kind::number, "in design", [](const BandRow& one) { return one.extremes().largest_at; })};
@@ -129,9 +130,11 @@ void add_bands(const study::Sample& sample, Document& document) {
     group.parts.push_back({Single{.name = "results", .value = std::move(list)}});
     const std::size_t frequencies = first.angular_frequency.size();
     say(fmt::format(
-        "Bands of amplitudes{} over {} designs at {}, each at the frequency where the 95 % of the designs is highest:",
-        in_case_words(of), sample.request.designs - sample.failed - first.without,
-        frequencies == 1 ? "one frequency" : fmt::format("{} frequencies", frequencies)));
+        "Amplitudes{} of {} designs{}. 5 %, 50 % and 95 % of the designs are below these values:", in_case_words(of),
+        sample.request.designs - sample.failed - first.without,
+        frequencies == 1
+            ? " at one frequency"
+            : fmt::format(", each result at that of {} frequencies where the 95 % value is largest", frequencies)));
     group.parts.emplace_back().content = worst_table(of);
     if (sample.failed > 0)
       say(fmt::format("The {} design{} that could not be judged {} in no band.", sample.failed,

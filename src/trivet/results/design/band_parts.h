@@ -8,7 +8,7 @@
 namespace trivet::results {
 
 /// The bands of all cases: all numbers in JSON and in "bands.csv", one row per case, result and frequency; for people
-/// each at the frequency where the 95 % of the designs is highest.
+/// each at the frequency where the amplitude that 95 % of the designs have at most is largest.
 void add_bands(const study::Sample& sample, Document& document);
 
 /// Does any case have bands?

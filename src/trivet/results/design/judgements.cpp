@@ -269,11 +269,10 @@ std::vector<Judgement> judgements(const std::vector<const study::CaseResults*>& 
     for (const study::DesignMap& map : case_results.map_pairs) add_map(map, i, cases, list);
     if (case_results.optimization)
       list.push_back({case_results.optimization->feasible ? Outcome::met : Outcome::violated, "best design",
-                      "best design of the search",
-                      case_results.optimization->feasible || case_results.optimization->robust
-                          ? optimization_headline(*case_results.optimization)
-                          : "no design that was found meets every requirement",
-                      std::numeric_limits<double>::infinity(), i});
+                      case_results.optimization->feasible
+                          ? "best design of the search"
+                          : "even the best design that was found does not meet every requirement",
+                      optimization_headline(*case_results.optimization), std::numeric_limits<double>::infinity(), i});
     add_cut_short(case_results, i, list);
     for (const std::string& failure : case_results.failures)
       if (std::ranges::none_of(list,

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/optimize/robust_optimization.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/foundation/index.h"
-#include "trivet/judging/changed_case.h"
 #include "trivet/foundation/first_error.h"
-#include "trivet/study/optimize/kept_margins.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/judging/changed_case.h"
+#include "trivet/study/optimize/kept_margins.h"
 #include "trivet/study/requirements/margin.h"
+#include "trivet/study/requirements/verdict.h"
 
 namespace trivet::study {
 namespace {
@@ -361,6 +364,11 @@ class RobustSearch {
 
 Optimization robust_optimization(const project::Project& project, const foundation::Progress& progress,
                                  const std::function<bool()>& enough) {
+  if (std::ranges::none_of(project.cases, has_something_to_judge))
+    throw foundation::InvalidInput(fmt::format(
+        "optimize: {} without requirements and limits, which the machines within the tolerances have to meet; "
+        "add [requirements]",
+        project.base().analyses.optimize->yield ? "yield" : "worst_case"));
   return RobustSearch(project, progress, enough).run();
 }
 
