@@ -237,6 +237,28 @@ class SoundMachines(InTemporaryFolder):
         self.assertLessEqual(len(warned), self.MOST_WARNED)
 
 
+class Floors(InTemporaryFolder):
+    """Without a band nothing else shows that 4 Hz became 100 Hz: the mounts are stiffer than the floor below them."""
+
+    def setUp(self):
+        super().setUp()
+        self.fan = tomllib.loads((SOURCE / "examples/fan/fan.toml").read_text())
+        self.fan["analyses"] = {"modes": {}}
+
+    def kinds_with(self, stiffness):
+        self.fan["element_types"]["spring"]["translation"] = [f"{one} N/mm" for one in stiffness]
+        return reported_kinds(check(written(self.folder, self.fan)))
+
+    def test_stiffness_in_another_unit_is_suspicious_over_the_modes_of_a_floor(self):
+        self.assertEqual(self.kinds_with([144, 144, 180]), [])
+        self.assertEqual(self.kinds_with([144000, 144000, 180000]), ["stiffness"])
+
+    def test_firm_mounts_on_a_soft_floor_are_not(self):
+        self.assertEqual(self.kinds_with([2000, 2000, 2500]), [])  # 15 Hz on a floor of 9 Hz
+        self.fan["foundations"]["floor"]["modes"][0]["modal_mass"] = "1500 t"
+        self.assertEqual(self.kinds_with([20000, 20000, 20000]), [])
+
+
 class Acceptances(InTemporaryFolder):
     def setUp(self):
         super().setUp()

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
@@ -64,6 +65,33 @@ Attachment attachment(const model::Element& element, std::size_t index, bool at_
     result.viscous = 0;
   }
   return result;
+}
+
+/// Of an element whose N is on modes: a diagonal stiffness, without directions that move with rigid ground.
+void add_modes(const model::Description& description, const model::Element& element, Attachment& attachment) {
+  if (!element.n.foundation || !element.n.foundation->fixed_directions.isZero(0)) return;
+  const model::OnFoundation& on = *element.n.foundation;
+  const Eigen::MatrixXd& own = description.foundations[on.foundation].stiffness;
+  if (!own.isDiagonal(0) || !(own.diagonal().array() > 0).all()) return;
+  const Eigen::Matrix3d k =
+      element.n.axes * elements::stiffness(element.law).block<3, 3>(0, 0) * element.n.axes.transpose();
+  const auto shape = on.shape.topRows<3>();
+  attachment.foundation = on.foundation;
+  attachment.over_modes = (shape.transpose() * k * shape).diagonal().cwiseQuotient(own.diagonal());
+}
+
+/// Largest over all modes of the foundations below a body; none without such a foundation.
+std::optional<double> stiffness_over_floor(const BodyPicture& picture, const Slip& undone) {
+  std::map<std::size_t, Eigen::VectorXd> sums;
+  for (const Attachment& a : picture.attachments) {
+    if (!a.foundation) continue;
+    Eigen::VectorXd& sum = sums[*a.foundation];
+    if (sum.size() == 0) sum.setZero(a.over_modes.size());
+    sum += (a.typed ? undone.stiffness : 1) * a.over_modes;
+  }
+  std::optional<double> largest;
+  for (const auto& [foundation, sum] : sums) largest = std::max(largest.value_or(0), sum.maxCoeff());
+  return largest;
 }
 
 bool is_whole(const model::Body& body) {
@@ -142,7 +170,10 @@ std::vector<BodyPicture> pictures(const model::System& system, const std::vector
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const model::Element& element = system.elements()[e];
     if (element.is_foundation) continue;
-    if (BodyPicture* picture = picture_of(element.k.body)) picture->attachments.push_back(attachment(element, e, true));
+    if (BodyPicture* picture = picture_of(element.k.body)) {
+      picture->attachments.push_back(attachment(element, e, true));
+      add_modes(system.description(), element, picture->attachments.back());
+    }
     if (BodyPicture* picture = picture_of(element.n.body))
       picture->attachments.push_back(attachment(element, e, false));
   }
@@ -173,6 +204,7 @@ Features features(const BodyPicture& picture, const Slip& undone) {
     ++attached;
   }
   if (attached > 0) found.spread = std::sqrt(squares / attached) / radius;
+  found.over_floor = stiffness_over_floor(picture, undone);
   std::vector<double> distances;
   for (const Eigen::Vector3d& point : picture.points) distances.push_back((undone.points * point - mass.centre).norm());
   if (!distances.empty()) {

@@ -20,6 +20,9 @@ struct Attachment {
   double viscous = 0;
   double proportional = 0;  ///< B = proportional · K [s]
   bool typed = false;       ///< its stiffness was given as a number with a unit, not by dimensions
+  /// On a foundation with modes: its index, and sᵀ K s over the stiffness of each mode s.
+  std::optional<std::size_t> foundation;
+  Eigen::VectorXd over_modes;
 
   [[nodiscard]] bool elastic() const { return translation.trace() > 0; }
 };
@@ -51,6 +54,7 @@ struct Features {
   std::optional<double> frequency;  ///< geometric mean of the natural frequencies of translation, rotation fixed [Hz]
   std::optional<double> sag;        ///< static deflection under the weight / size of the body
   std::optional<double> damping_ratio;  ///< at that frequency, from the viscous damping of the elements
+  std::optional<double> over_floor;     ///< stiffness of all elements on a foundation over its own, in the softest mode
   std::optional<double> lowest,
       highest;           ///< natural frequencies of the body alone on its elements, without zeros [Hz]
   bool possible = true;  ///< false if no real body has such mass properties

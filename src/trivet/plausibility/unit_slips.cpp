@@ -53,6 +53,7 @@ constexpr Range highest_range{"highest natural frequency", "Hz", 0, 2000, 0.45, 
                               "natural frequency"};
 constexpr Range sag_range{
     "static deflection under its weight / its size", "", 1e-4, 0.3, 1.1, "natural frequency", "sag"};
+constexpr Range floor_range{"stiffness of the mounts / that of the modes of their foundation", "", 0, 1, 1.0, "", ""};
 constexpr Range damping_range{"damping ratio", "", 5e-4, 1.5, 0.9, "", ""};
 
 /// A slip is rare: its correction must explain this much oddness [nats].
@@ -103,13 +104,10 @@ struct Judged {
   const Range* range;
 };
 constexpr Judged judged[] = {
-    {&Features::density, &density_range},
-    {&Features::spread, &spread_range},
-    {&Features::lever, &lever_range},
-    {&Features::reach, &reach_range},
-    {&Features::sag, &sag_range},
-    {&Features::frequency, &frequency_range},
-    {&Features::damping_ratio, &damping_range},
+    {&Features::density, &density_range},  {&Features::spread, &spread_range},
+    {&Features::lever, &lever_range},      {&Features::reach, &reach_range},
+    {&Features::sag, &sag_range},          {&Features::frequency, &frequency_range},
+    {&Features::over_floor, &floor_range}, {&Features::damping_ratio, &damping_range},
 };
 
 /// Features of the whole body on its elements. One odd mount changes them much: they count only if no slip explains the
@@ -301,8 +299,9 @@ std::optional<BodyVerdict> judge(const model::System& system, const BodyPicture&
                                  const std::vector<Window>& windows) {
   const Features as_typed = features(picture, {});
   const double now = oddness(as_typed) + missed_windows(as_typed, windows);
-  // Damping alone says little about the machine.
-  double alone = oddness(as_typed) - oddness_of(as_typed.damping_ratio, damping_range);
+  // Damping alone says little about the machine, and stiff mounts on a soft floor may be bolts.
+  double alone = oddness(as_typed) - oddness_of(as_typed.damping_ratio, damping_range) -
+      oddness_of(as_typed.over_floor, floor_range);
   for (const Judged& j : extremes) alone += oddness_of(as_typed.*(j.value), *j.range);
   if (now <= price_of_slip && alone <= odd_alone) return std::nullopt;
   const Slip* best = nullptr;
