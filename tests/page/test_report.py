@@ -161,3 +161,22 @@ def test_axe_finds_nothing_in_the_view_of_the_design(opened, theme):
     page.evaluate(AXE.read_text())
     run = "async () => (await axe.run('.design-view', {resultTypes: ['violations']})).violations"
     assert [(v['id'], [n['html'][:120] for n in v['nodes']]) for v in page.evaluate(run)] == []
+
+
+@pytest.mark.parametrize('scheme', ['light', 'dark'])
+def test_hashes_fit_a_phone(browser, tmp_path, scheme):
+    project = ROOT / 'examples/measured_mount/motor.toml'
+    subprocess.run([TRIVET, 'run', str(project), '-o', str(tmp_path / 'out')], check=True, capture_output=True)
+    context = browser.new_context(viewport={'width': 390, 'height': 844}, color_scheme=scheme)
+    page = context.new_page()
+    page.goto((tmp_path / 'out/report.html').as_uri())
+    hashes = page.locator('.hashes td:nth-child(2)')
+    assert hashes.count() == 3
+    for i in range(hashes.count()):
+        box = hashes.nth(i).bounding_box()
+        assert box['x'] + box['width'] <= 390
+    cut = page.locator('.hashes .scroll').evaluate('node => node.scrollWidth > node.clientWidth')
+    assert not cut
+    label = page.locator('.title-block dt', has_text='SHA-256').evaluate('node => node.getClientRects().length')
+    assert label == 1
+    context.close()

@@ -72,7 +72,7 @@ std::string named_files(const project::Project& project, const std::vector<proje
   if (files.empty()) return "";
   std::vector<std::vector<Cell>> rows = {{{file_name(project)}, {project.sha256}}};
   for (const project::InputFile& file : files) rows.push_back({{file.name}, {file.sha256}});
-  return html_table({{"file"}, {"SHA-256"}}, rows) +
+  return "<div class=\"hashes\">" + html_table({{"file"}, {"SHA-256"}}, rows) + "</div>\n" +
       hint("The hash of the input is that of these hashes, one per line. That of the project file includes its --set.");
 }
 
