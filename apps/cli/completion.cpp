@@ -22,11 +22,13 @@ std::string quoted_for_shell(std::string_view text) {
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 /// What completes a value: known words, names in the project, files, or nothing.
-enum class Source { nothing, choices, cases, elements, files };
+enum class Source { nothing, choices, cases, elements, results, paths, files };
 Source source_of(const DescribedOption& option) {
   if (!option.choices.empty()) return Source::choices;
   if (option.name == "--case") return Source::cases;
   if (option.name == "NAME") return Source::elements;
+  if (option.name == "--of") return Source::results;
+  if (option.name == "--set") return Source::paths;
   return option.value.starts_with("FILE") ? Source::files : Source::nothing;
 }
 
@@ -44,6 +46,10 @@ std::string bash_value(const DescribedOption& option) {
       return "_trivet_words \"$(_trivet_names cases)\"";
     case Source::elements:
       return "_trivet_words \"$(_trivet_names elements)\"";
+    case Source::results:
+      return "_trivet_words \"$(_trivet_names results)\"";
+    case Source::paths:
+      return "compopt -o nospace 2>/dev/null; _trivet_words \"$(_trivet_names paths)\"";
     case Source::files:
       return "_trivet_files";
     case Source::nothing:
@@ -159,6 +165,10 @@ std::string zsh_value(const DescribedOption& option) {
       return "->cases";
     case Source::elements:
       return "->elements";
+    case Source::results:
+      return "->results";
+    case Source::paths:
+      return "->paths";
     case Source::files:
       return "_files";
     case Source::nothing:
@@ -196,9 +206,10 @@ std::string zsh_script(const DescribedProgram& program) {
       "  local project=${(Q)words[3]}\n  shift words\n  ((CURRENT--))\n  case $words[1] in\n";
   for (const DescribedCommand& command : program.commands) script += zsh_command(command);
   return script +
-      "  esac\n  case $state in\n    cases|elements)\n"
+      "  esac\n  case $state in\n    cases|elements|results|paths)\n"
       "      found=(\"${(@f)$(trivet names $project $state 2>/dev/null)}\")\n"
-      "      compadd -- $found ;;\n  esac\n}\n_trivet \"$@\"\n";
+      "      if [[ $state == paths ]]; then compadd -S '' -- $found; else compadd -- $found; fi ;;\n  esac\n}\n_trivet "
+      "\"$@\"\n";
 }
 
 // ---- fish
@@ -211,6 +222,8 @@ std::string fish_option(const DescribedCommand& command, const DescribedOption& 
   if (!option.value.empty()) line += source == Source::files ? " -r" : " -x";
   if (source == Source::choices) line += " -a " + quoted_for_shell(fmt::format("{}", fmt::join(option.choices, " ")));
   if (source == Source::cases) line += " -a '(__trivet_names cases)'";
+  if (source == Source::results) line += " -a '(__trivet_names results)'";
+  if (source == Source::paths) line += " -a '(__trivet_names paths)'";
   return line + " -d " + quoted_for_shell(first_line(option.about)) + "\n";
 }
 

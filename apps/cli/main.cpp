@@ -21,6 +21,7 @@
 #include "cli/parser.h"
 #include "cli/shown_page.h"
 #include "cli/signals.h"
+#include "trivet/engine/names.h"
 #include "trivet/engine/program.h"
 #include "trivet/server/page_server.h"
 
@@ -104,12 +105,21 @@ void read_standard_input(trivet::engine::Source& source) {
   source = {"standard input", text.str(), "."};
 }
 
-/// Names of cases or elements of the project, a line each; nothing if it cannot be read.
+std::vector<std::string> names_of_kind(const trivet::engine::Session& session, const std::string& kind) {
+  if (kind == "cases") return session.case_names();
+  if (kind == "elements") return session.element_names();
+  if (kind == "results") return trivet::engine::result_names(session);
+  std::vector<std::string> paths = trivet::engine::number_paths(session);
+  for (std::string& one : paths) one += "=";
+  return paths;
+}
+
+/// Names of a kind in the project, a line each; nothing if it cannot be read.
 int print_names(const CommandLine& line, const std::string& kind) {
   const auto session = trivet::engine::Session::open(line.source);
   if (!session) return wrong_input;
   std::string text;
-  for (const std::string& name : kind == "cases" ? session->case_names() : session->element_names())
+  for (const std::string& name : names_of_kind(*session, kind))
     if (!name.empty()) text += name + "\n";
   return trivet::cli::write_output(text), 0;
 }

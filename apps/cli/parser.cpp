@@ -117,8 +117,10 @@ void add_command(CLI::App& app, const Command& command, CommandLine& line) {
       ->required(!engine::can_be_alone(command))
       ->type_name("FILE");
   added
-      ->add_option("--set", line.settings,
-                   "change a number: elements.front.scale=1.5 (repeatable); overrides the file and its cases")
+      ->add_option(
+          "--set", line.settings,
+          "change a number: elements.front.scale=1.5 (repeatable), with a unit: excitations.rotor.service_speed='980 "
+          "rpm'; without one it is in SI, a frequency in rad/s; overrides the file and its cases")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
   const std::string about_case = command.of_one_case ? "a case of the file instead of the base model"
@@ -173,7 +175,9 @@ void add_further_commands(CLI::App& app, CommandLine& line, FurtherWords& words)
   add("man", "the manual page (roff)", about_help, {"trivet man > trivet.1", "trivet man | man -l -"});
   CLI::App* names = app.add_subcommand("names", "names in a project, for completion")->group("");  // not in the help
   names->add_option("PROJECT", line.source.name, "project file (TOML)")->required();
-  names->add_option("KIND", words.kind, "of names")->required()->check(CLI::IsMember({"cases", "elements"}));
+  names->add_option("KIND", words.kind, "of names")
+      ->required()
+      ->check(CLI::IsMember({"cases", "elements", "results", "paths"}));
 }
 
 DescribedOption described_option(const CLI::Option& option, const Command* command) {

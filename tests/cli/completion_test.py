@@ -65,6 +65,21 @@ class Completion(InTemporaryFolder):
         self.assertEqual(self.bash("trivet", "element", "--case", "hot", GENSET, "'front l"), ["front left"])
         self.assertEqual(self.bash("trivet", "modes", "no such file", "--case", ""), [])
 
+    def test_results_and_paths_of_the_project(self):
+        fan = SOURCE / "examples/fan/fan.toml"
+        self.assertEqual(self.bash("trivet", "explain", fan, "--of", "fan.bearing.rx"), ["fan.bearing.rx"])
+        self.assertEqual(
+            self.bash("trivet", "explain", fan, "--of", "ground.force"), [f"ground.force.{a}" for a in "xyz"]
+        )
+        (speed,) = self.bash("trivet", "modes", fan, "--set", "excitations.rotor.serv")
+        self.assertEqual(speed, "excitations.rotor.service_speed=")
+        paths = trivet("names", fan, "paths").stdout.split("=\n")
+        self.assertIn('elements."front left".at.x', paths)
+        for path in ("bodies.fan.points.bearing.z", "element_types.spring.translation.x", "analyses.response.band"):
+            self.assertIn(path, paths)
+        self.assertNotIn("title", paths)
+        self.assertEqual(self.bash("trivet", "explain", "no such file", "--of", ""), [])
+
     def test_nothing_of_the_line_is_run_or_written(self):
         for words in (("$(touch made)", "--case"), ("`touch made`", "--case"), (">", "log", GENSET, "--case")):
             self.bash("trivet", "modes", *words, "")
