@@ -180,7 +180,7 @@ Table conflict_table(const Optimization& found) {
 
 Table other_optima(const Optimization& found) {
   using study::OtherOptimum;
-  const Rows row(found.others);
+  const Rows row(found.search.others);
   return {.key = "others",
           .rows = row.size(),
           .columns = {row.lists("values", "", "", {}, &OtherOptimum::values),
@@ -243,15 +243,15 @@ Document optimization_document(const Optimization& found) {
   add_comparison(found, document);
   add_conditions(found, document);
   add("cut_short", found.cut_short);
-  add("starts", found.starts);
-  if (found.cut_short) add("finished", found.finished);
-  add("agreeing", found.agreeing);
-  add("stuck", found.stuck);
+  add("starts", found.search.starts);
+  if (found.cut_short) add("finished", found.search.finished);
+  add("agreeing", found.search.agreeing);
+  add("stuck", found.search.stuck);
   document.add(other_optima(found));
-  add("designs", found.evaluations);
-  add("failed", found.failed);
-  document.add(differenced_part(found.differenced, found.differences));
-  add("looked_at", found.looked_at);
+  add("designs", found.search.evaluations);
+  add("failed", found.search.failed);
+  document.add(differenced_part(found.search.differenced, found.search.differences));
+  add("looked_at", found.search.looked_at);
   add("families", found.families);
   add("no_families", found.no_families);
   add_mounts(found, document);

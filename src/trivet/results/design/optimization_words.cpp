@@ -77,21 +77,22 @@ std::string parameter_remark(const study::OptimizedParameter& p) {
 }
 
 std::vector<std::string> search_lines(const Optimization& found) {
-  std::vector<std::string> lines = {fmt::format("{} of {} starts {}; {}",
-                                                found.cut_short ? found.finished : found.agreeing, found.starts,
-                                                found.cut_short ? "finished" : "reached this",
-                                                computed_words(found.evaluations, found.failed, found.first_failure))};
-  if (found.stuck > 0) lines.push_back(fmt::format("{} found no usable design.", found.stuck));
-  for (const study::OtherOptimum& other : found.others) {
+  const study::SearchStatistics& search = found.search;
+  std::vector<std::string> lines = {
+      fmt::format("{} of {} starts {}; {}", found.cut_short ? search.finished : search.agreeing, search.starts,
+                  found.cut_short ? "finished" : "reached this",
+                  computed_words(search.evaluations, search.failed, search.first_failure))};
+  if (search.stuck > 0) lines.push_back(fmt::format("{} found no usable design.", search.stuck));
+  for (const study::OtherOptimum& other : search.others) {
     std::string& line = lines.emplace_back(fmt::format("{} other{} ended at {} with", other.starts,
                                                        other.starts == 1 ? "" : "s", number_text(other.objective)));
     for (std::size_t j = 0; j < other.values.size(); ++j)
       line += fmt::format("{} {} = {:.5g}", j ? "," : "", found.parameters[j].axis.name, other.values[j]);
   }
-  lines.push_back(differences_words(found.differenced, found.differences));
-  if (found.looked_at > 0)
+  lines.push_back(differences_words(search.differenced, search.differences));
+  if (search.looked_at > 0)
     lines.push_back(fmt::format("The starts were chosen among {} designs by a fast evaluation that assembles no model.",
-                                found.looked_at));
+                                search.looked_at));
   for (const std::string& family : found.families) lines.push_back("Designs as " + family + ".");
   for (const std::string& reason : found.no_families) lines.push_back("Designs one by one: " + reason + ".");
   return lines;

@@ -35,6 +35,12 @@ Eigen::VectorXd DesignSpace::values(const Eigen::VectorXd& shares) const {
   return result;
 }
 
+std::vector<project::Node> DesignSpace::changes(const Eigen::VectorXd& shares) const {
+  std::vector<project::Node> list;
+  for (std::size_t j = 0; j < axes_.size(); ++j) list.push_back(numbers_[j].change(axes_[j].at(shares(to_index(j)))));
+  return list;
+}
+
 std::optional<double> DesignSpace::given_share(std::size_t axis) const {
   if (!given_[axis]) return std::nullopt;
   constexpr double round_off = 1e-9;  // 0.285 m as 285 mm

@@ -24,6 +24,8 @@ class DesignSpace {
   [[nodiscard]] const std::vector<project::DesignAxis>& axes() const { return axes_; }
 
   [[nodiscard]] Eigen::VectorXd values(const Eigen::VectorXd& shares) const;  ///< in the units of the axes
+  /// Of the file, that set them.
+  [[nodiscard]] std::vector<project::Node> changes(const Eigen::VectorXd& shares) const;
   /// d value / d share of one parameter.
   [[nodiscard]] double slope(std::size_t axis, double share) const;
 

@@ -209,10 +209,7 @@ class Combinations {
 
   /// The project with other numbers; none if a model is not valid then.
   [[nodiscard]] std::optional<project::Project> with_numbers(const Eigen::VectorXd& shares) const {
-    std::vector<project::Node> changes;
-    const Eigen::VectorXd values = space_.values(shares);
-    for (std::size_t j = 0; j < space_.size(); ++j)
-      changes.push_back(project::ModelNumber(space_.axes()[j]).change(values(to_index(j))));
+    const std::vector<project::Node> changes = space_.changes(shares);
     project::Project result{project_.title, project_.source, project_.folder, project_.sha256, {}};
     for (const project::Case& variant : project_.cases) {
       auto changed = judging::changed_case(variant, changes);

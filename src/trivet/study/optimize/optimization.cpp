@@ -51,11 +51,11 @@ class Description {
         problem_(std::move(found.problem)),
         best_(std::move(found.best)),
         ends_(std::move(found.ends)) {
-    result_.starts = found.starts;
-    result_.finished = found.finished;
+    result_.search.starts = found.starts;
+    result_.search.finished = found.finished;
     result_.falls_short = found.falls_short;
     result_.cut_short = found.cut_short;
-    result_.looked_at = found.looked_at;
+    result_.search.looked_at = found.looked_at;
     if (!result_.falls_short) result_.weights = objective.minimized().weights();
   }
 
@@ -69,11 +69,11 @@ class Description {
       describe_gone_peaks();
       describe_ends();
     }
-    result_.evaluations = objective_.evaluations();
-    result_.failed = objective_.failed();
-    result_.first_failure = objective_.first_failure();
-    result_.differenced = objective_.differenced();
-    result_.differences = objective_.differences();
+    result_.search.evaluations = objective_.evaluations();
+    result_.search.failed = objective_.failed();
+    result_.search.first_failure = objective_.first_failure();
+    result_.search.differenced = objective_.differenced();
+    result_.search.differences = objective_.differences();
     describe_families();
     return std::move(result_);
   }
@@ -266,11 +266,11 @@ class Description {
     std::vector<Top> places;
     for (const MaxMinPoint& end : ends_) {
       if (end.objective <= DesignObjective::unusable) {
-        ++result_.stuck;
+        ++result_.search.stuck;
         continue;
       }
       if (std::abs(rank(best_) - rank(end)) <= same_objective) {
-        ++result_.agreeing;
+        ++result_.search.agreeing;
         const Eigen::VectorXd values = objective_.space().values(end.x);
         for (std::size_t j = 0; j < result_.parameters.size(); ++j) {
           study::OptimizedParameter& p = result_.parameters[j];
@@ -290,7 +290,8 @@ class Description {
     constexpr std::size_t shown = 3;
     for (std::size_t i = 0; i < places.size() && i < shown; ++i) {
       const Eigen::VectorXd values = objective_.space().values(places[i].point.x);
-      result_.others.push_back({{values.begin(), values.end()}, reported(places[i].point.objective), places[i].starts});
+      result_.search.others.push_back(
+          {{values.begin(), values.end()}, reported(places[i].point.objective), places[i].starts});
     }
   }
 
@@ -352,16 +353,7 @@ Optimization optimum_at(const project::Project& project, const DesignObjective::
   result.active.clear();
   result.no_slopes = "it is that of many machines";
   result.conflicts.clear();
-  result.starts = search.starts;
-  result.agreeing = search.agreeing;
-  result.finished = search.finished;
-  result.stuck = search.stuck;
-  result.others = search.others;
-  result.evaluations = search.evaluations;
-  result.failed = search.failed;
-  result.first_failure = search.first_failure;
-  result.differences = search.differences;
-  result.looked_at = search.looked_at;
+  result.search = search.search;
   result.minimized_kind = search.minimized_kind;
   result.warnings = search.warnings;
   return result;

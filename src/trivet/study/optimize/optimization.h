@@ -118,6 +118,19 @@ struct RobustOptimum {
   bool held = false;          ///< the interval of the yield is not below the wanted one; or no worst margin below 1
 };
 
+/// How a search went.
+struct SearchStatistics {
+  int starts = 0, agreeing = 0;             ///< `agreeing` of the starts reached the same objective; 0 if cut short
+  int finished = 0;                         ///< if cut short: so many of the starts came to their end
+  int stuck = 0;                            ///< starts that found no usable design
+  std::vector<OtherOptimum> others;         ///< the best three
+  std::size_t evaluations = 0, failed = 0;  ///< designs computed, and those of them that have no valid model or values
+  std::string first_failure;                ///< why, the first in the alphabet
+  std::vector<std::string> differenced;     ///< kinds of requirements whose slopes are differences of values
+  std::size_t differences = 0;              ///< models solved for these differences, besides `evaluations`
+  std::size_t looked_at = 0;                ///< designs judged by kernels over designs before the search
+};
+
 struct Optimization {
   std::vector<OptimizedParameter> parameters;
   std::optional<RobustOptimum> robust;
@@ -135,21 +148,13 @@ struct Optimization {
   std::vector<CaseVerdict> before, after;  ///< of the cases in which the design has to hold
   std::vector<DesignSummary> summaries_before, summaries_after;  ///< of these
   std::vector<ActiveRequirement> active;
-  std::vector<GonePeak> gone_peaks;         ///< if nothing else limits the optimum
-  double residual = 0;                      ///< of the optimality conditions, as a share of the largest slope
-  std::string no_slopes;                    ///< why these conditions were not computed
-  std::vector<Conflict> conflicts;          ///< if no design meets all requirements
-  bool cut_short = false;                   ///< ended by `enough`: the best design so far
-  int starts = 0, agreeing = 0;             ///< `agreeing` of the starts reached the same objective; 0 if cut short
-  int finished = 0;                         ///< if cut short: so many of the starts came to their end
-  int stuck = 0;                            ///< starts that found no usable design
-  std::vector<OtherOptimum> others;         ///< the best three
-  std::size_t evaluations = 0, failed = 0;  ///< designs computed, and those of them that have no valid model or values
-  std::string first_failure;                ///< why, the first in the alphabet
-  std::vector<std::string> differenced;     ///< kinds of requirements whose slopes are differences of values
-  std::size_t differences = 0;              ///< models solved for these differences, besides `evaluations`
-  std::size_t looked_at = 0;                ///< designs judged by kernels over designs before the search
-  foundation::Problems warnings;            ///< of the parameters and of what was found, besides those of the model
+  std::vector<GonePeak> gone_peaks;  ///< if nothing else limits the optimum
+  double residual = 0;               ///< of the optimality conditions, as a share of the largest slope
+  std::string no_slopes;             ///< why these conditions were not computed
+  std::vector<Conflict> conflicts;   ///< if no design meets all requirements
+  bool cut_short = false;            ///< ended by `enough`: the best design so far
+  SearchStatistics search;
+  foundation::Problems warnings;  ///< of the parameters and of what was found, besides those of the model
   /// How these were interpolated, and why cases were not: "a sum of 40 terms …", "case cold: loss factors …"
   std::vector<std::string> families, no_families;
 };

@@ -169,19 +169,11 @@ class RobustSearch {
     }
   }
 
-  [[nodiscard]] std::vector<project::Node> changes(const Eigen::VectorXd& shares) const {
-    const Eigen::VectorXd values = space_.values(shares);
-    std::vector<project::Node> list;
-    for (std::size_t j = 0; j < space_.size(); ++j)
-      list.push_back(project::ModelNumber(space_.axes()[j]).change(values(to_index(j))));
-    return list;
-  }
-
   /// 0 of a design that cannot be judged.
   [[nodiscard]] double kept_at(const Eigen::VectorXd& shares) {
     ++result_.looked_at;
     try {
-      const project::Project there = with_numbers(with_changes(project_, changes(shares)), searching);
+      const project::Project there = with_numbers(with_changes(project_, space_.changes(shares)), searching);
       return kept_least(SampleRun(there), *result_.wanted, progress_);
     } catch (const foundation::NotComputable&) {
       return 0;
@@ -230,7 +222,7 @@ class RobustSearch {
     raise(safe, least);
     if (safe == from) return;
     const auto assured_at = [&](double share) {
-      return assured_yield(with_changes(project_, changes(from + share * (safe - from))));
+      return assured_yield(with_changes(project_, space_.changes(from + share * (safe - from))));
     };
     const double most = assured_at(1);
     if (most <= assured) return;
@@ -269,7 +261,7 @@ class RobustSearch {
 
   /// Takes another design in place of the best one.
   void move_to(const Eigen::VectorXd& best) {
-    project::Project there = with_changes(project_, changes(best));
+    project::Project there = with_changes(project_, space_.changes(best));
     aim_.is_adapted = false;
     Kept kept = kept_by(there);
     Optimization optimum = optimum_at(project_, reserves_for(kept), best, best_->optimum);
@@ -342,7 +334,7 @@ class RobustSearch {
         if (!result_.is_raised)
           for (auto* step : {&parameter.below, &parameter.above})
             if (*step && (*step)->objective) *(*step)->objective *= change;
-      for (OtherOptimum& other : optimum.others) other.objective *= change;
+      for (OtherOptimum& other : optimum.search.others) other.objective *= change;
       optimum.objective_before = result_.given.kept;
       optimum.objective_after = result_.found.kept;
     }
