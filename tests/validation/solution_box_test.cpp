@@ -6,7 +6,10 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <numbers>
+#include <string>
 
 #include "support/projects.h"
 #include "trivet/foundation/invalid_input.h"
@@ -20,28 +23,10 @@ constexpr double mass = 10, stiffness = 40000, sag = 3e-3, gravity = 9.80665;
 const double omega = 2 * std::numbers::pi * 11;  // highest natural frequency [rad/s]
 
 /// A mass on a spring that may neither sag nor be fast: k ≥ mg/s and k ≤ mω², a wedge in the plane of m and k.
-const std::string wedge = R"(trivet = 1
-gravity = [0, 0, -9.80665]
-[bodies.m1]
-mass = 10
-free = ["z"]
-[elements.k1]
-type = "three_springs"
-on = "m1"
-at = [0, 0, 0]
-translation = [0, 0, "40 N/mm"]
-[tolerances.rubber]
-path = "elements.k1.translation.z"
-half_width = "15 %"
-[tolerances.casting]
-path = "bodies.m1.mass"
-half_width = "0.5 kg"
-[requirements]
-static = {"m1.z" = "3 mm"}
-natural_frequencies = {avoid = [["11 Hz", "1000 Hz"]]}
-[analyses.box]
-points = 2000
-)";
+const std::string wedge = [] {
+  std::ifstream file(std::string(TRIVET_SOURCE_DIR) + "/tests/data/projects/wedge.toml");
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}();
 
 constexpr double rubber = 0.15 * stiffness, casting = 0.5;  // half widths
 constexpr double exact = 1e-6;                              // of a tolerance: the step with which ends are tried
