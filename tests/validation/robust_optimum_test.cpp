@@ -140,6 +140,20 @@ TEST(RobustOptimum, IsSampledWithNumbersThatTheSearchHasNotUsed) {
   EXPECT_LT(std::abs(correlation), by_chance);
 }
 
+// The sag decides in the case with more load, the natural frequency in the base model: each leaves out half of the
+// rest.
+TEST(RobustOptimum, CountsTheMachinesOfAllCasesThatDecide) {
+  const std::string text = suspended(lognormal, "yield = \"99 %\"") + "[cases.loaded.bodies.m1]\nmass = 12\n";
+  const std::vector<std::string> cases = {"requirements.hold_in=['', 'loaded']", "analyses.sample.designs=20000"};
+  const study::Optimization found = study::optimization(test::project(text, cases));
+  constexpr double z = 2.5758293035489, load = 1.2, of_16384_designs = 3e-3;
+  const double of_load = p - std::log(load), u = (q - of_load + 1.5 * middle + 0.5 * z * of_log) / 1.5;
+  EXPECT_NEAR(std::log(scale_of(found)), u, of_16384_designs);
+  EXPECT_NEAR(std::log(found.robust->found.kept), of_load + u - middle - z * of_log, of_16384_designs);
+  EXPECT_EQ(found.robust->margins.size(), 4);
+  EXPECT_EQ(found.robust->found.yield->met, sample_at(found, text, cases).yield.met);
+}
+
 // Of a uniform mass more machines lie in a given ratio of masses at the heavy end. So the best design leaves out light
 // ones alone: all up to 1.3, and from 1.3 e^-L on with the wanted share (1.3 − 1.3 e^-L)/0.6.
 TEST(RobustOptimum, LeavesOutTheEndWithFewerMachines) {

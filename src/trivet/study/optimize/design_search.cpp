@@ -12,7 +12,6 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
-#include "trivet/study/optimize/sampled_starts.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {
@@ -212,13 +211,13 @@ class Search {
   std::vector<MaxMinPoint> starts() {
     const bool expensive = objective_.is_expensive();
     const int looks = expensive ? looks_per_start * wanted_ : looks_for(wanted_);
-    const SampledStarts found = sampled_starts(objective_, to_size(looks), progress_);
+    const SampledStarts found = sampled_starts(objective_, to_size(looks), progress_, options_.among);
     std::vector<Eigen::VectorXd> points = found.points;
     result_.looked_at = found.judged;
     if (expensive && objective_.space().size() == 1) points = even_points();
     std::vector<MaxMinPoint> chosen = chosen_starts(looked_at(points), to_size(wanted_));
     if (const auto given = objective_.space().given_shares()) chosen.push_back(numerics::point_at(problem_, *given));
-    if (options_.also) chosen.push_back(numerics::point_at(problem_, *options_.also));
+    for (const Eigen::VectorXd& also : options_.also) chosen.push_back(numerics::point_at(problem_, also));
     result_.starts = static_cast<int>(chosen.size());
     return chosen;
   }
@@ -287,7 +286,8 @@ class Search {
 
   void keep_the_best_so_far() {
     result_.cut_short = true;
-    const std::optional<Eigen::VectorXd> given = options_.also ? options_.also : objective_.space().given_shares();
+    const std::optional<Eigen::VectorXd> given =
+        options_.also.empty() ? objective_.space().given_shares() : options_.also.front();
     std::vector<Eigen::VectorXd> found = watch_.best();
     if (found.empty() && given) found.push_back(*given);
     if (found.empty())

@@ -10,6 +10,7 @@
 #include "trivet/foundation/interruption.h"
 #include "trivet/numerics/search/max_min.h"
 #include "trivet/study/optimize/design_objective.h"
+#include "trivet/study/optimize/sampled_starts.h"
 
 namespace trivet::study {
 
@@ -17,8 +18,9 @@ namespace trivet::study {
 
 /// What a caller adds to a search.
 struct SearchOptions {
-  std::optional<int> starts = {};            ///< climbs; none: as many as are usual for the time that a design takes
-  std::optional<Eigen::VectorXd> also = {};  ///< a further start, as shares
+  std::optional<int> starts = {};          ///< climbs; none: as many as are usual for the time that a design takes
+  std::vector<Eigen::VectorXd> also = {};  ///< further starts, as shares
+  std::size_t among = sampled_designs;     ///< designs judged by kernels, among which the starts are chosen
   /// True if the search is to end with the best design so far; called between designs, on any thread.
   std::function<bool()> enough = {};
 };

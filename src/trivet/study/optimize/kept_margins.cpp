@@ -2,10 +2,14 @@
 #include "trivet/study/optimize/kept_margins.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"
+#include "trivet/judging/changed_case.h"
+#include "trivet/study/family/packed_margins.h"
 #include "trivet/study/sample/worst_case.h"
 
 namespace trivet::study {
@@ -68,6 +72,44 @@ double kept_of(const Eigen::ArrayXd& margins, double share) {
   return *place;
 }
 
+/// The margin that a share of the machines keeps; 0 if it is not above `least`, none if too few are known for that.
+/// @param margins  of machines by their numbers, the least of each; NaN: unknown
+std::optional<double> kept_above(double least, double share, std::size_t piece, const foundation::Progress& progress,
+                                 const std::function<Eigen::ArrayXd(std::size_t first, std::size_t count)>& margins) {
+  const auto allowed = static_cast<std::size_t>((1 - share) * static_cast<double>(searched_machines));
+  Eigen::ArrayXd all(to_index(searched_machines));
+  std::atomic<std::size_t> not_above = 0;
+  foundation::parallel_for(searched_machines, {.size = piece, .progress = progress, .task = "machines"},
+                           [&](std::size_t first, std::size_t last) {
+                             if (not_above > allowed) return;
+                             auto part = all.segment(to_index(first), to_index(last - first));
+                             part = margins(first, last - first);
+                             not_above += to_size((part <= least).count());
+                           });
+  if (not_above > allowed) return 0;
+  if (all.isNaN().any()) return std::nullopt;
+  return kept_of(all, share);
+}
+
+/// What is drawn for a machine after the numbers of its design.
+DesignNumbers machine_numbers(const SampleRun& run, const SampledCase& one, const DesignSpace& space) {
+  DesignNumbers numbers;
+  numbers.any_size = true;
+  numbers.compared = design::SumFamily::Compared::ends;
+  numbers.variables = space.numbers(one.variant()).variables;
+  for (std::size_t d = 0; d < run.drawn().draws(); ++d)
+    numbers.variables.push_back({one.from()(to_index(d)), one.to()(to_index(d)), run.drawn().name(d)});
+  numbers.model = [&](const Eigen::VectorXd& values) {
+    Eigen::VectorXd shares(to_index(space.size()));
+    for (std::size_t j = 0; j < space.size(); ++j) shares(to_index(j)) = space.axes()[j].share(values(to_index(j)));
+    const auto design = judging::changed_case(one.variant(), space.changes(shares));
+    if (!design) throw foundation::NotComputable(message(design.error().list().front()));
+    return ToleratedNumbers(*design, run.tolerances(), run.drawn())
+        .machine(*design, values.tail(to_index(run.drawn().draws())));
+  };
+  return numbers;
+}
+
 /// Changes the share by how many machines of a design that has the reserves of the bounds are below what counts.
 void adapt(Aim& aim, double below) {
   constexpr double most_change = 4, fewest_above = 0.5;
@@ -101,8 +143,52 @@ Kept kept_by_share(const SampleRun& run, Aim& aim, const foundation::Progress& p
   return found;
 }
 
-double kept_least(const SampleRun& run, double wanted, const foundation::Progress& progress) {
-  return kept_of(judged_designs(run, progress).rowwise().minCoeff(), wanted);
+double kept_least(const SampleRun& run, double wanted, double least, const foundation::Progress& progress) {
+  return *kept_above(least, wanted, run.piece(), progress, [&](std::size_t first, std::size_t count) {
+    const Eigen::MatrixXd draws = run.drawn().draw(first, count);
+    Eigen::ArrayXd margins = Eigen::ArrayXd::Constant(draws.rows(), foundation::infinity);
+    for (const SampledCase& one : run.cases()) {
+      const Eigen::ArrayXXd found = one.judged(draws).margins;
+      margins = margins.min(found.isNaN().select(0, found).rowwise().minCoeff());
+    }
+    return margins;
+  });
+}
+
+MachineFamily::MachineFamily(const SampleRun& run, const DesignSpace& space) : run_(run), space_(space) {
+  const auto has_kernels = [&](const SampledCase& one) {
+    if (!one.no_kernels().empty()) return false;
+    const DesignBatch& batch =
+        batches_.emplace_back(machine_numbers(run, one, space), one.variant(), one.variant().analyses, one.given());
+    for (std::size_t r = 0; r < one.given().size(); ++r)
+      if (!batch.reason().empty() || (!batch.packed().covers(r) && !is_constant(one.given()[r]))) return false;
+    return true;
+  };
+  if (!std::ranges::all_of(run.cases(), has_kernels)) batches_.clear();
+}
+
+std::optional<double> MachineFamily::kept_least(const Eigen::VectorXd& shares, double wanted, double least,
+                                                const foundation::Progress& progress) const {
+  if (batches_.empty()) return std::nullopt;
+  const Eigen::RowVectorXd values = space_.values(shares).transpose();
+  return kept_above(least, wanted, SampledCase::kernel_piece, progress, [&](std::size_t first, std::size_t count) {
+    const Eigen::MatrixXd draws = run_.drawn().draw(first, count);
+    Eigen::MatrixXd machines(draws.rows(), values.size() + draws.cols());
+    machines << values.replicate(draws.rows(), 1), draws;
+    Eigen::ArrayXd margins = Eigen::ArrayXd::Constant(draws.rows(), foundation::infinity);
+    for (std::size_t c = 0; c < batches_.size(); ++c) {
+      const SampledCase& one = run_.cases()[c];
+      Eigen::ArrayXXd found = packed_margins(batches_[c].packed(), batches_[c].family().designs(machines));
+      for (std::size_t r = 0; r < one.given().size(); ++r)
+        if (is_constant(one.given()[r])) found.col(to_index(r)).setConstant(one.given()[r].margin);
+      for (Eigen::Index i = 0; i < draws.rows(); ++i) {
+        const auto drawn = draws.row(i).transpose().array();
+        const bool proven = (drawn >= one.from()).all() && (drawn <= one.to()).all() && !found.row(i).isNaN().any();
+        margins(i) = proven ? std::min(margins(i), found.row(i).minCoeff()) : std::nan("");
+      }
+    }
+    return margins;
+  });
 }
 
 Kept kept_by_worst(const SampleRun& run, const foundation::Progress& progress) {

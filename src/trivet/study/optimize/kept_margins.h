@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,8 +39,27 @@ struct Aim {
 /// machines are below what counts, of a design that has the reserves of these bounds.
 [[nodiscard]] Kept kept_by_share(const SampleRun& run, Aim& aim, const foundation::Progress& progress);
 
-/// The margin that a share of the machines keeps in all requirements.
-[[nodiscard]] double kept_least(const SampleRun& run, double wanted, const foundation::Progress& progress);
+/// The margin that a share of the machines keeps in all requirements; 0 if it is not above `least`, which is known
+/// once enough machines are below.
+[[nodiscard]] double kept_least(const SampleRun& run, double wanted, double least,
+                                const foundation::Progress& progress);
+
+/// The machines of any design within the ranges, as one family over the numbers of the design and those that are drawn
+/// for a machine: for a search that judges the machines of many designs.
+class MachineFamily {
+ public:
+  /// @param run  of a design within the ranges; both are used by the family
+  MachineFamily(const SampleRun& run, const DesignSpace& space);
+
+  /// As kept_least; none if there is no family, or it does not prove enough machines.
+  [[nodiscard]] std::optional<double> kept_least(const Eigen::VectorXd& shares, double wanted, double least,
+                                                 const foundation::Progress& progress) const;
+
+ private:
+  const SampleRun& run_;
+  const DesignSpace& space_;
+  std::vector<DesignBatch> batches_;  ///< per case; empty: there is no family
+};
 
 /// What the worst machines found have.
 [[nodiscard]] Kept kept_by_worst(const SampleRun& run, const foundation::Progress& progress);

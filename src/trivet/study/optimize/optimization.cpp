@@ -30,6 +30,9 @@ constexpr double active_within = 1e-5;
 
 /// Of ln(margin), in designs that differ only by a number on which it does not depend.
 constexpr double round_off = 1e-9;
+/// Starts of a search that knows the ends of one before, besides these, and the designs among which they are chosen.
+constexpr int starts_besides_ends = 4;
+constexpr std::size_t looks_besides_ends = 4096;
 constexpr double both[] = {-1, 1};
 /// Of the range of a parameter, for what happens beside the optimum.
 constexpr double step = 0.01;
@@ -316,14 +319,19 @@ Optimization optimization(const project::Project& project, const foundation::Pro
 }
 
 Optimization optimization_with_reserves(const project::Project& project, const DesignObjective::Reserves& reserves,
-                                        const foundation::Progress& progress, const std::function<bool()>& enough) {
+                                        const foundation::Progress& progress, const std::function<bool()>& enough,
+                                        const std::vector<Eigen::VectorXd>& near) {
   const project::OptimizeRequest request = project.base().analyses.optimize.value_or(project::OptimizeRequest());
   const DesignObjective given(project, request, reserves);
   for (const project::Case* variant : given.cases()) refuse_unbounded_peaks(*variant, given.space().axes());
   std::optional<MountSearch> mounts = mount_search(project, request, progress, enough);
   const auto searched = [&](const DesignObjective& objective) {
-    SearchOptions options{.starts = request.starts, .enough = enough};
-    if (mounts && mounts->numbers.size() > 0) options.also = mounts->numbers;
+    SearchOptions options{.starts = request.starts, .also = near, .enough = enough};
+    if (!near.empty()) {  // what differs are the reserves
+      options.starts = std::min(starts_besides_ends, request.starts.value_or(starts_besides_ends));
+      options.among = looks_besides_ends;
+    }
+    if (mounts && mounts->numbers.size() > 0) options.also.push_back(mounts->numbers);
     Optimization result =
         Description(project, given, objective, design_search(objective, options, progress)).optimization();
     result.minimized_kind = request.minimized;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "trivet/foundation/constants.h"
@@ -99,6 +100,13 @@ class RobustSearch {
     Kept kept;
   };
 
+  struct Machines {
+    Machines(project::Project one, const DesignSpace& space) : of(std::move(one)), run(of), family(run, space) {}
+    project::Project of;
+    SampleRun run;
+    MachineFamily family;
+  };
+
   static project::Project with_usual_sample(const project::Project& project) {
     project::Project result = project;
     for (project::Case& variant : result.cases)
@@ -150,11 +158,23 @@ class RobustSearch {
     best_.reset();
   }
 
+  /// Where the next round starts.
+  [[nodiscard]] std::vector<Eigen::VectorXd> ends_of(const Optimization& optimum) const {
+    std::vector<Eigen::VectorXd> ends = {shares_of(optimum)};
+    for (const OtherOptimum& other : optimum.search.others) {
+      Eigen::VectorXd& shares = ends.emplace_back(to_index(space_.size()));
+      for (std::size_t j = 0; j < space_.size(); ++j)
+        shares(to_index(j)) = std::clamp(space_.axes()[j].share(other.values[j]), 0.0, 1.0);
+    }
+    return ends;
+  }
+
   /// Rounds until the reserves are those that their optimum needs; the best one is kept.
   void settle() {
     result_.settled = false;
     while (result_.rounds < most_searches && !result_.settled) {
-      Optimization optimum = optimization_with_reserves(project_, reserves_, progress_, enough_);
+      Optimization optimum = optimization_with_reserves(project_, reserves_, progress_, enough_, near_);
+      near_ = ends_of(optimum);
       project::Project there = with_changes(project_, optimum_changes(optimum));
       Kept kept = kept_by(there);
       if (result_.rounds++ == 0) result_.nominal = sampled(there, kept);
@@ -169,12 +189,13 @@ class RobustSearch {
     }
   }
 
-  /// 0 of a design that cannot be judged.
-  [[nodiscard]] double kept_at(const Eigen::VectorXd& shares) {
+  /// The margin that the machines of a design keep; 0 if it is not above `least`, or they cannot be judged.
+  [[nodiscard]] double kept_at(const Eigen::VectorXd& shares, double least) {
     ++result_.looked_at;
     try {
+      if (const auto kept = machines_->family.kept_least(shares, *result_.wanted, least, progress_)) return *kept;
       const project::Project there = with_numbers(with_changes(project_, space_.changes(shares)), searching);
-      return kept_least(SampleRun(there), *result_.wanted, progress_);
+      return kept_least(SampleRun(there), *result_.wanted, least, progress_);
     } catch (const foundation::NotComputable&) {
       return 0;
     }
@@ -206,7 +227,7 @@ class RobustSearch {
         if (!*step) continue;
         Eigen::VectorXd moved = best;
         moved(to_index(j)) = std::clamp(space_.axes()[j].share((*step)->value), 0.0, 1.0);
-        (*step)->objective = kept_at(moved);
+        (*step)->objective = kept_at(moved, 0);
         (*step)->met = meets(*(*step)->objective);
       }
     }
@@ -249,6 +270,7 @@ class RobustSearch {
 
   /// The largest margin kept around a design. @param least  of it
   void raise(Eigen::VectorXd& best, double& least) {
+    if (!machines_) machines_ = std::make_unique<Machines>(with_numbers(best_->project, searching), space_);
     constexpr double first_step = 0.08, last_step = 3e-4;
     for (double step = first_step; step >= last_step && !(enough_ && enough_()); step /= 2) {
       for (bool better = true; better;) {
@@ -284,8 +306,8 @@ class RobustSearch {
   bool take(Eigen::VectorXd trial, Eigen::VectorXd& best, double& least) {
     trial = trial.cwiseMax(0).cwiseMin(1);
     if (trial == best) return false;
-    const double there = kept_at(trial);
     constexpr double better = 1e-6;
+    const double there = kept_at(trial, least * (1 + better));
     if (!(there > least * (1 + better))) return false;
     best = std::move(trial);
     least = there;
@@ -347,8 +369,10 @@ class RobustSearch {
   const foundation::Progress& progress_;
   const std::function<bool()>& enough_;
   DesignObjective::Reserves reserves_;
+  std::vector<Eigen::VectorXd> near_;  ///< ends of the last round
   Aim aim_;
-  std::optional<Round> best_;  ///< of the rounds with one aim; at the end the result
+  std::unique_ptr<const Machines> machines_;  ///< of all designs, for steps
+  std::optional<Round> best_;                 ///< of the rounds with one aim; at the end the result
   RobustOptimum result_;
 };
 

@@ -9,10 +9,12 @@
 namespace trivet::study {
 
 /// The best design whose margins keep these reserves.
+/// @param near  ends of a search with other reserves, as shares: starts are these and few others; empty: as usual
 [[nodiscard]] Optimization optimization_with_reserves(const project::Project& project,
                                                       const DesignObjective::Reserves& reserves,
                                                       const foundation::Progress& progress,
-                                                      const std::function<bool()>& enough);
+                                                      const std::function<bool()>& enough,
+                                                      const std::vector<Eigen::VectorXd>& near = {});
 
 /// A design within the ranges as the optimum of a search, which found another one.
 /// @param shares  of the ranges  @param search  what that search found

@@ -51,14 +51,11 @@ std::string refused(const Compute& compute) {
   }
 }
 
-/// True for prices: no number of the model moves them.
-bool is_constant(const RequirementResult& result) { return requirement_row(result.kind).slopes == MarginSlopes::zero; }
-
 }  // namespace
 
-SampledCase::SampledCase(const project::Case& variant, const std::vector<project::Tolerance>& tolerances,
-                         const DrawnDesigns& drawn, const project::SampleRequest& request)
-    : case_(variant), tolerances_(tolerances) {
+ToleratedNumbers::ToleratedNumbers(const project::Case& variant, const std::vector<project::Tolerance>& tolerances,
+                                   const DrawnDesigns& drawn)
+    : tolerances_(tolerances) {
   for (std::size_t t = 0; t < tolerances.size(); ++t)
     for (std::size_t p = 0; p < tolerances[t].places.size(); ++p) {
       const std::string& path = tolerances[t].places[p].path;
@@ -67,8 +64,24 @@ SampledCase::SampledCase(const project::Case& variant, const std::vector<project
       if (!given)
         throw InvalidInput(fmt::format("tolerances: {}: no number at {}{}", foundation::quoted(tolerances[t].name),
                                        foundation::quoted(path), case_words(variant)));
-      numbers_.push_back({std::move(number), *given, t, p, to_index(drawn.draw_of(t, p))});
+      list_.push_back({std::move(number), *given, t, p, to_index(drawn.draw_of(t, p))});
     }
+}
+
+model::System ToleratedNumbers::machine(const project::Case& variant, const Eigen::VectorXd& draws) const {
+  project::Design design;
+  for (const Number& one : list_)
+    design.emplace_back(one.number, tolerances_[one.tolerance].number(one.place, one.given, draws(one.draw)));
+  auto changed = judging::changed_system(variant, design);
+  if (changed) return std::move(*changed);
+  throw NotComputable(foundation::first_reason(changed.error()));
+}
+
+bool is_constant(const RequirementResult& result) { return requirement_row(result.kind).slopes == MarginSlopes::zero; }
+
+SampledCase::SampledCase(const project::Case& variant, const std::vector<project::Tolerance>& tolerances,
+                         const DrawnDesigns& drawn, const project::SampleRequest& request)
+    : case_(variant), numbers_(variant, tolerances, drawn) {
   given_ = results(variant.system);
   for (const RequirementResult& one : given_)
     if (!one.value) throw unjudged(one, variant);
@@ -146,15 +159,6 @@ void SampledCase::fit(const DrawnDesigns& drawn) {
     if (bands_) bands_->fit(numbers);
     return;
   }
-}
-
-model::System SampledCase::system(const Eigen::VectorXd& draws) const {
-  project::Design design;
-  for (const Number& one : numbers_)
-    design.emplace_back(one.number, tolerances_[one.tolerance].number(one.place, one.given, draws(one.draw)));
-  auto changed = judging::changed_system(case_, design);
-  if (changed) return std::move(*changed);
-  throw NotComputable(foundation::first_reason(changed.error()));
 }
 
 std::vector<RequirementResult> SampledCase::results(const model::System& system,

@@ -27,6 +27,29 @@ struct SampledMargins {
   Eigen::ArrayXXd amplitudes = {};
 };
 
+/// The numbers of a case that tolerances move.
+class ToleratedNumbers {
+ public:
+  /// @throws foundation::InvalidInput if one cannot be read there
+  ToleratedNumbers(const project::Case& variant, const std::vector<project::Tolerance>& tolerances,
+                   const DrawnDesigns& drawn);
+  /// The machine for which these numbers are drawn. @throws foundation::NotComputable if it has no model
+  [[nodiscard]] model::System machine(const project::Case& variant, const Eigen::VectorXd& draws) const;
+
+ private:
+  struct Number {
+    project::ModelNumber number;
+    double given = 0;
+    std::size_t tolerance = 0, place = 0;
+    Eigen::Index draw = 0;
+  };
+  const std::vector<project::Tolerance>& tolerances_;
+  std::vector<Number> list_;
+};
+
+/// True for prices: no number of the model moves them.
+[[nodiscard]] bool is_constant(const RequirementResult& result);
+
 /// One case of a sample: judges its requirements for drawn designs, by kernels over many designs where these prove all
 /// of them, otherwise by assembled models.
 class SampledCase {
@@ -45,6 +68,9 @@ class SampledCase {
   /// Why all designs are assembled; empty if kernels judge them.
   [[nodiscard]] const std::string& no_kernels() const { return no_kernels_; }
   [[nodiscard]] const std::optional<DesignBatch>& batch() const { return batch_; }
+  /// Ends of the ranges of the draws for which kernels judge; those of machines beyond are assembled.
+  [[nodiscard]] const Eigen::ArrayXd& from() const { return from_; }
+  [[nodiscard]] const Eigen::ArrayXd& to() const { return to_; }
   /// Those whose amplitudes are counted, if any are.
   [[nodiscard]] const std::optional<BandCurves>& bands() const { return bands_; }
   /// True if kernels compute all that is counted of nearly all designs.
@@ -76,7 +102,7 @@ class SampledCase {
   /// Those by a model that kernels have not computed, of a design whose margins they have proven.
   void complete_amplitudes(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into,
                            const foundation::Progress& interruption) const;
-  [[nodiscard]] model::System system(const Eigen::VectorXd& draws) const;
+  [[nodiscard]] model::System system(const Eigen::VectorXd& draws) const { return numbers_.machine(case_, draws); }
   [[nodiscard]] std::vector<RequirementResult> results(const model::System& system,
                                                        const foundation::Progress& interruption = {}) const;
   void fit(const DrawnDesigns& drawn);
@@ -91,15 +117,8 @@ class SampledCase {
   void assemble(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into,
                 const foundation::Progress& interruption) const;
 
-  struct Number {
-    project::ModelNumber number;
-    double given = 0;
-    std::size_t tolerance = 0, place = 0;
-    Eigen::Index draw = 0;
-  };
   const project::Case& case_;
-  const std::vector<project::Tolerance>& tolerances_;
-  std::vector<Number> numbers_;
+  ToleratedNumbers numbers_;
   std::vector<RequirementResult> given_;
   std::optional<DesignBatch> batch_;
   std::optional<BandCurves> bands_;

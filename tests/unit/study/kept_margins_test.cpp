@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/optimize/kept_margins.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <string>
+
+#include "support/projects.h"
+
+namespace trivet {
+namespace kept_margins_test {
+
+constexpr double wanted = 0.9;
+
+/// A mass whose sag and natural frequency scatter, and one with a damping ratio of 0.75 that scatters around 1/√2.
+const std::string machine = R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m1]
+mass = 10
+free = ["z"]
+[elements.k1]
+type = "three_springs"
+on = "m1"
+at = [0, 0, 0]
+translation = [0, 0, 40000]
+[bodies.m2]
+mass = 1
+free = ["z"]
+position = [1, 0, 0]
+[elements.k2]
+type = "three_springs"
+on = "m2"
+at = [0, 0, 0]
+translation = [0, 0, 63165]
+damping = {translation = [0, 0, 377]}
+[excitations.force]
+type = "harmonic"
+on = "m2"
+at = [0, 0, 0]
+force = [0, 0, 1]
+[parameters.stiffness]
+path = "elements.k1.scale"
+from = 0.4
+to = 2
+[tolerances.casting]
+path = "bodies.m1.mass"
+half_width = "10 %"
+[tolerances.damper]
+path = "elements.k2.damping.translation.z"
+half_width = "30 %"
+[analyses.optimize]
+)";
+const std::string requirements = R"([requirements]
+static = {"m1.z" = "2.5 mm"}
+natural_frequencies = {avoid = [["10.5 Hz", "25 Hz"]]}
+)";
+
+// What a search knows to be too little is not judged to the end; otherwise the number is the same.
+TEST(KeptMargins, AreTheSameFromTheFamilyOfAllDesigns) {
+  const project::Project project = test::project(machine + requirements);
+  const study::SampleRun run(project);
+  const study::DesignSpace space(project, {});
+  const study::MachineFamily family(run, space);
+  for (const double scale : {0.8, 1.0, 1.3}) {
+    const project::Project there =
+        test::project(machine + requirements, {"elements.k1.scale=" + std::to_string(scale)});
+    const double exact = study::kept_least(study::SampleRun(there), wanted, 0, {});
+    const Eigen::VectorXd shares = Eigen::VectorXd::Constant(1, space.axes()[0].share(scale));
+    constexpr double reproduced = 1e-9;
+    EXPECT_NEAR(family.kept_least(shares, wanted, 0, {}).value(), exact, reproduced * exact);
+    EXPECT_NEAR(family.kept_least(shares, wanted, exact * 0.999, {}).value(), exact, reproduced * exact);
+    EXPECT_EQ(family.kept_least(shares, wanted, exact * 1.001, {}), 0);
+    EXPECT_EQ(study::kept_least(study::SampleRun(there), wanted, exact, {}), 0);
+  }
+}
+
+}  // namespace kept_margins_test
+}  // namespace trivet
