@@ -105,6 +105,18 @@ TEST(PairedValues, HaveIntervalsThatContainTheSharesAsOftenAsStated) {
   EXPECT_NEAR(share, 0.95, 3 * std::sqrt(0.95 * 0.05 / 200));
 }
 
+// Many tolerances do little: what the large ones scatter must not blur their shares.
+TEST(PairedValues, GiveSmallSharesNarrowIntervals) {
+  const auto found = shares_of([](const Eigen::VectorXd& x) { return x(0) + 0.1 * x(1) + 0.01 * x(2); }, 4, 1, 2048);
+  const double all = 1 + 1e-2 + 1e-4;
+  EXPECT_GT(found[1].first.from, 0);
+  EXPECT_NEAR(found[1].first.estimate, 1e-2 / all, 1e-3);
+  EXPECT_NEAR(found[2].first.estimate, 1e-4 / all, 1e-4);
+  EXPECT_LT(found[2].first.to, 3e-4);
+  EXPECT_EQ(found[3].first.estimate, 0) << "without any influence";
+  EXPECT_EQ(found[3].total.estimate, 0);
+}
+
 TEST(PairedValues, HaveNoSharesOfAConstant) {
   EXPECT_TRUE(shares_of([](const Eigen::VectorXd&) { return 3.7; }, 2, 1, 256).empty());
   const auto last_digits = [](const Eigen::VectorXd& x) { return 3.7 * (1 + 1e-14 * x(0)); };

@@ -16,7 +16,7 @@ constexpr double nine_digits = 1e-9;
 PairedValues::PairedValues(std::size_t dimensions, std::size_t replicates) : sums_(replicates) {
   for (Sums& one : sums_) {
     one.first = Eigen::VectorXd::Zero(to_index(dimensions));
-    one.total = one.first;
+    one.total = Eigen::VectorXd::Zero(to_index(dimensions) + 1);
   }
 }
 
@@ -29,7 +29,8 @@ void PairedValues::add(std::size_t replicate, double at_a, double at_b, const Ei
     to.squares += value * value;
   }
   to.first += (exchanged.array() - at_b).square().matrix();
-  to.total += (exchanged.array() - at_a).square().matrix();
+  to.total.head(exchanged.size()) += (exchanged.array() - at_a).square().matrix();
+  to.total(exchanged.size()) += (at_b - at_a) * (at_b - at_a);
 }
 
 std::vector<VarianceShare> PairedValues::shares(double confidence) const {
@@ -46,9 +47,11 @@ std::vector<VarianceShare> PairedValues::shares(double confidence) const {
   for (Eigen::Index d = 0; d < sums_.front().first.size(); ++d) {
     std::vector<double> first, total;
     for (std::size_t r = 0; r < sums_.size(); ++r) {
-      const double scale = 1 / (2 * variances[r] * static_cast<double>(sums_[r].pairs));
-      first.push_back(1 - scale * sums_[r].first(d));
-      total.push_back(scale * sums_[r].total(d));
+      const Sums& of = sums_[r];
+      // Twice the variance from the same pairs: a number without influence has f(ab) = f(a) and the share 0 exactly,
+      // where the variance of all values leaves the difference of both estimates.
+      first.push_back(1 - of.first(d) / of.total(of.first.size()));
+      total.push_back(of.total(d) / (2 * variances[r] * static_cast<double>(of.pairs)));
     }
     found.push_back({mean_of_replicates(first, confidence), mean_of_replicates(total, confidence)});
   }

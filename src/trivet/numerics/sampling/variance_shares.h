@@ -27,7 +27,7 @@ class PairedValues {
   void add(std::size_t replicate, double at_a, double at_b, const Eigen::VectorXd& exchanged);
 
   /// By Jansen's estimators in each replicate [Jansen1999], with Student's intervals of their means:
-  /// first = 1 − ⟨(f(b) − f(ab))²⟩/2V, total = ⟨(f(a) − f(ab))²⟩/2V, V the variance of f(a) and f(b).
+  /// first = 1 − ⟨(f(b) − f(ab))²⟩/⟨(f(a) − f(b))²⟩, total = ⟨(f(a) − f(ab))²⟩/2V, V the variance of f(a) and f(b).
   /// @returns  per dimension; empty if the standard deviation is within nine digits of the value in a replicate, or one
   /// has fewer than two pairs
   [[nodiscard]] std::vector<VarianceShare> shares(double confidence) const;
@@ -38,7 +38,7 @@ class PairedValues {
   struct Sums {
     std::size_t pairs = 0;
     double sum = 0, squares = 0;   ///< of all f(a) − reference and f(b) − reference
-    Eigen::VectorXd first, total;  ///< of the squared differences
+    Eigen::VectorXd first, total;  ///< of squared differences; total: last f(a) − f(b)
   };
   std::vector<Sums> sums_;
   std::optional<double> reference_;  ///< a value of the function, against cancellation
