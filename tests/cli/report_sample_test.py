@@ -54,7 +54,7 @@ class ReportSample(InTemporaryFolder):
             self.assertIn(heading, part)
         folder = self.folder / "out/00-base"
         self.assertEqual((folder / "sample.csv").read_text(), trivet("sample", project, "--csv").stdout)
-        for name in ("bands.csv", "bands.svg"):
+        for name in ("bands.csv", "bands.svg", "shares.svg"):
             self.assertTrue((folder / name).exists(), name)
 
     def test_the_short_report_states_the_yield(self):

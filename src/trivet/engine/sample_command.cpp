@@ -9,6 +9,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/report/figures/sample_figure.h"
+#include "trivet/report/figures/share_figure.h"
 #include "trivet/results/design/band_parts.h"
 #include "trivet/results/design/sample_document.h"
 #include "trivet/results/design/study_status_document.h"
@@ -94,27 +95,36 @@ void write_result_files(const study::StudyProgress& study, const Result& result)
 
 using HeldSample = std::shared_ptr<const Held<study::Sample>>;
 
-/// The bands as a picture, also below the tables of a page.
-void add_figure(const HeldSample& held, Result& result) {
-  const auto figure = report::band_figure(held->found);
-  if (!figure) return;
-  result.figures.emplace_back(figure->file_name, writer([svg = figure->svg] { return svg; }));
+/// The shares of the variance and the bands as pictures, also below the tables of a page.
+void add_figures(const HeldSample& held, Result& result) {
+  for (const auto& figure : {report::share_figure(held->found), report::band_figure(held->found)})
+    if (figure) result.figures.emplace_back(figure->file_name, writer([svg = figure->svg] { return svg; }));
+  if (result.figures.empty()) return;
   result.html = [held, tables = result.html](const project::DisplayUnits& display) {
-    return tables(display) + report::band_figure(held->found, display)->html();
+    std::string html = tables(display);
+    for (const auto& figure : {report::band_figure(held->found, display), report::share_figure(held->found, display)})
+      if (figure) html += "<figure>" + figure->html() + "</figure>\n";
+    return html;
   };
 }
 
-Result sample(const Task& task) {
-  if (task.keys.has("picture") && task.project->base().analyses.sample.value_or(project::SampleRequest()).bands.empty())
-    throw InvalidInput(
-        fmt::format("{}: a picture shows bands; name their results: bands = [\"BODY.z\"] in "
-                    "[analyses.sample]",
-                    task.keys.written("picture")));
-  const auto& response = task.project->base().analyses.response;
-  if (task.keys.has("picture") && response && response->at.size() == 1)
+/// What a picture needs.
+void check_picture(const Task& task) {
+  if (!task.keys.has("picture") || task.keys.flag("shares")) return;
+  const project::Analyses& analyses = task.project->base().analyses;
+  if (!analyses.sample || analyses.sample->bands.empty())
+    throw InvalidInput(fmt::format(
+        "{}: a picture shows bands; name their results: bands = [\"BODY.z\"] in [analyses.sample]; or shares of "
+        "the variance, with {}",
+        task.keys.written("picture"), task.keys.written("shares")));
+  if (analyses.response && analyses.response->at.size() == 1)
     throw InvalidInput(task.keys.written("picture") +
                        ": a picture shows bands over at least two frequencies of the response; "
                        "without it the table has them");
+}
+
+Result sample(const Task& task) {
+  check_picture(task);
   const auto held = hold(task, sampled(task));
   Result result;
   result.warnings = task.project->base().warnings;
@@ -128,7 +138,9 @@ Result sample(const Task& task) {
   std::vector<std::string> files = {"sample.csv"};
   if (results::has_bands(held->found)) files.emplace_back("bands.csv");
   set_forms(document, held, task.variant.display, files, result);
-  add_figure(held, result);
+  add_figures(held, result);
+  if (task.keys.has("picture") && result.figures.empty())
+    result.add_not_written(task.keys.written("picture") + ": there are no shares of the variance, nor bands");
   if (const auto& study = held->found.study) {
     add_remarks(*study, task, result);
     result.complete = !study->ended_early;
@@ -166,7 +178,7 @@ Command sample_command() {
                          "the result whose ending chooses the form: .json, .csv, .html or .txt",
                 .short_name = "o",
                 .value = "STUDY"},
-               picture_key("bands of amplitudes"),
+               picture_key("shares of the variance, if they are wanted, or else bands of amplitudes"),
                {.name = "part",
                 .kind = KeyKind::text,
                 .about = "compute this part of the study folder: 3/64; by default the rank among the processes of "

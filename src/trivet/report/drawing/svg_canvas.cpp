@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 namespace trivet::report {
@@ -38,6 +40,19 @@ std::string picture(double width, Range y, std::string_view description, std::st
 }
 
 }  // namespace
+
+std::string fitting(const std::string& text, double width, double size) {
+  constexpr double letter = 0.56;  // mean width over size
+  const auto most = static_cast<std::size_t>(std::max(4.0, width / (letter * size)));
+  std::string cut;
+  std::size_t letters = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool starts = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
+    if (starts && ++letters > most - 1 && i + 1 < text.size()) return cut + "…";
+    cut += text[i];
+  }
+  return cut;
+}
 
 void SvgCanvas::line(PixelPoint a, PixelPoint b, std::string_view style) {
   body_ +=

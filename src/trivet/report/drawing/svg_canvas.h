@@ -17,6 +17,9 @@ struct PixelPoint {
   double y = 0;
 };
 
+/// As many letters of a text as fit a width [pixels] in letters of a size, the last one "…" if some do not.
+[[nodiscard]] std::string fitting(const std::string& text, double width, double size);
+
 /// Collects SVG elements; coordinates in pixels, y downwards.
 class SvgCanvas {
  public:

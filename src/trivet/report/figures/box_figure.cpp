@@ -12,20 +12,7 @@ namespace trivet::report {
 namespace {
 
 constexpr double box_width = 960, box_left = 210, box_right = 30, box_top = 56, box_below = 64, row_height = 64;
-constexpr double bar_height = 16, small_letter = 5.6;  // [pixels] of a letter at size 10
-
-/// As many letters as fit, counted in characters.
-std::string fitting(const std::string& text, double width) {
-  const auto most = static_cast<std::size_t>(std::max(4.0, width / small_letter));
-  std::string cut;
-  std::size_t letters = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool starts = (static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U;
-    if (starts && ++letters > most - 1 && i + 1 < text.size()) return cut + "…";
-    cut += text[i];
-  }
-  return cut;
-}
+constexpr double bar_height = 16;
 
 struct BoxRow {
   const study::SolutionBox& box;
@@ -56,18 +43,19 @@ struct BoxRow {
     const std::string open = is_open ? (upper ? "≥ " : "≤ ") : "";
     const std::string words = open + results::box_end_words(range, end) + ": " + results::box_stop_words(box, end);
     canvas.text({upper ? panel.corner.x + panel.width - 4 : panel.corner.x + 4, middle + bar_height / 2 + 16},
-                fitting(words, panel.width / 2 - 12),
+                fitting(words, panel.width / 2 - 12, 10),
                 fmt::format("font-size=\"10\" text-anchor=\"{}\"", upper ? "end" : "start"));
   }
 
   void draw_name(SvgCanvas& canvas) const {
     const double x = panel.corner.x - 12;
-    canvas.text({x, middle - 1}, fitting(range.name, box_left - 24),
+    canvas.text({x, middle - 1}, fitting(range.name, box_left - 24, 10),
                 "text-anchor=\"end\" font-weight=\"bold\" font-size=\"12\"");
     const study::BoxNumber& first = range.numbers.front();
     std::string words = results::box_number_words(first, first.given);
     if (range.numbers.size() > 1) words += fmt::format(" and {} more", range.numbers.size() - 1);
-    canvas.text({x, middle + 14}, fitting(words, box_left - 24), "text-anchor=\"end\" font-size=\"11\" fill=\"#555\"");
+    canvas.text({x, middle + 14}, fitting(words, box_left - 24, 10),
+                "text-anchor=\"end\" font-size=\"11\" fill=\"#555\"");
   }
 };
 

@@ -11,6 +11,7 @@
 #include "trivet/report/drawing/in_documents.h"
 #include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
+#include "trivet/report/figures/share_figure.h"
 
 namespace trivet::report {
 namespace {
@@ -129,6 +130,7 @@ std::vector<Figure> sample_figures(const study::CaseResults& results) {
   std::vector<Figure> figures;
   if (!results.sample) return figures;
   if (auto bands = band_figure(*results.sample)) figures.push_back(std::move(*bands));
+  if (auto shares = share_figure(*results.sample)) figures.push_back(std::move(*shares));
   return figures;
 }
 

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -32,12 +34,8 @@ struct ShareRow {
 /// Numbers of each requirement, those with the largest total shares first.
 Table share_table(const Sample& sample) {
   std::vector<ShareRow> list;
-  for (const study::RequirementShares& one : sample.shares->list) {
-    const std::size_t first = list.size();
-    for (std::size_t d = 0; d < one.draws.size(); ++d) list.push_back({&sample, &one, d});
-    std::stable_sort(list.begin() + static_cast<std::ptrdiff_t>(first), list.end(),
-                     [](const auto& a, const auto& b) { return a.share().total.estimate > b.share().total.estimate; });
-  }
+  for (const study::RequirementShares& one : sample.shares->list)
+    for (const std::size_t draw : by_total_share(one)) list.push_back({&sample, &one, draw});
   const Rows row(std::move(list));
   const auto number = [&](const char* name, auto member, double ConfidenceInterval::* of) {
     return row(name, Kind::share, "", [=](const ShareRow& one) { return (one.share().*member).*of; },
@@ -92,6 +90,13 @@ Table without_shares(const Sample& sample) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> by_total_share(const study::RequirementShares& shares) {
+  std::vector<std::size_t> order(shares.draws.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t d) { return shares.draws[d].total.estimate; });
+  return order;
+}
 
 void add_shares(const Sample& sample, Document& document) {
   if (!sample.shares) return;
