@@ -11,26 +11,27 @@ export interface Kept {
   asked: string;  // of which wish
   outcome: Outcome;
 }
-/// A command that the page wants. `exact`: asked at a short rest of the state; `slow`: at a long one. `as`: the name under which its
+/// A command that the page wants. `exact`: asked at a short rest of the state; `after`: then, when the exact ones are there; `slow`: at a long rest. `as`: the name under which its
 /// result is kept, by default the command. `settings`: of the question, not of the design.
 export interface Wish {
   want: Want;
   exact?: boolean;
+  after?: boolean;
   slow?: boolean;
   as?: string;
   settings?: readonly string[];
 }
 
 /// Results that follow every move of a slider, and those that wait for it to rest. In this order they are asked for.
-const PACES = ['quick', 'exact', 'slow'] as const;
+const PACES = ['quick', 'exact', 'after', 'slow'] as const;
 type Pace = typeof PACES[number];
 /// ms without a change. A hand that moves a slider stops for a moment again and again, and the program ends no question about all curves.
-const REST: Record<Pace, number> = {quick: 0, exact: 70, slow: 200};
+const REST: Record<Pace, number> = {quick: 0, exact: 70, after: 70, slow: 200};
 const nameOf = (w: Wish) => w.as ?? w.want.command;
 /// The name of a quick result that stands in for that of the command until it follows.
 export const draftOf = (command: string) => `draft of ${command}`;
 const textOf = ({want, settings}: Wish) => JSON.stringify([want, settings]);
-const paceOf = ({exact, slow}: Wish): Pace => (slow ? 'slow' : exact ? 'exact' : 'quick');
+const paceOf = ({exact, after, slow}: Wish): Pace => (slow ? 'slow' : after ? 'after' : exact ? 'exact' : 'quick');
 
 export class Asker {
   problems: Problem[] = [];
@@ -38,7 +39,7 @@ export class Asker {
   private readonly results = new Map<string, Kept>();
   private readonly good = new Map<string, Kept & {file: number}>();  // the newest of each that could be computed
   private underWay: {pace: Pace; revision: number; end: AbortController} | null = null;
-  private asked: Record<Pace, number> = {quick: -1, exact: -1, slow: -1};
+  private asked: Record<Pace, number> = {quick: -1, exact: -1, after: -1, slow: -1};
   private changedAt = 0;  // time of the last change of the state [ms]
   private seen = -1;  // its revision
   private restTimer: ReturnType<typeof setTimeout> | undefined;
@@ -91,7 +92,7 @@ export class Asker {
   }
   /// A wish changed: asks for what there is not yet.
   again() {
-    this.asked = {quick: -1, exact: -1, slow: -1};
+    this.asked = {quick: -1, exact: -1, after: -1, slow: -1};
     this.next();
   }
   /// The program was started again: asks for everything.

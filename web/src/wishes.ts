@@ -17,11 +17,11 @@ export function wishes(display: Display, {hasSomethingToJudge, hasSteady, bodies
   if (hasSteady) all.push({want: {command: 'steady', ...(shown.kind === 'steady' ? {keys: {at: `${shown.omega} rad/s`}} : {})}, slow: true});
   return all;
 }
-/// All modes, but of several bodies only the shape that moves follows a slider; the others follow when it rests.
+/// All modes, but of several bodies only the shape that moves follows a slider; the others, which are long, follow the exact peaks when it rests.
 function modes({shown}: Display, bodies: number): Wish[] {
   const finished = {want: {command: 'modes'}};
   if (bodies < 2) return [finished];
-  return [{want: {command: 'modes', keys: {'shapes-of': shown.kind === 'mode' ? shown.number : 1}}, as: draftOf('modes')}, {...finished, exact: true}];
+  return [{want: {command: 'modes', keys: {'shapes-of': shown.kind === 'mode' ? shown.number : 1}}, as: draftOf('modes')}, {...finished, after: true}];
 }
 /// The drawn curves follow a slider as a draft; all curves with exact peaks follow when it rests.
 function curves({drawn, quantity}: Display): Wish[] {

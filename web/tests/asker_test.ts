@@ -68,6 +68,17 @@ test('a hand that stops for a moment asks for no exact peaks', async () => {
   }
   if (longest < 65) assert.ok(engine.asked.every(q => wanted(q) === 'curves draft'));  // the machine is not busy
 });
+test('what is asked after the exact results does not keep them waiting', async () => {
+  const state = new State(), engine = new SlowEngine(), wishes: Wish[] = [{want: {command: 'modes'}, after: true}, {want: {command: 'curves'}, exact: true}];
+  const asker = new Asker(engine as unknown as Engine, state, () => wishes);
+  state.open('mass = 1', '1');
+  await after(130);
+  assert.deepEqual(engine.asked.map(wanted), ['curves']);
+  engine.asked[0]!.answer();
+  await after(5);
+  assert.ok(!asker.isOld('curves'));
+  assert.deepEqual(engine.asked.map(wanted), ['curves', 'modes']);
+});
 test('after a failure the newest state is asked for, and the failed one is not asked again', async () => {
   const state = new State(), asked: number[] = [];
   const refusing = {ask: (revision: number) => (asked.push(revision), after(5).then(() => { throw new Error('refused'); }))};

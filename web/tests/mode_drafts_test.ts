@@ -16,7 +16,7 @@ test('of several bodies one mode shape follows a slider, and all follow at rest'
   display.set({shown: {kind: 'mode', number: 7}});
   const [draft, all] = wanted(10, display);
   assert.deepEqual(draft!.want, {command: 'modes', keys: {'shapes-of': 7}});
-  assert.deepEqual([all!.want, all!.exact], [{command: 'modes'}, true]);
+  assert.deepEqual([all!.want, all!.after], [{command: 'modes'}, true]);
   assert.deepEqual(wanted(1), [{want: {command: 'modes'}}]);
 });
 
