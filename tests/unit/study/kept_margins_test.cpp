@@ -56,6 +56,29 @@ static = {"m1.z" = "2.5 mm"}
 natural_frequencies = {avoid = [["10.5 Hz", "25 Hz"]]}
 )";
 
+study::Aim adapted() {
+  return {.searched = wanted, .wanted = wanted, .minimizes = true, .share = wanted, .is_adapted = true};
+}
+
+// The curve of m2 has no peak, so its margin is ∞; that of machines with a damping ratio below 1/√2 has one.
+TEST(KeptMargins, ChangeNoShareForAMarginThatJumps) {
+  const project::Project alone = test::project(machine + requirements);
+  const project::Project with_peaks =
+      test::project(machine + requirements + "no_peak = \"m2.z\"\npeak_tolerance = 0\n");
+  const study::SampleRun run(alone), run_with_peaks(with_peaks);
+  study::Aim aim = adapted(), aim_with_peaks = aim;
+  const study::Kept kept = study::kept_by_share(run, aim, {});
+  const study::Kept kept_with_peaks = study::kept_by_share(run_with_peaks, aim_with_peaks, {});
+  EXPECT_EQ(aim_with_peaks.share, aim.share);
+  EXPECT_NE(aim.share, wanted) << "the aim is adapted at all";
+  ASSERT_EQ(kept_with_peaks.nominal[0].size(), 3);
+  for (std::size_t r = 0, other = 0; r < 3; ++r) {
+    if (std::isinf(kept_with_peaks.nominal[0][r])) continue;
+    EXPECT_EQ(kept_with_peaks.kept[0][r], kept.kept[0][other++]);
+  }
+  EXPECT_GT(kept.least, kept_with_peaks.least) << "more than a tenth of the machines has a peak";
+}
+
 // What a search knows to be too little is not judged to the end; otherwise the number is the same.
 TEST(KeptMargins, AreTheSameFromTheFamilyOfAllDesigns) {
   const project::Project project = test::project(machine + requirements);

@@ -60,8 +60,19 @@ Kept nominal_margins(const SampleRun& run) {
     std::vector<double>& nominal = found.nominal.emplace_back();
     for (const RequirementResult& result : one.given()) nominal.push_back(result.margin);
   }
-  found.kept = found.nominal;
+  found.kept = found.alone = found.nominal;
   return found;
+}
+
+std::vector<Eigen::Index> columns_with_reserve(const Kept& of) {
+  std::vector<Eigen::Index> columns;
+  Eigen::Index column = 0;
+  for (const std::vector<double>& of_case : of.nominal)
+    for (const double nominal : of_case) {
+      if (has_reserve(nominal, nominal)) columns.push_back(column);
+      ++column;
+    }
+  return columns;
 }
 
 /// The bound that a share of the margins keeps.
@@ -127,18 +138,22 @@ Kept kept_by_share(const SampleRun& run, Aim& aim, const foundation::Progress& p
   std::ranges::sort(least);
   const auto count = static_cast<double>(least.size());
   found.least = least[static_cast<std::size_t>((1 - aim.wanted) * count)];
-  std::vector<double> bounds = common_bounds(margins, aim.share);
-  if (aim.is_adapted) {
+  // What has no reserve, such as a curve without a peak, is not helped by larger ones of the others.
+  const std::vector<Eigen::Index> reserved = columns_with_reserve(found);
+  const Eigen::ArrayXXd of_reserves = margins(Eigen::all, reserved);
+  std::vector<double> bounds = common_bounds(of_reserves, aim.share);
+  if (aim.is_adapted && !bounds.empty()) {
     const double level = aim.minimizes ? 1 : *std::ranges::min_element(bounds);
-    adapt(aim, static_cast<double>(std::ranges::lower_bound(least, level) - least.begin()) / count);
-    bounds = common_bounds(margins, aim.share);
+    adapt(aim, static_cast<double>((of_reserves.rowwise().minCoeff() < level).count()) / count);
+    bounds = common_bounds(of_reserves, aim.share);
   }
-  std::size_t column = 0;
-  found.alone = found.kept;
+  Eigen::Index column = 0;
+  std::size_t bound = 0;
   for (std::size_t c = 0; c < found.kept.size(); ++c)
     for (std::size_t r = 0; r < found.kept[c].size(); ++r, ++column) {
-      found.kept[c][r] = bounds[column];
-      found.alone[c][r] = kept_of(margins.col(to_index(column)), aim.wanted);
+      found.alone[c][r] = kept_of(margins.col(column), aim.wanted);
+      const bool has_bound = bound < reserved.size() && reserved[bound] == column;
+      found.kept[c][r] = has_bound ? bounds[bound++] : found.alone[c][r];
     }
   return found;
 }

@@ -131,26 +131,29 @@ class RobustSearch {
     std::optional<Round> nearest;
     double most = 0;
     for (;;) {
-      const double assured = assured_yield(best_->project);
-      const bool may_search_on = assured < *result_.wanted && best_->kept.least > 1 - nearly_met &&
-          result_.rounds < most_searches && !best_->optimum.cut_short;
-      if (!nearest || assured > most) {
+      const numerics::ConfidenceInterval seen = yield_by_choice(best_->project);
+      if (!nearest || assured(seen) > most) {
         nearest = best_;
-        most = assured;
+        most = assured(seen);
       }
+      const bool may_search_on = assured(seen) < *result_.wanted && seen.estimate < 1 &&
+          best_->kept.least > 1 - nearly_met && result_.rounds < most_searches && !best_->optimum.cut_short;
       if (!may_search_on) break;
-      aim_higher(*result_.wanted - assured);
+      aim_higher(seen);
       settle();
     }
     best_ = std::move(nearest);
     if (most < *result_.wanted && !best_->optimum.cut_short) approach_the_largest_margin(most);
   }
 
-  /// The search aimed at too few machines.
-  void aim_higher(double missing) {
-    constexpr double more_than_missing = 1.2, most_share = 1 - 2.0 / searched_machines;
+  /// The search aims at the yield y whose interval would be high enough. Its reach goes with √(1 − y), so
+  /// wanted = y − r √(1 − y), with r of the yield that was seen: a quadratic equation of √(1 − y).
+  void aim_higher(const numerics::ConfidenceInterval& seen) {
+    constexpr double most_share = 1 - 2.0 / searched_machines;
+    const double missed = 1 - seen.estimate, reach = (seen.estimate - assured(seen)) / std::sqrt(missed);
+    const double root = (std::sqrt(reach * reach + 4 * (1 - *result_.wanted)) - reach) / 2;
     const double before = aim_.searched;
-    aim_.searched = std::min(most_share, before + more_than_missing * missing);
+    aim_.searched = std::min(most_share, 1 - (1 - before) * root * root / missed);
     aim_.share = 1 - (1 - aim_.share) * (1 - aim_.searched) / (1 - before);
     aim_.is_adapted = false;
     reserves_ = reserves_for(kept_by(best_->project));
@@ -234,8 +237,8 @@ class RobustSearch {
   }
 
   /// Of what is minimised: from an optimum that just misses the wanted yield towards the design with the largest margin
-  /// kept, as far as it needs. @param assured  of that optimum
-  void approach_the_largest_margin(double assured) {
+  /// kept, as far as it needs. @param assured_before  yield of that optimum
+  void approach_the_largest_margin(double assured_before) {
     if (!has_kernels()) return;
     const Eigen::VectorXd from = shares_of(best_->optimum);
     Eigen::VectorXd safe = from;
@@ -243,10 +246,10 @@ class RobustSearch {
     raise(safe, least);
     if (safe == from) return;
     const auto assured_at = [&](double share) {
-      return assured_yield(with_changes(project_, space_.changes(from + share * (safe - from))));
+      return assured(yield_by_choice(with_changes(project_, space_.changes(from + share * (safe - from)))));
     };
     const double most = assured_at(1);
-    if (most <= assured) return;
+    if (most <= assured_before) return;
     double missed = 0, reached = 1;
     for (int halvings = 0; halvings < 8 && most >= *result_.wanted; ++halvings) {
       const double middle = (missed + reached) / 2;
@@ -255,10 +258,13 @@ class RobustSearch {
     move_to(from + reached * (safe - from));
   }
 
-  /// What other numbers than these find as well, see `spare`.
-  [[nodiscard]] double assured_yield(const project::Project& project) const {
-    const numerics::ConfidenceInterval found = sample_at(with_numbers(project, choosing)).yield.interval;
-    return found.from - spare * (found.estimate - found.from);
+  [[nodiscard]] numerics::ConfidenceInterval yield_by_choice(const project::Project& project) const {
+    return sample_at(with_numbers(project, choosing)).yield.interval;
+  }
+
+  /// What other numbers find as well, see `spare`.
+  static double assured(const numerics::ConfidenceInterval& seen) {
+    return seen.from - spare * (seen.estimate - seen.from);
   }
 
   [[nodiscard]] Eigen::VectorXd shares_of(const Optimization& optimum) const {
