@@ -22,7 +22,7 @@ std::optional<Case> read_changed(const Case& variant, const std::vector<Node>& c
   const project::KnownModel known{variant.document, variant.system.description()};
   auto read = project::read_case(std::move(document), variant.name, problems, &known);
   auto changed = read ? checked_case(std::move(*read), {}, nullptr, problems) : std::nullopt;
-  if (changed && !may_fall) problems.add(standing_problems(*changed));
+  if (changed && !may_fall) problems.add(standing_problems(*changed, assembly::AssembledOnce(changed->system)));
   return problems.has_errors() ? std::nullopt : std::move(changed);
 }
 

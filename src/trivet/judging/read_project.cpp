@@ -23,15 +23,16 @@ using project::Project;
 
 /// Adds the suspicions of a case to its warnings, except those accepted, and the error of clearances without rest.
 void judge(Case& variant, const AnalysisFilter& filter, AcceptanceBook& book, foundation::Problems& problems) {
-  const foundation::Problems standing = standing_problems(variant);
+  const assembly::AssembledOnce assembled(variant.system);
+  const foundation::Problems standing = standing_problems(variant, assembled);
   problems.add(standing);
   if (!standing.has_errors()) variant.warnings.add(standing);
-  if (project::is_requested("clearances", filter, variant.name)) problems.add(without_rest(variant));
+  if (project::is_requested("clearances", filter, variant.name)) problems.add(without_rest(variant, assembled));
   const std::vector<Acceptance> accepted = read_acceptances(variant.document, problems);
   std::vector<std::pair<std::string, std::string>> kinds;
   for (const Acceptance& one : accepted) kinds.emplace_back(one.table, one.kind);
   const foundation::Problems warnings =
-      book.warnings(suspicions(variant, kinds), accepted, variant.document, variant.name);
+      book.warnings(suspicions(variant, assembled, kinds), accepted, variant.document, variant.name);
   problems.add(warnings);
   variant.warnings.add(warnings);
   variant.warnings.sort_by_origin();

@@ -13,11 +13,11 @@
 
 namespace trivet::judging {
 
-foundation::Problems without_rest(const project::Case& variant) {
+foundation::Problems without_rest(const project::Case& variant, const assembly::AssembledOnce& assembled) {
   foundation::Problems problems;
   if (variant.system.description().clearances.empty()) return problems;
   try {
-    const nonlinear::StaticMachine held = nonlinear::static_machine(variant.system, assembly::assemble(variant.system));
+    const nonlinear::StaticMachine held = nonlinear::static_machine(variant.system, *assembled);
     static_cast<void>(response::static_response(held.system, held.assembled, {}));
   } catch (const foundation::NotComputable& reason) {
     problems
@@ -29,7 +29,7 @@ foundation::Problems without_rest(const project::Case& variant) {
   return problems;
 }
 
-foundation::Problems standing_problems(const project::Case& variant) {
+foundation::Problems standing_problems(const project::Case& variant, const assembly::AssembledOnce& assembled) {
   const model::System& system = variant.system;
   foundation::Problems problems;
   if (!assembly::has_second_order(system)) return problems;
@@ -37,7 +37,7 @@ foundation::Problems standing_problems(const project::Case& variant) {
   const bool is_softer = model::has_static_stiffness(system);
   const auto falling = is_softer
       ? plausibility::falling_body(system, assembly::assemble(model::with_static_stiffness(system)))
-      : plausibility::falling_body(system, assembly::assemble(system));
+      : plausibility::falling_body(system, *assembled);
   if (!falling) return problems;
   const std::string subject = model::path_of(system.bodies()[falling->body]),
                     finding = plausibility::falling_words(system, *falling),

@@ -215,14 +215,14 @@ void name_foundation(const project::Node& document, std::string& subject) {
 
 }  // namespace
 
-std::vector<plausibility::Suspicion> suspicions(const project::Case& variant,
+std::vector<plausibility::Suspicion> suspicions(const project::Case& variant, const assembly::AssembledOnce& assembled,
                                                 const std::vector<std::pair<std::string, std::string>>& accepted) {
   plausibility::Stated stated;
   add_bodies(variant, stated);
   add_rotors(variant, stated);
   add_analyses(variant, stated);
   stated.accepted = accepted;
-  std::vector<plausibility::Suspicion> found = plausibility::suspicions(variant.system, stated);
+  std::vector<plausibility::Suspicion> found = plausibility::suspicions(variant.system, assembled, stated);
   for (plausibility::Suspicion& one : found) name_foundation(variant.document, one.subject);
   return found;
 }

@@ -5,15 +5,18 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/assembly/assembled_once.h"
 #include "trivet/plausibility/suspicion.h"
 #include "trivet/project/project.h"
 
 namespace trivet::judging {
 
 /// Suspicions about the machine and the analyses of a case, accepted or not.
+/// @param assembled  its system
 /// @param accepted  (table, kind); accepted values raise no suspicion about other values
 [[nodiscard]] std::vector<plausibility::Suspicion> suspicions(
-    const project::Case& variant, const std::vector<std::pair<std::string, std::string>>& accepted = {});
+    const project::Case& variant, const assembly::AssembledOnce& assembled,
+    const std::vector<std::pair<std::string, std::string>>& accepted = {});
 
 /// Warnings about a band of the command line, as about that of [analyses.response], unless the file accepts them.
 [[nodiscard]] foundation::Problems doubts_about_band(const project::Case& variant, const assembly::Band& band);

@@ -31,11 +31,11 @@ constexpr double most_periods_of_pulse = 20, shock_from = 0.05, shock_to = 5;
 constexpr double fastest_allowed = 0.5;
 
 /// Natural frequencies above 0, ascending [rad/s]; empty if the system is too large or has no such modes.
-std::vector<double> natural_frequencies(const model::System& system) {
+std::vector<double> natural_frequencies(const model::System& system, const assembly::AssembledOnce& once) {
   std::vector<double> result;
   if (6 * to_index(system.bodies().size()) > most_coordinates) return result;
   try {
-    const assembly::Assembled assembled = assembly::assemble(system);
+    const assembly::Assembled& assembled = *once;
     if (assembled.layout.size() > most_coordinates) return result;
     const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
     for (const double lambda : numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric).lambda)
@@ -216,13 +216,14 @@ void judge_ground_motion(const model::System& system, const std::vector<BodyPict
 
 std::vector<Suspicion> suspicions_about(const model::System& system, const std::vector<Window>& windows) {
   Suspicions found;
-  judge_analyses(system, {.windows = windows}, found);
+  judge_analyses(system, assembly::AssembledOnce(system), {.windows = windows}, found);
   return found;
 }
 
-void judge_analyses(const model::System& system, const Stated& stated, Suspicions& found) {
+void judge_analyses(const model::System& system, const assembly::AssembledOnce& assembled, const Stated& stated,
+                    Suspicions& found) {
   if (stated.windows.empty() && !stated.transient) return;
-  const std::vector<double> natural = natural_frequencies(system);
+  const std::vector<double> natural = natural_frequencies(system, assembled);
   if (!natural.empty())
     for (const Window& window : stated.windows) judge_window(window, natural, found);
   if (stated.transient) judge_transient(system, *stated.transient, natural, found);

@@ -144,18 +144,18 @@ std::vector<std::size_t> propped_by(const model::System& system, const Eigen::Ve
 }
 
 /// Load of each mount; empty if the weight does not reach the ground, or if the system is too large.
-std::optional<response::LoadSharing> sharing_of(const model::System& system) {
+std::optional<response::LoadSharing> sharing_of(const model::System& system, const assembly::AssembledOnce& assembled) {
   const auto& gravity = system.description().gravity;
   if (!gravity || gravity->isZero(0) || system.bodies().size() > most_bodies) return std::nullopt;
   try {
-    return response::load_sharing(system, assembly::assemble(system));
+    return response::load_sharing(system, *assembled);
   } catch (
       const foundation::NotComputable&) {  // free in some direction, or attached to bodies only: no load is checked
     return std::nullopt;
   }
 }
 
-void find_tipping(const model::System& system, Suspicions& found) {
+void find_tipping(const model::System& system, const assembly::AssembledOnce& assembled, Suspicions& found) {
   const Eigen::Vector3d down = system.description().gravity->normalized();
   Eigen::Vector3d centre;
   const std::vector<std::size_t> mounts = standing_on(system, down, centre);
@@ -177,7 +177,7 @@ void find_tipping(const model::System& system, Suspicions& found) {
                      "check the centre of mass and the positions of the mounts, their signs and pole"});
     return;
   }
-  const auto sharing = sharing_of(system);
+  const auto sharing = sharing_of(system, assembled);
   if (!sharing || sharing->mounts.empty()) return;
   const double mean = sharing->bearing_in_total / static_cast<double>(sharing->mounts.size());
   const response::MountLoad* worst = nullptr;
@@ -226,13 +226,14 @@ void judge_gravity(const model::System& system, const std::vector<BodyPicture>& 
                    "it would point down with the other sign"});
 }
 
-void judge_balance(const model::System& system, Suspicions& found) {
+void judge_balance(const model::System& system, const assembly::AssembledOnce& assembled, Suspicions& found) {
   const auto& gravity = system.description().gravity;
   const bool guided = std::ranges::any_of(system.bodies(), [](const model::Body& body) {
     return body.is_node ||                                       // the mounts may be under a frame
         std::ranges::find(body.free, false) != body.free.end();  // constraints hold it too
   });
-  if (gravity && !gravity->isZero(0) && !guided && system.bodies().size() <= most_bodies) find_tipping(system, found);
+  if (gravity && !gravity->isZero(0) && !guided && system.bodies().size() <= most_bodies)
+    find_tipping(system, assembled, found);
 }
 
 }  // namespace trivet::plausibility

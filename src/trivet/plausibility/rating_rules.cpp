@@ -25,13 +25,13 @@ bool has_range(const model::Element& element) {
 }
 
 /// Loads of all mounts at rest; none without a static load, a unique position of rest, or in too large a system.
-std::optional<std::vector<response::RatedLoad>> loads_at_rest(const model::System& system) {
+std::optional<std::vector<response::RatedLoad>> loads_at_rest(const model::System& system,
+                                                              const assembly::AssembledOnce& assembled) {
   const model::Description& all = system.description();
   if (!(all.gravity && !all.gravity->isZero(0)) && all.constant_forces.empty()) return std::nullopt;
   try {
-    const assembly::Assembled assembled = assembly::assemble(system);
-    if (assembled.layout.size() > most_rated_coordinates) return std::nullopt;
-    return response::rated_loads(system, assembled);
+    if ((*assembled).layout.size() > most_rated_coordinates) return std::nullopt;
+    return response::rated_loads(system, *assembled);
   } catch (const foundation::NotComputable&) {
     return std::nullopt;
   } catch (const foundation::InvalidInput&) {
@@ -106,9 +106,10 @@ void judge_estimated_loads(const model::System& system, const std::vector<BodyPi
 
 }  // namespace
 
-void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
+void judge_ratings(const model::System& system, const assembly::AssembledOnce& assembled,
+                   const std::vector<BodyPicture>& pictures, Suspicions& found) {
   if (std::ranges::none_of(system.elements(), has_range)) return;
-  const auto loads = loads_at_rest(system);
+  const auto loads = loads_at_rest(system, assembled);
   if (!loads) return judge_estimated_loads(system, pictures, found);
   for (const response::RatedLoad& one : *loads) judge_rated_mount(system.elements()[one.element], one.load, found);
 }

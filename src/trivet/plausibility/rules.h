@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "trivet/assembly/assembled_once.h"
 #include "trivet/foundation/hertz.h"
 #include "trivet/plausibility/body_picture.h"
 #include "trivet/plausibility/suspicion.h"
@@ -31,11 +32,12 @@ void judge_rotation(const model::System& system, const BodyPicture& picture, Sus
 void judge_gravity(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
 /// Centre of mass outside the mounts, mounts that lift off. Call it only if machine and gravity raise no suspicion.
-void judge_balance(const model::System& system, Suspicions& found);
+void judge_balance(const model::System& system, const assembly::AssembledOnce& assembled, Suspicions& found);
 
 /// Catalogue mounts whose static load is outside the range of their maker. Call it only if masses and gravity raise no
 /// suspicion.
-void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
+void judge_ratings(const model::System& system, const assembly::AssembledOnce& assembled,
+                   const std::vector<BodyPicture>& pictures, Suspicions& found);
 
 /// Modal ratios and loss factors in percent, exchanged Rayleigh coefficients, factors of proportional damping.
 void judge_damping(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
@@ -79,6 +81,7 @@ void judge_service_speeds(const std::vector<Rotor>& rotors, const std::vector<Li
 void judge_measured_ranges(const model::System& system, const std::vector<BandLine>& lines, Suspicions& found);
 
 /// Bands and spectra without a resonance, transients that end too early, pulses that last too long.
-void judge_analyses(const model::System& system, const Stated& stated, Suspicions& found);
+void judge_analyses(const model::System& system, const assembly::AssembledOnce& assembled, const Stated& stated,
+                    Suspicions& found);
 
 }  // namespace trivet::plausibility

@@ -37,7 +37,8 @@ std::string table_of(const std::string& subject) {
   return single ? first : subject.substr(0, subject.find('.', dot + 1));
 }
 
-std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated) {
+std::vector<Suspicion> suspicions(const model::System& system, const assembly::AssembledOnce& assembled,
+                                  const Stated& stated) {
   const auto casts_doubt = [&](const Suspicion& s) {
     const std::pair<std::string, std::string> key{table_of(s.subject), s.kind};
     return std::ranges::find(stated.accepted, key) == stated.accepted.end();
@@ -79,10 +80,10 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   // A consequence of a wrong mass, place, stiffness or gravity is not a separate suspicion.
   const bool mass_doubtful =
       std::ranges::any_of(verdicts, [&](const BodyVerdict& v) { return v.slip && v.slip->mass != 1 && doubted(v); });
-  if (!machine_doubtful && !gravity_doubtful) judge_balance(system, found);
+  if (!machine_doubtful && !gravity_doubtful) judge_balance(system, assembled, found);
   if (!mass_doubtful && !gravity_doubtful) {
     const std::size_t before = found.size();
-    judge_ratings(system, all, found);
+    judge_ratings(system, assembled, all, found);
     if (doubt_since(before))  // a mount that is too small sags too far
       std::erase_if(verdicts, [](const BodyVerdict& v) { return !v.slip; });
   }
@@ -103,7 +104,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
     judge_measured_ranges(system, stated.band_lines, found);
     judge_service_speeds(stated.rotors, stated.limited_ranges, found);
   }
-  if (!bodies_doubtful && blamed.empty()) judge_analyses(system, stated, found);
+  if (!bodies_doubtful && blamed.empty()) judge_analyses(system, assembled, stated, found);
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/assembly/assembled_once.h"
 #include "trivet/model/system.h"
 
 /// Questions of an experienced engineer at first sight of a machine, about values that are possible but usually a slip.
@@ -149,6 +150,8 @@ struct Stated {
 [[nodiscard]] std::vector<Suspicion> suspicions_about(const model::System& system, const std::vector<Window>& windows);
 
 /// All suspicions, one per cause, in the order body, layout, damping, loads, analyses.
-[[nodiscard]] std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated);
+/// @param assembled  the system
+[[nodiscard]] std::vector<Suspicion> suspicions(const model::System& system, const assembly::AssembledOnce& assembled,
+                                                const Stated& stated);
 
 }  // namespace trivet::plausibility

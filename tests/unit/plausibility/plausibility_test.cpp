@@ -49,7 +49,8 @@ struct Cube {
 std::vector<std::string> kinds(const std::string& text) {
   std::vector<std::string> found;
   const project::Project project = test::project(text);
-  for (const auto& suspicion : judging::suspicions(project.base())) found.push_back(suspicion.kind);
+  for (const auto& suspicion : judging::suspicions(project.base(), assembly::AssembledOnce(project.base().system)))
+    found.push_back(suspicion.kind);
   return found;
 }
 
