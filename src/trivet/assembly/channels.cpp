@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 
 #include "trivet/assembly/channel_rows.h"
@@ -18,6 +19,11 @@ using spatial::Matrix6;
 
 constexpr std::array names_of_motions = {"displacement", "velocity", "acceleration"};
 
+/// Is a word this name and this ending? Nothing is joined: words are compared with every name of a model.
+bool is(std::string_view word, std::string_view name, std::string_view ending) {
+  return word.size() == name.size() + ending.size() && word.starts_with(name) && word.ends_with(ending);
+}
+
 class Builder {
  public:
   Builder(const model::System& system, const Assembled& assembled, MotionQuantity quantity)
@@ -26,7 +32,7 @@ class Builder {
   /// All channels of one name; empty if the name is unknown.
   std::vector<Channel> word(const std::string& of) const {
     std::vector<Channel> result;
-    const auto append = [&](std::vector<Channel> more) { result.insert(result.end(), more.begin(), more.end()); };
+    const auto append = [&](std::vector<Channel> more) { std::ranges::move(more, std::back_inserter(result)); };
     const auto append_motions = [&](std::vector<Channel> more) {
       for (Channel& channel : more) set_ground_terms(channel);
       append(std::move(more));
@@ -36,17 +42,18 @@ class Builder {
     for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
       const model::Body& body = system_.bodies()[b];
       if (of == "coordinates" || of == body.name) append_motions(coordinates(b));
-      if (of == body.name + ".relative") append_motions(relative_motion(b, of, Eigen::Vector3d::Zero()));
+      if (is(of, body.name, ".relative")) append_motions(relative_motion(b, of, Eigen::Vector3d::Zero()));
       for (const model::Point& point : body.points) {
-        if (of == body.name + "." + point.name) append_motions(point_motion(b, point));
-        if (of == body.name + "." + point.name + ".relative") append_motions(relative_motion(b, of, point.at));
+        const std::string name = body.name + "." + point.name;
+        if (of == name) append_motions(point_motion(b, point));
+        if (is(of, name, ".relative")) append_motions(relative_motion(b, of, point.at));
       }
     }
     for (std::size_t e = 0; e < system_.elements().size(); ++e) {
       const std::string& name = system_.elements()[e].name;
       if (of == name) append(forces(name, wrench_on_n(system_, assembled_, e)));
-      if (of == name + ".deflection") append_motions(end_motion(e, of, true));
-      if (of == name + ".foot") append_motions(end_motion(e, of, false));
+      if (is(of, name, ".deflection")) append_motions(end_motion(e, of, true));
+      if (is(of, name, ".foot")) append_motions(end_motion(e, of, false));
     }
     const model::Description& description = system_.description();
     for (const model::RelativeMotion& motion : description.relative_motions)
@@ -280,9 +287,9 @@ std::vector<Channel> channels(const model::System& system, const Assembled& asse
   const Builder builder(system, assembled, quantity);
   std::vector<Channel> result;
   std::set<std::string> seen;
-  const auto append_new = [&](const std::vector<Channel>& more) {
-    for (const Channel& channel : more)
-      if (seen.insert(channel.name).second) result.push_back(channel);
+  const auto append_new = [&](std::vector<Channel> more) {
+    for (Channel& channel : more)
+      if (seen.insert(channel.name).second) result.push_back(std::move(channel));
   };
   for (const std::string& word : of) {
     std::vector<Channel> found = builder.word(word);
@@ -299,7 +306,7 @@ std::vector<Channel> channels(const model::System& system, const Assembled& asse
       throw foundation::InvalidInput("\"" + word + "\" is not a result of this model" +
                                      (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
     }
-    append_new(found);
+    append_new(std::move(found));
   }
   return result;
 }
