@@ -25,7 +25,7 @@ export interface Wish {
 /// Results that follow every move of a slider, and those that wait for it to rest. In this order they are asked for.
 const PACES = ['quick', 'exact', 'after', 'slow'] as const;
 type Pace = typeof PACES[number];
-/// ms without a change. A hand that moves a slider stops for a moment again and again, and the program ends no question about all curves.
+/// ms without a change. A hand that moves a slider stops for a moment again and again, and would begin a question about all curves each time.
 const REST: Record<Pace, number> = {quick: 0, exact: 70, after: 70, slow: 200};
 const nameOf = (w: Wish) => w.as ?? w.want.command;
 /// The name of a quick result that stands in for that of the command until it follows.

@@ -13,6 +13,7 @@
 #include "trivet/engine/key_reader.h"
 #include "trivet/engine/solved_cases.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/thread_progress.h"
 #include "trivet/judging/suspicions.h"
 #include "trivet/project/analyses/analysis_sizes.h"
 #include "trivet/project/analyses/analysis_types.h"
@@ -142,6 +143,7 @@ project::Case on_three_springs(const project::Case& full) {
 }
 
 Result curves(const Task& task) {
+  const foundation::ThreadProgress of_curves(task.progress);  // roots and modes of peaks end with the question, too
   const project::Case& variant = task.variant;
   std::optional<project::Case> simple;
   if (task.keys.flag("three-springs")) simple = on_three_springs(variant);

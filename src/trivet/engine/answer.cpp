@@ -82,8 +82,9 @@ std::string answer_json(const Question& question, const Questioned& questioned, 
     foundation::report_progress(progress, request.command, 0);
     const Command* command = find_command(request.command);
     if (command && command->of_one_case) request.case_name = question.case_name;
-    if (const auto result = result_of(request, questioned, progress))
-      results += (results.empty() ? "" : ",") + result_text(*result, known);
+    const auto result = result_of(request, questioned, progress);
+    foundation::report_progress(progress, request.command, 1);  // a newer question does not wait for its words
+    if (result) results += (results.empty() ? "" : ",") + result_text(*result, known);
   }
   const auto& session = questioned.session;
   std::string head = documents::json::text(

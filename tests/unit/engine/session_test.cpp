@@ -38,6 +38,26 @@ TEST(Session, ChangedIsTheChangedFileReadAgain) {
   EXPECT_NE(json(again, "modes"), json(opened("genset/genset.toml"), "modes"));
 }
 
+TEST(Session, ExactCurvesEndWhereverTheyAreInterrupted) {
+  const Session session = opened("genset/genset.toml");
+  const std::vector<std::string> setting = {"bodies.genset.mass = 4100"};  // nothing of it is solved before
+  std::vector<std::string> tasks;
+  const engine::Result whole =
+      session.changed(setting)->ask({"curves"}, [&](std::string_view task, double) { tasks.emplace_back(task); });
+  ASSERT_TRUE(whole.json);
+  const auto count = [&](const char* task) { return std::ranges::count(tasks, task); };
+  EXPECT_GE(count("roots"), 6);      // one for each oscillating root
+  EXPECT_GE(count("peaks"), 2 * 6);  // of each peak its height and its mode
+  for (std::size_t last = 0; last < tasks.size(); ++last) {
+    std::size_t calls = 0;
+    const auto interrupts = [&](std::string_view, double) {
+      if (calls++ == last) throw foundation::Interrupted();
+    };
+    EXPECT_THROW(static_cast<void>(session.changed(setting)->ask({"curves"}, interrupts)), foundation::Interrupted);
+    EXPECT_EQ(calls, last + 1);
+  }
+}
+
 TEST(Session, ResultsSeveralRequestsAtOnce) {
   const Session session = opened("genset/genset.toml");
   const std::vector<std::string> commands = {"modes", "response", "peaks", "static", "suspension", "roots"};

@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/thread_progress.h"
 #include "trivet/numerics/linalg/decompositions.h"
 #include "trivet/numerics/linalg/sparse_system.h"
 
@@ -210,6 +211,8 @@ void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
   const Eigen::VectorXcd starts = roots.lambda;
   for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
     if (std::abs(roots.lambda(k)) == 0) continue;
+    foundation::report_progress(foundation::thread_progress(), "roots",
+                                static_cast<double>(k) / static_cast<double>(roots.lambda.size()));
     // With loss factors these are no motions, and as poles of a response farther from every ω > 0 than ω itself.
     if (matrices.lossy() && starts(k).imag() < 0) continue;
     if (k > 0 && !matrices.lossy() && starts(k).imag() < 0 &&

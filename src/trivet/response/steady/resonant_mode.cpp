@@ -7,6 +7,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/thread_progress.h"
 #include "trivet/numerics/linalg/sparse_system.h"
 #include "trivet/response/steady/body_dynamics.h"
 
@@ -82,6 +83,7 @@ void set_nearest_modes(const assembly::Assembled& assembled, const std::vector<a
   if (!assembled.frequency_dependent()) system.emplace(assembled.matrices, assembly::right_side(assembled, loading));
   for (Peak& peak : peaks.list) {
     const double omega = peak.angular_frequency;
+    foundation::report_progress(foundation::thread_progress(), "peaks", 1);
     peak.nearest_mode = modal::nearest_mode(modes, omega, massive);
     if (std::isinf(peak.amplitude)) continue;
     try {
