@@ -26,7 +26,9 @@ HANGS_AFTER = 1200
 
 
 def trivet(*arguments, **options):
-    return subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True, timeout=HANGS_AFTER, **options)
+    return subprocess.run(
+        [TRIVET, *map(str, arguments)], capture_output=True, text=True, timeout=HANGS_AFTER, **options
+    )
 
 
 def result_of(*arguments):
