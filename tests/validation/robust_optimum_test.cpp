@@ -6,8 +6,14 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "support/projects.h"
 #include "trivet/foundation/constants.h"
@@ -152,6 +158,20 @@ TEST(RobustOptimum, CountsTheMachinesOfAllCasesThatDecide) {
   EXPECT_NEAR(std::log(found.robust->found.kept), of_load + u - middle - z * of_log, of_16384_designs);
   EXPECT_EQ(found.robust->margins.size(), 4);
   EXPECT_EQ(found.robust->found.yield->met, sample_at(found, text, cases).yield.met);
+}
+
+// Each round has the tasks of a search: their reports name the round, which never falls.
+TEST(RobustOptimum, ReportsItsProgressByRounds) {
+  std::vector<int> rounds;
+  const auto note = [&](std::string_view task, double) {
+    if (task.starts_with("round ")) rounds.push_back(std::stoi(std::string(task.substr(6))));
+    else
+      EXPECT_TRUE(task.starts_with("given design: ") || task.starts_with("optimum: ") || task.starts_with("design "));
+  };
+  const study::Optimization found = study::optimization(
+      test::project(least_sag, {"analyses.sample.designs=2000", "analyses.optimize.starts=1"}), note);
+  EXPECT_TRUE(std::ranges::is_sorted(rounds));
+  EXPECT_EQ(std::ssize(std::set<int>(rounds.begin(), rounds.end())), found.robust->rounds);
 }
 
 // 3000 random machines differ so much that the optimum for 99 % of the 16,384 machines of the search is not chosen: the

@@ -67,4 +67,9 @@ class MachineFamily {
 /// False for a margin that is no number, or falls to nothing: it has no distance that could be kept.
 [[nodiscard]] bool has_reserve(double nominal, double kept);
 
+/// Reserves with which the margins of a design are what its machines keep. @param more  added to each, ln(margin)
+[[nodiscard]] DesignObjective::Reserves reserves_for(const Kept& at, double more);
+/// Of ln(margin); ∞ if there are none of one.
+[[nodiscard]] double largest_difference(const DesignObjective::Reserves& a, const DesignObjective::Reserves& b);
+
 }  // namespace trivet::study

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "trivet/foundation/constants.h"
@@ -20,6 +22,8 @@
 namespace trivet::study {
 namespace {
 
+/// A limit of time, not of accuracy: the fan of the examples settles in 3, and shares that are raised need some more.
+/// The result says if they have not settled.
 constexpr int most_searches = 12;
 /// Rounds that need the same reserves within this have settled, ln(margin). Reserves are larger by it, so that the last
 /// optimum has what it needs.
@@ -49,33 +53,13 @@ project::Project with_changes(const project::Project& project, const std::vector
 
 bool meets(double margin) { return margin > 0 && std::log(margin) >= least_met; }
 
-DesignObjective::Reserves reserves_for(const Kept& at) {
-  DesignObjective::Reserves reserves;
-  for (std::size_t c = 0; c < at.nominal.size(); ++c) {
-    std::vector<double>& of_case = reserves.emplace_back();
-    for (std::size_t r = 0; r < at.nominal[c].size(); ++r) {
-      const double nominal = at.nominal[c][r], kept = at.kept[c][r];
-      of_case.push_back(has_reserve(nominal, kept) ? std::max(0.0, std::log(nominal / kept)) + same_reserves : 0);
-    }
-  }
-  return reserves;
-}
-
-double largest_difference(const DesignObjective::Reserves& a, const DesignObjective::Reserves& b) {
-  if (a.empty() || b.empty()) return foundation::infinity;
-  double largest = 0;
-  for (std::size_t c = 0; c < a.size(); ++c)
-    for (std::size_t r = 0; r < a[c].size(); ++r) largest = std::max(largest, std::abs(a[c][r] - b[c][r]));
-  return largest;
-}
-
 class RobustSearch {
  public:
   RobustSearch(const project::Project& project, const foundation::Progress& progress,
                const std::function<bool()>& enough)
       : project_(with_usual_sample(project)),
         space_(project_, project_.base().analyses.optimize->parameters),
-        progress_(progress),
+        progress_(in_stages(progress)),
         enough_(enough) {
     result_.wanted = project.base().analyses.optimize->yield;
     aim_.wanted = aim_.searched = aim_.share = result_.wanted.value_or(1);
@@ -83,10 +67,12 @@ class RobustSearch {
   }
 
   Optimization run() {
+    stage_ = "given design";
     result_.given = sampled(project_, kept_by(project_));
     settle();
     if (result_.wanted && aim_.minimizes) reach_the_yield();
     else if (result_.wanted && !best_->optimum.cut_short) raise_kept_margin();
+    stage_ = "optimum";
     result_.found = sampled(best_->project, best_->kept);
     result_.held =
         result_.found.yield ? result_.found.yield->interval.from >= *result_.wanted : meets(best_->kept.least);
@@ -106,6 +92,14 @@ class RobustSearch {
     SampleRun run;
     MachineFamily family;
   };
+
+  /// Tasks of rounds repeat; each report names the round, or how many designs were tried.
+  foundation::Progress in_stages(const foundation::Progress& progress) const {
+    if (!progress) return {};
+    return [this, progress](std::string_view task, double fraction) {
+      progress(fmt::format("{}: {}", stage_, task), fraction);
+    };
+  }
 
   static project::Project with_usual_sample(const project::Project& project) {
     project::Project result = project;
@@ -156,7 +150,7 @@ class RobustSearch {
     aim_.searched = std::min(most_share, 1 - (1 - before) * root * root / missed);
     aim_.share = 1 - (1 - aim_.share) * (1 - aim_.searched) / (1 - before);
     aim_.is_adapted = false;
-    reserves_ = reserves_for(kept_by(best_->project));
+    reserves_ = reserves_for(kept_by(best_->project), same_reserves);
     aim_.is_adapted = true;
     best_.reset();
   }
@@ -176,12 +170,13 @@ class RobustSearch {
   void settle() {
     result_.settled = false;
     while (result_.rounds < most_searches && !result_.settled) {
+      stage_ = fmt::format("round {} of at most {}", result_.rounds + 1, most_searches);
       Optimization optimum = optimization_with_reserves(project_, reserves_, progress_, enough_, near_);
       near_ = ends_of(optimum);
       project::Project there = with_changes(project_, optimum_changes(optimum));
       Kept kept = kept_by(there);
       if (result_.rounds++ == 0) result_.nominal = sampled(there, kept);
-      DesignObjective::Reserves needed = reserves_for(kept);
+      DesignObjective::Reserves needed = reserves_for(kept, same_reserves);
       result_.settled = largest_difference(reserves_, needed) <= same_reserves;
       reserves_ = std::move(needed);
       aim_.is_adapted = true;
@@ -194,7 +189,7 @@ class RobustSearch {
 
   /// The margin that the machines of a design keep; 0 if it is not above `least`, or they cannot be judged.
   [[nodiscard]] double kept_at(const Eigen::VectorXd& shares, double least) {
-    ++result_.looked_at;
+    stage_ = fmt::format("design {} around the optimum", ++result_.looked_at);
     try {
       if (const auto kept = machines_->family.kept_least(shares, *result_.wanted, least, progress_)) return *kept;
       const project::Project there = with_numbers(with_changes(project_, space_.changes(shares)), searching);
@@ -277,6 +272,9 @@ class RobustSearch {
   /// The largest margin kept around a design. @param least  of it
   void raise(Eigen::VectorXd& best, double& least) {
     if (!machines_) machines_ = std::make_unique<Machines>(with_numbers(best_->project, searching), space_);
+    // Starts that lie apart by 0.1 of the ranges climb for themselves (sampled_starts): steps begin below, and end
+    // after eight halvings, where a range of one decade changes margins by less than the rounds do: 3e-4 ln 10 <
+    // same_reserves.
     constexpr double first_step = 0.08, last_step = 3e-4;
     for (double step = first_step; step >= last_step && !(enough_ && enough_()); step /= 2) {
       for (bool better = true; better;) {
@@ -292,7 +290,7 @@ class RobustSearch {
     project::Project there = with_changes(project_, space_.changes(best));
     aim_.is_adapted = false;
     Kept kept = kept_by(there);
-    Optimization optimum = optimum_at(project_, reserves_for(kept), best, best_->optimum);
+    Optimization optimum = optimum_at(project_, reserves_for(kept, same_reserves), best, best_->optimum);
     best_ = Round{std::move(optimum), std::move(there), std::move(kept)};
   }
 
@@ -372,7 +370,8 @@ class RobustSearch {
 
   project::Project project_;
   DesignSpace space_;
-  const foundation::Progress& progress_;
+  std::string stage_;
+  foundation::Progress progress_;
   const std::function<bool()>& enough_;
   DesignObjective::Reserves reserves_;
   std::vector<Eigen::VectorXd> near_;  ///< ends of the last round
