@@ -76,7 +76,9 @@ SKIPPED = {
     "map": [(r"(?m)^  \d+ designs? .* one by one.*$", "how it was computed")],
     "orders": [(r"(?m)^note: .*$", "notes on the model, in results.json")],
     "verdict": [(r"limits over [^;\n]*", "the common band, a key of the file")],
-    "sample": [(r"(?m)^  (requirement|band of) .*$", "headings with the shares of quantiles")],
+    "sample": [
+        (r"(?m)^  (requirement|amplitude of) .*$|5 %, 50 % and 95 % of", "headings with the shares of quantiles")
+    ],
     "power": [(r"\d+\.\d %", "the quotient of two curves at one frequency")],
 }
 # Cells of the report: checks of its curves, formulas of laws, and excitations as given.
@@ -103,6 +105,8 @@ def derived(node):
         yield (node["largest"] - node["smallest"]) / 2
     if is_number(node.get("transmitted")):  # operation: forces as root mean squares, the level of the example
         yield from (node[key] / math.sqrt(2) for key in ("exciting", "transmitted"))
+    if bound := re.search(r"≤ ([\d.]+) mm/s$", str(node.get("governing"))):  # select: people read velocities in rms
+        yield float(bound[1]) * 1e-3 / math.sqrt(2)
     if "change_size" in node:  # explain: a slope times the change that the text names
         yield from (node[key] * node["change_size"] for key in ("height", "frequency") if is_number(node[key]))
     if is_number(node.get("multiplier")):  # optimize: percent for each percent
