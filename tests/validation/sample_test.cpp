@@ -186,7 +186,7 @@ designs = 40_000
 TEST(Sample, HasNoSharesOfCorrelatedTolerances) {
   const study::Sample found = study::sample(
       test::project(oscillator("sobol", 1000), {R"(tolerances.rubber.correlation={with = "casting", value = 0.5})"}),
-      {}, true);
+      {}, {.shares = true});
   EXPECT_EQ(found.shares->reason,
             "\"rubber\" and \"casting\" are correlated, and shares are those of independent numbers");
   EXPECT_TRUE(found.shares->list.empty());

@@ -19,8 +19,9 @@ namespace {
 using numerics::ConfidenceInterval;
 using study::RequirementShares;
 
-constexpr double canvas_width = 980, bars_left = 250, bars_width = 470, to_words = 12, head = 62;
-constexpr double row_height = 34, bar_height = 9, to_first = 5, to_total = 18, above_panel = 26, below_panel = 40;
+constexpr double shares_width = 980, bars_left = 250, bars_width = 470, to_words = 12, head = 62;
+constexpr double share_row_height = 34, share_bar_height = 9, to_first = 5, to_total = 18, above_panel = 26,
+                 below_panel = 40;
 constexpr std::size_t most_rows = 12;
 constexpr const char *alone = "#0072B2", *together = "#74b3d8";
 
@@ -35,12 +36,12 @@ std::pair<std::string, std::string> two_lines(const std::string& name) {
 void draw_bar(SvgCanvas& canvas, const PlotPanel& panel, double top, const ConfidenceInterval& share,
               const char* colour) {
   const auto x = [&](double value) { return panel.corner.x + panel.width * panel.x.share(value); };
-  const double zero = x(0), from = x(share.from), to = x(share.to), middle = top + bar_height / 2;
+  const double zero = x(0), from = x(share.from), to = x(share.to), middle = top + share_bar_height / 2;
   if (share.from <= 0) {
-    canvas.rectangle({zero, top + 1}, std::max(to - zero, 1.0), bar_height - 2,
+    canvas.rectangle({zero, top + 1}, std::max(to - zero, 1.0), share_bar_height - 2,
                      fmt::format("fill=\"none\" stroke=\"{}\" stroke-dasharray=\"3,2\"", colour));
   } else {
-    canvas.rectangle({zero, top}, std::max(x(share.estimate) - zero, 1.0), bar_height,
+    canvas.rectangle({zero, top}, std::max(x(share.estimate) - zero, 1.0), share_bar_height,
                      fmt::format("fill=\"{}\"", colour));
     canvas.line({from, middle}, {to, middle}, "stroke=\"#000\"");
     for (const double end : {from, to}) canvas.line({end, middle - 3}, {end, middle + 3}, "stroke=\"#000\"");
@@ -49,7 +50,7 @@ void draw_bar(SvgCanvas& canvas, const PlotPanel& panel, double top, const Confi
               share.from <= 0 ? "fill=\"#555\"" : "");
 }
 
-void draw_names(SvgCanvas& canvas, double top, const std::string& name) {
+void draw_drawn_number(SvgCanvas& canvas, double top, const std::string& name) {
   const auto [tolerance, place] = two_lines(name);
   const double x = bars_left - 12, room = bars_left - 20;
   canvas.text({x, top + (place.empty() ? 20 : 14)}, fitting(tolerance, room, 12),
@@ -73,7 +74,7 @@ struct SharePanel {
 
   [[nodiscard]] std::size_t rows() const { return std::min(order.size(), most_rows); }
   [[nodiscard]] bool has_rest() const { return order.size() > most_rows; }
-  [[nodiscard]] double height() const { return row_height * static_cast<double>(rows()) + (has_rest() ? 20 : 0); }
+  [[nodiscard]] double height() const { return share_row_height * static_cast<double>(rows()) + (has_rest() ? 20 : 0); }
 
   void draw(SvgCanvas& canvas, double top, const std::vector<std::string>& names,
             const project::DisplayUnits& display) const {
@@ -92,8 +93,8 @@ struct SharePanel {
     }
     canvas.rectangle(panel.corner, panel.width, panel.height, "fill=\"none\" stroke=\"#333\"");
     for (std::size_t r = 0; r < rows(); ++r) {
-      const double row = panel.corner.y + row_height * static_cast<double>(r);
-      draw_names(canvas, row, names[order[r]]);
+      const double row = panel.corner.y + share_row_height * static_cast<double>(r);
+      draw_drawn_number(canvas, row, names[order[r]]);
       draw_bar(canvas, panel, row + to_first, of.draws[order[r]].first, alone);
       draw_bar(canvas, panel, row + to_total, of.draws[order[r]].total, together);
     }
@@ -102,10 +103,10 @@ struct SharePanel {
   }
 };
 
-void draw_key(SvgCanvas& canvas) {
+void draw_key_of_bars(SvgCanvas& canvas) {
   double x = bars_left;
   const auto entry = [&](const std::string& style, const std::string& words, double width) {
-    canvas.rectangle({x, 38}, 22, bar_height, style);
+    canvas.rectangle({x, 38}, 22, share_bar_height, style);
     canvas.text({x + 28, 47}, words, "");
     x += width;
   };
@@ -129,10 +130,10 @@ std::optional<Figure> share_figure(const study::Sample& sample, const std::optio
       height += above_panel + panels.back().height() + below_panel;
     }
   if (panels.empty()) return std::nullopt;
-  SvgCanvas canvas(canvas_width, height);
+  SvgCanvas canvas(shares_width, height);
   const std::string title = "Which tolerance scatters which value: shares of the variance";
-  canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
-  draw_key(canvas);
+  canvas.text({shares_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
+  draw_key_of_bars(canvas);
   double top = head;
   for (const SharePanel& panel : panels) {
     if (top > head) canvas.permit_break(top);
