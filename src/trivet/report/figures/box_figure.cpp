@@ -36,8 +36,8 @@ struct BoxRow {
   }
 
  private:
-  /// Below the bar, from the edges of the panel inward: labels at the ends themselves would cross the line of the number
-  /// where an end is near it.
+  /// Below the bar, from the edges of the panel inward: labels at the ends themselves would cross the line of the
+  /// number where an end is near it.
   void draw_end(SvgCanvas& canvas, const study::BoxEnd& end, bool upper) const {
     const bool is_open = end.stop == study::BoxStop::most || end.stop == study::BoxStop::not_determined;
     const std::string open = is_open ? (upper ? "≥ " : "≤ ") : "";

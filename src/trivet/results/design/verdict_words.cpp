@@ -101,8 +101,7 @@ std::string value_words(const RequirementResult& r, double value, const project:
     case ShownValue::number:
       return fmt::format("{:.5g}", value);
     case ShownValue::sum:
-      return fmt::format("{:.6g} {}", value * requirement_unit(r, display).factor,
-                         requirement_unit(r, display).unit);
+      return fmt::format("{:.6g} {}", value * requirement_unit(r, display).factor, requirement_unit(r, display).unit);
     default:
       return value_text(without_round_off(value, r.allowed), requirement_unit(r, display));
   }

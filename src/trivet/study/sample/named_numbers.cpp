@@ -30,7 +30,8 @@ std::vector<NamedNumber> named_numbers(const project::Project& project,
       const std::string& path = tolerances[t].places[p].path;
       const double given = project::ModelNumber(path, "").read(project.base()).value_or(0);
       auto [unit, factor] = unit_in_file(project, path);
-      list.push_back({path, tolerances[t].number(p, given, draws(to_index(drawn.draw_of(t, p)))), std::move(unit), factor});
+      list.push_back(
+          {path, tolerances[t].number(p, given, draws(to_index(drawn.draw_of(t, p)))), std::move(unit), factor});
     }
   return list;
 }
