@@ -22,7 +22,7 @@ CHANGED = """() => {
 
 
 def violations(page):
-    """Of all rules, in what changed since this was last called for the page."""
+    """The first time of the whole page; then in what changed since the last time, but rules about a document as a whole."""
     if not page.evaluate('() => "axe" in window'):
         page.evaluate(AXE.read_text())
     found = page.evaluate(f"async () => (await axe.run(({CHANGED})(), {{resultTypes: ['violations']}})).violations")

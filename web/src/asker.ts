@@ -90,8 +90,9 @@ export class Asker {
     });
     return {revision: this.state.revision, ok: results.every(r => r.ok), problems: this.problems, results};
   }
-  /// A wish changed: asks for what there is not yet.
+  /// A wish changed, or the engine is to try again: asks for what there is not yet.
   again() {
+    this.trouble = '';
     this.asked = {quick: -1, exact: -1, after: -1, slow: -1};
     this.next();
   }

@@ -68,6 +68,25 @@ test('a hand that stops for a moment asks for no exact peaks', async () => {
   }
   if (longest < 65) assert.ok(engine.asked.every(q => wanted(q) === 'curves draft'));  // the machine is not busy
 });
+test('a question that failed is asked again if the user wants it, though the quick results are there', async () => {
+  const state = new State(), asked: string[] = [];
+  let refuses = true;
+  const engine = {ask: (revision: number, _: Change, wants: readonly Want[]) => {
+    asked.push(wants.map(w => w.command + (w.keys ? ' draft' : '')).join());
+    if (!wants[0]!.keys && refuses) return Promise.reject(new Error('refused'));
+    return Promise.resolve({revision, ok: true, problems: [], results: wants.map(w => ({command: w.command, ok: true, problems: [], json: curves([])}))});
+  }};
+  const asker = new Asker(engine as unknown as Engine, state, () => WISHES.slice(0, 2));
+  state.open('mass = 1', '1');
+  await after(130);
+  assert.match(asker.trouble, /refused/);
+  assert.deepEqual(asked, ['curves draft', 'curves']);
+  refuses = false;
+  asker.again();
+  await after(5);
+  assert.deepEqual(asked, ['curves draft', 'curves', 'curves']);
+  assert.ok(!asker.trouble && !asker.isOld('curves'));
+});
 test('what is asked after the exact results does not keep them waiting', async () => {
   const state = new State(), engine = new SlowEngine(), wishes: Wish[] = [{want: {command: 'modes'}, after: true}, {want: {command: 'curves'}, exact: true}];
   const asker = new Asker(engine as unknown as Engine, state, () => wishes);

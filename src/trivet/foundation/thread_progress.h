@@ -6,7 +6,8 @@
 namespace trivet::foundation {
 
 /// While it exists, steps of this thread that are called without a Progress report to this one: those of opening a
-/// project and of drawing a machine, whose readers of keys and drawings have no business with it. May be nested.
+/// project, of drawing a machine, and of the roots and the modes of peaks of curves, deep in which a question may end.
+/// May be nested.
 class ThreadProgress {
  public:
   /// @param progress  must outlive the object

@@ -49,12 +49,12 @@ struct BoxRow {
 
   void draw_name(SvgCanvas& canvas) const {
     const double x = panel.corner.x - 12;
-    canvas.text({x, middle - 1}, fitting(range.name, box_left - 24, 10),
+    canvas.text({x, middle - 1}, fitting(range.name, box_left - 24, 12),
                 "text-anchor=\"end\" font-weight=\"bold\" font-size=\"12\"");
     const study::BoxNumber& first = range.numbers.front();
     std::string words = results::box_number_words(first, first.given);
     if (range.numbers.size() > 1) words += fmt::format(" and {} more", range.numbers.size() - 1);
-    canvas.text({x, middle + 14}, fitting(words, box_left - 24, 10),
+    canvas.text({x, middle + 14}, fitting(words, box_left - 24, 11),
                 "text-anchor=\"end\" font-size=\"11\" fill=\"#555\"");
   }
 };

@@ -83,7 +83,9 @@ void set_nearest_modes(const assembly::Assembled& assembled, const std::vector<a
   if (!assembled.frequency_dependent()) system.emplace(assembled.matrices, assembly::right_side(assembled, loading));
   for (Peak& peak : peaks.list) {
     const double omega = peak.angular_frequency;
-    foundation::report_progress(foundation::thread_progress(), "peaks", 1);
+    foundation::report_progress(
+        foundation::thread_progress(), "modes of peaks",
+        static_cast<double>(&peak - peaks.list.data()) / static_cast<double>(peaks.list.size()));
     peak.nearest_mode = modal::nearest_mode(modes, omega, massive);
     if (std::isinf(peak.amplitude)) continue;
     try {
