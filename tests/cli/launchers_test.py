@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import unittest
 
-from trivet_test import SOURCE, TRIVET, InTemporaryFolder, trivet
+from trivet_test import HANGS_AFTER, SOURCE, TRIVET, InTemporaryFolder, trivet
 
 ROBUST = SOURCE / "examples/paper/robust.toml"
 FEW = ("--set", "analyses.sample.designs=3000")
@@ -29,7 +29,7 @@ class Launchers(InTemporaryFolder):
                     self.skipTest("another program has its name")
                 study = self.folder / name.replace(" ", "-")
                 command = [*words, TRIVET, "sample", ROBUST, *FEW, "-o", study]
-                done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=120)
+                done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=HANGS_AFTER)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 for part in (1, 2, 3):
                     self.assertIn(f"part {part} of 3 (", done.stderr)

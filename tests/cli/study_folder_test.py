@@ -259,8 +259,13 @@ class StudyFolder(InTemporaryFolder):
 
         running = self.start("--part", "2/2", designs=3_000_000)
         try:
-            time.sleep(1.5)
-            found = json.loads(status("--json").stdout)
+            found = {"done": 0}
+            while found["done"] == 0:
+                self.assertIsNone(running.poll(), "it has ended")
+                time.sleep(0.05)
+                done = status("--json")
+                if done.returncode == 0:  # otherwise study.txt is not there yet
+                    found = json.loads(done.stdout)
             self.assertEqual(found["parts"][0]["state"], "running")
             self.assertGreater(found["rate"], 0)
             self.assertEqual(found["parts"][0]["missing"] + found["done"], found["chunks"] // 2)
