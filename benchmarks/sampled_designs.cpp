@@ -57,7 +57,7 @@ void compare(const json& ours, const json& theirs, double designs) {
   }
 }
 
-/// Total shares, in the order in which the file has the numbers, with those of another program.
+/// First and total shares of the first requirement with those of other programs, by the path of each number.
 void compare_shares(const json& ours, const json& theirs) {
   std::vector<json> of;
   const std::string requirement = ours.at("cases").at(0).at("requirements").at(0).at("requirement");
@@ -78,7 +78,9 @@ void compare_shares(const json& ours, const json& theirs) {
       total =
           std::max(total, std::abs(one.at("total").get<double>() - shares.at("total").at(place(one)).get<double>()));
     }
-    compared("total shares of the variance by " + program, total, 0.03);
+    constexpr double of_random = 0.03;  // both are those of some thousand pairs
+    compared("first shares of the variance by " + program, first, of_random);
+    compared("total shares of the variance by " + program, total, of_random);
     record(question, "shares of the variance by " + program + ": largest difference of a total share", total, "", "",
            true);
     record(question, "… of a share alone", first, "", "", true);
@@ -110,13 +112,13 @@ int main() {
   record(question, "… with rules on the peaks of three coordinates", with_peaks, "s", "≤ 120", with_peaks <= 120);
   const double per_design = (ten - start) / many;
   record(question, "… a design, without its start", 1e6 * per_design, "µs", "", true);
-  const auto rival = [&](const char* name, const std::string& words) {
-    if (!theirs.at("seconds").contains(name)) return;
-    const double seconds = theirs.at("seconds").at(name).get<double>();
-    record(question, words + ", a design", 1e6 * seconds, "µs", "", true);
-    const double goal = 100 * goal_factor();
-    record(question, "… × ours", seconds / per_design, "", fmt::format("≥ {:.0f}", goal), seconds / per_design >= goal);
-  };
-  rival("numpy", "NumPy, batched eigvalsh and solve at 200 frequencies");
-  rival("openturns", "OpenTURNS with that function and its own Sobol numbers");
+  const json& seconds = theirs.at("seconds");
+  const double of_numpy = seconds.at("numpy"), goal = 100 * goal_factor();
+  record(question, "NumPy, batched eigvalsh and solve at 200 frequencies, a design", 1e6 * of_numpy, "µs", "", true);
+  record(question, "… × ours", of_numpy / per_design, "", fmt::format("≥ {:.0f}", goal), of_numpy / per_design >= goal);
+  if (!seconds.contains("openturns")) return 0;
+  // It calls the NumPy function, so it computes a design in the same way and has no goal of its own.
+  const double of_openturns = seconds.at("openturns");
+  record(question, "OpenTURNS, which calls that function, a design", 1e6 * of_openturns, "µs", "", true);
+  record(question, "… × ours", of_openturns / per_design, "", "", true);
 }
