@@ -34,6 +34,31 @@ to = 2
 path = "elements.s.scale"
 half_width = "10 %"
 """
+# The design may meet both requirements, but not with machines that are 10 % softer or stiffer.
+TOLERATED = """trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m]
+mass = 40
+free = ["z"]
+[elements.s]
+type = "bushing"
+on = "m"
+at = [0, 0, 0]
+translation = [1, 1, 2.5e5]
+[requirements]
+static = {"m.z" = "1.7 mm"}
+natural_frequencies = {avoid = [["12.6 Hz", "30 Hz"]]}
+[analyses]
+sample = {designs = 2000}
+optimize = {yield = "99 %"}
+[parameters.p]
+path = "elements.s.scale"
+from = 0.5
+to = 2
+[tolerances.t]
+path = "elements.s.scale"
+half_width = "10 %"
+"""
 BOUND = re.compile(r"m\.z ≤ ([^ ]+ [^ ]+( rms| 0-p| p-p)?)")
 
 
@@ -78,6 +103,26 @@ class BestDesign(InTemporaryFolder):
         report = (out / "report.html").read_text()
         self.assertIn("Even the best design that was found does not meet", report)
         self.assertNotIn("best design of the search", report)
+
+    def test_within_tolerances_its_machines_are_judged_not_itself(self):
+        out = self.folder / "out"
+        done = trivet("run", self.file(TOLERATED), "-o", out)
+        self.assertIn("2 of 2 met", done.stdout)  # of the machine
+        self.assertRegex(
+            done.stdout, r"VIOLATED: 1 of 1 best design\n  machines that meet every requirement: [^\n]*, NOT the wanted"
+        )
+        report = (out / "report.html").read_text()
+        self.assertRegex(
+            report, "<li><a [^>]*><strong>Machines that meet every requirement: [^<]*, NOT the wanted 99 %<"
+        )
+        for said in (done.stdout, report):
+            self.assertNotIn("best design that was found", said)
+        worst = TOLERATED.replace('yield = "99 %"', "worst_case = true")
+        done = trivet("run", self.file(worst), "-o", self.folder / "worst")
+        self.assertIn(
+            "VIOLATED: 1 of 1 best design\n  the worst machines found within the tolerances do NOT meet", done.stdout
+        )
+        self.assertNotIn("best design that was found", done.stdout)
 
     def test_a_yield_needs_requirements(self):
         text = MACHINE.replace('[requirements]\nlimits = {"m.z" = "LIMIT"}\n', "")

@@ -29,8 +29,8 @@ std::string listed_judgements(std::vector<Judgement> list, Outcome outcome, cons
     const std::string subject = "<strong>" + escaped(words.subject) + "</strong>";
     const std::string link =
         fmt::format("<a href=\"#case={0}\" data-select=\"{0}\">{1}</a>", list[i].shown_case, subject);
-    items += fmt::format("<li>{} {} {}{}</li>\n", escaped(words.who), words.verb, linked ? link : subject,
-                         escaped(words.rest));
+    const std::string before = words.who.empty() ? "" : escaped(words.who) + " " + words.verb + " ";
+    items += fmt::format("<li>{}{}{}</li>\n", before, linked ? link : subject, escaped(words.rest));
   }
   if (list.size() > most)
     items += fmt::format("<li><a href=\"#judgements\">and {} more</a></li>\n", list.size() - most);

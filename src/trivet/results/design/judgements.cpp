@@ -267,12 +267,14 @@ std::vector<Judgement> judgements(const std::vector<const study::CaseResults*>& 
     add_operating_lines(case_results, i, list);
     if (case_results.map) add_map(*case_results.map, i, cases, list);
     for (const study::DesignMap& map : case_results.map_pairs) add_map(map, i, cases, list);
-    if (case_results.optimization)
-      list.push_back({case_results.optimization->feasible ? Outcome::met : Outcome::violated, "best design",
-                      case_results.optimization->feasible
-                          ? "best design of the search"
-                          : "even the best design that was found does not meet every requirement",
-                      optimization_headline(*case_results.optimization), std::numeric_limits<double>::infinity(), i});
+    if (const auto& optimum = case_results.optimization)
+      list.push_back({.outcome = optimum->feasible ? Outcome::met : Outcome::violated,
+                      .kind = "best design",
+                      .words = best_design_words(*optimum),
+                      .finding = objective_change(*optimum),
+                      .margin = std::numeric_limits<double>::infinity(),
+                      .shown_case = i,
+                      .is_of_search = true});
     add_cut_short(case_results, i, list);
     for (const std::string& failure : case_results.failures)
       if (std::ranges::none_of(list,

@@ -30,7 +30,8 @@ struct Judgement {
   /// The parts of `words` and `finding` for tables and sentences: what is judged, "≤ 0.5 mm" if it has a bound, the
   /// value, and the frequency, time or part of the machine where it occurs.
   std::string subject = words, bound = {}, value = {}, place = {};
-  bool is_at = false;  ///< the place is a frequency or a time
+  bool is_at = false;         ///< the place is a frequency or a time
+  bool is_of_search = false;  ///< of a best design, not of the machine: its words are a sentence
 };
 
 /// All verdicts on the cases of a study. A limit that is also a requirement of its case is listed once.
@@ -44,7 +45,8 @@ struct Judgement {
 /// "; violated in 2 cases in which they are not binding"; empty if there is none.
 [[nodiscard]] std::string elsewhere_words(const std::vector<Judgement>& list);
 
-/// The verdict in a sentence: "Case cold", "violates", "machine.z", ": 0.6 mm at 20 Hz, allowed ≤ 0.5 mm".
+/// The verdict in a sentence: "Case cold", "violates", "machine.z", ": 0.6 mm at 20 Hz, allowed ≤ 0.5 mm". The subject
+/// of a search is a sentence of its own, `who` and `verb` are empty then.
 struct JudgementSentence {
   std::string who, verb, subject, rest;
 };

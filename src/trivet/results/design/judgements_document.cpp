@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
-#include <string_view>
 
 #include "trivet/results/design/judgements.h"
 #include "trivet/results/format/in_documents.h"
@@ -78,16 +78,11 @@ JudgementSentence judgement_sentence(const Judgement& one, const std::string& ca
                              .rest = ""};
   if (one.outcome == Outcome::not_judged) sentence.verb = "is not judged for";
   if (one.outcome == Outcome::met) sentence.verb = "meets";
-  if (one.kind == std::string_view("best design")) {  // of the search, not of the machine
-    const bool falls_short = one.outcome == Outcome::violated;
-    sentence.who = falls_short ? "Even the best design that was found" : "The best design that was found";
-    sentence.verb = falls_short ? "does not meet" : "meets";
-    sentence.subject = "every requirement";
-    sentence.rest = ": " + one.finding;
-    return sentence;
-  }
+  if (one.is_of_search) sentence.who = sentence.verb = "";
   if (one.value.empty()) {
     sentence.subject = one.words;
+    if (one.is_of_search)
+      sentence.subject[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.subject[0])));
     sentence.rest = one.finding.empty() ? "" : ": " + one.finding;
     return sentence;
   }

@@ -39,7 +39,11 @@ void add_comparison(const study::Optimization& found, Document& document);
 [[nodiscard]] std::string step_words(const std::optional<study::OptimizedParameter::Step>& step,
                                      const study::Optimization& found);
 
-/// "Least margin of all requirements: 0.837 → 1.14, every requirement is met"
+/// "Least margin of all requirements: 0.837 → 1.14"
+[[nodiscard]] std::string objective_change(const study::Optimization& found);
+/// What is judged of the best design, as a sentence; within tolerances of the machines that have them.
+[[nodiscard]] std::string best_design_words(const study::Optimization& found);
+/// The change of the objective and whether every requirement is met: "…: 0.837 → 1.14, every requirement is met"
 [[nodiscard]] std::string optimization_headline(const study::Optimization& found);
 /// The mounts that were chosen and the next best; empty without a choice of them.
 [[nodiscard]] std::vector<std::string> mounts_lines(const study::Optimization& found);

@@ -98,17 +98,28 @@ std::vector<std::string> search_lines(const Optimization& found) {
   return lines;
 }
 
-std::string optimization_headline(const Optimization& found) {
+std::string objective_change(const Optimization& found) {
   const std::string before = found.objective_before ? number_text(*found.objective_before) : "not judged";
   const std::string unit = found.objective_unit.empty() ? "" : " " + found.objective_unit;
   std::string text =
-      fmt::format("{}: {} → {}{}{}", objective_words(found), before, number_text(found.objective_after), unit,
-                  found.after.front().results.empty() ? ""
-                      : found.robust                  ? "; " + robust_verdict(*found.robust)
-                      : found.feasible                ? ", every requirement is met"
-                                                      : ", NOT every requirement is met");
+      fmt::format("{}: {} → {}{}", objective_words(found), before, number_text(found.objective_after), unit);
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
+}
+
+std::string best_design_words(const Optimization& found) {
+  if (found.after.front().results.empty()) return "best design of the search";
+  if (found.robust) return robust_verdict(*found.robust);  // its own requirements may be met
+  return found.feasible ? "the best design that was found meets every requirement"
+                        : "even the best design that was found does not meet every requirement";
+}
+
+std::string optimization_headline(const Optimization& found) {
+  return objective_change(found) +
+      (found.after.front().results.empty() ? ""
+           : found.robust                  ? "; " + robust_verdict(*found.robust)
+           : found.feasible                ? ", every requirement is met"
+                                           : ", NOT every requirement is met");
 }
 
 std::string optimization_settings(const Optimization& found) {

@@ -160,7 +160,7 @@ std::string wrong_text(const project::Project& project, const std::vector<Judgem
 std::string verdict_cell(const std::vector<Judgement>& list, std::size_t which) {
   std::size_t all = 0, violated = 0, no_need = 0, missing = 0;
   for (const Judgement& one : list) {
-    if (one.shown_case != which || is_result(one) || one.kind == std::string("best design")) continue;
+    if (one.shown_case != which || is_result(one) || one.is_of_search) continue;
     ++all;
     violated += one.outcome == Outcome::violated;
     no_need += one.outcome == Outcome::violated_no_need;
