@@ -149,7 +149,7 @@ class Levels(InTemporaryFolder):
         found = json.loads(trivet("map", path, "--points", "3", "--json").stdout)
         self.assertEqual(
             {rule["words"]: rule["level"] for rule in found["rules"]},
-            {"machine.z ≤ 100 µm in 5 … 20 Hz": "0-p", "rms of machine.z ≤ 1 µm": "rms"},
+            {"machine.z ≤ 100 µm 0-p in 5 … 20 Hz": "0-p", "rms of machine.z ≤ 1 µm rms": "rms"},
         )
         for mark in found["marks"]:
             self.assertEqual([rule["level"] for rule in mark["rules"]], [rule["level"] for rule in found["rules"]])

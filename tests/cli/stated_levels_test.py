@@ -59,6 +59,7 @@ to = 2
 path = "elements.s.scale"
 half_width = "10 %"
 """
+IN_BAND = '{limit = "2.8 mm/s rms", band = ["5 Hz", "25 Hz"]}'
 BOUND = re.compile(r"m\.z ≤ ([^ ]+ [^ ]+( rms| 0-p| p-p)?)")
 
 
@@ -82,8 +83,7 @@ class StatedLevels(InTemporaryFolder):
         self.assertEqual(self.bounds(shown, "verdict"), {"4 mm/s 0-p"})
 
     def test_values_of_a_map_have_the_level_of_their_limit(self):
-        in_band = '{limit = "2.8 mm/s rms", band = ["5 Hz", "25 Hz"]}'
-        path = self.file(MACHINE.replace('"LIMIT"', in_band))
+        path = self.file(MACHINE.replace('"LIMIT"', IN_BAND))
         bound = r"m\.z ≤ 2\.8 mm/s rms in 5 … 25 Hz"
         (value,) = re.findall(bound + " +([0-9.]+) mm/s rms", trivet("verdict", path).stdout)
         self.assertIn(value, re.findall(bound + ": ([0-9.]+) mm/s rms", trivet("map", path, "--full").stdout))
@@ -93,6 +93,11 @@ class StatedLevels(InTemporaryFolder):
         (case,) = result_of("verdict", self.file(text))["cases"]
         self.assertEqual(case["requirements"][0]["requirement"], "m.z ≤ 3.96 mm/s 0-p")
         self.assertEqual(case["requirements"][0]["level"], "0-p")
+        for level in ("rms", "amplitude", "peak_to_peak"):
+            shown = MACHINE.replace('"LIMIT"', IN_BAND) + f'[display]\nlevel = "{level}"\n'
+            self.assertEqual(self.bounds(shown, "map", "--csv"), {"3.96 mm/s 0-p"})
+            (rule,) = result_of("map", self.file(shown))["rules"]
+            self.assertEqual(rule["words"], "m.z ≤ 3.96 mm/s 0-p in 5 … 25 Hz")
 
 
 class BestDesign(InTemporaryFolder):

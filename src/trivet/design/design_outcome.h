@@ -12,22 +12,24 @@ namespace trivet::design {
 /// One rule of a map, as shown to the user.
 struct MapRule {
   DesignRule::Kind kind = DesignRule::Kind::amplitude;
-  std::string channel;              ///< "aggregate.rz"
-  std::string unit;                 ///< SI unit of the result
-  double allowed = 0;               ///< amplitude [SI], or relative prominence
-  std::string words;                ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
-  std::string requirement = {};     ///< kind of a requirement: "damping_ratio"
-  std::string words_at_level = {};  ///< of a requirement, at the level that people read, without a further case
-  std::string level = {};           ///< of a requirement: "0-p", "rms" or empty
-  std::string shown_level = {};     ///< that people read, with values times `shown_factor`
+  std::string channel;                ///< "aggregate.rz"
+  std::string unit;                   ///< SI unit of the result
+  double allowed = 0;                 ///< amplitude [SI], or relative prominence
+  std::string words;                  ///< of data: "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
+  std::string requirement = {};       ///< kind of a requirement: "damping_ratio"
+  std::string words_for_people = {};  ///< of a requirement, at the level that people read, without a further case
+  std::string level = {};             ///< of a requirement in data: "0-p", "rms" or empty
+  std::string shown_level = {};       ///< that people read, with values times `shown_factor`
   double shown_factor = 1;
   std::string in_case = {};  ///< a further case in which it is judged; its words name that case too
 
   /// Notes a further case and names it in the words.
   void set_case(const std::string& name);
   void unset_case();
-  /// The words with the level of the bound, if it has one.
-  [[nodiscard]] std::string stated() const { return words_at_level.empty() ? words : words_at_level + case_words(); }
+  /// The words with the bound at the level that people read, if it has one.
+  [[nodiscard]] std::string stated() const {
+    return words_for_people.empty() ? words : words_for_people + case_words();
+  }
   [[nodiscard]] std::string case_words() const;  ///< " in case \"soft\"", empty in the case of the map
 };
 

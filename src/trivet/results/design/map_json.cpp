@@ -114,7 +114,7 @@ std::string column_head(const project::DesignAxis& a) {
 /// @param before  the first fields of each row, with a comma behind
 void write_rows(const study::DesignMap& map, const std::string& before, Pieces& pieces) {
   std::vector<std::string> words;
-  for (const design::MapRule& rule : map.rules) words.push_back(csv_field(rule.stated()));
+  for (const design::MapRule& rule : map.rules) words.push_back(csv_field(rule.words));
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
     const design::DesignPoint p = map.point(k);
     const design::DesignOutcome& o = map.outcomes[k];

@@ -197,8 +197,7 @@ std::string criteria_words(const study::DesignMap& map) {
 }
 
 std::string rule_words(const study::DesignMap& map, const design::MapRule& rule) {
-  if (!rule.words_at_level.empty()) return rule.words_at_level + rule.case_words();
-  if (rule.kind != RuleKind::amplitude) return rule.words;
+  if (rule.kind != RuleKind::amplitude) return rule.stated();
   const DisplayUnit unit = rule_unit(rule, units_for_people(map), Readers::people);
   return fmt::format("{} ≤ {}{}", rule.channel, value_text(rule.allowed, unit), rule.case_words());
 }

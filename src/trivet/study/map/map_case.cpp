@@ -91,9 +91,9 @@ MapCase::MapCase(const project::Case& variant, project::MapRequest request, cons
     std::ranges::stable_partition(required, std::not_fn(is_on_frequencies));
   }
   for (const RequirementResult& result : required) {
-    rules_.push_back({DesignRule::Kind::requirement, result.subject, result.unit, result.allowed, result.words.text(),
-                      study::name(result.kind)});
-    rules_.back().words_at_level = result.words_for_people(case_.display);
+    rules_.push_back({DesignRule::Kind::requirement, result.subject, result.unit, result.allowed,
+                      result.words_at_level(), study::name(result.kind)});
+    rules_.back().words_for_people = result.words_for_people(case_.display);
     rules_.back().level = rules_.back().shown_level = result.level();
     if (const auto shown_at = result.level_for_people(case_.display)) {
       rules_.back().shown_level = project::level_ending(*shown_at);
