@@ -16,6 +16,50 @@ source "$1"; shift
 COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _trivet 2>/dev/null; printf '%s\\n' "${COMPREPLY[@]}"
 """
 
+GUIDED = """trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m]
+mass = 40
+free = ["z"]
+[bodies.m.points]
+top = [0, 0, 0.1]
+[bodies.table]
+mass = 90
+inertia = {about = "center_of_mass", xx = 2, yy = 2, zz = 3}
+position = [0, 0, -1]
+[elements.s]
+type = "bushing"
+from = "table"
+on = "m"
+at = [0, 0, -0.5]
+translation = [1e5, 1e5, 2.5e5]
+rotation = [1e4, 1e4, 1e4]
+[elements.floor]
+type = "bushing"
+on = "table"
+at = [0, 0, -1.5]
+translation = [1e6, 1e6, 2.5e6]
+rotation = [1e6, 1e6, 1e6]
+[sections.joint]
+elements = ["s"]
+at = [0, 0, -0.5]
+[clearances.gap]
+between = ["m.top", "ground"]
+direction = "z"
+gap = "6 mm"
+[relative.lift]
+of = "m"
+to = "table"
+axis = "z"
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0, 0, 30]
+[analyses]
+response = {band = ["1 Hz", "30 Hz"], of = ["m.z"]}
+"""
+
 
 def listed_commands():
     return re.findall(r"^  ([a-z_]+)  ", trivet("--help").stdout, re.M)
@@ -79,6 +123,19 @@ class Completion(InTemporaryFolder):
             self.assertIn(path, paths)
         self.assertNotIn("title", paths)
         self.assertEqual(self.bash("trivet", "explain", "no such file", "--of", ""), [])
+
+    def test_results_and_paths_of_all_parts(self):
+        machine = self.file(GUIDED)
+        results = set(trivet("names", machine, "results").stdout.splitlines())
+        self.assertLessEqual(
+            {"coordinates", "m.z", "m.top.z", "joint", "joint.moment.y", "gap.approach", "base.rx"}, results
+        )
+        self.assertFalse({"m.x", "m.rz"} & results)
+        of = f"analyses.response.of = {sorted(results)}"
+        self.assertEqual(trivet("response", machine, "--set", of).returncode, 0)
+        paths = trivet("names", machine, "paths").stdout.split("=\n")
+        self.assertLessEqual({"bodies.m.mass", "bodies.m.points.top.x", "analyses.response.band"}, set(paths))
+        self.assertFalse({path for path in paths if "free" in path or path.endswith(".of")})
 
     def test_nothing_of_the_line_is_run_or_written(self):
         for words in (("$(touch made)", "--case"), ("`touch made`", "--case"), (">", "log", GENSET, "--case")):

@@ -1,39 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/engine/names.h"
 
+#include <algorithm>
+
+#include "trivet/assembly/channels.h"
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/analyses/selection_reader.h"
 #include "trivet/project/text/model_path.h"
 
 namespace trivet::engine {
 
 std::vector<std::string> result_names(const Session& session) {
-  const model::Description& description = session.model().system.description();
-  project::SymbolTable symbols;
-  for (const model::Body& body : description.bodies) {
-    (body.is_node ? symbols.nodes : symbols.bodies).push_back(body.name);
-    for (const model::Point& point : body.points) symbols.points.push_back(body.name + "." + point.name);
-  }
-  for (const model::Element& element : description.elements)
-    if (!element.is_foundation) symbols.elements.push_back(element.name);
-  for (const model::RelativeMotion& motion : description.relative_motions)
-    symbols.relative_motions.push_back(motion.name);
-  const project::ResultNames known(symbols);
-  std::vector<std::string> names = known.groups();
-  for (std::string& one : known.components()) names.push_back(std::move(one));
+  const model::System& system = session.model().system;
+  std::vector<std::string> names = assembly::channel_words(system.description());
+  for (const model::Element& element : system.description().elements)  // a file cannot name those of a foundation
+    if (element.is_foundation)
+      for (const char* end : {"", ".deflection", ".foot"}) std::erase(names, element.name + end);
+  const std::vector<std::string> groups = names;
+  for (const assembly::Channel& channel :
+       assembly::channels(system, assembly::assemble(system), groups, assembly::MotionQuantity::displacement))
+    names.push_back(channel.name);
   return names;
 }
 
 namespace {
 
+bool is_of_numbers(const project::Node& node) {
+  if (node.kind == project::Node::Kind::array)
+    return !node.items.empty() && std::ranges::all_of(node.items, is_of_numbers);
+  return project::written_number(node).has_value();
+}
+
 void add_numbers(const project::Node& node, const std::string& path, std::vector<std::string>& paths) {
-  using Kind = project::Node::Kind;
-  if (node.kind == Kind::table) {
+  if (node.kind == project::Node::Kind::table) {
     for (std::size_t i = 0; i < node.keys.size(); ++i)
       add_numbers(node.items[i], (path.empty() ? "" : path + ".") + foundation::path_key(node.keys[i]), paths);
+  } else if (!is_of_numbers(node)) {
+    return;
   } else if (project::component_of(node, "x")) {
     for (const char* component : {".x", ".y", ".z"}) paths.push_back(path + component);
-  } else if (node.kind == Kind::array || project::written_number(node)) {
+  } else {
     paths.push_back(path);
   }
 }
