@@ -19,6 +19,7 @@ class RobustOptimum(unittest.TestCase):
         self.assertEqual(found["wanted"], 0.99)
         self.assertTrue(found["held"])
         self.assertTrue(found["feasible"])
+        self.assertEqual(found["starts"], 33)  # of the first search: 32 and the given design
         designs = {one["design"]: one for one in found["sampled_designs"]}
         self.assertEqual(list(designs), ["given", "nominal", "optimum"])
         springs = found["parameters"][0]["optimum"]
@@ -41,6 +42,9 @@ class RobustOptimum(unittest.TestCase):
         done = optimize(*narrow, "--strict")
         self.assertEqual(done.returncode, 3)
         self.assertIn("NOT the wanted 99 %", done.stdout)
+        self.assertRegex(
+            done.stdout, "of 33 starts of the first search, which ignores the tolerances, reached its optimum"
+        )
         self.assertIn("best design violates a requirement", done.stdout + done.stderr)
 
     def test_worst_machines(self):

@@ -174,6 +174,19 @@ TEST(RobustOptimum, ReportsItsProgressByRounds) {
   EXPECT_EQ(std::ssize(std::set<int>(rounds.begin(), rounds.end())), found.robust->rounds);
 }
 
+// Later searches start at the optimum of the one before: that these starts reach it again is no evidence.
+TEST(RobustOptimum, StatesTheStartsOfTheSearchOfAllDesigns) {
+  const std::vector<std::string> some = {"analyses.sample.designs=2000", "analyses.optimize.starts=12"};
+  const study::Optimization found = study::optimization(test::project(least_sag, some));
+  const study::Optimization without_tolerances =
+      study::optimization(test::project(suspended(lognormal, "minimize = {static = [\"m1.z\"]}"), some));
+  ASSERT_GT(found.robust->rounds, 1);
+  EXPECT_EQ(found.search.starts, 13) << "and the given design";
+  EXPECT_EQ(found.search.agreeing, without_tolerances.search.agreeing);
+  EXPECT_EQ(found.search.evaluations, without_tolerances.search.evaluations);
+  EXPECT_EQ(found.search.looked_at, without_tolerances.search.looked_at);
+}
+
 // 3000 random machines differ so much that the optimum for 99 % of the 16,384 machines of the search is not chosen: the
 // search aims at more of them, here of a case with less load, in which the natural frequency decides.
 TEST(RobustOptimum, AimsHigherInAllCasesThatDecide) {

@@ -79,8 +79,11 @@ std::string parameter_remark(const study::OptimizedParameter& p) {
 std::vector<std::string> search_lines(const Optimization& found) {
   const study::SearchStatistics& search = found.search;
   std::vector<std::string> lines = {
-      fmt::format("{} of {} starts {}; {}", found.cut_short ? search.finished : search.agreeing, search.starts,
-                  found.cut_short ? "finished" : "reached this",
+      fmt::format("{} of {} starts{} {}; {}", found.cut_short ? search.finished : search.agreeing, search.starts,
+                  found.robust ? " of the first search, which ignores the tolerances," : "",
+                  found.cut_short    ? "finished"
+                      : found.robust ? "reached its optimum"
+                                     : "reached this",
                   computed_words(search.evaluations, search.failed, search.first_failure))};
   if (search.stuck > 0) lines.push_back(fmt::format("{} found no usable design.", search.stuck));
   for (const study::OtherOptimum& other : search.others) {

@@ -110,8 +110,9 @@ void add_robust(const Optimization& found, documents::Document& document) {
     note(fmt::format("{} {} have no model or cannot be judged ({}); they {}.", robust.found.failed,
                      robust.wanted ? "of these of the optimum" : "of the machines looked at",
                      robust.found.first_failure, robust.wanted ? "meet nothing" : "are worse than any margin"));
-  note(fmt::format("{} search{}, each with the reserves that the machines of the last optimum need; {}.", robust.rounds,
-                   robust.rounds == 1 ? "" : "es",
+  note(fmt::format("{} search{}, each with the reserves that the machines of the last optimum need{}; {}.",
+                   robust.rounds, robust.rounds == 1 ? "" : "es",
+                   robust.rounds == 1 ? "" : ", later ones from the ends of the one before",
                    robust.settled ? "the last two need the same within 0.1 %"
                                   : "they have not settled, so a better optimum may remain"));
   if (robust.looked_at > 0)

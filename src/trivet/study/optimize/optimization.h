@@ -118,7 +118,7 @@ struct RobustOptimum {
   bool held = false;          ///< the interval of the yield is not below the wanted one; or no worst margin below 1
 };
 
-/// How a search went.
+/// How a search went; within tolerances the first one, which ignores them and starts anywhere in the ranges.
 struct SearchStatistics {
   int starts = 0, agreeing = 0;             ///< `agreeing` of the starts reached the same objective; 0 if cut short
   int finished = 0;                         ///< if cut short: so many of the starts came to their end

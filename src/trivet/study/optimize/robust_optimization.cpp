@@ -175,7 +175,11 @@ class RobustSearch {
       near_ = ends_of(optimum);
       project::Project there = with_changes(project_, optimum_changes(optimum));
       Kept kept = kept_by(there);
-      if (result_.rounds++ == 0) result_.nominal = sampled(there, kept);
+      if (result_.rounds++ == 0) {
+        result_.nominal = sampled(there, kept);
+        first_search_ = optimum.search;
+        if (!optimum.cut_short) first_search_.finished = first_search_.starts;
+      }
       DesignObjective::Reserves needed = reserves_for(kept, same_reserves);
       result_.settled = largest_difference(reserves_, needed) <= same_reserves;
       reserves_ = std::move(needed);
@@ -360,9 +364,13 @@ class RobustSearch {
         if (!result_.is_raised)
           for (auto* step : {&parameter.below, &parameter.above})
             if (*step && (*step)->objective) *(*step)->objective *= change;
-      for (OtherOptimum& other : optimum.search.others) other.objective *= change;
       optimum.objective_before = result_.given.kept;
       optimum.objective_after = result_.found.kept;
+    }
+    optimum.search = std::move(first_search_);
+    if (optimum.cut_short) {
+      optimum.search.agreeing = 0;
+      optimum.search.others.clear();
     }
     optimum.robust = std::move(result_);
     return optimum;
@@ -375,6 +383,8 @@ class RobustSearch {
   const std::function<bool()>& enough_;
   DesignObjective::Reserves reserves_;
   std::vector<Eigen::VectorXd> near_;  ///< ends of the last round
+  /// Later rounds start at its ends: that these reach the same optimum again is no evidence.
+  SearchStatistics first_search_;
   Aim aim_;
   std::unique_ptr<const Machines> machines_;  ///< of all designs, for steps
   std::optional<Round> best_;                 ///< of the rounds with one aim; at the end the result
