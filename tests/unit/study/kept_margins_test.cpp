@@ -98,5 +98,33 @@ TEST(KeptMargins, AreTheSameFromTheFamilyOfAllDesigns) {
   }
 }
 
+// Numbers without bounds: the family judges no machine in their tails. The lightest ones have no model.
+TEST(KeptMargins, AreTheSameFromTheFamilyWithMachinesInTails) {
+  std::string text = machine + requirements;
+  const std::string bounded = "half_width = \"10 %\"";
+  text.replace(text.find(bounded), bounded.size(), "standard_deviation = \"27 %\"");
+  text +=
+      "[tolerances.spring]\npath = \"elements.k1.scale\"\nstandard_deviation = \"5 %\"\ndistribution = \"lognormal\"\n";
+  const project::Project project = test::project(text);
+  const study::SampleRun run(project);
+  const study::SampledCase& one = run.cases().front();
+  const Eigen::ArrayXXd draws = run.drawn().draw(0, study::searched_machines).array();
+  const Eigen::ArrayXd above = (draws.rowwise() - one.from().transpose()).rowwise().minCoeff();
+  const Eigen::ArrayXd below = ((-draws).rowwise() + one.to().transpose()).rowwise().minCoeff();
+  const Eigen::Index inside = (above.min(below) >= 0).count();
+  ASSERT_LT(inside, draws.rows());
+  const study::DesignSpace space(project, {});
+  const study::MachineFamily family(run, space);
+  const project::Project there = test::project(text, {"elements.k1.scale=1.2"});
+  for (const double share : {0.5, 0.9}) {
+    const double exact = study::kept_least(study::SampleRun(there), share, 0, {});
+    const Eigen::VectorXd shares = Eigen::VectorXd::Constant(1, space.axes()[0].share(1.2));
+    constexpr double reproduced = 1e-9;
+    const std::optional<double> kept = family.kept_least(shares, share, 0, {});
+    ASSERT_TRUE(kept);
+    EXPECT_NEAR(*kept, exact, reproduced * exact);
+  }
+}
+
 }  // namespace kept_margins_test
 }  // namespace trivet

@@ -5,11 +5,15 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/judging/changed_case.h"
+#include "trivet/study/analyses/case_context.h"
 #include "trivet/study/family/packed_margins.h"
+#include "trivet/study/requirements/requirement_values.h"
 #include "trivet/study/sample/worst_case.h"
 
 namespace trivet::study {
@@ -83,10 +87,13 @@ double kept_of(const Eigen::ArrayXd& margins, double share) {
   return *place;
 }
 
-/// The margin that a share of the machines keeps; 0 if it is not above `least`, none if too few are known for that.
-/// @param margins  of machines by their numbers, the least of each; NaN: unknown
+/// The margin that a share of the machines keeps; 0 if it is not above `least`, none if too many are not proven.
+/// @param margins  of machines by their numbers, the least of each; NaN: not proven  @param assembled  that of one
 std::optional<double> kept_above(double least, double share, std::size_t piece, const foundation::Progress& progress,
-                                 const std::function<Eigen::ArrayXd(std::size_t first, std::size_t count)>& margins) {
+                                 const std::function<Eigen::ArrayXd(std::size_t first, std::size_t count)>& margins,
+                                 const std::function<double(std::size_t machine)>& assembled = {}) {
+  // Both tails of 1 % beyond the range of one draw are 328: a family of this design alone has to assemble them as well.
+  constexpr std::size_t most_assembled = searched_machines / 32;
   const auto allowed = static_cast<std::size_t>((1 - share) * static_cast<double>(searched_machines));
   Eigen::ArrayXd all(to_index(searched_machines));
   std::atomic<std::size_t> not_above = 0;
@@ -98,8 +105,39 @@ std::optional<double> kept_above(double least, double share, std::size_t piece, 
                              not_above += to_size((part <= least).count());
                            });
   if (not_above > allowed) return 0;
-  if (all.isNaN().any()) return std::nullopt;
-  return kept_of(all, share);
+  std::vector<std::size_t> not_proven;
+  for (std::size_t i = 0; i < searched_machines; ++i)
+    if (std::isnan(all(to_index(i)))) not_proven.push_back(i);
+  if (not_proven.size() > most_assembled) return std::nullopt;
+  foundation::parallel_for(not_proven.size(), {.size = 1, .progress = progress, .task = "machines"},
+                           [&](std::size_t first, std::size_t last) {
+                             for (std::size_t i = first; i < last; ++i)
+                               all(to_index(not_proven[i])) = assembled(not_proven[i]);
+                           });
+  const double kept = kept_of(all, share);
+  return kept > least ? kept : 0;
+}
+
+/// A design in one case, whose machines are assembled.
+struct DesignOfCase {
+  project::Case design;
+  ToleratedNumbers numbers;
+};
+
+/// The least margin of a machine by its model; 0 if it cannot be judged.
+double assembled_least(const DesignOfCase& of, const Eigen::VectorXd& draws) {
+  double least = foundation::infinity;
+  try {
+    const model::System machine = of.numbers.machine(of.design, draws);
+    foundation::Problems warnings;
+    for (const RequirementResult& one : requirement_values(CaseContext(machine, {}), of.design.analyses, warnings))
+      least = one.value && !std::isnan(one.margin) ? std::min(least, one.margin) : 0;
+  } catch (const foundation::NotComputable&) {
+    return 0;
+  } catch (const foundation::InvalidInput&) {
+    return 0;
+  }
+  return least;
 }
 
 /// What is drawn for a machine after the numbers of its design.
@@ -186,7 +224,20 @@ std::optional<double> MachineFamily::kept_least(const Eigen::VectorXd& shares, d
                                                 const foundation::Progress& progress) const {
   if (batches_.empty()) return std::nullopt;
   const Eigen::RowVectorXd values = space_.values(shares).transpose();
-  return kept_above(least, wanted, SampledCase::kernel_piece, progress, [&](std::size_t first, std::size_t count) {
+  std::vector<DesignOfCase> designs;
+  for (const SampledCase& one : run_.cases()) {
+    auto design = judging::changed_case(one.variant(), space_.changes(shares));
+    if (!design) return 0;
+    ToleratedNumbers numbers(*design, run_.tolerances(), run_.drawn());
+    designs.push_back({std::move(*design), std::move(numbers)});
+  }
+  const auto assembled = [&](std::size_t machine) {
+    const Eigen::VectorXd draws = run_.drawn().draw(machine, 1).row(0).transpose();
+    double of_all = foundation::infinity;
+    for (const DesignOfCase& one : designs) of_all = std::min(of_all, assembled_least(one, draws));
+    return of_all;
+  };
+  const auto by_kernels = [&](std::size_t first, std::size_t count) {
     const Eigen::MatrixXd draws = run_.drawn().draw(first, count);
     Eigen::MatrixXd machines(draws.rows(), values.size() + draws.cols());
     machines << values.replicate(draws.rows(), 1), draws;
@@ -203,7 +254,8 @@ std::optional<double> MachineFamily::kept_least(const Eigen::VectorXd& shares, d
       }
     }
     return margins;
-  });
+  };
+  return kept_above(least, wanted, SampledCase::kernel_piece, progress, by_kernels, assembled);
 }
 
 Kept kept_by_worst(const SampleRun& run, const foundation::Progress& progress) {

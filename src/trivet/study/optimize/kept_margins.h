@@ -51,7 +51,8 @@ class MachineFamily {
   /// @param run  of a design within the ranges; both are used by the family
   MachineFamily(const SampleRun& run, const DesignSpace& space);
 
-  /// As kept_least; none if there is no family, or it does not prove enough machines.
+  /// As kept_least: machines that the family does not prove are assembled. None if there is no family, or these are
+  /// many.
   [[nodiscard]] std::optional<double> kept_least(const Eigen::VectorXd& shares, double wanted, double least,
                                                  const foundation::Progress& progress) const;
 
