@@ -131,11 +131,13 @@ TEST(RobustOptimum, MinimizesWithTheYieldThatTrivetSampleFinds) {
 TEST(RobustOptimum, IsSampledWithNumbersThatTheSearchHasNotUsed) {
   constexpr int seeds = 16;
   Eigen::ArrayXd true_yield(seeds), deviation_of_sampled(seeds);
+  int held = 0;
   for (int seed = 0; seed < seeds; ++seed) {
     const study::Optimization found = study::optimization(test::project(
         least_sag,
         {"analyses.sample.designs=2000", "analyses.sample.sampling='random'", "analyses.optimize.yield=0.9",
          fmt::format("analyses.sample.seed={}", seed), "analyses.optimize.starts=1"}));
+    held += found.robust->held ? 1 : 0;
     true_yield(seed) = yield_at(std::log(scale_of(found)));
     deviation_of_sampled(seed) = found.robust->found.yield->interval.estimate - true_yield(seed);
   }
@@ -144,6 +146,8 @@ TEST(RobustOptimum, IsSampledWithNumbersThatTheSearchHasNotUsed) {
   const double correlation = (a * b).sum() / std::sqrt(a.square().sum() * b.square().sum());
   constexpr double by_chance = 0.6;  // of 16 independent pairs: 1 in 80; of known numbers: near -1
   EXPECT_LT(std::abs(correlation), by_chance);
+  constexpr int mostly = 14;  // at 98 of 100 more than two misses among 16 are as rare as 1 in 300
+  EXPECT_GE(held, mostly);
 }
 
 // The sag decides in the case with more load, the natural frequency in the base model: each leaves out half of the

@@ -33,8 +33,10 @@ constexpr double nearly_met = 1e-2;
 /// Added to the seed of [analyses.sample], whose own numbers are left to the yields of the result: one for the margins
 /// by which designs are searched, one for the yields by which a design is chosen.
 constexpr std::uint64_t searching = 0x9e3779b9, choosing = 2 * searching;
-/// A yield is chosen so many times the reach of its interval (2σ) above what has to hold. That of other numbers differs
-/// from it by √2 σ: it holds in 98 of 100 searches.
+/// The lower end of the yield by which a design is chosen is so many of its reaches (1.96 σ, from the estimate to the
+/// lower end) above the wanted yield; the estimate is 1 + spare reaches above it. Of other numbers too the lower end has
+/// to be above, so their estimate may be lower by `spare` reaches, 2.9 σ. Two estimates differ by √2 σ: that holds in
+/// 98 of 100 searches.
 constexpr double spare = 1.5;
 
 /// The project with another design in the cases in which it has to hold.
