@@ -82,6 +82,17 @@ class ReportSample(InTemporaryFolder):
                 if key != "warnings":
                     self.assertEqual(found[key], value, key)
 
+    def test_worst_designs_are_not_searched_by_assembled_models(self):
+        project = self.project(
+            None, ("designs = 2000", "designs = 200"), ("no_peak = [", "damping_ratio = 1e-6\nno_peak = [")
+        )
+        done, results, page = self.run_of(project)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("worst_found", results["cases"][0]["sample"])
+        sentence = "The worst designs are not searched in a report if models are assembled one by one: trivet sample searches them."
+        self.assertIn(sentence, done.stdout)
+        self.assertEqual(words(page).count(sentence), 2)
+
     def test_without_the_table_nothing_is_sampled(self):
         project = self.project(None, ('sample = {designs = 2000, worst_case = true, bands = ["aggregate.y"]}\n', ""))
         done, results, page = self.run_of(project)

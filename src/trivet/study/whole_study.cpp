@@ -80,13 +80,19 @@ void add_optimum(const project::Project& project, const foundation::Progress& st
   }
 }
 
+/// Most designs within the tolerances that a run judges: by kernels, and by assembled models. The number does not
+/// depend on the machine, so results do not either.
+constexpr std::size_t most_sampled = 100'000, most_assembled = 1000;
+
 /// Samples the designs within the tolerances that the file requests.
 void add_sample(const project::Project& project, const foundation::Progress& step, CaseResults& results) {
   if (!project.base().analyses.sample) return;
   try {
-    results.sample = std::make_shared<const Sample>(
-        sample(project, step,
-               {.shares = true, .most_by_kernels = most_sampled_in_a_run, .most_assembled = most_assembled_in_a_run}));
+    results.sample = std::make_shared<const Sample>(sample(project, step,
+                                                           {.shares = true,
+                                                            .most_by_kernels = most_sampled,
+                                                            .most_assembled = most_assembled,
+                                                            .worst_of_assembled = false}));
   } catch (const foundation::NotComputable& reason) {
     results.failures.emplace_back(reason.what());
   } catch (const foundation::InvalidInput& reason) {

@@ -10,10 +10,6 @@
 
 namespace trivet::study {
 
-/// Most designs within the tolerances that a run judges: by kernels, and by assembled models. The number does not
-/// depend on the machine, so results do not either. Each takes some seconds.
-inline constexpr std::size_t most_sampled_in_a_run = 100'000, most_assembled_in_a_run = 1000;
-
 /// Computes all analyses of a project in all its cases; maps of the base model and of cases with a map of their own.
 /// @param progress  "CASE: task" and the share of the whole
 /// @param done  receives each case when it is complete

@@ -277,6 +277,10 @@ std::vector<std::string> sample_sentences(const Sample& sample) {
   if (sample.first_of)
     list.push_back(fmt::format("These are the first {} of {} designs: trivet sample judges all of them.",
                                sample.request.designs, *sample.first_of));
+  if (sample.worst_is_left_out)
+    list.emplace_back(
+        "The worst designs are not searched in a report if models are assembled one by one: trivet sample searches "
+        "them.");
   list.push_back(yield_sentence(sample));
   if (std::string first = first_words(sample); !first.empty()) list.push_back(std::move(first));
   return list;

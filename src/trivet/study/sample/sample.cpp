@@ -38,7 +38,10 @@ Sample sample(const project::Project& project, const foundation::Progress& progr
                            });
   for (const SampleTally& part : free) all.merge(part);
   Sample found = sample_result(run, all);
-  if (found.request.worst_case) add_worst_designs(run, found, progress);
+  const bool by_kernels =
+      std::ranges::all_of(run.cases(), [](const SampledCase& one) { return one.no_kernels().empty(); });
+  found.worst_is_left_out = found.request.worst_case && !by_kernels && !options.worst_of_assembled;
+  if (found.request.worst_case && !found.worst_is_left_out) add_worst_designs(run, found, progress);
   if (run.request().designs < wanted) found.first_of = wanted;
   if (options.shares) found.shares = variance_shares(run.cases(), run.tolerances(), run.request(), progress);
   return found;

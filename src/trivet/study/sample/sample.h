@@ -133,12 +133,14 @@ struct Sample {
   std::optional<WorstCaseSearch> worst_case_search;  ///< the same
   std::optional<StudyProgress> study;                ///< if it is one in a folder
   std::optional<std::size_t> first_of;               ///< designs of [analyses.sample], if only the first are judged
+  bool worst_is_left_out = false;                    ///< requested, but models are assembled, see SampleOptions
 };
 
 struct SampleOptions {
   bool shares = false;  ///< also those of the variance, from at most as many designs again
   /// Judge at most so many designs, the first of [analyses.sample], if kernels judge them, or else by assembled models.
   std::size_t most_by_kernels = most_of_all, most_assembled = most_of_all;
+  bool worst_of_assembled = true;  ///< search the worst designs, if they are requested, also by assembled models
 
   static constexpr std::size_t most_of_all = std::numeric_limits<std::size_t>::max();
 };
