@@ -90,13 +90,26 @@ class SampleShares(InTemporaryFolder):
         largest = max(one["total_to"] for one in listed[12:])
         self.assertTrue(largest <= rest <= 1.11 * largest + 1e-6, (largest, rest))
 
-    def test_without_shares_and_bands_there_is_no_picture(self):
-        text = ROBUST.read_text().replace(', bands = ["aggregate.y"]', "").replace("100_000", "1000")
+    def test_a_part_of_a_study_leaves_the_picture_to_the_last_one(self):
+        picture, study = self.folder / "shares.svg", self.folder / "study"
+        for part in (1, 2):
+            self.assertFalse(picture.exists())
+            words = ("--shares", "--picture", picture, "-o", study, "--part", f"{part}/2")
+            done = trivet("sample", self.project(), *words)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual("--picture: the shares of the variance are computed when" in done.stderr, part == 1)
+        self.assertIn("Which tolerance scatters which value", picture.read_text())
+
+    def test_without_shares_there_is_no_picture_of_them(self):
+        text = ROBUST.read_text().replace("100_000", "1000")
+        self.assertIn("bands = [", text)  # another picture is no answer
         project = self.folder / "correlated.toml"
         project.write_text(text)
         done = trivet("sample", project, "--shares", "--picture", self.folder / "shares.svg")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("--picture: there are no shares of the variance, nor bands", done.stderr)
+        self.assertIn(
+            '--picture: there are no shares of the variance: "casting" and "core" are correlated', done.stderr
+        )
         self.assertIn("No shares of the variance: ", done.stdout)
         self.assertFalse((self.folder / "shares.svg").exists())
 

@@ -95,17 +95,29 @@ void write_result_files(const study::StudyProgress& study, const Result& result)
 
 using HeldSample = std::shared_ptr<const Held<study::Sample>>;
 
-/// The shares of the variance and the bands as pictures, also below the tables of a page.
-void add_figures(const HeldSample& held, Result& result) {
-  for (const auto& figure : {report::share_figure(held->found), report::band_figure(held->found)})
-    if (figure) result.figures.emplace_back(figure->file_name, writer([svg = figure->svg] { return svg; }));
-  if (result.figures.empty()) return;
+/// The picture of the shares of the variance, if they are wanted, or else of the bands; both below the tables of a
+/// page.
+void add_figures(const HeldSample& held, bool wants_shares, Result& result) {
+  const auto shares = report::share_figure(held->found), bands = report::band_figure(held->found);
+  if (const auto& figure = wants_shares ? shares : bands)
+    result.figures.emplace_back(figure->file_name, writer([svg = figure->svg] { return svg; }));
+  if (!shares && !bands) return;
   result.html = [held, tables = result.html](const project::DisplayUnits& display) {
     std::string html = tables(display);
     for (const auto& figure : {report::band_figure(held->found, display), report::share_figure(held->found, display)})
       if (figure) html += "<figure>" + figure->html() + "</figure>\n";
     return html;
   };
+}
+
+/// A part of a study that others go on with has not failed without the shares.
+void explain_no_picture(const Task& task, const study::Sample& found, Result& result) {
+  const std::string picture = task.keys.written("picture") + ": ";
+  if (task.keys.flag("shares") && !found.shares)
+    return result.remarks.push_back(picture + "the shares of the variance are computed when the study is complete");
+  const std::string reason = found.shares ? found.shares->reason : "";
+  result.add_not_written(picture + (found.shares ? "there are no shares of the variance" : "there are no bands") +
+                         (reason.empty() ? "" : ": " + reason));
 }
 
 /// What a picture needs.
@@ -138,9 +150,8 @@ Result sample(const Task& task) {
   std::vector<std::string> files = {"sample.csv"};
   if (results::has_bands(held->found)) files.emplace_back("bands.csv");
   set_forms(document, held, task.variant.display, files, result);
-  add_figures(held, result);
-  if (task.keys.has("picture") && result.figures.empty())
-    result.add_not_written(task.keys.written("picture") + ": there are no shares of the variance, nor bands");
+  add_figures(held, task.keys.flag("shares"), result);
+  if (task.keys.has("picture") && result.figures.empty()) explain_no_picture(task, held->found, result);
   if (const auto& study = held->found.study) {
     add_remarks(*study, task, result);
     result.complete = !study->ended_early;
