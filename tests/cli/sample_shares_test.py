@@ -100,6 +100,11 @@ class SampleShares(InTemporaryFolder):
             self.assertEqual("--picture: the shares of the variance are computed when" in done.stderr, part == 1)
         self.assertIn("Which tolerance scatters which value", picture.read_text())
 
+    def test_the_name_of_a_tolerance_is_not_divided(self):
+        name, heading = '"gap at rest"', "[tolerances.casting]"
+        _, svg = self.drawn(self.project((heading, f"[tolerances.{name}]")))
+        self.assertIn(">gap at rest</text>", svg)
+
     def test_without_shares_there_is_no_picture_of_them(self):
         text = ROBUST.read_text().replace("100_000", "1000")
         self.assertIn("bands = [", text)  # another picture is no answer

@@ -169,7 +169,9 @@ designs = 40_000
     EXPECT_EQ(found.shares->reason, "");
     EXPECT_EQ(found.shares->pairs, 10000);
     EXPECT_EQ(found.shares->left_out, 0);
-    EXPECT_THAT(found.shares->names, testing::ElementsAre("rubber", "casting"));
+    EXPECT_THAT(found.shares->names,
+                testing::ElementsAre(testing::Field(&study::DrawnName::tolerance, "rubber"),
+                                     testing::Field(&study::DrawnName::tolerance, "casting")));
     ASSERT_EQ(found.shares->list.size(), 1);
     const std::vector<numerics::VarianceShare>& draws = found.shares->list.front().draws;
     const double exact[2][2] = {{k / all, k * (1 + m) / all}, {m / all, m * (1 + k) / all}};

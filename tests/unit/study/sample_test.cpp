@@ -241,8 +241,8 @@ TEST(DrawnDesigns, AreTheSameInAnyPieces) {
     EXPECT_EQ(drawn.draw(40, 30), whole.middleRows(40, 30));
     EXPECT_EQ(drawn.replicates(), sobol ? 16 : 1);
     EXPECT_EQ(drawn.draws(), 3);
-    EXPECT_EQ(drawn.name(1), "rubber at elements.k2.scale");
-    EXPECT_EQ(drawn.name(2), "casting");
+    EXPECT_EQ(drawn.name(1).words(), "rubber at elements.k2.scale");
+    EXPECT_EQ(drawn.name(2).words(), "casting");
   }
 }
 

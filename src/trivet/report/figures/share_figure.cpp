@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "trivet/report/drawing/plot_panel.h"
@@ -25,13 +24,6 @@ constexpr double share_row_height = 34, share_bar_height = 9, to_first = 5, to_t
 constexpr std::size_t most_rows = 12;
 constexpr const char *alone = "#0072B2", *together = "#74b3d8";
 
-/// The tolerance, and the place of one that draws for each.
-std::pair<std::string, std::string> two_lines(const std::string& name) {
-  const std::size_t at = name.find(" at ");
-  if (at == std::string::npos) return {name, ""};
-  return {name.substr(0, at), name.substr(at + 1)};
-}
-
 /// A bar with its interval, or the hollow interval of a share that may be 0.
 void draw_bar(SvgCanvas& canvas, const PlotPanel& panel, double top, const ConfidenceInterval& share,
               const char* colour) {
@@ -50,16 +42,16 @@ void draw_bar(SvgCanvas& canvas, const PlotPanel& panel, double top, const Confi
               share.from <= 0 ? "fill=\"#555\"" : "");
 }
 
-void draw_drawn_number(SvgCanvas& canvas, double top, const std::string& name) {
-  const auto [tolerance, place] = two_lines(name);
+void draw_drawn_number(SvgCanvas& canvas, double top, const study::DrawnName& name) {
   const double x = bars_left - 12, room = bars_left - 20;
-  canvas.text({x, top + (place.empty() ? 20 : 14)}, fitting(tolerance, room, 12),
+  canvas.text({x, top + (name.place.empty() ? 20 : 14)}, fitting(name.tolerance, room, 12),
               "text-anchor=\"end\" font-size=\"12\"");
-  if (!place.empty())
-    canvas.text({x, top + 27}, fitting(place, room, 10), "text-anchor=\"end\" font-size=\"10\" fill=\"#555\"");
+  if (!name.place.empty())
+    canvas.text({x, top + 27}, fitting("at " + name.place, room, 10),
+                "text-anchor=\"end\" font-size=\"10\" fill=\"#555\"");
 }
 
-/// "and 8 numbers more, each ≤ 0.5 %": those of the rest.
+/// "and 8 more, with others ≤ 0.5 % each": the numbers that are not drawn.
 std::string rest_words(const RequirementShares& of, const std::vector<std::size_t>& order) {
   double largest = 0;
   for (std::size_t r = most_rows; r < order.size(); ++r) largest = std::max(largest, of.draws[order[r]].total.to);
@@ -76,7 +68,7 @@ struct SharePanel {
   [[nodiscard]] bool has_rest() const { return order.size() > most_rows; }
   [[nodiscard]] double height() const { return share_row_height * static_cast<double>(rows()) + (has_rest() ? 20 : 0); }
 
-  void draw(SvgCanvas& canvas, double top, const std::vector<std::string>& names,
+  void draw(SvgCanvas& canvas, double top, const std::vector<study::DrawnName>& names,
             const project::DisplayUnits& display) const {
     double largest = 1;
     for (const numerics::VarianceShare& one : of.draws) largest = std::max({largest, one.first.to, one.total.to});

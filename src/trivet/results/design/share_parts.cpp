@@ -54,7 +54,7 @@ Table share_table(const Sample& sample) {
                           },
                           {.forms = for_people}),
                       row("number", Kind::words, "drawn number",
-                          [](const ShareRow& one) { return one.sample->shares->names[one.draw]; }),
+                          [](const ShareRow& one) { return one.sample->shares->names[one.draw].words(); }),
                       number("first", &VarianceShare::first, &ConfidenceInterval::estimate),
                       number("first_from", &VarianceShare::first, &ConfidenceInterval::from),
                       number("first_to", &VarianceShare::first, &ConfidenceInterval::to),

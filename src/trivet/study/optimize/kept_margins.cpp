@@ -147,7 +147,7 @@ DesignNumbers machine_numbers(const SampleRun& run, const SampledCase& one, cons
   numbers.compared = design::SumFamily::Compared::ends;
   numbers.variables = space.numbers(one.variant()).variables;
   for (std::size_t d = 0; d < run.drawn().draws(); ++d)
-    numbers.variables.push_back({one.from()(to_index(d)), one.to()(to_index(d)), run.drawn().name(d)});
+    numbers.variables.push_back({one.from()(to_index(d)), one.to()(to_index(d)), run.drawn().name(d).words()});
   numbers.model = [&](const Eigen::VectorXd& values) {
     Eigen::VectorXd shares(to_index(space.size()));
     for (std::size_t j = 0; j < space.size(); ++j) shares(to_index(j)) = space.axes()[j].share(values(to_index(j)));

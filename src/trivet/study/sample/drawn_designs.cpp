@@ -44,10 +44,9 @@ DrawnDesigns::DrawnDesigns(const std::vector<project::Tolerance>& tolerances, co
     sobol_.emplace_back(of_.size(), seed_, r);
 }
 
-std::string DrawnDesigns::name(std::size_t draw) const {
+DrawnName DrawnDesigns::name(std::size_t draw) const {
   const project::Tolerance& tolerance = tolerances_[of_[draw]];
-  return tolerance.draws() == 1 ? tolerance.name
-                                : tolerance.name + " at " + tolerance.places[draw - first_[of_[draw]]].path;
+  return {tolerance.name, tolerance.draws() == 1 ? "" : tolerance.places[draw - first_[of_[draw]]].path};
 }
 
 Eigen::MatrixXd DrawnDesigns::draw(std::uint64_t first, std::size_t count) const {

@@ -4,12 +4,12 @@
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "trivet/numerics/sampling/distributions.h"
 #include "trivet/numerics/sampling/sobol_numbers.h"
 #include "trivet/project/analyses/tolerances.h"
+#include "trivet/study/sample/drawn_name.h"
 
 namespace trivet::study {
 
@@ -28,8 +28,7 @@ class DrawnDesigns {
   [[nodiscard]] const numerics::Distribution& distribution(std::size_t draw) const {
     return tolerances_[of_[draw]].distribution;
   }
-  /// "rubber", or "rubber at elements.left.scale" of one that draws for each place.
-  [[nodiscard]] std::string name(std::size_t draw) const;
+  [[nodiscard]] DrawnName name(std::size_t draw) const;
   /// The draw that a place of a tolerance takes.
   [[nodiscard]] std::size_t draw_of(std::size_t tolerance, std::size_t place) const {
     return first_[tolerance] + (tolerances_[tolerance].together ? 0 : place);

@@ -14,6 +14,7 @@
 #include "trivet/numerics/sampling/variance_shares.h"
 #include "trivet/project/project.h"
 #include "trivet/study/requirements/verdict.h"
+#include "trivet/study/sample/drawn_name.h"
 #include "trivet/study/sample/sampled_band.h"
 
 /// How many of the machines built within the tolerances meet the requirements? Definitions: docs/sample.md.
@@ -93,7 +94,7 @@ struct RequirementShares {
 
 /// Which tolerance scatters which value.
 struct SampledShares {
-  std::vector<std::string> names;       ///< of the drawn numbers: "rubber at elements.left.scale"
+  std::vector<DrawnName> names;         ///< of the drawn numbers
   std::uint64_t pairs = 0;              ///< of designs, each with one more design for each number
   std::uint64_t left_out = 0;           ///< of these: a design could not be judged, or its value is unbounded
   std::string reason;                   ///< why there are none; empty if there are

@@ -133,7 +133,7 @@ std::string SampledCase::set_ranges(const DrawnDesigns& drawn, double tail) {
         refused = without_model(draws);
         if (refused.empty()) break;
       }
-      if (!refused.empty()) return fmt::format("{} has no range of valid models: {}", drawn.name(d), refused);
+      if (!refused.empty()) return fmt::format("{} has no range of valid models: {}", drawn.name(d).words(), refused);
     }
   return "";
 }
@@ -148,7 +148,7 @@ void SampledCase::fit(const DrawnDesigns& drawn) {
     numbers.any_size = true;
     numbers.compared = design::SumFamily::Compared::ends;
     for (std::size_t d = 0; d < drawn.draws(); ++d)
-      numbers.variables.push_back({from_(to_index(d)), to_(to_index(d)), drawn.name(d)});
+      numbers.variables.push_back({from_(to_index(d)), to_(to_index(d)), drawn.name(d).words()});
     numbers.model = [this](const Eigen::VectorXd& draws) { return system(draws); };
     batch_.emplace(numbers, case_, case_.analyses, given_);
     no_kernels_ = batch_->reason();
