@@ -66,9 +66,9 @@ DisplayUnit requirement_unit(const RequirementResult& r, const project::DisplayU
   if (study::requirement_row(r.kind).shown == ShownValue::rms) return root_mean_square_unit(display, r.unit);
   if (kind == Kind::frequency) return {frequency_unit(display), "", shown_frequency(display, 1), false};
   if (kind == Kind::amplitude) {
-    project::DisplayUnits as_written = display;
-    if (!display.level) as_written.level = r.level_of_limit;
-    return amplitude_unit(as_written, r.unit);
+    project::DisplayUnits at_level = display;
+    at_level.level = r.level_for_people(display);
+    return amplitude_unit(at_level, r.unit);
   }
   DisplayUnit unit = display_unit(display, r.unit);
   if (*r.level()) unit.level = std::string(" ") + r.level();
