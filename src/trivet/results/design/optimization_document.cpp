@@ -129,12 +129,12 @@ Table optimum_cases(const Optimization& found) {
 Table active_table(const Optimization& found) {
   using study::ActiveRequirement;
   const Rows row(found.active);
-  Table table{
-      .key = "active",
-      .axis = "active",
-      .rows = row.size(),
-      .columns = columns_of_case(found, row, "requirement that limits the optimum", &ActiveRequirement::words_at_level),
-      .arrays = {{"active", "requirement"}, "case", "multiplier"}};
+  Table table{.key = "active",
+              .axis = "active",
+              .rows = row.size(),
+              .columns = columns_of_case(found, row, "requirement that limits the optimum",
+                                         &ActiveRequirement::words_for_people),
+              .arrays = {{"active", "requirement"}, "case", "multiplier"}};
   table.columns.push_back(row("requirement", Kind::words, "", &ActiveRequirement::words));
   table.columns.push_back(row("minimized", Kind::yes_no, "", &ActiveRequirement::minimized));
   table.columns.push_back(row("multiplier", Kind::number, "", &ActiveRequirement::multiplier));
@@ -170,7 +170,7 @@ Table conflict_table(const Optimization& found) {
                   : "These requirements contradict each other within the ranges. All can be met with every bound eased "
                     "by its factor:",
               .rows = row.size(),
-              .columns = columns_of_case(found, row, "requirement", &Conflict::words_at_level),
+              .columns = columns_of_case(found, row, "requirement", &Conflict::words_for_people),
               .mark = [](std::size_t) { return Mark::bad; }};
   table.columns.push_back(row("requirement", Kind::words, "", &Conflict::words));
   table.columns.push_back(row("factor", Kind::number, "factor", &Conflict::factor, {.digits = 4}));

@@ -51,24 +51,25 @@ Table compared_designs(const RobustOptimum& robust) {
 Table kept_margins(const Optimization& found) {
   using study::KeptMargin;
   const Rows row(found.robust->margins);
-  return {.key = "kept_margins",
-          .title = "Margins of the optimum:",
-          .rows = row.size(),
-          .columns = {
-              row("case", Kind::words, "",
-                  [&found](const KeptMargin& one) { return found.after[one.result_case].case_name; },
-                  {.forms = for_programs}),
-              row("requirement", Kind::words, "", &KeptMargin::words, {.forms = for_programs}),
-              row("requirement", Kind::words, "requirement",
-                  [&found](const KeptMargin& one) { return words_in_case(found, one.result_case, one.words_at_level); },
-                  {.forms = for_people}),
-              row("nominal", Kind::number, "of the design", &KeptMargin::nominal, {.digits = 4}),
-              row("kept", Kind::number, "of " + robust_subject(*found.robust) + ", each alone", &KeptMargin::kept,
-                  {.digits = 4}),
-              row("has_reserve", Kind::yes_no, "", &KeptMargin::has_reserve),
-              row("remark", Kind::words, "remark",
-                  [](const KeptMargin& one) { return one.has_reserve ? "" : "jumps: the search keeps no reserve"; },
-                  {.forms = for_people})}};
+  return {
+      .key = "kept_margins",
+      .title = "Margins of the optimum:",
+      .rows = row.size(),
+      .columns = {
+          row("case", Kind::words, "",
+              [&found](const KeptMargin& one) { return found.after[one.result_case].case_name; },
+              {.forms = for_programs}),
+          row("requirement", Kind::words, "", &KeptMargin::words, {.forms = for_programs}),
+          row("requirement", Kind::words, "requirement",
+              [&found](const KeptMargin& one) { return words_in_case(found, one.result_case, one.words_for_people); },
+              {.forms = for_people}),
+          row("nominal", Kind::number, "of the design", &KeptMargin::nominal, {.digits = 4}),
+          row("kept", Kind::number, "of " + robust_subject(*found.robust) + ", each alone", &KeptMargin::kept,
+              {.digits = 4}),
+          row("has_reserve", Kind::yes_no, "", &KeptMargin::has_reserve),
+          row("remark", Kind::words, "remark",
+              [](const KeptMargin& one) { return one.has_reserve ? "" : "jumps: the search keeps no reserve"; },
+              {.forms = for_people})}};
 }
 
 }  // namespace

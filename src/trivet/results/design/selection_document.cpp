@@ -29,7 +29,7 @@ std::string margin_words(const MountDesign& design) {
 
 std::string governing_words(const MountDesign& design) {
   if (!design.reason.empty()) return design.reason;
-  return std::isinf(design.margin) ? "nothing limits it" : design.governing_at_level;
+  return std::isinf(design.margin) ? "nothing limits it" : design.governing_for_people;
 }
 
 /// T and the level of isolation: "0.393 (8.11 dB)", or "6.41 (-16.1 dB) AMPLIFIES".

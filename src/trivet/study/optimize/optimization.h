@@ -32,11 +32,11 @@ struct OptimizedParameter {
 
 /// A requirement, or an objective, that holds the optimum.
 struct ActiveRequirement {
-  std::size_t result_case = 0;  ///< index in Optimization::after
-  std::string words;            ///< "machine.z ≤ 1 mm", or "the largest amplitude of machine.z"
-  std::string words_at_level;   ///< the same with the level of the bound
-  bool minimized = false;       ///< a minimised amplitude, no requirement
-  double multiplier = 0;        ///< the objective gains this many percent if the bound is relaxed by 1 %
+  std::size_t result_case = 0;   ///< index in Optimization::after
+  std::string words;             ///< "machine.z ≤ 1 mm", or "the largest amplitude of machine.z"
+  std::string words_for_people;  ///< the same with its bound at the level that people read
+  bool minimized = false;        ///< a minimised amplitude, no requirement
+  double multiplier = 0;         ///< the objective gains this many percent if the bound is relaxed by 1 %
 };
 
 /// A curve that is to have no peak, and how far the optimum is from having one.
@@ -57,7 +57,7 @@ struct OtherOptimum {
 /// A requirement of a set that cannot be met.
 struct Conflict {
   std::size_t result_case = 0;  ///< index in Optimization::after
-  std::string words, words_at_level;
+  std::string words, words_for_people;
   double factor = 0;   ///< by which its bound is missed at the design with the largest least margin
   double without = 0;  ///< largest least margin of the others without it; infinite if nothing limits it
 };
@@ -99,7 +99,7 @@ struct SampledDesign {
 /// What a requirement keeps of its margin at the optimum.
 struct KeptMargin {
   std::size_t result_case = 0;  ///< index in Optimization::after
-  std::string words, words_at_level;
+  std::string words, words_for_people;
   double nominal = 0, kept = 0;  ///< of the design itself, of the machines
   bool has_reserve = true;       ///< false: the margin jumps, so the search cannot keep a reserve for it
 };

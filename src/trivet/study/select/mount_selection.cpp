@@ -51,7 +51,7 @@ void judge_case(const project::Case& variant, const model::System& system, Mount
     if (!design.governing.empty() && !(margin < design.margin * (1 - same_margin))) continue;
     design.margin = margin;
     design.governing = of_case + result.words.text();
-    design.governing_at_level = of_case + result.words_for_people(variant.display);
+    design.governing_for_people = of_case + result.words_for_people(variant.display);
   }
   add_loads(context, design);
   if (design.lowest) return;  // the first case

@@ -27,7 +27,7 @@ struct MountDesign {
   double margin = 0;                ///< least of all requirements in all cases in which the design has to hold
   bool met = false;
   std::string governing;                   ///< the requirement with the least margin, in words, with its case
-  std::string governing_at_level;          ///< the same with the level of its bound
+  std::string governing_for_people;        ///< the same with its bound at the level that people read
   std::string reason;                      ///< why a requirement is not judged, or the model is not valid
   std::optional<double> load;              ///< largest share of a load range that a static load takes; none: not known
   std::optional<double> deflection;        ///< largest static one of a mount along its axis [m]
