@@ -54,7 +54,7 @@ struct Features {
   std::optional<double> frequency;  ///< geometric mean of the natural frequencies of translation, rotation fixed [Hz]
   std::optional<double> sag;        ///< static deflection under the weight / size of the body
   std::optional<double> damping_ratio;  ///< at that frequency, from the viscous damping of the elements
-  std::optional<double> over_floor;     ///< stiffness of all elements on a foundation over its own, in the softest mode
+  std::optional<double> over_floor;  ///< stiffness of all elements on a foundation over its own, largest of its modes
   std::optional<double> lowest,
       highest;           ///< natural frequencies of the body alone on its elements, without zeros [Hz]
   bool possible = true;  ///< false if no real body has such mass properties
