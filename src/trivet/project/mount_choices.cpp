@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/foundation/first_error.h"
 #include "trivet/project/part_readers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/text/model_path.h"

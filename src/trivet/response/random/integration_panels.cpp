@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/foundation/hertz.h"
 #include "trivet/response/random/basis_integrals.h"
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/hertz.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/assembly/band_ends.h"
 #include "trivet/study/requirements/requirement_values.h"
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "trivet/assembly/band_ends.h"
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
