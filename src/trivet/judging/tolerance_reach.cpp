@@ -33,7 +33,7 @@ std::optional<foundation::Problem> refusal(const project::Case& base, const proj
                                            double value) {
   const auto system = changed_system(base, {{number, value}});
   if (system) return std::nullopt;
-  return *foundation::first_error(system.error());
+  return foundation::error_of(system.error());
 }
 
 std::string percent(double share) {

@@ -147,7 +147,7 @@ class ChoiceReader {
         reader_.error("choices", shown, "it is named twice", "name it once");
       if (shelf.readable)
         if (const auto found = mount_named(name, shelf.catalogues); !found) {
-          const foundation::Problem& problem = *foundation::first_error(found.error());
+          const foundation::Problem& problem = foundation::error_of(found.error());
           reader_.error("choices", shown, problem.rule, problem.remedy);
         }
       choice_.mounts.push_back(name);

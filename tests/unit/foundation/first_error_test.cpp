@@ -20,6 +20,7 @@ TEST(FirstError, IsNotAWarningBeforeIt) {
   const Problems problems = warning_before_error();
   ASSERT_NE(first_error(problems), nullptr);
   EXPECT_EQ(first_error(problems)->subject, "bodies.m.mass");
+  EXPECT_EQ(&error_of(problems), first_error(problems));
   EXPECT_EQ(first_reason(problems), "bodies.m.mass: -3 kg; a mass must be > 0");
   EXPECT_EQ(first_message(problems), "error: bodies.m.mass: -3 kg; a mass must be > 0; correct it");
   EXPECT_THROW(refuse_errors(problems), InvalidInput);

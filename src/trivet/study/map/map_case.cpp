@@ -140,7 +140,7 @@ void MapCase::fit_batch(const std::vector<RequirementResult>& results) {
   analyses.requirements->min_prominence = request_.min_prominence;
   const auto model = [&](const Eigen::VectorXd& values) {
     auto system = system_at({values(0), values(1)});
-    if (!system) throw foundation::NotComputable(foundation::first_error(system.error())->finding);
+    if (!system) throw foundation::NotComputable(foundation::error_of(system.error()).finding);
     return std::move(*system);
   };
   batch_.emplace(DesignNumbers{{{request_.x.from, request_.x.to, request_.x.name},
@@ -216,9 +216,8 @@ void MapCase::judge_from_model(std::size_t index, const DesignPoint& point, Marg
   assembled_separately_ += wants_own;
   const auto system = system_at(point);
   if (!system) {
-    const foundation::Problem* first = foundation::first_error(system.error());
-    return refuse(first->subject + ": " + first->rule, foundation::first_reason(system.error()),
-                  DesignOutcome::no_model);
+    const foundation::Problem& first = foundation::error_of(system.error());
+    return refuse(first.subject + ": " + first.rule, foundation::first_reason(system.error()), DesignOutcome::no_model);
   }
   try {
     if (wants_own) {

@@ -139,7 +139,7 @@ design::JudgedDesign MapJudge::judged_design(const model::System& system,
     const auto there = cases_[p]->system_at(*design);
     if (!there)
       throw foundation::NotComputable("in case " + foundation::quoted(cases_[p]->name()) + ": " +
-                                      foundation::first_error(there.error())->finding);
+                                      foundation::error_of(there.error()).finding);
     cases_[p]->add_judged(*there, result);
   }
   result.rules.values.resize(rules_.size(), std::numeric_limits<double>::quiet_NaN());

@@ -82,7 +82,7 @@ template <typename Model>
 Model valid(foundation::Expected<Model> changed) {
   if (changed) return std::move(*changed);
   throw foundation::NotComputable(foundation::first_reason(changed.error()) + "; " +
-                                  foundation::first_error(changed.error())->remedy);
+                                  foundation::error_of(changed.error()).remedy);
 }
 
 /// A case must not set a mount that a choice sets: the choice would undo it.
