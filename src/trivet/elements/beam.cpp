@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "trivet/elements/checks.h"
+#include "trivet/foundation/first_error.h"
 
 namespace trivet::elements {
 namespace {
@@ -133,7 +134,7 @@ Section rectangular_section(double width_1, double width_2, const Metal& metal) 
 }
 
 Matrix12 beam_stiffness(const Beam& b) {
-  require_sound(check(b));
+  foundation::refuse_errors(check(b));
   Matrix6 moved_end = Matrix6::Zero();
   moved_end(2, 2) = b.metal.young_modulus * b.section.area / b.length;
   moved_end(5, 5) = b.metal.shear_modulus * b.section.torsion_constant / b.length;
@@ -147,7 +148,7 @@ Matrix12 beam_stiffness(const Beam& b) {
 }
 
 Matrix12 beam_mass(const Beam& b) {
-  require_sound(check(b));
+  foundation::refuse_errors(check(b));
   Matrix12 mass = Matrix12::Zero();
   const double line_mass = b.metal.density * b.section.area,
                line_polar = b.metal.density * (b.section.moment_1 + b.section.moment_2);
@@ -160,7 +161,7 @@ Matrix12 beam_mass(const Beam& b) {
 }
 
 Matrix12 beam_stiffness_per_tension(const Beam& b) {
-  require_sound(check(b));
+  foundation::refuse_errors(check(b));
   Matrix12 sum = Matrix12::Zero();
   for (const Plane& p : planes(b)) add_plane(p, plane_per_tension(p, b.length), sum);
   const double torsion = (b.section.moment_1 + b.section.moment_2) / (b.section.area * b.length);
@@ -207,7 +208,7 @@ Matrix12 link_stiffness_per_tension(double length) {
 }
 
 Matrix12 link_stiffness(const Link& link) {
-  require_sound(check(link));
+  foundation::refuse_errors(check(link));
   const Eigen::Vector3d diagonal(link.tension / link.length, link.tension / link.length, link.axial_stiffness);
   Matrix12 stiffness = Matrix12::Zero();
   for (int i = 0; i < 3; ++i) {

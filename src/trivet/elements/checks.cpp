@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/part_size.h"
 #include "trivet/numerics/linalg/eigenvalues.h"
@@ -56,8 +55,6 @@ void check_shape_factor(foundation::Problems& problems, double shape_factor) {
                      "the formulas were checked for shape factors from 0.25 to 20",
                      "use a finite-element mount or check the dimensions");
 }
-
-void require_sound(const foundation::Problems& problems) { foundation::refuse_errors(problems); }
 
 namespace {
 

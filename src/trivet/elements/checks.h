@@ -29,9 +29,6 @@ void check_factor(foundation::Problems& problems, double dynamic_factor);
 /// Warning outside 0.25 … 20, the range of shape factors over which the accuracy of the formulas was measured.
 void check_shape_factor(foundation::Problems& problems, double shape_factor);
 
-/// @throws InvalidInput with the first error of the list, if there is one
-void require_sound(const foundation::Problems& problems);
-
 /// Deviation of a given 12×12 from a stress-free passive element. Each entry is scaled by √(K_ii K_jj), so that newtons
 /// and newton metres are comparable; a zero diagonal is replaced by the largest entry of its row and column.
 struct MatrixVerdict {

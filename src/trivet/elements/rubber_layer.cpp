@@ -8,6 +8,7 @@
 
 #include "trivet/elements/checks.h"
 #include "trivet/elements/pressure_modulus.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/numerics/linalg/decompositions.h"
 
 namespace trivet::elements {
@@ -148,7 +149,7 @@ double block_torsion_constant(const RubberBlock& b) {
 }  // namespace
 
 LayerConstants layer_constants(const RubberDisc& d) {
-  require_sound(check(d));
+  foundation::refuse_errors(check(d));
   const double area = pi * (d.radius * d.radius - d.hole_radius * d.hole_radius), h = d.thickness;
   const double moment = pi * (std::pow(d.radius, 4) - std::pow(d.hole_radius, 4)) / 4, factor = d.dynamic_factor;
   const bool textbook = d.formulas == LayerFormulas::textbook;
@@ -165,7 +166,7 @@ LayerConstants layer_constants(const RubberDisc& d) {
 }
 
 LayerConstants layer_constants(const RubberBlock& b) {
-  require_sound(check(b));
+  foundation::refuse_errors(check(b));
   const double area = b.width_1 * b.width_2, h = b.thickness, factor = b.dynamic_factor,
                shear = factor * b.rubber.shear_modulus * area / h;
   const bool textbook = b.formulas == LayerFormulas::textbook;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "trivet/elements/checks.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/decompositions.h"
@@ -52,7 +53,7 @@ Matrix12 in_series(const std::vector<SeriesPart>& parts, const std::vector<Eigen
 double height(const Sandwich& s) { return s.layers * layer_thickness(s) + (s.layers - 1) * s.plate_thickness; }
 
 Matrix12 sandwich(const Sandwich& s) {
-  require_sound(check(s));
+  foundation::refuse_errors(check(s));
   const SeriesPart part{std::holds_alternative<RubberDisc>(s.layer) ? rubber_disc(std::get<RubberDisc>(s.layer))
                                                                     : rubber_block(std::get<RubberBlock>(s.layer)),
                         {0, 0, layer_thickness(s)}};
@@ -135,7 +136,7 @@ double short_bush_radial(const RubberBush& b) {
 BushConstants bush_constants(const RubberBush& b) {
   constexpr double shear_edge =
       0.1153;  // wall thicknesses at each free end that carry no axial shear, as at the edge of a thin layer
-  require_sound(check(b));
+  foundation::refuse_errors(check(b));
   const double wall = b.outer_radius - b.inner_radius, ends = 1 - 2 * shear_edge * wall / b.length,
                x = b.length / (2 * decay_length(b));
   const double relieved = short_bush_radial(b), kept = long_bush_radial(b) - relieved,

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <set>
 
-#include "trivet/excitation/refusal.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/eigenvalues.h"
 
@@ -75,7 +75,7 @@ double coherence(const Coherence& law, double omega) {
 
 Eigen::MatrixXcd density_matrix(const RandomInputs& inputs, double omega) {
   for (const InputPair& pair : inputs.pairs)
-    refuse_errors(problems_of_pair(pair, inputs.spectra.size(), "pair of inputs"));
+    foundation::refuse_errors(problems_of_pair(pair, inputs.spectra.size(), "pair of inputs"));
   Eigen::VectorXd root(to_index(inputs.spectra.size()));
   for (Eigen::Index j = 0; j < root.size(); ++j) root(j) = std::sqrt(density(inputs.spectra[j], omega));
   return root.asDiagonal() * correlation(inputs, omega) * root.asDiagonal();

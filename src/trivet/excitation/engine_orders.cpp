@@ -10,6 +10,7 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/excitation/slider_crank.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
@@ -65,7 +66,7 @@ bool is_harmonic(const Engine& engine, double order) {
 }  // namespace
 
 std::vector<Order> inertia_orders(const Engine& engine, int highest) {
-  refuse_errors(check(engine, "engine"));
+  foundation::refuse_errors(check(engine, "engine"));
   const std::vector<double> a = inertia_coefficients(engine.rod_ratio, highest),
                             g = inertia_torque_coefficients(engine.rod_ratio, highest);
   const double oscillating = engine.oscillating_mass * engine.crank_radius;
@@ -92,7 +93,7 @@ std::vector<Order> inertia_orders(const Engine& engine, int highest) {
 }
 
 std::vector<Order> gas_orders(const Engine& engine, const std::vector<TorqueHarmonic>& one_cylinder) {
-  refuse_errors(check(engine, "engine"));
+  foundation::refuse_errors(check(engine, "engine"));
   for (std::size_t i = 0; i < engine.cylinders.size(); ++i)
     if (std::isnan(engine.cylinders[i].firing_angle))
       throw foundation::InvalidInput(

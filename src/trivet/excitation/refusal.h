@@ -3,8 +3,6 @@
 
 #include <string_view>
 
-#include "trivet/foundation/first_error.h"
-
 /// Precondition checks of this module: each throws foundation::InvalidInput with quantity, value with unit, and rule.
 namespace trivet::excitation {
 
@@ -14,7 +12,5 @@ void require_not_negative(double value, std::string_view quantity, std::string_v
 
 /// 0 ≤ ζ < 1.
 void require_damping_ratio(double zeta);
-
-using foundation::refuse_errors;
 
 }  // namespace trivet::excitation

@@ -10,6 +10,7 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/peaks/peak_count.h"
@@ -185,7 +186,7 @@ foundation::Problems check(const ResponseSpectrum& spectrum, const std::string& 
 }
 
 double spectral_acceleration(const ResponseSpectrum& spectrum, double omega) {
-  refuse_errors(check(spectrum, "response spectrum"));
+  foundation::refuse_errors(check(spectrum, "response spectrum"));
   const std::vector<double>&w = spectrum.angular_frequencies, &a = spectrum.accelerations;
   if (!(omega >= w.front() && omega <= w.back()))
     throw foundation::InvalidInput(fmt::format(

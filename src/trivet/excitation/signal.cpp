@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "trivet/excitation/refusal.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -161,7 +162,7 @@ foundation::Problems check(const Samples& samples, const std::string& subject) {
 }
 
 Signal from_samples(const Samples& samples) {
-  refuse_errors(check(samples, "samples"));
+  foundation::refuse_errors(check(samples, "samples"));
   Signal signal;
   signal.pieces.reserve(samples.times.size());
   for (std::size_t i = 0; i + 1 < samples.times.size(); ++i)

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "trivet/excitation/refusal.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
@@ -148,8 +149,8 @@ foundation::Problems check(const PressureTrace& trace, double cycle, const std::
 
 std::vector<TorqueHarmonic> gas_harmonics(const PressureTrace& trace, const Engine& engine, double bore,
                                           double highest_order) {
-  refuse_errors(check(engine, "engine"));
-  refuse_errors(check(trace, engine.cycle(), "pressure"));
+  foundation::refuse_errors(check(engine, "engine"));
+  foundation::refuse_errors(check(trace, engine.cycle(), "pressure"));
   require_positive(bore, "bore", "m");
   require_not_negative(highest_order, "highest order", "");
   const int per_turn = engine.strokes / 2, terms = negligible_order(engine.rod_ratio);

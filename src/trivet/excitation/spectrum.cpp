@@ -9,6 +9,7 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/hertz.h"
 #include "trivet/foundation/invalid_input.h"
 
@@ -153,7 +154,7 @@ foundation::Problems check(const SpectrumTable& table, const std::string& subjec
 }
 
 Spectrum from_table(const SpectrumTable& table) {
-  refuse_errors(check(table, "spectrum"));
+  foundation::refuse_errors(check(table, "spectrum"));
   Spectrum spectrum;
   for (std::size_t i = 0; i + 1 < table.frequencies_hz.size(); ++i) {
     const double a = table.densities_per_hz[i] / two_pi, b = table.densities_per_hz[i + 1] / two_pi;

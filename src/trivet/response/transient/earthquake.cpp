@@ -8,8 +8,8 @@
 #include <limits>
 #include <numbers>
 
-#include "trivet/excitation/refusal.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
@@ -115,7 +115,7 @@ void add_warnings(const excitation::ResponseSpectrum& spectrum, const std::vecto
 EarthquakeResponse earthquake_response(const assembly::Assembled& given, const std::vector<assembly::Channel>& channels,
                                        const excitation::ResponseSpectrum& spectrum,
                                        const spatial::Vector6& direction) {
-  excitation::refuse_errors(excitation::check(spectrum, "response spectrum"));
+  foundation::refuse_errors(excitation::check(spectrum, "response spectrum"));
   if (!direction.allFinite() || direction.isZero(0))
     throw foundation::InvalidInput("earthquake: the direction must be finite and not zero");
   const assembly::Assembled assembled = nearest_linear(given);
