@@ -38,25 +38,36 @@ Eigen::ArrayXXd judged_designs(const SampleRun& run, const foundation::Progress&
   return margins;
 }
 
-/// Bounds of all columns, each at the same place of its order, above which a share of the rows lies with all columns.
-std::vector<double> common_bounds(const Eigen::ArrayXXd& margins, double share) {
-  const std::size_t rows = to_size(margins.rows());
-  std::vector<std::vector<double>> sorted;
-  std::vector<std::size_t> least(rows, rows);  // of each row: how many rows a column has up to it
-  for (Eigen::Index c = 0; c < margins.cols(); ++c) {
-    std::vector<double>& column = sorted.emplace_back(margins.col(c).begin(), margins.col(c).end());
-    std::ranges::sort(column);
-    for (std::size_t i = 0; i < rows; ++i) {
-      const auto up_to = std::ranges::upper_bound(column, margins(to_index(i), c)) - column.begin();
-      least[i] = std::min(least[i], static_cast<std::size_t>(up_to));
+/// Where the rows are in the order of each column.
+class Orders {
+ public:
+  explicit Orders(const Eigen::ArrayXXd& margins) : least_(to_size(margins.rows()), to_size(margins.rows())) {
+    for (Eigen::Index c = 0; c < margins.cols(); ++c) {
+      std::vector<std::pair<double, std::size_t>> rows;
+      for (std::size_t i = 0; i < least_.size(); ++i) rows.emplace_back(margins(to_index(i), c), i);
+      std::ranges::sort(rows);
+      std::vector<double>& column = sorted_.emplace_back();
+      for (const auto& [margin, row] : rows) column.push_back(margin);
+      for (std::size_t first = 0, up_to = 0; first < rows.size(); first = up_to) {
+        while (up_to < rows.size() && column[up_to] == column[first]) ++up_to;
+        for (std::size_t i = first; i < up_to; ++i) least_[rows[i].second] = std::min(least_[rows[i].second], up_to);
+      }
     }
+    std::ranges::sort(least_);
   }
-  std::ranges::sort(least);
-  const auto allowed = static_cast<std::size_t>((1 - share) * static_cast<double>(rows));
-  std::vector<double> bounds;
-  for (const std::vector<double>& column : sorted) bounds.push_back(column[std::min(least[allowed], rows) - 1]);
-  return bounds;
-}
+
+  /// Bounds of all columns, each at the same place of its order, above which a share of the rows lies with all columns.
+  [[nodiscard]] std::vector<double> bounds(double share) const {
+    const auto allowed = static_cast<std::size_t>((1 - share) * static_cast<double>(least_.size()));
+    std::vector<double> bounds;
+    for (const std::vector<double>& column : sorted_) bounds.push_back(column[least_[allowed] - 1]);
+    return bounds;
+  }
+
+ private:
+  std::vector<std::vector<double>> sorted_;
+  std::vector<std::size_t> least_;  ///< of all rows, in order: how many rows a column has up to it
+};
 
 Kept nominal_margins(const SampleRun& run) {
   Kept found;
@@ -179,11 +190,12 @@ Kept kept_by_share(const SampleRun& run, Aim& aim, const foundation::Progress& p
   // What has no reserve, such as a curve without a peak, is not helped by larger ones of the others.
   const std::vector<Eigen::Index> reserved = columns_with_reserve(found);
   const Eigen::ArrayXXd of_reserves = margins(Eigen::all, reserved);
-  std::vector<double> bounds = common_bounds(of_reserves, aim.share);
+  const Orders orders(of_reserves);
+  std::vector<double> bounds = orders.bounds(aim.share);
   if (aim.is_adapted && !bounds.empty()) {
     const double level = aim.minimizes ? 1 : *std::ranges::min_element(bounds);
     adapt(aim, static_cast<double>((of_reserves.rowwise().minCoeff() < level).count()) / count);
-    bounds = common_bounds(of_reserves, aim.share);
+    bounds = orders.bounds(aim.share);
   }
   Eigen::Index column = 0;
   std::size_t bound = 0;
