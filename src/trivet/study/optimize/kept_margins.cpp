@@ -289,13 +289,13 @@ Kept kept_by_worst(const SampleRun& run, const foundation::Progress& progress) {
 
 bool has_reserve(double nominal, double kept) { return std::isfinite(nominal) && nominal > 0 && kept > 0; }
 
-DesignObjective::Reserves reserves_for(const Kept& at, double more) {
+DesignObjective::Reserves reserves_for(const Kept& at) {
   DesignObjective::Reserves reserves;
   for (std::size_t c = 0; c < at.nominal.size(); ++c) {
     std::vector<double>& of_case = reserves.emplace_back();
     for (std::size_t r = 0; r < at.nominal[c].size(); ++r) {
       const double nominal = at.nominal[c][r], kept = at.kept[c][r];
-      of_case.push_back(has_reserve(nominal, kept) ? std::max(0.0, std::log(nominal / kept)) + more : 0);
+      of_case.push_back(has_reserve(nominal, kept) ? std::max(0.0, std::log(nominal / kept)) + same_reserves : 0);
     }
   }
   return reserves;

@@ -68,8 +68,11 @@ class MachineFamily {
 /// False for a margin that is no number, or falls to nothing: it has no distance that could be kept.
 [[nodiscard]] bool has_reserve(double nominal, double kept);
 
-/// Reserves with which the margins of a design are what its machines keep. @param more  added to each, ln(margin)
-[[nodiscard]] DesignObjective::Reserves reserves_for(const Kept& at, double more);
+/// Rounds that need the same reserves within this have settled, ln(margin).
+inline constexpr double same_reserves = 1e-3;
+/// Reserves with which the margins of a design are what its machines keep. They are larger by `same_reserves`, so that
+/// the last optimum has what it needs.
+[[nodiscard]] DesignObjective::Reserves reserves_for(const Kept& at);
 /// Of ln(margin); ∞ if there are none of one.
 [[nodiscard]] double largest_difference(const DesignObjective::Reserves& a, const DesignObjective::Reserves& b);
 

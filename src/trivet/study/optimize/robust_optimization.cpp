@@ -25,18 +25,15 @@ namespace {
 /// A limit of time, not of accuracy: the fan of the examples settles in 3, and shares that are raised need some more.
 /// The result says if they have not settled.
 constexpr int most_searches = 12;
-/// Rounds that need the same reserves within this have settled, ln(margin). Reserves are larger by it, so that the last
-/// optimum has what it needs.
-constexpr double same_reserves = 1e-3;
 /// Bounds of the least margin of the search, which only the sample judges in the end.
 constexpr double nearly_met = 1e-2;
 /// Added to the seed of [analyses.sample], whose own numbers are left to the yields of the result: one for the margins
 /// by which designs are searched, one for the yields by which a design is chosen.
 constexpr std::uint64_t searching = 0x9e3779b9, choosing = 2 * searching;
 /// The lower end of the yield by which a design is chosen is so many of its reaches (1.96 σ, from the estimate to the
-/// lower end) above the wanted yield; the estimate is 1 + spare reaches above it. Of other numbers too the lower end has
-/// to be above, so their estimate may be lower by `spare` reaches, 2.9 σ. Two estimates differ by √2 σ: that holds in
-/// 98 of 100 searches.
+/// lower end) above the wanted yield; the estimate is 1 + spare reaches above it. Of other numbers too the lower end
+/// has to be above, so their estimate may be lower by `spare` reaches, 2.9 σ. Two estimates differ by √2 σ: that holds
+/// in 98 of 100 searches.
 constexpr double spare = 1.5;
 
 /// The project with another design in the cases in which it has to hold.
@@ -103,10 +100,14 @@ class RobustSearch {
     };
   }
 
+  /// Its yields alone are sampled: bands and the worst case of `trivet sample` would be computed for every design.
   static project::Project with_usual_sample(const project::Project& project) {
     project::Project result = project;
-    for (project::Case& variant : result.cases)
+    for (project::Case& variant : result.cases) {
       if (!variant.analyses.sample) variant.analyses.sample.emplace();
+      variant.analyses.sample->worst_case = false;
+      variant.analyses.sample->bands.clear();
+    }
     return result;
   }
 
@@ -152,7 +153,7 @@ class RobustSearch {
     aim_.searched = std::min(most_share, 1 - (1 - before) * root * root / missed);
     aim_.share = 1 - (1 - aim_.share) * (1 - aim_.searched) / (1 - before);
     aim_.is_adapted = false;
-    reserves_ = reserves_for(kept_by(best_->project), same_reserves);
+    reserves_ = reserves_for(kept_by(best_->project));
     aim_.is_adapted = true;
     best_.reset();
   }
@@ -182,7 +183,7 @@ class RobustSearch {
         first_search_ = optimum.search;
         if (!optimum.cut_short) first_search_.finished = first_search_.starts;
       }
-      DesignObjective::Reserves needed = reserves_for(kept, same_reserves);
+      DesignObjective::Reserves needed = reserves_for(kept);
       result_.settled = largest_difference(reserves_, needed) <= same_reserves;
       reserves_ = std::move(needed);
       aim_.is_adapted = true;
@@ -205,9 +206,9 @@ class RobustSearch {
     }
   }
 
-  [[nodiscard]] bool has_kernels() const {
-    const SampleRun run(best_->project);
-    return std::ranges::all_of(run.cases(), [](const SampledCase& one) { return one.no_kernels().empty(); });
+  [[nodiscard]] bool has_kernels() {
+    machines_ = std::make_unique<Machines>(with_numbers(best_->project, searching), space_);
+    return std::ranges::all_of(machines_->run.cases(), [](const SampledCase& one) { return one.no_kernels().empty(); });
   }
 
   /// Reserves are alike for all requirements, and the machines are not: a search by steps of the numbers (Hooke and
@@ -260,7 +261,7 @@ class RobustSearch {
   }
 
   [[nodiscard]] numerics::ConfidenceInterval yield_by_choice(const project::Project& project) const {
-    return sample_at(with_numbers(project, choosing)).yield.interval;
+    return sample(with_numbers(project, choosing), progress_).yield.interval;
   }
 
   /// What other numbers find as well, see `spare`.
@@ -277,7 +278,6 @@ class RobustSearch {
 
   /// The largest margin kept around a design. @param least  of it
   void raise(Eigen::VectorXd& best, double& least) {
-    if (!machines_) machines_ = std::make_unique<Machines>(with_numbers(best_->project, searching), space_);
     // Starts that lie apart by 0.1 of the ranges climb for themselves (sampled_starts): steps begin below, and end
     // after eight halvings, where a range of one decade changes margins by less than the rounds do: 3e-4 ln 10 <
     // same_reserves.
@@ -296,7 +296,7 @@ class RobustSearch {
     project::Project there = with_changes(project_, space_.changes(best));
     aim_.is_adapted = false;
     Kept kept = kept_by(there);
-    Optimization optimum = optimum_at(project_, reserves_for(kept, same_reserves), best, best_->optimum);
+    Optimization optimum = optimum_at(project_, reserves_for(kept), best, best_->optimum);
     best_ = Round{std::move(optimum), std::move(there), std::move(kept)};
   }
 
@@ -332,19 +332,10 @@ class RobustSearch {
   [[nodiscard]] SampledDesign sampled(const project::Project& project, const Kept& kept) {
     SampledDesign design{kept.least, std::nullopt, kept.failed, kept.first_failure};
     if (!result_.wanted) return design;
-    const Sample found = sample_at(project);
+    const Sample found = sample(project, progress_);
     result_.designs = found.yield.designs;
     result_.seed = found.request.seed;
     return {kept.least, found.yield, found.failed, found.first_failure};
-  }
-
-  /// Its yield alone.
-  [[nodiscard]] Sample sample_at(project::Project project) const {
-    for (project::Case& variant : project.cases) {
-      variant.analyses.sample->worst_case = false;
-      variant.analyses.sample->bands.clear();
-    }
-    return sample(project, progress_);
   }
 
   Optimization described() {
