@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "trivet/foundation/constants.h"
-#include "trivet/foundation/first_error.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/judging/changed_case.h"
+#include "trivet/study/optimize/kept_margin_climb.h"
 #include "trivet/study/optimize/kept_margins.h"
 #include "trivet/study/requirements/margin.h"
 #include "trivet/study/requirements/verdict.h"
@@ -36,20 +34,6 @@ constexpr std::uint64_t searching = 0x9e3779b9, choosing = 2 * searching;
 /// in 98 of 100 searches.
 constexpr double spare = 1.5;
 
-/// The project with another design in the cases in which it has to hold.
-project::Project with_changes(const project::Project& project, const std::vector<project::Node>& changes) {
-  project::Project changed = project;
-  const std::vector<std::string> hold_in = cases_to_hold(project);
-  for (project::Case& variant : changed.cases) {
-    if (std::ranges::find(hold_in, variant.name) == hold_in.end()) continue;
-    auto one = judging::changed_case(variant, changes);
-    if (!one)
-      throw foundation::NotComputable("optimize: the optimum has no model: " + foundation::first_message(one.error()));
-    variant = std::move(*one);
-  }
-  return changed;
-}
-
 bool meets(double margin) { return margin > 0 && std::log(margin) >= least_met; }
 
 class RobustSearch {
@@ -58,6 +42,7 @@ class RobustSearch {
                const std::function<bool()>& enough)
       : project_(with_usual_sample(project)),
         space_(project_, project_.base().analyses.optimize->parameters),
+        given_progress_(progress),
         progress_(in_stages(progress)),
         enough_(enough) {
     result_.wanted = project.base().analyses.optimize->yield;
@@ -83,13 +68,6 @@ class RobustSearch {
     Optimization optimum;
     project::Project project;  ///< with the optimum
     Kept kept;
-  };
-
-  struct Machines {
-    Machines(project::Project one, const DesignSpace& space) : of(std::move(one)), run(of), family(run, space) {}
-    project::Project of;
-    SampleRun run;
-    MachineFamily family;
   };
 
   /// Tasks of rounds repeat; each report names the round, or how many designs were tried.
@@ -194,28 +172,16 @@ class RobustSearch {
     }
   }
 
-  /// The margin that the machines of a design keep; 0 if it is not above `least`, or they cannot be judged.
-  [[nodiscard]] double kept_at(const Eigen::VectorXd& shares, double least) {
-    stage_ = fmt::format("design {} around the optimum", ++result_.looked_at);
-    try {
-      if (const auto kept = machines_->family.kept_least(shares, *result_.wanted, least, progress_)) return *kept;
-      const project::Project there = with_numbers(with_changes(project_, space_.changes(shares)), searching);
-      return kept_least(SampleRun(there), *result_.wanted, least, progress_);
-    } catch (const foundation::NotComputable&) {
-      return 0;
-    }
-  }
-
-  [[nodiscard]] bool has_kernels() {
-    machines_ = std::make_unique<Machines>(with_numbers(best_->project, searching), space_);
-    return std::ranges::all_of(machines_->run.cases(), [](const SampledCase& one) { return one.no_kernels().empty(); });
+  [[nodiscard]] KeptMarginClimb climb_of_machines() const {
+    return {with_numbers(best_->project, searching), space_, *result_.wanted, given_progress_, enough_};
   }
 
   /// Reserves are alike for all requirements, and the machines are not: a search by steps of the numbers (Hooke and
   /// Jeeves), around the best of the rounds and the given design, for the margin that the machines keep. It takes many
   /// designs, so only those that kernels judge.
   void raise_kept_margin() {
-    result_.is_raised = has_kernels();
+    KeptMarginClimb climb = climb_of_machines();
+    result_.is_raised = climb.has_kernels();
     if (!result_.is_raised) return;
     Eigen::VectorXd best = shares_of(best_->optimum);
     double least = best_->kept.least;
@@ -223,7 +189,8 @@ class RobustSearch {
       best = *given;
       least = result_.given.kept;
     }
-    raise(best, least);
+    climb.raise(best, least);
+    stage_ = "design towards the largest margin";
     constexpr double worth_it = 1e-3;
     if (least > best_->kept.least * (1 + worth_it)) move_to(best);
     for (std::size_t j = 0; j < space_.size(); ++j) {
@@ -232,20 +199,24 @@ class RobustSearch {
         if (!*step) continue;
         Eigen::VectorXd moved = best;
         moved(to_index(j)) = std::clamp(space_.axes()[j].share((*step)->value), 0.0, 1.0);
-        (*step)->objective = kept_at(moved, 0);
+        (*step)->objective = climb.kept_at(moved, 0);
         (*step)->met = meets(*(*step)->objective);
       }
     }
+    result_.looked_at = climb.looked_at();
   }
 
   /// Of what is minimised: from an optimum that just misses the wanted yield towards the design with the largest margin
   /// kept, as far as it needs. @param assured_before  yield of that optimum
   void approach_the_largest_margin(double assured_before) {
-    if (!has_kernels()) return;
+    KeptMarginClimb climb = climb_of_machines();
+    if (!climb.has_kernels()) return;
     const Eigen::VectorXd from = shares_of(best_->optimum);
     Eigen::VectorXd safe = from;
     double least = best_->kept.least;
-    raise(safe, least);
+    climb.raise(safe, least);
+    stage_ = "design towards the largest margin";
+    result_.looked_at = climb.looked_at();
     if (safe == from) return;
     const auto assured_at = [&](double share) {
       return assured(yield_by_choice(with_changes(project_, space_.changes(from + share * (safe - from)))));
@@ -276,21 +247,6 @@ class RobustSearch {
     return shares;
   }
 
-  /// The largest margin kept around a design. @param least  of it
-  void raise(Eigen::VectorXd& best, double& least) {
-    // Starts that lie apart by 0.1 of the ranges climb for themselves (sampled_starts): steps begin below, and end
-    // after eight halvings, where a range of one decade changes margins by less than the rounds do: 3e-4 ln 10 <
-    // same_reserves.
-    constexpr double first_step = 0.08, last_step = 3e-4;
-    for (double step = first_step; step >= last_step && !(enough_ && enough_()); step /= 2) {
-      for (bool better = true; better;) {
-        const Eigen::VectorXd from = best;
-        better = steps(step, best, least);
-        if (better) take(2 * best - from, best, least);
-      }
-    }
-  }
-
   /// Takes another design in place of the best one.
   void move_to(const Eigen::VectorXd& best) {
     project::Project there = with_changes(project_, space_.changes(best));
@@ -298,30 +254,6 @@ class RobustSearch {
     Kept kept = kept_by(there);
     Optimization optimum = optimum_at(project_, reserves_for(kept), best, best_->optimum);
     best_ = Round{std::move(optimum), std::move(there), std::move(kept)};
-  }
-
-  /// Steps of every number, up and down. @return whether one was better
-  bool steps(double step, Eigen::VectorXd& best, double& least) {
-    bool better = false;
-    for (Eigen::Index j = 0; j < best.size(); ++j)
-      for (const double change : {step, -step}) {
-        Eigen::VectorXd trial = best;
-        trial(j) += change;
-        better = take(std::move(trial), best, least) || better;
-      }
-    return better;
-  }
-
-  /// Takes a trial within the ranges if it is better.
-  bool take(Eigen::VectorXd trial, Eigen::VectorXd& best, double& least) {
-    trial = trial.cwiseMax(0).cwiseMin(1);
-    if (trial == best) return false;
-    constexpr double better = 1e-6;
-    const double there = kept_at(trial, least * (1 + better));
-    if (!(there > least * (1 + better))) return false;
-    best = std::move(trial);
-    least = there;
-    return true;
   }
 
   /// Of what is minimised the last round counts, whose reserves are the most exact.
@@ -372,15 +304,15 @@ class RobustSearch {
   project::Project project_;
   DesignSpace space_;
   std::string stage_;
-  foundation::Progress progress_;
+  const foundation::Progress& given_progress_;
+  foundation::Progress progress_;  ///< names the stage
   const std::function<bool()>& enough_;
   DesignObjective::Reserves reserves_;
   std::vector<Eigen::VectorXd> near_;  ///< ends of the last round
   /// Later rounds start at its ends: that these reach the same optimum again is no evidence.
   SearchStatistics first_search_;
   Aim aim_;
-  std::unique_ptr<const Machines> machines_;  ///< of all designs, for steps
-  std::optional<Round> best_;                 ///< of the rounds with one aim; at the end the result
+  std::optional<Round> best_;  ///< of the rounds with one aim; at the end the result
   RobustOptimum result_;
 };
 
