@@ -100,7 +100,7 @@ foundation::Problems tolerance_reach(const project::Case& base) {
       if (share_beyond_zero(tolerance, place, *given, true) < occurs) continue;
       constexpr double just_beyond = -1e-3;
       const auto refused = refusal(base, number, just_beyond * *given);
-      if (!refused) continue;
+      if (!refused || refusal(base, number, *given)) continue;  // that the file has no model says nothing of zero
       const bool with_zero = refusal(base, number, 0).has_value();
       const double share = share_beyond_zero(tolerance, place, *given, with_zero);
       if (share >= occurs && (!worst || share > worst->share)) worst = {share, path, *given, with_zero, *refused};

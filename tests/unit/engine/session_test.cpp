@@ -46,7 +46,7 @@ TEST(Session, ExactCurvesEndWhereverTheyAreInterrupted) {
       session.changed(setting)->ask({"curves"}, [&](std::string_view task, double) { tasks.emplace_back(task); });
   ASSERT_TRUE(whole.json);
   const auto count = [&](const char* task) { return std::ranges::count(tasks, task); };
-  EXPECT_GE(count("roots"), 6);      // one for each oscillating root
+  EXPECT_GE(count("roots"), 6);  // one for each oscillating root
   EXPECT_GE(count("peaks"), 6);
   EXPECT_GE(count("modes of peaks"), 6);
   for (std::size_t last = 0; last < tasks.size(); ++last) {

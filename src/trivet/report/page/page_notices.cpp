@@ -163,13 +163,20 @@ std::string box(const std::string& style, const std::string& title, const std::v
   return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2><ul>{}</ul></div>\n", style, title, items);
 }
 
-/// The yield of the designs within tolerances.
+/// The yield of the designs within tolerances. That the design of the file meets everything is no word on the others.
 std::string sample_box(const std::vector<ShownCase>& cases) {
   std::string words;
-  for (const ShownCase& shown : cases)
-    if (shown.results.sample)
-      for (const std::string& sentence : results::sample_sentences(*shown.results.sample)) words += paragraph(sentence);
-  return words.empty() ? "" : "<div class=\"note\" role=\"note\"><h2>Within tolerances</h2>" + words + "</div>\n";
+  bool any_violates = false;
+  for (const ShownCase& shown : cases) {
+    if (!shown.results.sample) continue;
+    const study::Yield& yield = shown.results.sample->yield;
+    any_violates |= yield.met < yield.designs;
+    for (const std::string& sentence : results::sample_sentences(*shown.results.sample)) words += paragraph(sentence);
+  }
+  if (words.empty()) return "";
+  return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2>{}</div>\n", any_violates ? "alert" : "note",
+                     any_violates ? "⚠ Not all designs within tolerances meet the requirements" : "Within tolerances",
+                     words);
 }
 
 }  // namespace

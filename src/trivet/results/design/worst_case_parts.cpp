@@ -50,14 +50,16 @@ Table worst_table(const study::Sample& sample) {
 }
 
 /// Requirements of which a drawn design is worse than the worst one that was found.
-std::size_t beaten_searches(const study::Sample& sample) {
-  std::size_t count = 0;
+std::string beaten_searches(const study::Sample& sample) {
+  std::string list;
   for (const study::SampledCaseResult& one : sample.cases)
-    count += to_size(std::ranges::count_if(one.requirements, [](const study::SampledRequirement& requirement) {
+    for (const study::SampledRequirement& requirement : one.requirements) {
       const numerics::Extremes& drawn = requirement.margin.extremes;
-      return requirement.worst && drawn.any && drawn.least < requirement.worst->margin;
-    }));
-  return count;
+      if (!requirement.worst || !drawn.any || !(drawn.least < requirement.worst->margin)) continue;
+      list += fmt::format("{}\"{}\"{} ({:.4g})", list.empty() ? "" : ", ",
+                          requirement_words(requirement.given, one.display), in_case_words(one), drawn.least);
+    }
+  return list;
 }
 
 std::string search_words(const study::Sample& sample) {
@@ -66,7 +68,7 @@ std::string search_words(const study::Sample& sample) {
     const auto [from, to] = numerics::ends(one.distribution);
     return !std::isfinite(from) || !std::isfinite(to);
   };
-  const std::size_t beaten = beaten_searches(sample);
+  const std::string beaten = beaten_searches(sample);
   return fmt::format(
       "The worst designs are those that a search found; there may be worse ones. It began with {} of the ranges of the "
       "drawn numbers and {} designs inside, and went down the slopes of each margin. {}{}",
@@ -77,10 +79,8 @@ std::string search_words(const study::Sample& sample) {
                         "can be worse.",
                         100 * study::beyond_worst_range / 2)
           : std::string("The ranges contain all numbers that can be drawn."),
-      beaten == 0
-          ? std::string()
-          : fmt::format(" For {} requirement{} a drawn design is worse than the one found: see its least margin.",
-                        beaten, beaten == 1 ? "" : "s"));
+      beaten.empty() ? beaten
+                     : " Of these a drawn design is worse than the one found, with this margin: " + beaten + ".");
 }
 
 }  // namespace

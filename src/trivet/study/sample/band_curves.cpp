@@ -97,7 +97,8 @@ std::vector<SampledBand> BandCurves::empty(const std::vector<RequirementResult>&
     band.is_logarithmic = response_.spacing == project::Spacing::logarithmic;
     band.no_kernels = no_kernels_;
     for (const RequirementResult& one : given)
-      if (one.kind == RequirementKind::amplitude && one.subject == curve.subject && one.quantity == curve.quantity &&
+      // Forces have no velocity: by the unit a limit is one of the same curve, whatever the quantity of motions is.
+      if (one.kind == RequirementKind::amplitude && one.subject == curve.subject && one.unit == curve.unit &&
           one.excitations == curve.excitations && one.order == 0 && !one.transmitted)
         band.limits.push_back({one.band, one.allowed});
   }
