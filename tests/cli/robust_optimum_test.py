@@ -13,6 +13,11 @@ def optimize(*arguments):
     return trivet("optimize", FAN, *FEWER, *arguments)
 
 
+def with_springs(scale):
+    sides = (f"{place} {side}" for place in ("front", "middle", "rear") for side in ("left", "right"))
+    return [word for name in sides for word in ("--set", f'elements."{name}".scale = {scale!r}')]
+
+
 class RobustOptimum(unittest.TestCase):
     def test_promises_what_is_sampled(self):
         found = json.loads(optimize("--json").stdout)
@@ -22,11 +27,7 @@ class RobustOptimum(unittest.TestCase):
         self.assertEqual(found["starts"], 33)  # of the first search: 32 and the given design
         designs = {one["design"]: one for one in found["sampled_designs"]}
         self.assertEqual(list(designs), ["given", "nominal", "optimum"])
-        springs = found["parameters"][0]["optimum"]
-        changes = []
-        for place in ("front", "middle", "rear"):
-            for side in ("left", "right"):
-                changes += ["--set", f'elements."{place} {side}".scale = {springs!r}']
+        changes = with_springs(found["parameters"][0]["optimum"])
         sampled = json.loads(trivet("sample", FAN, *FEWER, *changes, "--json").stdout)
         self.assertEqual(sampled["yield"], designs["optimum"]["yield"])
         given = json.loads(trivet("sample", FAN, *FEWER, "--json").stdout)
@@ -36,6 +37,12 @@ class RobustOptimum(unittest.TestCase):
         for one in found["kept_margins"]:  # alone it keeps more than all together
             self.assertGreaterEqual(one["kept"], found["after"])
             self.assertGreater(one["nominal"], one["kept"])
+
+    def test_is_never_worse_than_the_given_design(self):
+        best = json.loads(optimize("--json").stdout)
+        again = json.loads(optimize("--json", *with_springs(best["parameters"][0]["optimum"])).stdout)
+        self.assertAlmostEqual(again["before"] / best["after"], 1, 9)
+        self.assertGreaterEqual(again["after"], again["before"])
 
     def test_says_a_yield_that_is_not_held(self):
         narrow = ["--set", 'requirements.static = {"fan.z" = "23 mm"}']

@@ -93,7 +93,8 @@ class ToleranceReader {
   void read_distribution() {
     const auto word = reader_.choice("distribution", {"uniform", "triangular", "normal", "lognormal"});
     const bool has_half_width = reader_.has("half_width"), has_deviation = reader_.has("standard_deviation");
-    const std::string shape = word.value_or(has_deviation && !has_half_width ? "normal" : "uniform");
+    const bool is_normal = !has_half_width && (has_deviation || reader_.has("truncated_at"));
+    const std::string shape = word.value_or(is_normal ? "normal" : "uniform");
     const bool bounded = shape == "uniform" || shape == "triangular";
     const char *key = bounded ? "half_width" : "standard_deviation",
                *other = bounded ? "standard_deviation" : "half_width";

@@ -171,6 +171,9 @@ std::string sample_box(const std::vector<ShownCase>& cases) {
     if (!shown.results.sample) continue;
     const study::Yield& yield = shown.results.sample->yield;
     any_violates |= yield.met < yield.designs;
+    for (const study::SampledCaseResult& one : shown.results.sample->cases)
+      for (const study::SampledRequirement& requirement : one.requirements)
+        any_violates |= requirement.worst && requirement.worst->margin < 1;
     for (const std::string& sentence : results::sample_sentences(*shown.results.sample)) words += paragraph(sentence);
   }
   if (words.empty()) return "";

@@ -191,6 +191,23 @@ std::string yield_sentence(const Sample& sample) {
                      designs);
 }
 
+/// What the worst designs that a search found do; empty if none was searched.
+std::string worst_words(const Sample& sample) {
+  std::size_t searched = 0, violated = 0;
+  const SampledRequirement* least = nullptr;
+  const SampledCaseResult* in = nullptr;
+  for (const SampledCaseResult& one : sample.cases)
+    for (const SampledRequirement& result : one.requirements) {
+      if (!result.worst) continue;
+      ++searched;
+      if (result.worst->margin < 1) ++violated;
+      if (!least || result.worst->margin < least->worst->margin) least = &result, in = &one;
+    }
+  if (!least) return "";
+  return fmt::format("Worst designs found: {} of {} requirements violated; least margin {:.4g}, of {}{}.", violated,
+                     searched, least->worst->margin, requirement_words(least->given, in->display), in_case_words(*in));
+}
+
 /// Which requirement decides most of the designs that violate one.
 std::string first_words(const Sample& sample) {
   const SampledRequirement* most = nullptr;
@@ -283,6 +300,7 @@ std::vector<std::string> sample_sentences(const Sample& sample) {
         "them.");
   list.push_back(yield_sentence(sample));
   if (std::string first = first_words(sample); !first.empty()) list.push_back(std::move(first));
+  if (std::string worst = worst_words(sample); !worst.empty()) list.push_back(std::move(worst));
   return list;
 }
 

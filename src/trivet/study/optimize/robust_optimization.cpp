@@ -191,8 +191,7 @@ class RobustSearch {
     }
     climb.raise(best, least);
     stage_ = "design towards the largest margin";
-    constexpr double worth_it = 1e-3;
-    if (least > best_->kept.least * (1 + worth_it)) move_to(best);
+    if (least > best_->kept.least) move_to(best);
     for (std::size_t j = 0; j < space_.size(); ++j) {
       OptimizedParameter& parameter = best_->optimum.parameters[j];
       for (auto* step : {&parameter.below, &parameter.above}) {
