@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/results/design/band_parts.h"
 #include "trivet/results/design/sample_words.h"
 #include "trivet/results/design/share_parts.h"
@@ -191,21 +192,23 @@ std::string yield_sentence(const Sample& sample) {
                      designs);
 }
 
-/// What the worst designs that a search found do; empty if none was searched.
+/// What the worst designs do that were searched or drawn; empty if none was searched.
 std::string worst_words(const Sample& sample) {
   std::size_t searched = 0, violated = 0;
-  const SampledRequirement* least = nullptr;
-  const SampledCaseResult* in = nullptr;
+  double least = foundation::infinity;
+  std::string of;
   for (const SampledCaseResult& one : sample.cases)
     for (const SampledRequirement& result : one.requirements) {
       if (!result.worst) continue;
+      const numerics::Extremes& drawn = result.margin.extremes;
+      const double margin = drawn.any ? std::min(result.worst->margin, drawn.least) : result.worst->margin;
       ++searched;
-      if (result.worst->margin < 1) ++violated;
-      if (!least || result.worst->margin < least->worst->margin) least = &result, in = &one;
+      if (margin < 1) ++violated;
+      if (margin < least) least = margin, of = requirement_words(result.given, one.display) + in_case_words(one);
     }
-  if (!least) return "";
-  return fmt::format("Worst designs found: {} of {} requirements violated; least margin {:.4g}, of {}{}.", violated,
-                     searched, least->worst->margin, requirement_words(least->given, in->display), in_case_words(*in));
+  if (searched == 0) return "";
+  return fmt::format("Worst designs found: {} of {} requirements violated; least margin {:.4g}{}{}.", violated,
+                     searched, least, of.empty() ? "" : ", of ", of);
 }
 
 /// Which requirement decides most of the designs that violate one.
