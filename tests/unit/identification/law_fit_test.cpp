@@ -132,7 +132,7 @@ TEST(FittedLaws, UnusablePointsAreNamed) {
   const foundation::Problems found = fitted_laws(data).error();
   const auto& problems = found.list();
   ASSERT_EQ(problems.size(), 2u);
-  EXPECT_THAT(foundation::message(problems[0]), HasSubstr("point 2: angular frequency 0"));
+  EXPECT_THAT(foundation::message(problems[0]), HasSubstr("point 2: a frequency of 0 Hz"));
   data = points([](double) { return std::complex<double>(1, -0.1); }, 0);
   EXPECT_THAT(foundation::message(fitted_laws(data).error().list().front()),
               HasSubstr("the mean loss is not positive"));

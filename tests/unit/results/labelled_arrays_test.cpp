@@ -70,6 +70,12 @@ of = "machine.z"
 rows = [[2, 1e-4], [40, 1e-4]]
 [limits]
 "machine.z" = "2 mm"
+[tolerances.weight]
+path = "bodies.machine.mass"
+half_width = "5 %"
+[tolerances.rubber]
+path = "element_types.mount.scale"
+half_width = "10 %"
 [parameters.stiffness]
 path = "element_types.mount.scale"
 from = 0.5
@@ -98,6 +104,7 @@ steady = {band = ["2 Hz", "9 Hz"], harmonics = 3}
 backbone = {modes = [1, 2], up_to = "2 mm", harmonics = 3}
 shock_spectrum = {band = ["5 Hz", "50 Hz"]}
 earthquake = {direction = "z", rows = [[0.15, 9], [0.5, 9], [2, 2]]}
+sample = {designs = 400, bands = ["machine.z"]}
 )";
 const std::string one_map_and_an_optimum = R"(optimize = {starts = 2}
 map.x = {parameter = "stiffness", points = 4}

@@ -72,28 +72,30 @@ std::optional<double> share_of_first(const DrawnRequirement& one) {
   return all > 0 ? std::optional(static_cast<double>(one.result->first) / static_cast<double>(all)) : std::nullopt;
 }
 
+/// Of programs: objects of JSON are those of a case; CSV and arrays have all cases.
+constexpr unsigned in_data = in_json | in_csv | in_arrays;
+
 std::vector<Column> subject_columns(const DrawnRequirements& row) {
   const auto given = [](auto words) {
     return [words](const DrawnRequirement& one) { return words(one.result->given); };
   };
   return {
-      row("case", Kind::words, "", [](const DrawnRequirement& one) { return one.in->case_name; }, {.forms = in_csv}),
-      row("kind", Kind::words, "", given([](const auto& r) { return study::name(r.kind); }),
-          {.forms = in_json | in_csv}),
-      row("subject", Kind::words, "", given([](const auto& r) { return r.subject; }), {.forms = in_json | in_csv}),
-      row("requirement", Kind::words, "", given([](const auto& r) { return r.words_at_level(); }),
-          {.forms = in_json | in_csv}),
+      row("case", Kind::words, "", [](const DrawnRequirement& one) { return one.in->case_name; },
+          {.forms = in_csv | in_arrays}),
+      row("kind", Kind::words, "", given([](const auto& r) { return study::name(r.kind); }), {.forms = in_data}),
+      row("subject", Kind::words, "", given([](const auto& r) { return r.subject; }), {.forms = in_data}),
+      row("requirement", Kind::words, "", given([](const auto& r) { return r.words_at_level(); }), {.forms = in_data}),
       row("requirement", Kind::words, "requirement",
           [](const DrawnRequirement& one) { return requirement_words(one.result->given, one.in->display); },
           {.forms = for_people}),
       row("unit", Kind::words, "", given([](const auto& r) { return r.unit; })),
       row("level", Kind::words, "", given([](const auto& r) { return *r.level() ? Json(r.level()) : Json(); }),
-          {.forms = in_json | in_csv}),
-      row("allowed", Kind::quantity, "", given([](const auto& r) { return r.allowed; }), {.forms = in_json | in_csv})};
+          {.forms = in_data}),
+      row("allowed", Kind::quantity, "", given([](const auto& r) { return r.allowed; }), {.forms = in_data})};
 }
 
 std::vector<Column> yield_columns(const DrawnRequirements& row) {
-  const ColumnOptions data = {.forms = in_json | in_csv};
+  const ColumnOptions data = {.forms = in_data};
   return {row("yield", Kind::share, "", interval(&ConfidenceInterval::estimate), data),
           row("yield_from", Kind::share, "", interval(&ConfidenceInterval::from), data),
           row("yield_to", Kind::share, "", interval(&ConfidenceInterval::to), data),
@@ -117,7 +119,7 @@ std::vector<Column> margin_columns(const DrawnRequirements& row) {
   const auto design = [](std::uint64_t Extremes::* member) {
     return [member](const DrawnRequirement& one) { return one.result->margin.extremes.*member; };
   };
-  const ColumnOptions data = {.forms = in_json | in_csv};
+  const ColumnOptions data = {.forms = in_data};
   return {row("margin_least", Kind::number, "least margin", end_of_margins(&Extremes::least), shown),
           row("margin_least_design", Kind::number, "", design(&Extremes::least_at), data),
           row("margin_low", Kind::number, "5 %", margin(&Spread::low), shown),
@@ -132,7 +134,7 @@ std::vector<Column> value_columns(const DrawnRequirements& row) {
   using numerics::Extremes;
   std::vector<Column> columns;
   const auto add = [&](const char* name, const char* heading, auto get) {
-    columns.push_back(row(name, Kind::quantity, "", get, {.forms = in_json | in_csv}));
+    columns.push_back(row(name, Kind::quantity, "", get, {.forms = in_data}));
     if (!*heading) return;
     const auto shown = [get](const DrawnRequirement& one) {
       const std::optional<double> value = get(one);
@@ -156,7 +158,7 @@ Table requirement_table(const Sample& sample, const std::vector<const SampledCas
   for (const SampledCaseResult* one : cases)
     for (const SampledRequirement& result : one->requirements) list.push_back({&sample, one, &result});
   const DrawnRequirements row(std::move(list));
-  Table table{.key = "requirements", .file = "sample.csv", .rows = row.size()};
+  Table table{.key = "requirements", .axis = "requirement", .file = "sample.csv", .rows = row.size()};
   std::vector<const SampledRequirement*> results;
   for (const SampledCaseResult* one : cases)
     for (const SampledRequirement& result : one->requirements) results.push_back(&result);
@@ -334,7 +336,7 @@ Document sample_document(const Sample& sample) {
                     sample.worst_case.empty() ? "" : " in case " + sample.worst_case, design_words(*sample.worst)));
   std::vector<const SampledCaseResult*> cases;
   for (const SampledCaseResult& one : sample.cases) cases.push_back(&one);
-  document.add(requirement_table(sample, cases)).forms = in_csv;
+  document.add(requirement_table(sample, cases)).forms = in_csv | in_arrays;
   for (const SampledCaseResult& one : sample.cases) {
     Group& group = document.add(Group{.key = "cases", .parts = {}, .in_list = true});
     const auto single = [&](const char* name, Json value) {
