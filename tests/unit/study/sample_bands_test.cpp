@@ -86,7 +86,7 @@ TEST(SampledBands, DoNotContainDesignsWithoutAModel) {
   const study::Sample found = study::sample(test::project(machine, {"tolerances.casting.standard_deviation=\"37 %\""}));
   ASSERT_GT(found.failed, 0);
   const std::string text = results::as_text(results::sample_document(found, {}), {});
-  EXPECT_THAT(text, HasSubstr("over " + std::to_string(3000 - found.failed) + " designs"));
+  EXPECT_THAT(text, HasSubstr("of " + std::to_string(3000 - found.failed) + " designs"));
   EXPECT_THAT(text, HasSubstr("that could not be judged are in no band"));
 }
 
