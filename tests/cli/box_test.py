@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import math
+import re
 import shlex
 import unittest
 
@@ -102,6 +103,29 @@ class Box(InTemporaryFolder):
             done = trivet("box", self.wedge(change))
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(said, done.stderr)
+
+    def test_its_page_has_the_picture(self):
+        page = self.folder / "box.html"
+        self.assertEqual(trivet("box", self.wedge(), "-o", page).returncode, 0)
+        self.assertIn("<figure><svg", page.read_text())
+        self.assertIn("what stops their ends", page.read_text())
+
+    def test_labels_of_ends_are_below_their_bars(self):
+        picture = self.folder / "box.svg"
+        self.assertEqual(trivet("box", self.wedge(), "--picture", picture).returncode, 0)
+        drawing = picture.read_text()
+        bars = [
+            float(y) + float(height)
+            for y, height in re.findall(r'<rect[^>]* y="([\d.]+)"[^>]* height="([\d.]+)"[^>]*fill-opacity', drawing)
+        ]
+        labels = re.findall(r'<text[^>]* y="([\d.]+)"[^>]*font-size="10" text-anchor="(start|end)"[^>]*>', drawing)
+        self.assertEqual(len(bars), 2)
+        self.assertEqual(len(labels), 4)
+        letters = 10  # height of their capitals at most
+        for i, (y, _) in enumerate(labels):
+            self.assertGreater(float(y) - letters, bars[i // 2])
+        for lower, upper in (labels[:2], labels[2:]):  # towards the middle from both edges, each half of the width
+            self.assertEqual((lower[1], upper[1]), ("start", "end"))
 
     def test_powertrain(self):
         picture = self.folder / "box.svg"

@@ -11,16 +11,25 @@ Result box(const Task& task) {
   const auto held = hold(task, study::solution_box(*task.project, task.progress));
   Result result;
   result.warnings = task.project->base().warnings;
-  const auto document = [held, warnings = result.warnings](const project::DisplayUnits& display) {
+  const auto in_units_of = [held](const project::DisplayUnits& display) {
     auto shown = std::make_shared<study::SolutionBox>(held->found);
     for (study::BoxCase& one : shown->cases) one.display = display;
+    return shown;
+  };
+  const auto document = [in_units_of, warnings = result.warnings](const project::DisplayUnits& display) {
+    const auto shown = in_units_of(display);
     documents::Document found = results::box_document(*shown, warnings);
     found.held = shown;
     return found;
   };
   set_forms(document, held, task.variant.display, {"box.csv"}, result);
-  result.figures.emplace_back(
-      "box.svg", writer([held, title = task.project->title] { return report::box_figure(held->found, title).svg; }));
+  const std::string& title = task.project->title;
+  result.figures.emplace_back("box.svg", writer([held, title] { return report::box_figure(held->found, title).svg; }));
+  add_below_tables(
+      [in_units_of, title](const project::DisplayUnits& display) {
+        return std::vector{report::box_figure(*in_units_of(display), title)};
+      },
+      result);
   return result;
 }
 

@@ -47,6 +47,16 @@ void set_forms(std::function<documents::Document(const project::DisplayUnits& di
                std::shared_ptr<const void> held, const project::DisplayUnits& own,
                const std::vector<std::string>& files, Result& result, const std::string& closing = "");
 
+/// Pictures below the tables of a page. @param figures_of  makes them in the units of a display
+template <typename FiguresOf>
+void add_below_tables(FiguresOf figures_of, Result& result) {
+  result.html = [figures_of = std::move(figures_of), tables = result.html](const project::DisplayUnits& display) {
+    std::string html = tables(display);
+    for (const auto& figure : figures_of(display)) html += "<figure>" + figure.html() + "</figure>\n";
+    return html;
+  };
+}
+
 /// The document of a case in the units of a display. @param document_of  makes it of the case with these units
 template <typename DocumentOf>
 [[nodiscard]] auto in_units(DocumentOf document_of, const project::Case& variant) {
