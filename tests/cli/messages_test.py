@@ -3,25 +3,9 @@
 import math
 import unittest
 
-from trivet_test import InTemporaryFolder, result_of, trivet
+from trivet_test import SOURCE, InTemporaryFolder, result_of, trivet
 
-MACHINE = """trivet = 1
-gravity = [0, 0, -9.80665]
-[bodies.m]
-mass = 40
-free = ["z"]
-[elements.s]
-type = "bushing"
-on = "m"
-at = [0, 0, 0]
-translation = [1, 1, 2.5e5]
-damping = {translation = [1e-3, 1e-3, 400]}
-[excitations.f]
-type = "harmonic"
-on = "m"
-at = [0, 0, 0]
-force = [0, 0, 30]
-"""
+MACHINE = (SOURCE / "tests/data/projects/driven_mass.toml").read_text()
 ENGINE = """[excitations.crank]
 type = "orders"
 on = "m"

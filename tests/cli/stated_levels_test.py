@@ -3,24 +3,11 @@
 import re
 import unittest
 
-from trivet_test import InTemporaryFolder, result_of, trivet
+from trivet_test import SOURCE, InTemporaryFolder, result_of, trivet
 
-MACHINE = """trivet = 1
-[bodies.m]
-mass = 40
-free = ["z"]
-[elements.s]
-type = "bushing"
-on = "m"
-at = [0, 0, 0]
-translation = [1, 1, 2.5e5]
-damping = {translation = [1e-3, 1e-3, 400]}
-[excitations.f]
-type = "harmonic"
-on = "m"
-at = [0, 0, 0]
-force = [0, 0, 30]
-[requirements]
+MACHINE = (
+    (SOURCE / "tests/data/projects/driven_mass.toml").read_text()
+    + """[requirements]
 limits = {"m.z" = "LIMIT"}
 [analyses]
 response = {band = ["1 Hz", "30 Hz"], of = ["m.z"], quantity = "velocity"}
@@ -34,6 +21,7 @@ to = 2
 path = "elements.s.scale"
 half_width = "10 %"
 """
+)
 # The design may meet both requirements, but not with machines that are 10 % softer or stiffer.
 TOLERATED = """trivet = 1
 gravity = [0, 0, -9.80665]

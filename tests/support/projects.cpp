@@ -51,4 +51,18 @@ std::string driven_pair() {
       "[excitations.force]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [10, 0, 0]\n";
 }
 
+std::string sagging_mass() {
+  return R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m1]
+mass = 10
+free = ["z"]
+[elements.k1]
+type = "three_springs"
+on = "m1"
+at = [0, 0, 0]
+translation = [0, 0, 40000]
+)";
+}
+
 }  // namespace trivet::test

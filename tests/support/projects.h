@@ -22,6 +22,10 @@ namespace trivet::test {
 /// follows.
 [[nodiscard]] std::string driven_pair();
 
+/// A mass of 10 kg, m1, that sags by its weight on a spring of 40 kN/m, k1, along its free coordinate "z"; the next
+/// table of the file follows.
+[[nodiscard]] std::string sagging_mass();
+
 /// Complex value of a curve by name.
 [[nodiscard]] std::complex<double> value(const study::ResponseResult& result, const std::string& name, Eigen::Index at);
 

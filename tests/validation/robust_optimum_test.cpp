@@ -26,16 +26,7 @@ namespace robust_optimum_test {
 constexpr double gravity = 9.80665, mass = 10, stiffness = 40000, sag = 4e-3, highest = 2 * std::numbers::pi * 11;
 
 std::string suspended(const std::string& tolerance, const std::string& optimize) {
-  return R"(trivet = 1
-gravity = [0, 0, -9.80665]
-[bodies.m1]
-mass = 10
-free = ["z"]
-[elements.k1]
-type = "three_springs"
-on = "m1"
-at = [0, 0, 0]
-translation = [0, 0, 40000]
+  return test::sagging_mass() + R"(
 [parameters.stiffness]
 path = "elements.k1.scale"
 from = 0.4

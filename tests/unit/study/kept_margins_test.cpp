@@ -14,16 +14,7 @@ namespace kept_margins_test {
 constexpr double wanted = 0.9;
 
 /// A mass whose sag and natural frequency scatter, and one with a damping ratio of 0.75 that scatters around 1/√2.
-const std::string machine = R"(trivet = 1
-gravity = [0, 0, -9.80665]
-[bodies.m1]
-mass = 10
-free = ["z"]
-[elements.k1]
-type = "three_springs"
-on = "m1"
-at = [0, 0, 0]
-translation = [0, 0, 40000]
+const std::string machine = test::sagging_mass() + R"(
 [bodies.m2]
 mass = 1
 free = ["z"]
