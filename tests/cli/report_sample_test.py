@@ -22,8 +22,6 @@ class ReportSample(InTemporaryFolder):
     def project(self, text=None, *changes):
         target = self.folder / "project.toml"
         text = text or ROBUST.read_text().replace("designs = 100_000", "designs = 2000, worst_case = true")
-        # Shares are those of independent numbers.
-        text = text.replace('correlation = {with = "core", value = 0.5}\n', "")
         for old, new in changes:
             self.assertIn(old, text)
             text = text.replace(old, new)
@@ -56,6 +54,38 @@ class ReportSample(InTemporaryFolder):
         self.assertEqual((folder / "sample.csv").read_text(), trivet("sample", project, "--csv").stdout)
         for name in ("bands.csv", "bands.svg", "shares.svg"):
             self.assertTrue((folder / name).exists(), name)
+
+    def test_the_box_is_amber_if_any_design_drawn_or_searched_violates_a_requirement(self):
+        wedge = (SOURCE / "tests/data/projects/wedge.toml").read_text()
+        wedge = (
+            wedge[: wedge.index("natural_frequencies")] + "[analyses]\nsample = {designs = 100, worst_case = true}\n"
+        )
+        amber = ("alert", "⚠ Not all designs within tolerances meet the requirements")
+        # At the worst corner the sag is 10.5 kg·g/(34 N/mm) = 3.0286 mm.
+        for allowed, all_met, expected in (
+            ("2.6 mm", False, amber),
+            ("3.0285 mm", True, amber),  # none of the drawn designs is so near to the corner
+            ("3.03 mm", True, ("note", "Within tolerances")),
+        ):
+            _, results, page = self.run_of(self.project(wedge, ('"3 mm"', f'"{allowed}"')))
+            self.assertEqual(results["cases"][0]["sample"]["yield"]["share"] == 1, all_met, allowed)
+            box = re.search(r'<div class="(\w+)" role="note"><h2>([^<]*ithin tolerances[^<]*)</h2>', page)
+            self.assertEqual(box.groups(), expected, allowed)
+
+    def test_a_wanted_yield_is_a_verdict(self):
+        for wanted, held, heading in (
+            ("90 %", True, "✓ MET: 6 of 6 requirements, 1 of 1 yield"),
+            ("99 %", False, "✗ VIOLATED: 1 of 1 yield"),
+        ):
+            project = self.project(None, ("designs = 2000", f'yield = "{wanted}", designs = 2000'))
+            done, results, page = self.run_of(project, "--strict")
+            found = results["cases"][0]["sample"]
+            self.assertEqual((found["wanted"], found["held"]), (float(wanted[:2]) / 100, held))
+            self.assertEqual(found["yield"]["from"] >= found["wanted"], held)
+            self.assertEqual(done.returncode == 3, not held, done.stderr)
+            self.assertIn(heading, words(page))
+            self.assertEqual('<div class="alert" role="note"><h2>⚠ Not all designs' in page, not held)
+            self.assertIn(f"designs within tolerances ≥ {wanted}", done.stdout)
 
     def test_the_short_report_states_the_yield(self):
         done, _, page = self.run_of(self.project(), "--report", "short")

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 import unittest
 
 from trivet_test import SOURCE, InTemporaryFolder, trivet
@@ -10,6 +11,21 @@ from trivet_test import SOURCE, InTemporaryFolder, trivet
 ROBUST = SOURCE / "examples/paper/robust.toml"
 FEW = ("--set", "analyses.sample.designs=1000", "--set", 'analyses.sample.bands=["aggregate.z", "aggregate.rx"]')
 NUMBERS = ("angular_frequency", "given", "least", "low", "median", "high", "largest")
+
+
+# Velocities and forces in one selection; the force has a limit, and so has the velocity.
+DRIVEN = (
+    (SOURCE / "tests/data/projects/driven_mass.toml").read_text()
+    + """[requirements]
+limits = {"m.z" = "20 mm/s rms", "ground.force.z" = "300 N"}
+[analyses]
+response = {band = ["1 Hz", "30 Hz"], of = ["m.z", "ground.force.z"], quantity = "velocity"}
+sample = {designs = 1000, bands = ["m.z", "ground.force.z"]}
+[tolerances.t]
+path = "elements.s.scale"
+half_width = "10 %"
+"""
+)
 
 
 class SampleBands(InTemporaryFolder):
@@ -66,6 +82,15 @@ class SampleBands(InTemporaryFolder):
             self.assertIn("design of the file", text)
             self.assertIn("limit", text)
             self.assertNotIn("nan", text)
+
+    def test_limits_on_forces_are_drawn_beside_velocities(self):
+        project, picture = self.file(DRIVEN), self.folder / "bands.svg"
+        found = json.loads(trivet("sample", project, "--json").stdout)
+        velocity, force = found["bands"][0]["results"]
+        self.assertAlmostEqual(velocity["limits"][0]["amplitude"], 0.02 * 2**0.5)
+        self.assertEqual([one["amplitude"] for one in force["limits"]], [300])
+        self.assertEqual(trivet("sample", project, "--picture", picture).returncode, 0)
+        self.assertEqual(len(re.findall(r'<polyline [^>]*stroke="#D55E00"', picture.read_text())), 2)
 
     def test_a_picture_needs_bands(self):
         project = self.folder / "plain.toml"

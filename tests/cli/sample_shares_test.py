@@ -80,13 +80,14 @@ class SampleShares(InTemporaryFolder):
         shares, svg = self.drawn(project)
         first = shares["list"][0]["requirement"]
         listed = [one for one in shares["list"] if one["requirement"] == first]
-        self.assertEqual(len(listed), 15)
+        self.assertEqual(len(listed), 16)  # and all of them together
+        self.assertEqual((listed[0]["number"], listed[0]["drawn"]), ("all (all 15 numbers)", 15))
         top = svg[: svg.index(" % each</text>")]
         for one in listed[:12]:
             self.assertIn(f'>{one["number"][4:]}</text>', top)
         for one in listed[12:]:
             self.assertNotIn(f'>{one["number"][4:]}</text>', top)
-        rest = float(re.search(r"and 3 more, with others ≤ ([\d.]+)$", top).group(1)) / 100
+        rest = float(re.search(r"and 4 more, with others ≤ ([\d.]+)$", top).group(1)) / 100
         largest = max(one["total_to"] for one in listed[12:])
         self.assertTrue(largest <= rest <= 1.11 * largest + 1e-6, (largest, rest))
 
@@ -106,15 +107,12 @@ class SampleShares(InTemporaryFolder):
         self.assertIn(">gap at rest</text>", svg)
 
     def test_without_shares_there_is_no_picture_of_them(self):
-        text = ROBUST.read_text().replace("100_000", "1000")
+        text = ROBUST.read_text().replace("100_000", "100")
         self.assertIn("bands = [", text)  # another picture is no answer
-        project = self.folder / "correlated.toml"
-        project.write_text(text)
+        project = self.file(text)
         done = trivet("sample", project, "--shares", "--picture", self.folder / "shares.svg")
         self.assertEqual(done.returncode, 1)
-        self.assertIn(
-            '--picture: there are no shares of the variance: "casting" and "core" are correlated', done.stderr
-        )
+        self.assertIn("--picture: there are no shares of the variance: 100 designs are too few: 160 are", done.stderr)
         self.assertIn("No shares of the variance: ", done.stdout)
         self.assertFalse((self.folder / "shares.svg").exists())
 

@@ -11,6 +11,8 @@ from trivet_test import SOURCE, InTemporaryFolder, trivet
 ROBUST = SOURCE / "examples/paper/robust.toml"
 FEW = ("--set", "analyses.sample.designs=1000")
 
+WEDGE = (SOURCE / "tests/data/projects/wedge.toml").read_text()
+
 
 class Sample(InTemporaryFolder):
     def project(self, more):
@@ -44,6 +46,51 @@ class Sample(InTemporaryFolder):
         settings = [f"{path}={value!r}" for path, value in found["worst"]["numbers"].items()]
         judged = json.loads(trivet("verdict", ROBUST, "--json", *(x for s in settings for x in ("--set", s))).stdout)
         self.assertAlmostEqual(judged["least_margin"]["margin"] / found["worst_margin"], 1, 8)
+
+    def test_strict_judges_the_wanted_yield_or_all_designs(self):
+        def strict(*more):
+            done = trivet("sample", ROBUST, *FEW, *more, "--strict")
+            return done.returncode, done.stdout.splitlines()[0], done.stderr
+
+        wide = (
+            "--set",
+            'requirements={limits={"aggregate.x"="0.2 m", "aggregate.y"="0.2 m", "aggregate.z"="0.2 m"}, no_peak=[]}',
+        )
+        self.assertEqual(strict()[0], 3)
+        self.assertIn("1 sample with designs that violate a requirement", strict()[2])
+        self.assertEqual(strict(*wide)[0], 0)
+        # 0.05^(1/1000) = 99.7 %: without violations 1000 designs show no more.
+        for yields, more, expected in (
+            ("90 %", (), (0, ", wanted 90 %")),
+            ("99 %", (), (3, ", NOT the wanted 99 %")),
+            ("99.7 %", wide, (0, ", wanted 99.7 %")),
+            ("99.71 %", wide, (3, ", NOT certainly the wanted 99.71 %")),
+        ):
+            code, first, error = strict("--set", f'analyses.sample.yield="{yields}"', *more)
+            self.assertEqual(code, expected[0], error)
+            self.assertIn(expected[1] + ";", first)
+            self.assertEqual("1 yield below the wanted one" in error, code == 3)
+
+    def test_numbers_of_designs_have_the_units_of_the_file(self):
+        project = self.file(WEDGE + '[tolerances.whole]\npath = "elements.k1.scale"\nhalf_width = "10 %"\n')
+        stiffness, mass, scale = json.loads(trivet("sample", project, *FEW, "--json").stdout)["worst"][
+            "numbers"
+        ].values()
+        self.assertRegex(
+            trivet("sample", project, *FEW).stdout,
+            rf"Least margin .*: elements\.k1\.translation\.z = {stiffness / 1000:.5g} N/mm, "
+            rf"bodies\.m1\.mass = {mass:.5g} kg, elements\.k1\.scale = {scale:.5g}\.\n",
+        )
+
+    def test_zero_is_no_word_on_a_machine_without_a_model(self):
+        wide = WEDGE.replace('half_width = "0.5 kg"', 'standard_deviation = "6 kg"')
+        reaches = 'of its numbers at "bodies.m1.mass" are'
+        self.assertIn(reaches, trivet("sample", self.file(wide)).stderr)
+        flat = wide.replace('free = ["z"]', "inertia = {xx = 1, yy = 1, zz = 3}")
+        done = trivet("sample", self.file(flat))
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("bodies.m1.inertia", done.stderr)
+        self.assertNotIn(reaches, done.stderr)
 
     def test_the_case_with_the_least_margin_is_named(self):
         path = self.folder / "cases.toml"
@@ -142,8 +189,8 @@ class Sample(InTemporaryFolder):
         text = trivet("sample", project, *FEW, "--shares").stdout
         self.assertRegex(text, r"aggregate\.x ≤ 11 mm 0-p +idle +cannot be told from 0, ≤ \d")
         self.assertNotIn("shares", json.loads(trivet("sample", project, *FEW, "--json").stdout))
-        refused = trivet("sample", ROBUST, *FEW, "--shares").stdout
-        self.assertIn('No shares of the variance: "casting" and "core" are correlated', refused)
+        together = trivet("sample", ROBUST, *FEW, "--shares").stdout
+        self.assertRegex(together, r"aggregate\.x ≤ 11 mm 0-p +casting, core \(correlated\) ")
 
     def test_one_case_alone(self):
         project = self.project('[tolerances.rubber]\npath = "elements.suspension.scale"\nhalf_width = "5 %"\n')

@@ -135,20 +135,17 @@ TEST(Sample, CorrelatesTolerances) {
               v * std::sqrt(3) / 2, within);
 }
 
+std::vector<std::string> names(const study::SampledShares& shares) {
+  std::vector<std::string> list;
+  for (const study::DrawnSet& one : shares.sets) list.push_back(one.name.words());
+  return list;
+}
+
 // The sag m g/k of a lognormal mass and stiffness: 1/k has the relative variance of k, and the variance of a product of
 // independent numbers is (1 + v_k²)(1 + v_m²) − 1 of the squared mean.
 TEST(Sample, HasTheVarianceSharesOfASag) {
   const double k = 0.2 * 0.2, m = 0.1 * 0.1, all = (1 + k) * (1 + m) - 1;
-  const std::string text = R"(trivet = 1
-gravity = [0, 0, -9.80665]
-[bodies.m1]
-mass = 10
-free = ["z"]
-[elements.k1]
-type = "three_springs"
-on = "m1"
-at = [0, 0, 0]
-translation = [0, 0, 40000]
+  const std::string text = test::sagging_mass() + R"(
 [tolerances.rubber]
 path = "elements.k1.scale"
 standard_deviation = "20 %"
@@ -169,11 +166,9 @@ designs = 40_000
     EXPECT_EQ(found.shares->reason, "");
     EXPECT_EQ(found.shares->pairs, 10000);
     EXPECT_EQ(found.shares->left_out, 0);
-    EXPECT_THAT(found.shares->names,
-                testing::ElementsAre(testing::Field(&study::DrawnName::tolerance, "rubber"),
-                                     testing::Field(&study::DrawnName::tolerance, "casting")));
+    EXPECT_THAT(names(*found.shares), testing::ElementsAre("rubber", "casting"));
     ASSERT_EQ(found.shares->list.size(), 1);
-    const std::vector<numerics::VarianceShare>& draws = found.shares->list.front().draws;
+    const std::vector<numerics::VarianceShare>& draws = found.shares->list.front().sets;
     const double exact[2][2] = {{k / all, k * (1 + m) / all}, {m / all, m * (1 + k) / all}};
     for (std::size_t d = 0; d < 2; ++d)
       for (const auto& [interval, value] :
@@ -185,13 +180,47 @@ designs = 40_000
   }
 }
 
-TEST(Sample, HasNoSharesOfCorrelatedTolerances) {
+// The sag of the last of masses in a row is linear in all masses: Σ m_j g c_j with c_j = 1/k_1 + … + 1/k_j. Correlated
+// masses have one share, that of the variance of their sum; those of a batch have one each and one of all.
+TEST(Sample, HasTheSharesOfCorrelatedTolerancesAndOfAllNumbersOfOne) {
+  const std::vector<double> masses = {10, 4, 6, 3}, springs = {40000, 20000, 30000, 25000},
+                            deviations = {1.5, 0.9, 0.1 * 6, 0.1 * 3};
+  constexpr double correlation = -0.6;
+  const std::string text = test::chain(masses, springs, {}) + R"(
+[tolerances.first]
+path = "bodies.m1.mass"
+standard_deviation = "1.5 kg"
+correlation = {with = "second", value = -0.6}
+[tolerances.second]
+path = "bodies.m2.mass"
+standard_deviation = "0.9 kg"
+[tolerances.batch]
+path = ["bodies.m3.mass", "bodies.m4.mass"]
+standard_deviation = "10 %"
+[requirements]
+static = {"m4.x" = "30 mm"}
+)";
   const study::Sample found = study::sample(
-      test::project(oscillator("sobol", 1000), {R"(tolerances.rubber.correlation={with = "casting", value = 0.5})"}),
-      {}, {.shares = true});
-  EXPECT_EQ(found.shares->reason,
-            "\"rubber\" and \"casting\" are correlated, and shares are those of independent numbers");
-  EXPECT_TRUE(found.shares->list.empty());
+      test::project(text, {"gravity=[9.80665, 0, 0]", "analyses.sample.designs=60_000"}), {}, {.shares = true});
+  EXPECT_THAT(names(*found.shares),
+              testing::ElementsAre("first, second (correlated)", "batch (all 2 numbers)", "batch at bodies.m3.mass",
+                                   "batch at bodies.m4.mass"));
+  EXPECT_EQ(found.shares->pairs, 10000);
+  double compliance = 0;
+  std::vector<double> parts;
+  for (std::size_t j = 0; j < masses.size(); ++j) parts.push_back(deviations[j] * (compliance += 1 / springs[j]));
+  const double pair = parts[0] * parts[0] + parts[1] * parts[1] + 2 * correlation * parts[0] * parts[1];
+  const double third = parts[2] * parts[2], fourth = parts[3] * parts[3], all = pair + third + fourth;
+  const std::vector<double> exact = {pair / all, (third + fourth) / all, third / all, fourth / all};
+  ASSERT_EQ(found.shares->list.size(), 1);
+  const std::vector<numerics::VarianceShare>& sets = found.shares->list.front().sets;
+  ASSERT_EQ(sets.size(), exact.size());
+  for (std::size_t s = 0; s < exact.size(); ++s)
+    for (const numerics::ConfidenceInterval& interval : {sets[s].first, sets[s].total}) {
+      const double half = (interval.to - interval.from) / 2;
+      EXPECT_NEAR(interval.estimate, exact[s], 2 * half) << s;
+      EXPECT_LT(half, 0.01);
+    }
 }
 
 }  // namespace sample_test

@@ -37,13 +37,15 @@ void Findings::add(const study::CaseResults& results) {
     for (const study::OperatingSpeed& at : results.operation->speeds)
       for (const study::OperatingLimit& limit : at.limits) exceeded_ += !limit.met();
   if (results.verdict) add(*results.verdict);
+  if (results.sample) add(*results.sample);
   if (results.map) add(*results.map);
   for (const study::DesignMap& map : results.map_pairs) add(map);
 }
 
 Outcome Findings::outcome() const {
   if (not_judged_ + unknown_ > 0) return Outcome::not_computed;
-  if (exceeded_ + violated_ + infeasible_ + infeasible_designs_ > 0) return Outcome::over_a_limit;
+  if (exceeded_ + violated_ + infeasible_ + infeasible_designs_ + missed_yields_ + violating_designs_ > 0)
+    return Outcome::over_a_limit;
   return warnings_.empty() ? Outcome::done : Outcome::with_warnings;
 }
 
@@ -58,6 +60,9 @@ std::string Findings::words() const {
   list(violated_, "requirement violated", "requirements violated");
   list(infeasible_, "verdict of a map is \"infeasible\"", "verdicts of a map are \"infeasible\"");
   list(infeasible_designs_, "best design violates a requirement", "best designs violate a requirement");
+  list(violating_designs_, "sample with designs that violate a requirement",
+       "samples with designs that violate a requirement");
+  list(missed_yields_, "yield below the wanted one", "yields below the wanted ones");
   list(warnings_.size(), "warning", "warnings");
   return found;
 }

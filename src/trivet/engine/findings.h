@@ -6,6 +6,7 @@
 #include <string>
 
 #include "trivet/study/analyses/case_results.h"
+#include "trivet/study/sample/sample.h"
 
 namespace trivet::engine {
 
@@ -23,6 +24,10 @@ class Findings {
   void add(const study::DesignMap& map);
   /// Requirements that are violated or could not be judged, if the design has to meet them in this case.
   void add(const study::CaseVerdict& judged);
+  /// The yield is not the wanted one.
+  void add(const study::Sample& sample) { missed_yields_ += !sample.holds_yield(); }
+  /// Designs within tolerances violate a requirement, and no yield is wanted.
+  void add_violating_designs() { ++violating_designs_; }
   /// The best design violates a requirement.
   void add_infeasible_design() { ++infeasible_designs_; }
 
@@ -32,7 +37,8 @@ class Findings {
   [[nodiscard]] std::string words() const;
 
  private:
-  std::size_t exceeded_ = 0, violated_ = 0, infeasible_ = 0, not_judged_ = 0, infeasible_designs_ = 0;
+  std::size_t exceeded_ = 0, violated_ = 0, infeasible_ = 0, not_judged_ = 0, infeasible_designs_ = 0,
+              missed_yields_ = 0, violating_designs_ = 0;
   std::size_t unknown_ = 0;         ///< requirements that could not be judged
   std::set<std::string> warnings_;  ///< the same warning of several cases counts once
 };

@@ -101,13 +101,14 @@ void add_figures(const HeldSample& held, bool wants_shares, Result& result) {
   const auto shares = report::share_figure(held->found), bands = report::band_figure(held->found);
   if (const auto& figure = wants_shares ? shares : bands)
     result.figures.emplace_back(figure->file_name, writer([svg = figure->svg] { return svg; }));
-  if (!shares && !bands) return;
-  result.html = [held, tables = result.html](const project::DisplayUnits& display) {
-    std::string html = tables(display);
-    for (const auto& figure : {report::band_figure(held->found, display), report::share_figure(held->found, display)})
-      if (figure) html += "<figure>" + figure->html() + "</figure>\n";
-    return html;
-  };
+  add_below_tables(
+      [held](const project::DisplayUnits& display) {
+        std::vector<report::Figure> figures;
+        for (auto& figure : {report::band_figure(held->found, display), report::share_figure(held->found, display)})
+          if (figure) figures.push_back(*figure);
+        return figures;
+      },
+      result);
 }
 
 /// A part of a study that others go on with has not failed without the shares.
@@ -150,6 +151,8 @@ Result sample(const Task& task) {
   std::vector<std::string> files = {"sample.csv"};
   if (results::has_bands(held->found)) files.emplace_back("bands.csv");
   set_forms(document, held, task.variant.display, files, result);
+  result.findings.add(held->found);
+  if (!held->found.request.yield && held->found.any_violates()) result.findings.add_violating_designs();
   add_figures(held, task.keys.flag("shares"), result);
   if (task.keys.has("picture") && result.figures.empty()) explain_no_picture(task, held->found, result);
   if (const auto& study = held->found.study) {
@@ -202,6 +205,7 @@ Command sample_command() {
                 .without_project = true,
                 .value = "STUDY"}},
       .csv = true,
+      .strict = true,
       .examples = {"trivet sample machine.toml", "trivet sample machine.toml --set analyses.sample.seed=2 --csv",
                    "trivet sample machine.toml -o study --part 3/64", "trivet sample --status study"},
       .run = sample,

@@ -219,7 +219,7 @@ TEST(Sample, SaysWhyARequirementHasNoShares) {
   ASSERT_EQ(found.shares->list.size(), 3);
   EXPECT_EQ(found.shares->list[0].reason, "");
   EXPECT_EQ(found.shares->list[2].reason, "its margin is not that of a value");
-  EXPECT_TRUE(found.shares->list[2].draws.empty());
+  EXPECT_TRUE(found.shares->list[2].sets.empty());
   const std::string text = results::as_json_text(results::sample_document(found, {}));
   EXPECT_THAT(text, HasSubstr("\"its margin is not that of a value\""));
 

@@ -40,7 +40,8 @@ struct SampleRequest {
   std::size_t designs = 100'000;
   bool sobol = true;  ///< scrambled Sobol numbers in independent replicates; otherwise random numbers
   std::uint64_t seed = 1;
-  bool worst_case = false;  ///< also search the worst design of each requirement
+  bool worst_case = false;      ///< also search the worst design of each requirement
+  std::optional<double> yield;  ///< share of the designs that has to meet every requirement, below 1
   /// Results whose amplitudes over the frequencies of [analyses.response] are counted; names as in its `of`.
   std::vector<std::string> bands;
   int band_points = 200;  ///< frequencies of the bands, beside the peaks of the given design

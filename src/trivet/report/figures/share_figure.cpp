@@ -44,17 +44,16 @@ void draw_bar(SvgCanvas& canvas, const PlotPanel& panel, double top, const Confi
 
 void draw_drawn_number(SvgCanvas& canvas, double top, const study::DrawnName& name) {
   const double x = bars_left - 12, room = bars_left - 20;
-  canvas.text({x, top + (name.place.empty() ? 20 : 14)}, fitting(name.tolerance, room, 12),
+  canvas.text({x, top + (name.which.empty() ? 20 : 14)}, fitting(name.tolerance, room, 12),
               "text-anchor=\"end\" font-size=\"12\"");
-  if (!name.place.empty())
-    canvas.text({x, top + 27}, fitting("at " + name.place, room, 10),
-                "text-anchor=\"end\" font-size=\"10\" fill=\"#555\"");
+  if (!name.which.empty())
+    canvas.text({x, top + 27}, fitting(name.which, room, 10), "text-anchor=\"end\" font-size=\"10\" fill=\"#555\"");
 }
 
 /// "and 8 more, with others ≤ 0.5 % each": the numbers that are not drawn.
 std::string rest_words(const RequirementShares& of, const std::vector<std::size_t>& order) {
   double largest = 0;
-  for (std::size_t r = most_rows; r < order.size(); ++r) largest = std::max(largest, of.draws[order[r]].total.to);
+  for (std::size_t r = most_rows; r < order.size(); ++r) largest = std::max(largest, of.sets[order[r]].total.to);
   return fmt::format("and {} more, with others ≤ {} % each", order.size() - most_rows,
                      results::rounded_percent(largest, results::decimals_of(largest), results::Rounded::up));
 }
@@ -68,10 +67,10 @@ struct SharePanel {
   [[nodiscard]] bool has_rest() const { return order.size() > most_rows; }
   [[nodiscard]] double height() const { return share_row_height * static_cast<double>(rows()) + (has_rest() ? 20 : 0); }
 
-  void draw(SvgCanvas& canvas, double top, const std::vector<study::DrawnName>& names,
+  void draw(SvgCanvas& canvas, double top, const std::vector<study::DrawnSet>& sets,
             const project::DisplayUnits& display) const {
     double largest = 1;
-    for (const numerics::VarianceShare& one : of.draws) largest = std::max({largest, one.first.to, one.total.to});
+    for (const numerics::VarianceShare& one : of.sets) largest = std::max({largest, one.first.to, one.total.to});
     constexpr double most = 1.2;
     const PlotPanel panel{
         {bars_left, top + above_panel}, bars_width, height(), {0, std::min(largest, most), false, ""}, {}};
@@ -86,9 +85,9 @@ struct SharePanel {
     canvas.rectangle(panel.corner, panel.width, panel.height, "fill=\"none\" stroke=\"#333\"");
     for (std::size_t r = 0; r < rows(); ++r) {
       const double row = panel.corner.y + share_row_height * static_cast<double>(r);
-      draw_drawn_number(canvas, row, names[order[r]]);
-      draw_bar(canvas, panel, row + to_first, of.draws[order[r]].first, alone);
-      draw_bar(canvas, panel, row + to_total, of.draws[order[r]].total, together);
+      draw_drawn_number(canvas, row, sets[order[r]].name);
+      draw_bar(canvas, panel, row + to_first, of.sets[order[r]].first, alone);
+      draw_bar(canvas, panel, row + to_total, of.sets[order[r]].total, together);
     }
     if (has_rest())
       canvas.text({bars_left + 8, panel.corner.y + panel.height - 7}, rest_words(of, order), "fill=\"#555\"");
@@ -117,7 +116,7 @@ std::optional<Figure> share_figure(const study::Sample& sample, const std::optio
   std::vector<SharePanel> panels;
   double height = head;
   for (const RequirementShares& of : sample.shares->list)
-    if (!of.draws.empty()) {
+    if (!of.sets.empty()) {
       panels.push_back({sample.cases[of.in_case], of});
       height += above_panel + panels.back().height() + below_panel;
     }
@@ -129,7 +128,7 @@ std::optional<Figure> share_figure(const study::Sample& sample, const std::optio
   double top = head;
   for (const SharePanel& panel : panels) {
     if (top > head) canvas.permit_break(top);
-    panel.draw(canvas, top, sample.shares->names, display.value_or(panel.in.display));
+    panel.draw(canvas, top, sample.shares->sets, display.value_or(panel.in.display));
     top += above_panel + panel.height() + below_panel;
   }
   Figure figure{title, "shares.svg", canvas.svg(title)};

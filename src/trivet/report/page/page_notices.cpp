@@ -163,22 +163,20 @@ std::string box(const std::string& style, const std::string& title, const std::v
   return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2><ul>{}</ul></div>\n", style, title, items);
 }
 
-/// The yield of the designs within tolerances. That the design of the file meets everything is no word on the others.
+/// The yield of the designs within tolerances. That the design of the file meets everything is no word on the others:
+/// amber if any of them violates a requirement, or more than wanted.
 std::string sample_box(const std::vector<ShownCase>& cases) {
   std::string words;
-  bool any_violates = false;
+  bool has_doubt = false;
   for (const ShownCase& shown : cases) {
     if (!shown.results.sample) continue;
-    const study::Yield& yield = shown.results.sample->yield;
-    any_violates |= yield.met < yield.designs;
-    for (const study::SampledCaseResult& one : shown.results.sample->cases)
-      for (const study::SampledRequirement& requirement : one.requirements)
-        any_violates |= requirement.worst && requirement.worst->margin < 1;
-    for (const std::string& sentence : results::sample_sentences(*shown.results.sample)) words += paragraph(sentence);
+    const study::Sample& sample = *shown.results.sample;
+    has_doubt |= sample.request.yield ? !sample.holds_yield() : sample.any_violates();
+    for (const std::string& sentence : results::sample_sentences(sample)) words += paragraph(sentence);
   }
   if (words.empty()) return "";
-  return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2>{}</div>\n", any_violates ? "alert" : "note",
-                     any_violates ? "⚠ Not all designs within tolerances meet the requirements" : "Within tolerances",
+  return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2>{}</div>\n", has_doubt ? "alert" : "note",
+                     has_doubt ? "⚠ Not all designs within tolerances meet the requirements" : "Within tolerances",
                      words);
 }
 

@@ -43,8 +43,8 @@ std::string in_case(const BoxCase& one) { return one.case_name.empty() ? "" : " 
 constexpr int shown_digits = 5;
 
 std::string end_of_number(const BoxNumber& number, double value, Inward to) {
-  const double shown = rounded_inward(value / number.factor, to, shown_digits);
-  return fmt::format("{:.{}g}{}{}", shown, shown_digits, number.unit.empty() ? "" : " ", number.unit);
+  return number.unit.after(
+      fmt::format("{:.{}g}", rounded_inward(value / number.unit.si, to, shown_digits), shown_digits));
 }
 
 struct NumberRow {
@@ -295,16 +295,15 @@ void add_singles(const SolutionBox& box, Document& document) {
 }  // namespace
 
 std::string box_number_words(const BoxNumber& number, double value) {
-  return fmt::format("{:.6g}{}{}", value / number.factor, number.unit.empty() ? "" : " ", number.unit);
+  return number.unit.after(fmt::format("{:.6g}", value / number.unit.si));
 }
 
 std::string box_end_words(const BoxRange& range, const BoxEnd& end) {
   const Inward to = &end == &range.lower ? Inward::up : Inward::down;
   constexpr int digits = 4;
   if (range.relative) return fmt::format("{:+.4g} %", rounded_inward(100 * (end.draw - 1), to, digits));
-  const BoxNumber& first = range.numbers.front();
-  return fmt::format("{:+.4g}{}{}", rounded_inward(end.draw / first.factor, to, digits), first.unit.empty() ? "" : " ",
-                     first.unit);
+  const study::FileUnit& unit = range.numbers.front().unit;
+  return unit.after(fmt::format("{:+.4g}", rounded_inward(end.draw / unit.si, to, digits)));
 }
 
 std::string box_stop_words(const SolutionBox& box, const BoxEnd& end) {

@@ -16,6 +16,7 @@
 #include "trivet/response/machinery/limit_line.h"
 #include "trivet/results/design/map_summary.h"
 #include "trivet/results/design/optimization_results.h"
+#include "trivet/results/design/sample_document.h"
 #include "trivet/results/design/verdict_words.h"
 #include "trivet/study/optimize/optimization.h"
 
@@ -197,6 +198,22 @@ void add_map(const study::DesignMap& map, std::size_t which, const std::vector<c
   }
 }
 
+/// The wanted yield of designs within tolerances.
+void add_yield(const study::CaseResults& case_results, std::size_t which, std::vector<Judgement>& list) {
+  if (!case_results.sample || !case_results.sample->request.yield) return;
+  const study::Sample& sample = *case_results.sample;
+  const double wanted = *sample.request.yield;
+  Judgement one{sample.holds_yield() ? Outcome::met : Outcome::violated, "yield"};
+  one.subject = "designs within tolerances";
+  one.bound = "≥ " + wanted_words(wanted);
+  one.words = one.subject + " " + one.bound;
+  one.value = yield_words(sample.yield);
+  one.finding = one.value + " meet every requirement";
+  one.margin = sample.yield.at_least() / wanted;
+  one.shown_case = which;
+  list.push_back(std::move(one));
+}
+
 /// Curves of motions that end before the end that was requested.
 void add_cut_short(const study::CaseResults& case_results, std::size_t which, std::vector<Judgement>& list) {
   const auto add = [&](const char* analysis, const std::string& ended) {
@@ -231,7 +248,7 @@ std::size_t number_with(const std::vector<Judgement>& list, Outcome outcome) {
 /// "2 of 9 requirements, 1 of 1 limit": of those that decide, and of what is not judged elsewhere.
 std::string shares_words(const std::vector<Judgement>& list, Outcome outcome) {
   static constexpr std::array kinds = {"requirement", "clearance",   "limit", "limit line",
-                                       "map",         "best design", "answer"};
+                                       "map",         "best design", "yield", "answer"};
   std::string words;
   for (const std::string kind : kinds) {
     std::size_t all = 0, these = 0;
@@ -275,6 +292,7 @@ std::vector<Judgement> judgements(const std::vector<const study::CaseResults*>& 
                       .margin = std::numeric_limits<double>::infinity(),
                       .shown_case = i,
                       .is_of_search = true});
+    add_yield(case_results, i, list);
     add_cut_short(case_results, i, list);
     for (const std::string& failure : case_results.failures)
       if (std::ranges::none_of(list,

@@ -17,8 +17,6 @@ namespace {
 using study::Optimization;
 using study::RobustOptimum;
 
-std::string wanted_words(double wanted) { return fmt::format("{:.6g} %", 100 * wanted); }
-
 struct MachinesOfDesign {
   const char* name;
   const char* words;
@@ -82,11 +80,7 @@ std::string robust_verdict(const RobustOptimum& robust) {
   if (!robust.wanted)
     return robust.held ? "the worst machines found within the tolerances meet every requirement"
                        : "the worst machines found within the tolerances do NOT meet every requirement";
-  const numerics::ConfidenceInterval& of = robust.found.yield->interval;
-  const std::string words = "machines that meet every requirement: " + yield_words(*robust.found.yield);
-  const std::string wanted = wanted_words(*robust.wanted);
-  if (robust.held) return words + ", wanted " + wanted;
-  return words + (of.to < *robust.wanted ? ", NOT the wanted " : ", NOT certainly the wanted ") + wanted;
+  return "machines that meet every requirement: " + yield_words(*robust.found.yield, *robust.wanted);
 }
 
 void add_robust(const Optimization& found, documents::Document& document) {

@@ -176,8 +176,8 @@ Json design_json(const std::optional<study::NamedDesign>& design) {
 std::string design_words(const study::NamedDesign& design) {
   std::string words = fmt::format("design {}", design.number);
   for (const study::NamedNumber& one : design.numbers)
-    words += fmt::format("{}{} = {:.5g}{}{}", &one == &design.numbers.front() ? ": " : ", ", one.path,
-                         one.value / one.factor, one.unit.empty() ? "" : " ", one.unit);
+    words += fmt::format("{}{} = {}", &one == &design.numbers.front() ? ": " : ", ", one.path,
+                         one.unit.after(fmt::format("{:.5g}", one.value / one.unit.si)));
   return words;
 }
 
@@ -187,11 +187,13 @@ void say(Document& document, std::string words, unsigned forms = for_people) {
 
 std::string yield_sentence(const Sample& sample) {
   const std::uint64_t designs = sample.request.designs;
-  return fmt::format("Yield: {}; {} of {} designs meet every requirement.", yield_words(sample.yield),
-                     sample.yield.met == designs ? "all"
-                         : sample.yield.met == 0 ? "NONE"
-                                                 : std::to_string(sample.yield.met),
-                     designs);
+  return fmt::format(
+      "Yield: {}; {} of {} designs meet every requirement.",
+      sample.request.yield ? yield_words(sample.yield, *sample.request.yield) : yield_words(sample.yield),
+      sample.yield.met == designs ? "all"
+          : sample.yield.met == 0 ? "NONE"
+                                  : std::to_string(sample.yield.met),
+      designs);
 }
 
 /// What the worst designs do that were searched or drawn; empty if none was searched.
@@ -201,12 +203,11 @@ std::string worst_words(const Sample& sample) {
   std::string of;
   for (const SampledCaseResult& one : sample.cases)
     for (const SampledRequirement& result : one.requirements) {
-      if (!result.worst) continue;
-      const numerics::Extremes& drawn = result.margin.extremes;
-      const double margin = drawn.any ? std::min(result.worst->margin, drawn.least) : result.worst->margin;
+      const std::optional<double> margin = result.worst_margin();
+      if (!margin) continue;
       ++searched;
-      if (margin < 1) ++violated;
-      if (margin < least) least = margin, of = requirement_words(result.given, one.display) + in_case_words(one);
+      if (*margin < 1) ++violated;
+      if (*margin < least) least = *margin, of = requirement_words(result.given, one.display) + in_case_words(one);
     }
   if (searched == 0) return "";
   return fmt::format("Worst designs found: {} of {} requirements violated; least margin {:.4g}{}{}.", violated,
@@ -274,16 +275,27 @@ std::string case_words(const SampledCaseResult& one) {
 
 std::string yield_words(const Yield& yield) {
   const ConfidenceInterval& of = yield.interval;
-  const double bound = numerics::share_without_failures(yield.designs, study::sample_confidence);
-  if (of.to == 1 && of.estimate == 1)
-    return fmt::format("≥ {} % with {} confidence", rounded_percent(bound, decimals_of(1 - bound), Rounded::down),
+  if (yield.met == yield.designs)
+    return fmt::format("≥ {} % with {} confidence",
+                       rounded_percent(yield.at_least(), decimals_of(1 - yield.at_least()), Rounded::down),
                        confidence_words());
-  if (of.from == 0 && of.estimate == 0)
+  const double bound = numerics::share_without_failures(yield.designs, study::sample_confidence);
+  if (yield.met == 0)
     return fmt::format("≤ {} % with {} confidence", rounded_percent(1 - bound, decimals_of(1 - bound), Rounded::up),
                        confidence_words());
   const int decimals = decimals_of(std::max(of.to - of.estimate, of.estimate - of.from));
   return fmt::format("{} % ({} confidence: {} % … {} %)", rounded_percent(of.estimate, decimals), confidence_words(),
                      rounded_percent(of.from, decimals), rounded_percent(of.to, decimals));
+}
+
+std::string wanted_words(double yield) { return fmt::format("{:.6g} %", 100 * yield); }
+
+std::string yield_words(const Yield& yield, double wanted) {
+  return yield_words(yield) +
+      (yield.at_least() >= wanted       ? ", wanted "
+           : yield.interval.to < wanted ? ", NOT the wanted "
+                                        : ", NOT certainly the wanted ") +
+      wanted_words(wanted);
 }
 
 Json yield_json(const Yield& yield) {
@@ -323,6 +335,10 @@ Document sample_document(const Sample& sample) {
   add("confidence", study::sample_confidence);
   add("quantiles_within", numerics::LogHistogram::relative_error);
   add("yield", yield_json(sample.yield));
+  if (sample.request.yield) {
+    add("wanted", *sample.request.yield);
+    add("held", sample.holds_yield());
+  }
   add("failed", sample.failed);
   add("first_failed", design_json(sample.first_failed));
   add("first_failure", sample.first_failure);

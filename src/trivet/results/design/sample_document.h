@@ -21,6 +21,10 @@ namespace trivet::results {
 
 /// "97.3 % (95 % confidence: 97.1 % … 97.5 %)", "≥ 99.97 % with 95 % confidence" without violations.
 [[nodiscard]] std::string yield_words(const study::Yield& yield);
+/// "99 %"
+[[nodiscard]] std::string wanted_words(double yield);
+/// The same against a wanted one: "97.3 % (…), NOT the wanted 99 %".
+[[nodiscard]] std::string yield_words(const study::Yield& yield, double wanted);
 [[nodiscard]] Json yield_json(const study::Yield& yield);
 
 }  // namespace trivet::results

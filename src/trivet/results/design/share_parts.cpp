@@ -20,22 +20,22 @@ using numerics::ConfidenceInterval;
 using study::Sample;
 using study::SampledCaseResult;
 
-/// One drawn number and one requirement.
+/// One set of drawn numbers and one requirement.
 struct ShareRow {
   const Sample* sample;
   const study::RequirementShares* of;
-  std::size_t draw;
+  std::size_t set;
 
   [[nodiscard]] const SampledCaseResult& in() const { return sample->cases[of->in_case]; }
   [[nodiscard]] const study::RequirementResult& requirement() const { return in().requirements[of->requirement].given; }
-  [[nodiscard]] const numerics::VarianceShare& share() const { return of->draws[draw]; }
+  [[nodiscard]] const numerics::VarianceShare& share() const { return of->sets[set]; }
 };
 
-/// Numbers of each requirement, those with the largest total shares first.
+/// Sets of numbers of each requirement, those with the largest total shares first.
 Table share_table(const Sample& sample) {
   std::vector<ShareRow> list;
   for (const study::RequirementShares& one : sample.shares->list)
-    for (const std::size_t draw : by_total_share(one)) list.push_back({&sample, &one, draw});
+    for (const std::size_t set : by_total_share(one)) list.push_back({&sample, &one, set});
   const Rows row(std::move(list));
   const auto number = [&](const char* name, auto member, double ConfidenceInterval::* of) {
     return row(name, Kind::share, "", [=](const ShareRow& one) { return (one.share().*member).*of; },
@@ -54,7 +54,10 @@ Table share_table(const Sample& sample) {
                           },
                           {.forms = for_people}),
                       row("number", Kind::words, "drawn number",
-                          [](const ShareRow& one) { return one.sample->shares->names[one.draw].words(); }),
+                          [](const ShareRow& one) { return one.sample->shares->sets[one.set].name.words(); }),
+                      row("drawn", Kind::number, "",
+                          [](const ShareRow& one) { return one.sample->shares->sets[one.set].draws.size(); },
+                          {.forms = in_json}),
                       number("first", &VarianceShare::first, &ConfidenceInterval::estimate),
                       number("first_from", &VarianceShare::first, &ConfidenceInterval::from),
                       number("first_to", &VarianceShare::first, &ConfidenceInterval::to),
@@ -92,9 +95,9 @@ Table without_shares(const Sample& sample) {
 }  // namespace
 
 std::vector<std::size_t> by_total_share(const study::RequirementShares& shares) {
-  std::vector<std::size_t> order(shares.draws.size());
+  std::vector<std::size_t> order(shares.sets.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, std::greater(), [&](std::size_t d) { return shares.draws[d].total.estimate; });
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t s) { return shares.sets[s].total.estimate; });
   return order;
 }
 

@@ -54,10 +54,10 @@ std::string beaten_searches(const study::Sample& sample) {
   std::string list;
   for (const study::SampledCaseResult& one : sample.cases)
     for (const study::SampledRequirement& requirement : one.requirements) {
-      const numerics::Extremes& drawn = requirement.margin.extremes;
-      if (!requirement.worst || !drawn.any || !(drawn.least < requirement.worst->margin)) continue;
+      if (!requirement.drawn_is_worst()) continue;
       list += fmt::format("{}\"{}\"{} ({:.4g})", list.empty() ? "" : ", ",
-                          requirement_words(requirement.given, one.display), in_case_words(one), drawn.least);
+                          requirement_words(requirement.given, one.display), in_case_words(one),
+                          requirement.margin.extremes.least);
     }
   return list;
 }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "trivet/foundation/index.h"
@@ -51,7 +50,7 @@ BoxNumber number_of(const project::Project& project, const project::Tolerance& t
   BoxNumber found{.path = tolerance.places[place].path};
   const auto quantity = project::quantity_at(project.base().document, project::path_keys(found.path));
   found.si = quantity ? project::si_unit(*quantity) : "1";
-  std::tie(found.unit, found.factor) = unit_in_file(project, found.path);
+  found.unit = unit_in_file(project, found.path);
   found.given = project::ModelNumber(found.path, "").read(project.base()).value_or(0);
   found.from = tolerance.number(place, found.given, range.lower.draw);
   found.to = tolerance.number(place, found.given, range.upper.draw);

@@ -36,9 +36,8 @@ enum class BoxStop {
 /// One number of the model.
 struct BoxNumber {
   std::string path;
-  std::string si;     ///< its SI unit, "1" for pure numbers
-  std::string unit;   ///< as people read it: that of the number in the file, otherwise SI; empty: a pure number
-  double factor = 1;  ///< SI value of one unit
+  std::string si;  ///< its SI unit, "1" for pure numbers
+  FileUnit unit;
   double given = 0, from = 0, to = 0;  ///< SI
 };
 

@@ -58,8 +58,7 @@ class RobustSearch {
     else if (result_.wanted && !best_->optimum.cut_short) raise_kept_margin();
     stage_ = "optimum";
     result_.found = sampled(best_->project, best_->kept);
-    result_.held =
-        result_.found.yield ? result_.found.yield->interval.from >= *result_.wanted : meets(best_->kept.least);
+    result_.held = result_.found.yield ? result_.found.yield->at_least() >= *result_.wanted : meets(best_->kept.least);
     return described();
   }
 

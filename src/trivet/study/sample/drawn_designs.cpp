@@ -46,7 +46,7 @@ DrawnDesigns::DrawnDesigns(const std::vector<project::Tolerance>& tolerances, co
 
 DrawnName DrawnDesigns::name(std::size_t draw) const {
   const project::Tolerance& tolerance = tolerances_[of_[draw]];
-  return {tolerance.name, tolerance.draws() == 1 ? "" : tolerance.places[draw - first_[of_[draw]]].path};
+  return {tolerance.name, tolerance.draws() == 1 ? "" : "at " + tolerance.places[draw - first_[of_[draw]]].path};
 }
 
 Eigen::MatrixXd DrawnDesigns::draw(std::uint64_t first, std::size_t count) const {

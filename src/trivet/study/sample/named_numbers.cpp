@@ -8,7 +8,7 @@
 
 namespace trivet::study {
 
-std::pair<std::string, double> unit_in_file(const project::Project& project, const std::string& path) {
+FileUnit unit_in_file(const project::Project& project, const std::string& path) {
   const project::Node& document = project.base().document;
   const std::vector<std::string> keys = project::path_keys(path);
   const project::Node* node = project::node_at(document, keys);
@@ -29,9 +29,8 @@ std::vector<NamedNumber> named_numbers(const project::Project& project,
     for (std::size_t p = 0; p < tolerances[t].places.size(); ++p) {
       const std::string& path = tolerances[t].places[p].path;
       const double given = project::ModelNumber(path, "").read(project.base()).value_or(0);
-      auto [unit, factor] = unit_in_file(project, path);
       list.push_back(
-          {path, tolerances[t].number(p, given, draws(to_index(drawn.draw_of(t, p)))), std::move(unit), factor});
+          {path, tolerances[t].number(p, given, draws(to_index(drawn.draw_of(t, p)))), unit_in_file(project, path)});
     }
   return list;
 }

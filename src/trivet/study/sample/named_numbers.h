@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "trivet/project/project.h"
@@ -13,9 +12,8 @@
 
 namespace trivet::study {
 
-/// The unit in which people read a number: that of the file, otherwise SI; and its SI value. Temperatures are read in
-/// SI: the zero of their units is not that of SI.
-[[nodiscard]] std::pair<std::string, double> unit_in_file(const project::Project& project, const std::string& path);
+/// Temperatures are read in SI: the zero of their units is not that of SI.
+[[nodiscard]] FileUnit unit_in_file(const project::Project& project, const std::string& path);
 
 /// The numbers of the model that the draws of a design set.
 /// @param draws  ratios or deviations, see project::Tolerance; none: no design

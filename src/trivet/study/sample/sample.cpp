@@ -13,6 +13,14 @@
 
 namespace trivet::study {
 
+bool Sample::any_violates() const {
+  if (yield.met < yield.designs) return true;
+  return std::ranges::any_of(cases, [](const SampledCaseResult& one) {
+    return std::ranges::any_of(one.requirements,
+                               [](const SampledRequirement& of) { return of.worst_margin().value_or(1) < 1; });
+  });
+}
+
 Sample sample(const project::Project& project, const foundation::Progress& progress, const SampleOptions& options) {
   SampleRun run(project);
   const std::size_t wanted = run.request().designs;

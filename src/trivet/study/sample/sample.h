@@ -28,17 +28,32 @@ struct Yield {
   numerics::ConfidenceInterval interval;
   /// From the differences of the replicates; otherwise Clopper and Pearson's, as of random designs.
   bool of_replicates = false;
+
+  /// With the confidence of a sample: the end of the interval; without violations the bound of this side alone.
+  [[nodiscard]] double at_least() const {
+    return met == designs ? numerics::share_without_failures(designs, sample_confidence) : interval.from;
+  }
 };
 
 /// Share of the numbers of an unbounded draw beyond both ends of the range in which the worst design is searched.
 inline constexpr double beyond_worst_range = 1e-3;
 
+/// The unit in which people read a number of the model: that of the number in the file, otherwise SI.
+struct FileUnit {
+  std::string name;  ///< empty: a pure number
+  double si = 1;     ///< SI value of one unit
+
+  /// "210 N/mm" of "210".
+  [[nodiscard]] std::string after(const std::string& number) const {
+    return name.empty() ? number : number + " " + name;
+  }
+};
+
 /// A number of a design.
 struct NamedNumber {
   std::string path;
-  double value = 0;   ///< as a bare number of the file: SI
-  std::string unit;   ///< as people read it: that of the number in the file, otherwise SI; empty: a pure number
-  double factor = 1;  ///< SI value of one unit
+  double value = 0;  ///< as a bare number of the file: SI
+  FileUnit unit;
 };
 
 /// The worst design of a requirement that a search found, see WorstFound.
@@ -67,6 +82,16 @@ struct SampledRequirement {
   std::optional<Spread> value;
   std::optional<double> mean, deviation;  ///< of the value; none if it is unbounded in a design
   std::optional<WorstDesign> worst;       ///< if it is requested
+
+  /// A drawn design is worse than the worst one that was searched.
+  [[nodiscard]] bool drawn_is_worst() const {
+    return worst && margin.extremes.any && margin.extremes.least < worst->margin;
+  }
+  /// Of the worst design that was searched or drawn; none if none was searched.
+  [[nodiscard]] std::optional<double> worst_margin() const {
+    if (!worst) return std::nullopt;
+    return drawn_is_worst() ? margin.extremes.least : worst->margin;
+  }
 };
 
 struct SampledCaseResult {
@@ -85,17 +110,24 @@ struct NamedDesign {
   std::vector<NamedNumber> numbers;
 };
 
+/// Drawn numbers that do not depend on the others: a single one, all of a tolerance that draws for each place, or those
+/// of tolerances that are correlated with each other.
+struct DrawnSet {
+  DrawnName name;
+  std::vector<std::size_t> draws;
+};
+
 /// Shares of the variance of the value of one requirement.
 struct RequirementShares {
-  std::size_t in_case = 0, requirement = 0;    ///< among those of the sample
-  std::vector<numerics::VarianceShare> draws;  ///< per drawn number; empty: there are none
-  std::string reason;                          ///< why there are none
+  std::size_t in_case = 0, requirement = 0;   ///< among those of the sample
+  std::vector<numerics::VarianceShare> sets;  ///< per set of drawn numbers; empty: there are none
+  std::string reason;                         ///< why there are none
 };
 
 /// Which tolerance scatters which value.
 struct SampledShares {
-  std::vector<DrawnName> names;         ///< of the drawn numbers
-  std::uint64_t pairs = 0;              ///< of designs, each with one more design for each number
+  std::vector<DrawnSet> sets;
+  std::uint64_t pairs = 0;              ///< of designs, each with one more design for each set
   std::uint64_t left_out = 0;           ///< of these: a design could not be judged, or its value is unbounded
   std::string reason;                   ///< why there are none; empty if there are
   std::vector<RequirementShares> list;  ///< of all requirements
@@ -135,6 +167,11 @@ struct Sample {
   std::optional<StudyProgress> study;                ///< if it is one in a folder
   std::optional<std::size_t> first_of;               ///< designs of [analyses.sample], if only the first are judged
   bool worst_is_left_out = false;                    ///< requested, but models are assembled, see SampleOptions
+
+  /// A design, drawn or searched, violates a requirement or cannot be judged.
+  [[nodiscard]] bool any_violates() const;
+  /// False: the sample does not show the wanted yield.
+  [[nodiscard]] bool holds_yield() const { return !request.yield || yield.at_least() >= *request.yield; }
 };
 
 struct SampleOptions {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"
@@ -18,31 +19,63 @@ namespace {
 /// Designs of the shares: their values are kept until they are added in their order.
 constexpr std::size_t most_of_shares = 200'000, judged_at_once = 960;
 
+/// For each tolerance the first one that is correlated with it, also through others; or itself.
+std::vector<std::size_t> first_correlated(const std::vector<project::Tolerance>& tolerances) {
+  std::vector<std::size_t> first(tolerances.size());
+  std::iota(first.begin(), first.end(), std::size_t{0});
+  for (std::size_t t = 0; t < tolerances.size(); ++t)
+    for (const project::Tolerance::Correlation& one : tolerances[t].correlations) {
+      const auto other = std::ranges::find(tolerances, one.with, &project::Tolerance::name) - tolerances.begin();
+      const auto [to, from] = std::minmax(first[t], first[to_size(other)]);
+      std::ranges::replace(first, std::size_t{from}, std::size_t{to});
+    }
+  return first;
+}
+
+std::vector<DrawnSet> independent_sets(const std::vector<project::Tolerance>& tolerances, const DrawnDesigns& drawn) {
+  const std::vector<std::size_t> first = first_correlated(tolerances);
+  std::vector<DrawnSet> sets;
+  for (std::size_t t = 0; t < tolerances.size(); ++t) {
+    if (first[t] != t) continue;
+    std::vector<std::string> names;
+    DrawnSet all;
+    for (std::size_t other = t; other < tolerances.size(); ++other) {
+      if (first[other] != t) continue;
+      names.push_back(tolerances[other].name);
+      for (std::size_t d = 0; d < tolerances[other].draws(); ++d) all.draws.push_back(drawn.draw_of(other, d));
+    }
+    const bool is_correlated = names.size() > 1;
+    if (is_correlated || all.draws.size() > 1) {
+      all.name = {foundation::comma_separated(names),
+                  is_correlated ? "(correlated)" : fmt::format("(all {} numbers)", all.draws.size())};
+      sets.push_back(all);
+    }
+    if (!is_correlated)
+      for (const std::size_t draw : all.draws) sets.push_back({drawn.name(draw), {draw}});
+  }
+  return sets;
+}
+
 /// Why there are no shares; empty if there are.
-std::string reason_against(const std::vector<project::Tolerance>& tolerances, std::size_t draws,
-                           const project::SampleRequest& request) {
-  for (const project::Tolerance& one : tolerances)
-    if (!one.correlations.empty())
-      return fmt::format("{} and {} are correlated, and shares are those of independent numbers",
-                         foundation::quoted(one.name), foundation::quoted(one.correlations.front().with));
+std::string reason_against(std::size_t draws, std::size_t sets, const project::SampleRequest& request) {
   if (2 * draws > numerics::SobolNumbers::most_dimensions) return fmt::format("{} drawn numbers are too many", draws);
-  if (request.designs < 2 * project::sample_replicates * (draws + 2))
+  if (request.designs < 2 * project::sample_replicates * (sets + 2))
     return fmt::format("{} designs are too few: {} are needed", request.designs,
-                       2 * project::sample_replicates * (draws + 2));
+                       2 * project::sample_replicates * (sets + 2));
   return "";
 }
 
-/// Two independent designs a and b of each number, and a with single draws of b.
+/// Two independent designs a and b of each number, and a with the draws of single sets of b.
 class Pairs {
  public:
-  Pairs(const std::vector<project::Tolerance>& tolerances, const project::SampleRequest& request)
-      : twice_(twice(tolerances)), drawn_(twice_, request), draws_(drawn_.draws() / 2) {}
+  Pairs(const std::vector<project::Tolerance>& tolerances, const std::vector<DrawnSet>& sets,
+        const project::SampleRequest& request)
+      : sets_(sets), twice_(twice(tolerances)), drawn_(twice_, request), draws_(drawn_.draws() / 2) {}
 
-  [[nodiscard]] std::size_t draws() const { return draws_; }
-  [[nodiscard]] std::size_t designs_of_pair() const { return draws_ + 2; }
+  [[nodiscard]] std::size_t designs_of_pair() const { return sets_.size() + 2; }
   [[nodiscard]] std::size_t replicate(std::size_t pair) const { return pair % project::sample_replicates; }
 
-  /// All designs of some pairs: a, b, then a with each draw of b.
+  /// All designs of some pairs: a, b, then a with each set of b.
   [[nodiscard]] Eigen::MatrixXd designs(std::size_t first, std::size_t count) const {
     const Eigen::MatrixXd both = drawn_.draw(first, count);
     const auto n = to_index(draws_), step = to_index(designs_of_pair());
@@ -51,19 +84,29 @@ class Pairs {
       const Eigen::RowVectorXd a = both.row(pair).head(n), b = both.row(pair).tail(n);
       all.middleRows(pair * step, step).rowwise() = a;
       all.row(pair * step + 1) = b;
-      for (Eigen::Index d = 0; d < n; ++d) all(pair * step + 2 + d, d) = b(d);
+      for (std::size_t s = 0; s < sets_.size(); ++s)
+        for (const std::size_t d : sets_[s].draws) all(pair * step + 2 + to_index(s), to_index(d)) = b(to_index(d));
     }
     return all;
   }
 
  private:
+  /// Those of b have other names, each longer than all of a, and are correlated with each other only.
   static std::vector<project::Tolerance> twice(std::vector<project::Tolerance> tolerances) {
     const std::size_t count = tolerances.size();
+    std::size_t longest = 0;
+    for (const project::Tolerance& one : tolerances) longest = std::max(longest, one.name.size());
+    const std::string of_b(longest + 1, 'b');
     tolerances.reserve(2 * count);
-    for (std::size_t t = 0; t < count; ++t) tolerances.push_back(tolerances[t]);
+    for (std::size_t t = 0; t < count; ++t) {
+      project::Tolerance& copy = tolerances.emplace_back(tolerances[t]);
+      copy.name = of_b + copy.name;
+      for (project::Tolerance::Correlation& one : copy.correlations) one.with = of_b + one.with;
+    }
     return tolerances;
   }
 
+  const std::vector<DrawnSet>& sets_;
   std::vector<project::Tolerance> twice_;
   DrawnDesigns drawn_;
   std::size_t draws_;
@@ -109,10 +152,10 @@ SampledShares variance_shares(const std::vector<SampledCase>& cases, const std::
                               const project::SampleRequest& request, const foundation::Progress& progress) {
   SampledShares found;
   const DrawnDesigns drawn(tolerances, request);
-  for (std::size_t d = 0; d < drawn.draws(); ++d) found.names.push_back(drawn.name(d));
-  found.reason = reason_against(tolerances, drawn.draws(), request);
+  found.sets = independent_sets(tolerances, drawn);
+  found.reason = reason_against(drawn.draws(), found.sets.size(), request);
   if (!found.reason.empty()) return found;
-  const Pairs pairs(tolerances, request);
+  const Pairs pairs(tolerances, found.sets, request);
   const std::size_t step = pairs.designs_of_pair(), replicates = project::sample_replicates;
   found.pairs = std::min(request.designs, most_of_shares) / step / replicates * replicates;
   ValuesOfPairs values(cases, found.pairs * step);
@@ -127,16 +170,16 @@ SampledShares variance_shares(const std::vector<SampledCase>& cases, const std::
       of.reason = "its margin is not that of a value";
       continue;
     }
-    numerics::PairedValues paired(pairs.draws(), replicates);
+    numerics::PairedValues paired(found.sets.size(), replicates);
     std::uint64_t left_out = 0;
     for (std::size_t pair = 0; pair < found.pairs; ++pair) {
       const Eigen::VectorXd of_pair = values.of(p, pair * step, step);
       if (!of_pair.allFinite()) ++left_out;
-      else paired.add(pairs.replicate(pair), of_pair(0), of_pair(1), of_pair.tail(to_index(pairs.draws())));
+      else paired.add(pairs.replicate(pair), of_pair(0), of_pair(1), of_pair.tail(to_index(found.sets.size())));
     }
     found.left_out = std::max(found.left_out, left_out);
-    of.draws = paired.shares(sample_confidence);
-    if (of.draws.empty())
+    of.sets = paired.shares(sample_confidence);
+    if (of.sets.empty())
       of.reason = paired.fewest_pairs() < 2
           ? fmt::format("its value is unbounded, or cannot be judged, in {} of {} pairs", left_out, found.pairs)
           : "its value does not vary";

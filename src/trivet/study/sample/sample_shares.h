@@ -9,8 +9,8 @@
 
 namespace trivet::study {
 
-/// Shares of the variance of the values of all requirements that have one, by the drawn numbers, which must be
-/// independent: without correlations. The same for any number of threads.
+/// Shares of the variance of the values of all requirements that have one, by sets of drawn numbers that do not depend
+/// on the others. The same for any number of threads.
 [[nodiscard]] SampledShares variance_shares(const std::vector<SampledCase>& cases,
                                             const std::vector<project::Tolerance>& tolerances,
                                             const project::SampleRequest& request,
