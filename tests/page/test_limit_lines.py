@@ -74,6 +74,40 @@ def test_a_line_moves_by_keyboard_until_it_is_met(serve):
     assert margin_on(line) == margin(served.file) > 1
 
 
+def test_a_published_line_cannot_be_dragged_and_says_why(serve):
+    """It is of levels in third octaves: listed with its margin, not drawn beside curves of single frequencies."""
+    served = serve('microscope/microscope.toml')
+    hand = '[excitations.hand]\ntype = "harmonic"\non = "table"\nat = [0, 0, 0]\nforce = [1, 1, 1]\n'
+    response = (
+        'response = {band = ["1 Hz", "80 Hz"], of = ["table.objective"], quantity = "velocity", excitations = ["hand"]}'
+    )
+    served.file.write_text(served.file.read_text().replace('modes = {}', f'modes = {{}}\n{response}', 1) + hand)
+    page = served.page()
+    judged(page)
+    found = [r for r in command('verdict', served.file)['cases'][0]['requirements'] if r['kind'] == 'band_line']
+    assert len(found) == 3 and page.locator('.limit').count() == 0
+    reasons = page.locator('.readings summary', has_text='limits are not drawn')
+    reasons.click()
+    listed = page.locator('.readings').inner_text()
+    for one in found:
+        words = f"{one['shown_requirement']} ({one['shown_value']}, margin {one['margin']:.3g})"
+        assert 'VC-E along' in words
+        assert f'{words}: it limits the levels in bands of frequencies, of which no curve is drawn' in listed, listed
+    reasons.click()
+    page.get_by_role('tab', name='Requirements').click()
+    rows = page.locator('result-tables tbody tr', has_text='VC-E along')
+    assert rows.count() == 3 and rows.locator('input').count() == 0  # nor is its number edited there
+    box = page.locator('.amplitude .u-over').bounding_box()
+    for down in (0.1, 0.3, 0.5, 0.7, 0.9):  # nothing in the chart takes hold of it
+        page.mouse.move(box['x'] + box['width'] / 2, box['y'] + down * box['height'])
+        page.mouse.down()
+        page.mouse.move(box['x'] + box['width'] / 2, box['y'] + down * box['height'] + 12)
+        page.mouse.up()
+    settled(page)
+    assert page.get_by_role('button', name='Save').is_disabled()
+    assert page.get_by_role('button', name='Undo').is_disabled()
+
+
 def test_a_line_of_another_file_stays_and_says_why(serve):
     served = serve('genset/genset.toml')
     served.file.write_text(served.file.read_text().replace('rows = [[10, 2e-3], [60, 2e-3]]', 'file = "line.csv"'))

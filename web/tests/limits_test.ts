@@ -90,10 +90,11 @@ test('a limit is drawn beside a curve of its quantity under its excitations alon
 });
 test('a limit of steady motions is a line that no curve judges, and of other numbers there are words with the margin', () => {
   const curves = {results: [{name: 'm.z', unit: 'm'}], models: [{excitations: ['push']}]} as unknown as Curves, one = {shown_requirement: 'm.z ≤ 2 mm', judged: true, margin: 1.25};
-  const {drawn, not} = limitsOf(curves, 0, [limited({kind: 'steady', excitations: []}), limited({...one, kind: 'rms'}), limited({...one, kind: 'static', judged: false}), limited({...one, kind: 'rms', subject: 'm.x'})]);
+  const {drawn, not} = limitsOf(curves, 0, [limited({kind: 'steady', excitations: []}), limited({...one, kind: 'rms'}), limited({...one, kind: 'static', judged: false}), limited({...one, kind: 'band_line', place: []}), limited({...one, kind: 'rms', subject: 'm.x'})]);
   assert.deepEqual(drawn.map(l => [l.result, l.from, l.to, l.isOfCurve]), [['m.z', 5, 20, false]]);
   assert.deepEqual(not, [{words: 'm.z ≤ 2 mm (margin 1.25)', why: 'it limits the root mean square under the random excitations'},
-                         {words: 'm.z ≤ 2 mm (not judged)', why: 'it limits the value at rest'}]);  // m.x has no curve
+                         {words: 'm.z ≤ 2 mm (not judged)', why: 'it limits the value at rest'},
+                         {words: 'm.z ≤ 2 mm (margin 1.25)', why: 'it limits the levels in bands of frequencies, of which no curve is drawn'}]);  // m.x has no curve
 });
 test('the first limit that decides names the quantity to begin with', () => {
   const of = (kind: string, unit: string, subject = 'm.z') => ({kind, unit, subject}), curves = {lines: [{result: 'm.y', unit: 'm/s'}]} as unknown as Curves;

@@ -12,7 +12,7 @@ export interface Limit {
   isOfCurve: boolean;  // else the judged value is another one: of all orders together at a speed, or of steady motions
 }
 /// What other limits of a result bound, which no curve over the frequency of one excitation shows.
-const OTHER_NUMBERS: Record<string, string> = {rms: 'the root mean square under the random excitations', largest: 'the largest value over time', static: 'the value at rest'};
+const OTHER_NUMBERS: Record<string, string> = {rms: 'the root mean square under the random excitations', largest: 'the largest value over time', static: 'the value at rest', band_line: 'the levels in bands of frequencies, of which no curve is drawn'};
 
 export interface NotDrawn {
   words: string;
