@@ -4,7 +4,8 @@
     build/page/bin/python benchmarks/page_latency.py [PROJECT] [STEPS]      (scripts/page makes that environment)
 
 Prints medians and 95th percentiles in ms: of one answer of the server to what a slider asks at each step, of an input until the frame with
-its curves, and of the exact peaks after the last step. The own script of the page is CPU time, which does not depend on other programs.
+its curves, and of the exact peaks after the last step; of a project with tolerances also how often its yield follows. The own script of the page
+is CPU time, which does not depend on other programs.
 The heap and the objects of WebGL before and after the steps must not grow. Without a project: one body, and ten.
 """
 import http.client
@@ -30,8 +31,9 @@ STEPS = """async steps => {
     if (is()) return done();
     const end = asker.subscribe(() => { if (is()) { end(); done(); } });
   });
-  const times = [];
-  let start = 0;
+  const times = [], begun = performance.now();
+  let start = 0, samples = 0;
+  const end = app.sampler?.subscribe(() => { samples++; });
   for (let i = 0; i < steps; i++) {
     await after(17 * ((i * 7) % 16) / 16);
     slider.value = String(350 + 300 * ((i * 37) % 101) / 101);
@@ -43,8 +45,10 @@ STEPS = """async steps => {
     await after(0);
     times.push(performance.now() - start);
   }
+  const seconds = (performance.now() - begun) / 1000;
+  end?.();
   await when(() => !asker.isOld('curves'));
-  return {times, exact: performance.now() - start};
+  return {times, exact: performance.now() - start, samples: samples / seconds};
 }"""
 OBJECTS = """() => {
   globalThis.gc?.();
@@ -127,6 +131,8 @@ def measure(playwright, project, steps):
     after = page.evaluate(OBJECTS)
     print(f'  input to painted curves       {spread(found["times"])}')
     print(f'  exact peaks after rest        {found["exact"]:.0f} ms')
+    if found['samples'] > 0:
+        print(f'  yields while it moves         {found["samples"]:.1f} a second')
     for name, what in (
         ('ScriptDuration', 'script'),
         ('LayoutDuration', 'layout'),

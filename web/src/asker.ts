@@ -38,14 +38,15 @@ export class Asker {
   trouble = '';  // why the engine does not answer
   private readonly results = new Map<string, Kept>();
   private readonly good = new Map<string, Kept & {file: number}>();  // the newest of each that could be computed
-  private underWay: {pace: Pace; revision: number; end: AbortController} | null = null;
+  private underWay: {pace: Pace; revision: number; began: number; end: AbortController} | null = null;
   private asked: Record<Pace, number> = {quick: -1, exact: -1, after: -1, slow: -1};
   private changedAt = 0;  // time of the last change of the state [ms]
   private seen = -1;  // its revision
   private restTimer: ReturnType<typeof setTimeout> | undefined;
   private readonly listeners = new Set<() => void>();
 
-  constructor(private readonly engine: Pick<Engine, 'ask'>, private readonly state: State, private readonly wishes: () => Wish[]) {
+  /// @param patience  ms after which also a question of a moving slider gives way to a newer state
+  constructor(private readonly engine: Pick<Engine, 'ask'>, private readonly state: State, private readonly wishes: () => Wish[], private readonly patience = Infinity) {
     state.subscribe(() => this.next());
   }
 
@@ -106,15 +107,17 @@ export class Asker {
     return () => this.listeners.delete(listener);
   }
 
-  /// Asks the first question that is due. A question of a state at rest gives way to a newer state.
+  /// Asks the first question that is due. A question of a state at rest, or one that takes long, gives way to a newer state.
   private next() {
     const {revision} = this.state, now = performance.now();
     if (revision !== this.seen) [this.seen, this.changedAt] = [revision, now];
+    clearTimeout(this.restTimer);
     if (this.underWay) {
-      if (this.underWay.pace !== 'quick' && this.underWay.revision !== revision) this.underWay.end.abort();
+      const {pace, began, end, revision: asked} = this.underWay, left = pace === 'quick' ? began + this.patience - now : 0;
+      if (asked !== revision && left <= 0) end.abort();
+      else if (asked !== revision && Number.isFinite(left)) this.restTimer = setTimeout(() => this.next(), left);
       return;
     }
-    clearTimeout(this.restTimer);
     const pace = PACES.find(p => this.asked[p] !== revision);
     if (!pace) return;
     const wait = this.changedAt + REST[pace] - now;
@@ -126,7 +129,7 @@ export class Asker {
     const {generation, change} = this.state;
     this.asked[pace] = revision;
     if (wished.length) {
-      const {end} = this.underWay = {pace, revision, end: new AbortController()};
+      const {end} = this.underWay = {pace, revision, began: performance.now(), end: new AbortController()};
       try {
         const settings = [...change.settings, ...wished.flatMap(w => w.settings ?? [])];
         this.take(await this.engine.ask(revision, {...change, settings}, wished.map(w => this.unknown(w)), end.signal), wished, generation);

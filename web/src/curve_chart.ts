@@ -3,7 +3,7 @@ import {html, nothing, svg} from 'lit';
 import {limitsOf, unitOfFirstLimit, type NotDrawn} from './chart/limits.ts';
 import {shownLines} from './chart/limit_lines.ts';
 import {amplitudeAt, pictureOf, shownAmplitude, shownLimits, unitsOf, type Choice} from './chart/picture.ts';
-import {readingAt, type Compared} from './chart/overlays.ts';
+import {bandAt, readingAt, type Compared} from './chart/overlays.ts';
 import {Plot, type Picture, type Shown} from './chart/plot.ts';
 import {stabilityWords, steadyReadings} from './chart/steady_readings.ts';
 import {strokeOf} from './chart/strokes.ts';
@@ -15,7 +15,8 @@ import {missingCurves} from './missing_curves.ts';
 import {outdatedNote} from './outdated_note.ts';
 import {Part} from './part.ts';
 import {FREQUENCY_UNITS, number, quantityName, type FrequencyUnit} from './quantities.ts';
-import type {Curves, Steady, Verdict} from './results.ts';
+import type {Curves, SampledBand, Steady, Verdict} from './results.ts';
+import {sampledBands, sampledDesigns} from './sampled_designs.ts';
 
 /// Amplitude and phase of the characteristics. A click, or Enter at the cursor, makes the machine swing at that frequency.
 export class CurveChart extends Part {
@@ -29,6 +30,7 @@ export class CurveChart extends Part {
   private picture: Picture | null = null;
   private readonly drawnCurves = new DrawnCurves();
   private drawn: unknown[] = [];
+  private bandsDrawn = NONE;
   private limitsDrawn = '';
   private notDrawn: NotDrawn[] = [];
   private mover!: LimitMover;
@@ -77,7 +79,9 @@ export class CurveChart extends Part {
   }
   override connectedCallback() {
     super.connectedCallback();
-    this.unsubscribe.push(this.app.beside.subscribe(() => this.requestUpdate()));
+    const {beside, sampler} = this.app;
+    this.unsubscribe.push(beside.subscribe(() => this.requestUpdate()));
+    if (sampler) this.unsubscribe.push(sampler.subscribe(() => { if (this.bands.length || this.bandsDrawn.length) this.requestUpdate(); }));
   }
   override firstUpdated() {
     const click = (x: number) => this.swing(x / FREQUENCY_UNITS[this.app.display.frequencyUnit]);
@@ -98,12 +102,13 @@ export class CurveChart extends Part {
     if (!curves || !this.amplitude) return;
     this.beginWithFirstLimit(curves);
     const steady = asker.result<Steady>('steady'), compared = comparisons(this.app, this.kept), binding = this.mover.areBinding;
-    const seen = [curves, steady, binding, ...compared.flatMap(c => [c.curves, c.measured?.[0], c.key]), this.choice, display.theme, display.frequencyUnit, display.logarithmicFrequency, display.decibel, display.logarithmicAmplitude];
+    const bands = this.bandsDrawn = this.bands;
+    const seen = [curves, steady, binding, bands, ...compared.flatMap(c => [c.curves, c.measured?.[0], c.key]), this.choice, display.theme, display.frequencyUnit, display.logarithmicFrequency, display.decibel, display.logarithmicAmplitude];
     if (JSON.stringify(compared.map(c => [c.label, c.old, c.failure])) !== JSON.stringify(this.compared.map(c => [c.label, c.old, c.failure]))) this.requestUpdate();
     this.compared = compared;
     if (seen.length !== this.drawn.length || seen.some((value, i) => value !== this.drawn[i])) {
       this.drawn = seen;
-      this.picture = pictureOf(curves, this.choice, display, steady, compared, binding);
+      this.picture = pictureOf(curves, this.choice, display, steady, compared, binding, bands);
       this.limitsDrawn = this.setLimits(curves);
       display.drawn = this.picture.curves.map(c => c.name);
       this.amplitude.show(this.picture);
@@ -130,6 +135,11 @@ export class CurveChart extends Part {
     this.phase?.destroy();
   }
 
+  /// Of the machines within the tolerances; the same list until it changes.
+  private get bands() {
+    const sampled = sampledDesigns(this.app);
+    return sampled ? sampledBands(sampled, this.app.state.case) : NONE;
+  }
   /// Puts the present limits into the picture. @returns their text, which changes with them
   private setLimits(curves: Curves): string {
     const {display} = this.app, {drawn, not} = limitsOf(curves, this.choice.model, this.mover.requirements), names = this.drawable(curves).map(r => r.name);
@@ -155,8 +165,18 @@ export class CurveChart extends Part {
       return html`<button class="curve" aria-pressed=${curve !== undefined} @click=${() => this.toggle(r.name)}>
         <svg viewBox="0 0 18 6" aria-hidden="true"><line x1="0" y1="3" x2="18" y2="3" stroke=${colour} stroke-width="3" stroke-dasharray=${strokeOf(i, display.theme).dash.join(' ')}></line></svg>
         ${r.name}${value ? html` <b>${value}</b>` : nothing}</button>`;
-    })}${this.steadyAtCursor().map(({name, motions}) => html`<span class="curve steady">steady ${name}: ${motions.map((m, i) => html`${i ? ', ' : ''}<b>${m.value}</b> ${m.words}`)}</span>`)}${this.compared.map(c => html`<span class="curve" title=${c.failure}><svg viewBox="0 0 26 6" aria-hidden="true">${c.measured ? svg`<circle cx="7" cy="3" r="2.4" fill="currentColor"></circle><circle cx="18" cy="3" r="2.4" fill="currentColor"></circle>`
+    })}${this.steadyAtCursor().map(({name, motions}) => html`<span class="curve steady">steady ${name}: ${motions.map((m, i) => html`${i ? ', ' : ''}<b>${m.value}</b> ${m.words}`)}</span>`)}${this.bandLegend()}${this.compared.map(c => html`<span class="curve" title=${c.failure}><svg viewBox="0 0 26 6" aria-hidden="true">${c.measured ? svg`<circle cx="7" cy="3" r="2.4" fill="currentColor"></circle><circle cx="18" cy="3" r="2.4" fill="currentColor"></circle>`
         : svg`<line x1="0" y1="3" x2="26" y2="3" stroke="currentColor" stroke-width="2" stroke-dasharray=${c.dash.join(' ')}></line>`}</svg> ${c.label}${c.failure ? ': not computed' : ''}${this.readings(c).map((r, i, all) => html`${i ? ', ' : ': '}${r.name}${r.at} <b>${r.value}</b>${i < all.length - 1 ? nothing : ` ${this.unit}`}`)}${c.old ? html` <span class="old">…</span>` : nothing}</span>`)}${steady ? html`<span class="note">thick: steady motion of the nonlinear machine, half peak-to-peak${level && level !== '0-p' ? ` at the level ${level} of a sine` : ''}; dashed: unstable; arrow: jump</span>` : nothing}${elsewhere ? html`<span class="note">${elsewhere}</span>` : nothing}${this.notes()}`;
+  }
+  /// How many designs the bands are of, and the bands at the cursor.
+  private bandLegend() {
+    const bands = this.picture!.overlays.filter(o => o.kind === 'band'), sampled = bands.length ? sampledDesigns(this.app) : null, index = this.indexAtCursor();
+    if (!sampled) return nothing;
+    const values = index === null ? [] : bands.flatMap(band => {
+      const found = bandAt(band, this.picture!.x[index]!);
+      return found ? [html`${band.name} <b>${number(found[0], 3)} … ${number(found[1], 3)}</b>`] : [];
+    });
+    return html`<span class="curve" title="from 5 to 95 % of the machines within the tolerances, at each frequency"><svg viewBox="0 0 18 8" aria-hidden="true"><rect width="18" height="8" fill=${strokeOf(bands[0]!.stroke, this.app.display.theme).colour} fill-opacity="0.3"></rect></svg> 5 … 95 % of ${sampled.found.designs.toLocaleString('en-US')} designs${values.map((v, i) => html`${i ? ', ' : ': '}${v}`)}${values.length ? ` ${this.unit}` : ''}${sampled.old ? html` <span class="old">…</span>` : nothing}</span>`;
   }
   /// What the program notes: the first sentence, and the others on demand.
   private notes() {
@@ -307,6 +327,7 @@ function closeAtEscape(event: KeyboardEvent) {
   event.stopPropagation();
 }
 const MOST_AT_FIRST = 6;
+const NONE: readonly SampledBand[] = [];
 /// Units of the motions in each quantity: of a translation and of a rotation.
 const MOTIONS = [['m', 'rad'], ['m/s', 'rad/s'], ['m/s²', 'rad/s²']] as const, QUANTITIES = ['displacement', 'velocity', 'acceleration'];
 /// Are both units of a translation, or both of a rotation?

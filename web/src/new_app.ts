@@ -7,11 +7,15 @@ import {hasSomethingToJudge} from './judgement.ts';
 import {App} from './part.ts';
 import type {Scene} from './results.ts';
 import {State} from './state.ts';
+import {sampleWishes} from './sampled_designs.ts';
 import {questionsBeside, wishes} from './wishes.ts';
+
+const PATIENCE = 1000;  // ms for a sample while a slider moves
 
 /// What the parts of a page on this project share. Nothing is asked before a text is opened.
 /// @param aside  answers what is beside the results of the page
-export function newApp(engine: Engine, project: Project, aside: Pick<Engine, 'ask'> = engine): App {
+/// @param sampling  answers at the same time what is asked about the tolerances; null: nothing is
+export function newApp(engine: Engine, project: Project, aside: Pick<Engine, 'ask'> = engine, sampling: Pick<Engine, 'ask'> | null = null): App {
   const state = new State(), display = new Display();
   const wanted = (): Wish[] => (state.design.text ? wishes(display, {hasSomethingToJudge: hasSomethingToJudge(app), hasSteady: app.index.byPath.has('analyses\0steady'),
     bodies: asker.result<Scene>('scene')?.bodies.length ?? 0}) : []);
@@ -20,7 +24,9 @@ export function newApp(engine: Engine, project: Project, aside: Pick<Engine, 'as
     if (!engine.oneAtATime) beside.yield();  // else its answer comes first anyway
     return engine.ask(...question);
   }};
-  const asker = new Asker(first, state, wanted), app: App = new App(engine, project, state, display, asker, beside);
+  const asker = new Asker(first, state, wanted), sampler = sampling && new Asker(sampling, state, () => sampleWishes(app), PATIENCE);
+  const app: App = new App(engine, project, state, display, asker, beside, sampler);
+  asker.subscribe(() => { if (sampler?.trouble && !asker.trouble) sampler.afresh(); });
   state.subscribe(beside.rest);
   asker.subscribe(beside.rest);
   return app;

@@ -8,7 +8,7 @@ import {Schema} from './schema.ts';
 import {tokenOfTab} from './token.ts';
 
 async function start() {
-  const engine = new ServerEngine(tokenOfTab()), project = await engine.project(), app = newApp(engine, project, engine.beside());
+  const engine = new ServerEngine(tokenOfTab()), project = await engine.project(), app = newApp(engine, project, engine.beside(), engine.beside());
   const {state, asker, display} = app, file = app.file = new ProjectFile(engine, project, state, asker, (notice, listed) => display.set({notice, listed: listed ? notice : ''}));
   const shell = new PageShell();
   shell.app = app;

@@ -19,6 +19,7 @@ import type {ProblemList} from './problem_list.ts';
 import type {KeptEdits} from './project_file.ts';
 import type {Scene} from './results.ts';
 import {verdictPill} from './verdict_pill.ts';
+import './yield_pill.ts';
 
 const TABS = {sliders: 'Sliders', model: 'Model', text: 'Text'} as const;
 
@@ -85,7 +86,7 @@ export class PageShell extends Part {
     const title = asker.result<Scene>('scene')?.title || project.title || '';
     return html`<span class="title" title=${title}>${title}</span>
       <case-bar .app=${this.app}></case-bar>
-      ${verdictPill(this.app)}
+      ${verdictPill(this.app)}<yield-pill .app=${this.app}></yield-pill>
       <progress-line .app=${this.app}></progress-line>
       <span class="space"></span>
       <button title="Undo (Ctrl Z)" aria-label="Undo" ?disabled=${!state.canUndo} @click=${() => state.undo()}>↶</button>

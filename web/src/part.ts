@@ -14,8 +14,9 @@ export class App {
   schema: Schema | null = null;
   file: ProjectFile | null = null;  // a notebook has none
 
+  /// @param sampler  keeps the sample of machines within the tolerances; a notebook has none
   constructor(readonly engine: Engine, readonly project: Project, readonly state: State, readonly display: Display, readonly asker: Asker,
-              readonly beside: BesideResults) {}
+              readonly beside: BesideResults, readonly sampler: Asker | null = null) {}
 
   /// Names of the cases of the present text; "" is the base model.
   get cases(): string[] {

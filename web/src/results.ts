@@ -223,6 +223,24 @@ export interface Verdict {
   cases: {case: string; met: boolean; decides: boolean; governing: number | null; requirements: Requirement[];
           elements: {element: string; governing: number; share: number | null}[]}[];  // share of a limit; null: infinite
 }
+/// Amplitudes of the designs within the tolerances, at each frequency for itself. Null: infinite.
+export interface SampledBand {
+  result: string;
+  unit: string;
+  angular_frequency: number[];
+  low: (number | null)[];  // 5 % of the designs are below it
+  median: (number | null)[];
+  high: (number | null)[];  // 95 %
+}
+/// Designs within the tolerances, judged in all cases in which the design has to hold.
+export interface Sample {
+  designs: number;
+  confidence: number;
+  yield: {share: number; from: number; to: number; met: number};
+  failed: number;
+  cases: {case: string; no_kernels: string}[];
+  bands?: {case: string; results: SampledBand[]}[];
+}
 export interface Check {
   mounts?: {case: string; element: string; compression: number; across: number; deflection: number; utilisation: number | null}[];
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines over the characteristics: curves kept for comparison, limit lines, periodic motions of a nonlinear machine.
-import type {Curves, Measurement, Steady} from '../results.ts';
+import type {Curves, Measurement, SampledBand, Steady} from '../results.ts';
 
 export interface Overlay {
   name: string;
   stroke: number;
-  kind: 'compared' | 'measured' | 'limit' | 'violated' | 'unbinding' | 'stable' | 'unstable' | 'jump';
+  kind: 'compared' | 'measured' | 'limit' | 'violated' | 'unbinding' | 'stable' | 'unstable' | 'jump' | 'band';
   dash?: readonly number[];  // of compared curves
   of?: string;  // what is compared: its key
-  points: (readonly [number, number | null])[];  // in the units of the chart
+  points: (readonly [number, number | null])[];  // in the units of the chart; of a band its lower edge
+  upper?: Overlay['points'];  // of a band, at the same frequencies
 }
 type Value = (amplitude: number) => number | null;
 
@@ -29,6 +30,19 @@ export function measuredOverlays(measured: readonly Measurement[], of: string, u
     if (stroke < 0 || channel.unit !== unit) return [];
     return [{name: channel.result, stroke, kind: 'measured', of, points: channel.angular_frequency.map((w, i) => [w * frequency, value(Math.hypot(...channel.measured[i]!))])}];
   }));
+}
+
+/// From 5 to 95 % of the designs within the tolerances, behind the curves of the same quantity.
+export function bandOverlays(bands: readonly SampledBand[], unit: string, results: readonly string[], frequency: number, value: Value): Overlay[] {
+  return bands.flatMap((band): Overlay[] => {
+    const stroke = results.indexOf(band.result), edge = (amplitudes: SampledBand['low']) => band.angular_frequency.map((w, i) => [w * frequency, amplitudes[i] == null ? null : value(amplitudes[i])] as const);
+    return stroke < 0 || band.unit !== unit ? [] : [{name: band.result, stroke, kind: 'band', points: edge(band.low), upper: edge(band.high)}];
+  });
+}
+/// A band at a place of the axis of frequencies. Null outside.
+export function bandAt(overlay: Overlay, x: number): [number, number] | null {
+  const low = readingAt(overlay, x), high = readingAt({...overlay, points: overlay.upper ?? []}, x);
+  return low && high && [low.y, high.y];
 }
 
 /// What is compared with a curve, at a place of the axis of frequencies: between the two nearest points of a curve, or the nearest measured

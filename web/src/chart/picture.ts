@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type {Display} from '../display.ts';
 import {FREQUENCY_UNITS, number, quantity, scaleAtLevel, type Scale} from '../quantities.ts';
-import type {Curves, Steady} from '../results.ts';
+import type {Curves, SampledBand, Steady} from '../results.ts';
 import type {ShownLimit} from './limit_handles.ts';
 import type {Limit} from './limits.ts';
 import {drawnFrequencies, sampledCurves} from '../sampled_curves.ts';
-import {measuredOverlays, steadyOverlays, type Compared, type Overlay} from './overlays.ts';
+import {bandOverlays, measuredOverlays, steadyOverlays, type Compared, type Overlay} from './overlays.ts';
 import type {Picture, Shown} from './plot.ts';
 import {steadyCurves} from './steady_readings.ts';
 import {strokeOf} from './strokes.ts';
@@ -23,7 +23,7 @@ export const unitsOf = ({results, vanishing = []}: Curves) =>
 
 /// Curves of one unit in the units of the page.
 /// @param binding  limits are, in the case on the page
-export function pictureOf(curves: Curves, choice: Choice, display: Display, steady: Steady | null = null, compared: readonly Compared[] = [], binding = true): Picture {
+export function pictureOf(curves: Curves, choice: Choice, display: Display, steady: Steady | null = null, compared: readonly Compared[] = [], binding = true, bands: readonly SampledBand[] = []): Picture {
   const frequency = FREQUENCY_UNITS[display.frequencyUnit];
   const indices = curves.results.map((_, i) => i).filter(i => curves.results[i]!.unit === choice.unit && !curves.vanishing?.includes(curves.results[i]!.name));
   const seen = indices.filter(i => !choice.hidden.has(curves.results[i]!.name));
@@ -39,6 +39,7 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
             unbounded: peaks.filter(p => p.unbounded).map(p => p.angular_frequency * frequency),
             peaks: peaks.filter(p => p.amplitude !== null && p.amplitude > 1e-4 * largest).map(p => ({x: p.angular_frequency * frequency, y: shownValue(p.amplitude)!}))};
   });
+  const shownBands = bandOverlays(bands, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name));
   const overlays: Overlay[] = steady ? steadyOverlays(steady, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)) : [];
   const steadyOfCurves = steadyCurves(steady, choice.unit, names.filter(name => !choice.hidden.has(name)), frequency, shownValue);
   for (const line of curves.lines ?? []) {
@@ -52,7 +53,7 @@ export function pictureOf(curves: Curves, choice: Choice, display: Display, stea
     if (one.curves) overlays.push(...comparedOverlays(one.curves, one, choice, display, names, shownValue));
     if (one.measured) overlays.push(...measuredOverlays(one.measured, one.key, choice.unit, names, frequency, shownValue).filter(o => !choice.hidden.has(o.name)));
   }
-  return {overlays, limits: [], steady: steadyOfCurves, x: omega.map(w => w * frequency), curves: shown, natural: curves.natural.map(w => w * frequency), scale,
+  return {overlays: [...shownBands, ...overlays], limits: [], steady: steadyOfCurves, x: omega.map(w => w * frequency), curves: shown, natural: curves.natural.map(w => w * frequency), scale,
           cursor: display.cursor === null ? null : display.cursor * frequency};
 }
 

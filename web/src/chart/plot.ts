@@ -33,6 +33,7 @@ export interface Picture {
 }
 
 const CURVE = 1.6;  // width of its line [px]
+const BAND = 0.3;  // opacity
 
 /// uPlot of the amplitudes or of the phases of a picture.
 export class Plot {
@@ -110,13 +111,14 @@ export class Plot {
         return {label: curve.name, stroke: colour, dash, width: CURVE, points: {show: false}, spanGaps: false,
                 paths: isPhase ? lines(180) : lines(Infinity)} as uPlot.Series;
       })],
-      hooks: {draw: [plot => this.marks(plot)],
+      hooks: {drawAxes: [plot => this.bands(plot)],  // behind the curves
+              draw: [plot => this.marks(plot)],
               ready: [plot => plot.over.addEventListener('click', event => this.clickedAt(plot, event))]},
     };
   }
   private range(low: number | null, high: number | null, logarithmic: boolean): [number, number] {
     if (this.held) return this.held;
-    const {limits, overlays} = this.picture!, heights = overlays.flatMap(o => o.points.map(p => p[1])).filter(v => v !== null);
+    const {limits, overlays} = this.picture!, heights = overlays.flatMap(o => [...o.points, ...o.upper ?? []].map(p => p[1])).filter(v => v !== null);
     const others = [...limits.map(l => l.y), ...limits.flatMap(l => (l.at ? [l.at.y] : [])), ...heights];
     if (logarithmic) return logarithmicRange([low, high], others);
     const top = others.reduce((a, b) => Math.max(a, b), high ?? 1), bottom = others.reduce((a, b) => Math.min(a, b), low ?? 0);
@@ -125,6 +127,24 @@ export class Plot {
   private clickedAt(plot: uPlot, event: MouseEvent) {
     const moved = plot.select.width > 2;
     if (!moved) this.clicked(plot.posToVal(event.offsetX, 'x'));
+  }
+  private bands({ctx, bbox, valToPos}: uPlot) {
+    if (this.what !== 'amplitude') return;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    ctx.globalAlpha = BAND;
+    for (const {kind, stroke: index, points, upper = []} of this.picture!.overlays) {
+      if (kind !== 'band') continue;
+      ctx.fillStyle = strokeOf(index, this.display.theme).colour;
+      ctx.beginPath();
+      const bottom = bbox.top + bbox.height;
+      points.forEach(([x, y], i) => { ctx[i ? 'lineTo' : 'moveTo'](valToPos(x, 'x', true), y === null ? bottom : valToPos(y, 'y', true)); });
+      for (const [x, y] of [...upper].reverse()) ctx.lineTo(valToPos(x, 'x', true), y === null ? bbox.top : valToPos(y, 'y', true));
+      ctx.fill();
+    }
+    ctx.restore();
   }
   /// Natural frequencies, limits, parts above limits, peaks with their values, and the cursor.
   private marks(plot: uPlot) {
@@ -140,7 +160,8 @@ export class Plot {
     ctx.clip();
     for (const value of picture.natural) vertical(value, colours.mode, 1, [1, 3]);
     if (this.what === 'amplitude') {
-      for (const overlay of picture.overlays) this.overlay(ctx, overlay, (points: Overlay['points']) => points.map(([a, b]) => [x(a), b === null ? null : y(b)] as const));
+      const placed = (points: Overlay['points']) => points.map(([a, b]) => [x(a), b === null ? null : y(b)] as const);
+      for (const overlay of picture.overlays) if (overlay.kind !== 'band') this.overlay(ctx, overlay, placed);
       for (const limit of picture.limits) if (!limit.isLine) this.limit(plot, limit);
       this.upwards(plot, picture);
       const peaks = this.peaks = placedPeaks(plot, picture.curves, picture.overlays);  // before the labels of limits, which find room elsewhere
@@ -187,7 +208,7 @@ export class Plot {
     if (kind === 'violated' || kind === 'unbinding') return this.exceeding(pen, chartColours(this.display.theme)[kind], index, known);
     if (kind === 'measured') return dots(pen, colour, known, 2 * ratio);
     pen.globalAlpha = kind === 'compared' ? 0.7 : 1;
-    stroke(pen, colour, (kind === 'stable' ? 2.6 : 1.3) * ratio, (dash ?? {compared: [4, 3], limit: [8, 4], stable: [], unstable: [3, 3], jump: [1, 4]}[kind]).map(d => d * ratio), known);
+    stroke(pen, colour, (kind === 'stable' ? 2.6 : 1.3) * ratio, (dash ?? {compared: [4, 3], limit: [8, 4], stable: [], unstable: [3, 3], jump: [1, 4], band: []}[kind]).map(d => d * ratio), known);
     if (kind === 'jump' && known.length === 2) arrowHead(pen, colour, known[0]!, known[1]!, 7 * ratio);
     pen.globalAlpha = 1;
   }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import {html, nothing} from 'lit';
+import {Part} from './part.ts';
+import type {Sample} from './results.ts';
+import {FEW, MOST, sampledDesigns, sampleFailure, sampleWishes} from './sampled_designs.ts';
+
+/// The share of the machines within the tolerances that meet every requirement, beside the verdict on the design.
+export class YieldPill extends Part {
+  override connectedCallback() {
+    super.connectedCallback();
+    const {sampler} = this.app;
+    if (sampler) this.unsubscribe.push(sampler.subscribe(() => this.requestUpdate()));
+  }
+  override render() {
+    const {app} = this, sampled = sampledDesigns(app), failure = sampleFailure(app);
+    if (failure) return html`<span class="pill unjudged" title=${failure}>no yield</span>`;
+    if (!sampled) return app.sampler && !app.sampler.hasErrors && sampleWishes(app).length ? html`<span class="pill unknown">yield <span class="old">…</span></span>` : nothing;
+    const {found, old, wanted} = sampled, {share, range} = yieldWords(found), designs = count(found.designs);
+    return html`<span class="pill yield" title=${this.explained(found, wanted)}>yield <b>${share} %</b> <span class="interval">${range} %, ${designs} designs</span>${old ? html` <span class="old">…</span>` : nothing}</span>`;
+  }
+  private explained({designs, confidence, failed}: Sample, wanted: number): string {
+    const of = designs < wanted ? `the first ${count(designs)} of the ${count(wanted)} machines` : `${count(designs)} machines`;
+    const more = designs === FEW && wanted > FEW ? ` More, at most ${count(MOST)}, are judged when nothing moves, if kernels judge them.` : designs < wanted ? ' trivet sample judges all of them.' : '';
+    return `Share of ${of} within [tolerances] that meet every requirement, and its interval with ${Math.round(100 * confidence)} % confidence.${failed ? ` ${count(failed)} could not be judged and count as failed.` : ''}${more}`;
+  }
+}
+const count = (n: number) => n.toLocaleString('en-US');
+
+/// In %, with two digits of what is not known, as `trivet sample` has it. The interval is rounded outwards.
+export function yieldWords({yield: {share, from, to}}: Pick<Sample, 'yield'>): {share: string; range: string} {
+  const unsure = 100 * Math.max(to - share, share - from), decimals = unsure > 0 ? Math.min(Math.max(1 - Math.floor(Math.log10(unsure)), 0), 9) : 1, unit = 10 ** decimals;
+  const shown = (part: number, round: (n: number) => number) => (round(100 * part * unit) / unit).toFixed(decimals);
+  return {share: shown(share, Math.round), range: `${shown(from, Math.floor)} … ${shown(to, Math.ceil)}`};
+}
+customElements.define('yield-pill', YieldPill);
