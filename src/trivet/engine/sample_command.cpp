@@ -148,7 +148,7 @@ Result sample(const Task& task) {
     found.held = shown;
     return found;
   };
-  std::vector<std::string> files = {"sample.csv"};
+  std::vector<std::string> files = {"sample.csv", "designs.csv"};
   if (results::has_bands(held->found)) files.emplace_back("bands.csv");
   set_forms(document, held, task.variant.display, files, result);
   result.findings.add(held->found);

@@ -23,7 +23,6 @@
 #include "trivet/study/optimize/optimization.h"
 #include "trivet/study/requirements/overruled_cases.h"
 #include "trivet/study/requirements/requirement_values.h"
-#include "trivet/study/sample/sample.h"
 
 namespace trivet::study {
 namespace {
@@ -80,19 +79,11 @@ void add_optimum(const project::Project& project, const foundation::Progress& st
   }
 }
 
-/// Most designs within the tolerances that a run judges: by kernels, and by assembled models. The number does not
-/// depend on the machine, so results do not either.
-constexpr std::size_t most_sampled = 100'000, most_assembled = 1000;
-
 /// Samples the designs within the tolerances that the file requests.
 void add_sample(const project::Project& project, const foundation::Progress& step, CaseResults& results) {
   if (!project.base().analyses.sample) return;
   try {
-    results.sample = std::make_shared<const Sample>(sample(project, step,
-                                                           {.shares = true,
-                                                            .most_by_kernels = most_sampled,
-                                                            .most_assembled = most_assembled,
-                                                            .worst_of_assembled = false}));
+    results.sample = std::make_shared<const Sample>(sample_in_a_run(project, step));
   } catch (const foundation::NotComputable& reason) {
     results.failures.emplace_back(reason.what());
   } catch (const foundation::InvalidInput& reason) {
@@ -127,6 +118,14 @@ std::vector<MountAtRest> quick_mounts(const model::System& system, const assembl
   } catch (const foundation::NotComputable&) {  // the check names rigid-body modes itself
     return {};
   }
+}
+
+Sample sample_in_a_run(const project::Project& project, const foundation::Progress& progress) {
+  // The number of designs does not depend on the machine, so results do not either.
+  constexpr std::size_t most_sampled = 100'000, most_assembled = 1000;
+  return sample(
+      project, progress,
+      {.shares = true, .most_by_kernels = most_sampled, .most_assembled = most_assembled, .worst_of_assembled = false});
 }
 
 std::vector<CaseResults> run(const project::Project& project, const foundation::Progress& progress,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "trivet/study/analyses/case_results.h"
+#include "trivet/study/sample/sample.h"
 
 namespace trivet::study {
 
@@ -15,6 +16,11 @@ namespace trivet::study {
 /// @param done  receives each case when it is complete
 [[nodiscard]] std::vector<CaseResults> run(const project::Project& project, const foundation::Progress& progress = {},
                                            const std::function<void(std::size_t index, const CaseResults&)>& done = {});
+
+/// The designs within the tolerances as a run judges them, with shares of the variance: the first ones, if all would
+/// take more than some seconds.
+/// @throws as `sample`
+[[nodiscard]] Sample sample_in_a_run(const project::Project& project, const foundation::Progress& progress = {});
 
 /// The envelope of the static results of a run over all its cases.
 [[nodiscard]] Envelope envelope_of(const std::vector<CaseResults>& results);

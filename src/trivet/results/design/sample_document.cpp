@@ -13,6 +13,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/results/design/band_parts.h"
+#include "trivet/results/design/kept_parts.h"
 #include "trivet/results/design/sample_words.h"
 #include "trivet/results/design/share_parts.h"
 #include "trivet/results/design/verdict_words.h"
@@ -371,6 +372,7 @@ Document sample_document(const Sample& sample) {
     group.parts.push_back({std::move(table)});
   }
   add_bands(sample, document);
+  add_kept_designs(sample, document);
   add_worst_cases(sample, document);
   add_shares(sample, document);
   say(document, method_words(sample), on_screen | on_page);
@@ -387,7 +389,7 @@ const ResultWriter sample_results = {
     .has_result = [](const project::Case&, const study::CaseResults& results) { return results.sample != nullptr; },
     .document = [](const project::Case&,
                    const study::CaseResults& results) { return sample_document(*results.sample); },
-    .files = {"sample.csv"},
+    .files = {"sample.csv", "designs.csv"},
     .optional_file = {"bands.csv", [](const study::CaseResults& results) { return has_bands(*results.sample); }}};
 
 }  // namespace trivet::results

@@ -15,6 +15,11 @@ namespace trivet::study {
 /// Temperatures are read in SI: the zero of their units is not that of SI.
 [[nodiscard]] FileUnit unit_in_file(const project::Project& project, const std::string& path);
 
+/// The numbers of the model that tolerances move, in the order of the tolerances and their places.
+[[nodiscard]] std::vector<VariedNumber> varied_numbers(const project::Project& project,
+                                                       const std::vector<project::Tolerance>& tolerances,
+                                                       const DrawnDesigns& drawn);
+
 /// The numbers of the model that the draws of a design set.
 /// @param draws  ratios or deviations, see project::Tolerance; none: no design
 [[nodiscard]] std::vector<NamedNumber> named_numbers(const project::Project& project,

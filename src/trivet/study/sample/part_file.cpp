@@ -21,7 +21,7 @@
 namespace trivet::study {
 namespace {
 
-constexpr std::string_view part_heading = "Trivet part of a study, format 1\n";
+constexpr std::string_view part_heading = "Trivet part of a study, format 2\n";
 constexpr std::string_view name_start = "part-", name_middle = "-of-";
 
 std::optional<std::uint64_t> whole_number(std::string_view words) {

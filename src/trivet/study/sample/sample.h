@@ -15,6 +15,8 @@
 #include "trivet/project/project.h"
 #include "trivet/study/requirements/verdict.h"
 #include "trivet/study/sample/drawn_name.h"
+#include "trivet/study/sample/file_unit.h"
+#include "trivet/study/sample/kept_designs.h"
 #include "trivet/study/sample/sampled_band.h"
 
 /// How many of the machines built within the tolerances meet the requirements? Definitions: docs/sample.md.
@@ -37,17 +39,6 @@ struct Yield {
 
 /// Share of the numbers of an unbounded draw beyond both ends of the range in which the worst design is searched.
 inline constexpr double beyond_worst_range = 1e-3;
-
-/// The unit in which people read a number of the model: that of the number in the file, otherwise SI.
-struct FileUnit {
-  std::string name;  ///< empty: a pure number
-  double si = 1;     ///< SI value of one unit
-
-  /// "210 N/mm" of "210".
-  [[nodiscard]] std::string after(const std::string& number) const {
-    return name.empty() ? number : number + " " + name;
-  }
-};
 
 /// A number of a design.
 struct NamedNumber {
@@ -162,6 +153,7 @@ struct Sample {
   std::optional<NamedDesign> worst;  ///< the design with the least margin of all
   double worst_margin = 0;
   std::string worst_case;  ///< that has it, with the same deviations from its own numbers; empty: the base model
+  KeptDesigns kept;
   std::optional<SampledShares> shares;               ///< if they are requested
   std::optional<WorstCaseSearch> worst_case_search;  ///< the same
   std::optional<StudyProgress> study;                ///< if it is one in a folder

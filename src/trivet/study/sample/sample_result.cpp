@@ -133,6 +133,7 @@ Sample sample_result(const SampleRun& run, const SampleTally& all) {
           }))
         found.worst_case = cases[c].variant().name;
   }
+  found.kept = kept_designs(run, all);
   return found;
 }
 

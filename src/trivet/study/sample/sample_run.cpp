@@ -79,6 +79,10 @@ std::vector<SampledMargins> SampleRun::judged(std::uint64_t first, std::size_t c
   return margins;
 }
 
+std::vector<double> SampleRun::margins(std::uint64_t design) const {
+  return margins_of_design(judged(design, 1, {}), 0);
+}
+
 SampleMagnitudes SampleRun::magnitudes_of(const std::vector<std::vector<SampledMargins>>& first) const {
   SampleMagnitudes all(cases_.size());
   for (std::size_t c = 0; c < cases_.size(); ++c)

@@ -52,6 +52,8 @@ class SampleRun {
   /// @param interruption  called between designs, may throw foundation::Interrupted; on the calling thread
   void count(std::uint64_t first, std::uint64_t number, SampleTally& into,
              const foundation::Progress& interruption = {}) const;
+  /// Margins of one design in the order of the requirements of all cases; none if it cannot be judged.
+  [[nodiscard]] std::vector<double> margins(std::uint64_t design) const;
 
  private:
   [[nodiscard]] std::vector<SampledMargins> judged(std::uint64_t first, std::size_t count,

@@ -71,7 +71,9 @@ void SampleTally::add(const DrawnDesigns& drawn, std::uint64_t first, const std:
     ++designs[replicate];
     if (const std::string why = failure(to_index(i), margins); why.empty()) {
       add_judged(replicate, design, to_index(i), margins);
-    } else if (failed++ == 0 || design < first_failed) {
+    } else {
+      if (kept.keeps(design, false)) kept.add(design, {});
+      if (failed++ > 0 && design >= first_failed) continue;
       first_failed = design;
       first_failure = why;
     }
@@ -98,6 +100,7 @@ void SampleTally::add_judged(std::size_t replicate, std::uint64_t design, Eigen:
     }
   }
   least.add(least_margin, design);
+  if (kept.keeps(design, least_margin >= 1)) kept.add(design, margins_of_design(margins, row));
   if (least_margin >= 1) ++met[replicate];
   else if (governing) ++governing->first;
 }
@@ -113,6 +116,7 @@ void SampleTally::merge(const SampleTally& other) {
   }
   failed += other.failed;
   least.merge(other.least);
+  kept.merge(other.kept);
   for (std::size_t c = 0; c < bands.size(); ++c) bands[c].merge(other.bands[c]);
   for (std::size_t c = 0; c < of.size(); ++c)
     for (std::size_t r = 0; r < of[c].size(); ++r) {

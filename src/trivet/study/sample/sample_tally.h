@@ -8,6 +8,7 @@
 
 #include "trivet/numerics/sampling/exact_statistics.h"
 #include "trivet/study/sample/band_tally.h"
+#include "trivet/study/sample/kept_tally.h"
 #include "trivet/study/sample/sampled_case.h"
 
 namespace trivet::study {
@@ -47,6 +48,7 @@ class SampleTally {
   std::uint64_t failed = 0, first_failed = 0;         ///< designs; number of the first
   std::string first_failure;
   numerics::Extremes least;  ///< of the least margins of the judged designs
+  KeptTally kept;
 
  private:
   /// Why a design fails; empty if it is judged.

@@ -47,6 +47,7 @@ void store_tally(const SampleTally& tally, StoredWords& words) {
   words.text(tally.first_failure);
   tally.least.store(words);
   words.end_line();
+  tally.kept.store(words);
   for (const auto& requirements : tally.of)
     for (const RequirementTally& one : requirements) store_requirement(one, words);
   for (const BandTally& one : tally.bands) one.store(words);
@@ -58,6 +59,9 @@ void restore_tally(WordReader& words, SampleTally& tally) {
   tally.first_failed = words.whole();
   tally.first_failure = words.text();
   tally.least = numerics::Extremes::restored(words);
+  std::size_t requirements = 0;
+  for (const auto& one : tally.of) requirements += one.size();
+  tally.kept = KeptTally::restored(words, requirements);
   for (auto& requirements : tally.of)
     for (RequirementTally& one : requirements) restore_requirement(words, one);
   for (BandTally& one : tally.bands) one.restore(words);
