@@ -12,6 +12,7 @@ import pytest
 import scipy.io
 import scipy.linalg
 import xarray
+from conftest import ROOT
 
 COORDINATES = [f"{body}.{c}" for body in ("pump 1", "raft") for c in ("x", "y", "z", "rx", "ry", "rz")]
 
@@ -68,6 +69,22 @@ def test_hdf5(program, tmp_path):
     np.testing.assert_array_equal(data["angular_frequency"], omega)
     assert data["pump 1.flange.z"].dims == ("angular_frequency",)
     np.testing.assert_array_equal(data["pump 1.flange.z"].values, curves["pump 1.flange.z"])
+
+
+def test_hdf5_has_the_kept_designs_of_a_sample(with_text, tmp_path):
+    text = (ROOT / "examples/paper/robust.toml").read_text().replace("designs = 100_000", "designs = 1000")
+    robust = with_text(text)
+    robust.export("hdf5", tmp_path / "robust.h5", "--what", "sample")
+    found = robust.json("sample")
+    with h5py.File(tmp_path / "robust.h5") as data:
+        sample = data["sample"]
+        for name in ("numbers", "margins"):
+            expected = np.array([[np.inf if x is None else x for x in one[name]] for one in found["kept"]])
+            np.testing.assert_array_equal(sample[f"kept.{name}"][()], expected)
+        np.testing.assert_array_equal(sample["kept.design"][()], [one["design"] for one in found["kept"]])
+        verdicts = [text.decode() for text in sample["kept.verdict"][()]]
+        assert verdicts == [one["verdict"] for one in found["kept"]]
+        assert [text.decode() for text in sample["kept_number"][()]] == [one["path"] for one in found["kept_numbers"]]
 
 
 def test_names_of_hdf5_have_no_slash(program, with_text, tmp_path):
