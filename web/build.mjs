@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bundles the page (page.js, page.css, index.html), the widget of notebooks (widget.js) and the scripts of the report
-// (report.js; report_machine.js, which it starts when it is wanted), all with their styles, into dist, with licences.txt
-// for all, or with --tests the unit tests into build.
+// (report.js; report_lines.js of designs within tolerances; report_machine.js, which it starts when it is wanted), all
+// with their styles, into dist, with licences.txt for all, or with --tests the unit tests into build.
 // --out FOLDER writes the page elsewhere, so that scripts/web can compare it with the committed one.
 import {build} from 'esbuild';
 import {createHash} from 'node:crypto';
@@ -55,6 +55,7 @@ async function buildWidget(out) {
 async function buildReport(out) {
   const options = {...common, outdir: out, format: 'iife', minify: true, legalComments: 'none', loader: {'.css': 'text'}};
   await build({...options, entryPoints: ['src/report/report.js'], banner: {js: bannerOf('uplot')}});
+  await build({...options, entryPoints: {report_lines: 'src/report/design_lines.ts'}, banner: {js: bannerOf()}});
   await build({...options, entryPoints: {report_machine: 'src/report/machine_view.ts'}, banner: {js: bannerOf('three', 'lit')}});
 }
 function bannerOf(...packages) {
