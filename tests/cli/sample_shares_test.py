@@ -64,7 +64,7 @@ class SampleShares(InTemporaryFolder):
         page = self.folder / "result.html"
         done = trivet("sample", self.project(), "--shares", "-o", page)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("<figure><svg", page.read_text())
+        self.assertRegex(page.read_text(), r'<figure><div class="scroll"[^>]*><svg')
         self.assertIn("Which tolerance scatters which value", page.read_text())
 
     def test_of_many_numbers_the_largest_are_drawn(self):

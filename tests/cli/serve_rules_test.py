@@ -41,7 +41,7 @@ class Rules(Served):
     def test_files_of_the_page_are_those_of_the_bundle(self):
         server = self.serve(PAPER)
         types = {".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".txt": "text/plain"}
-        others = ("widget.js", "report.js", "report_machine.js")  # of notebooks and reports
+        others = ("widget.js", "report.js", "report_lines.js", "report_machine.js")  # of notebooks and reports
         bundle = sorted(file for file in (SOURCE / "web/dist").iterdir() if file.name not in others)
         self.assertIn("index.html", [file.name for file in bundle])
         for file in bundle:

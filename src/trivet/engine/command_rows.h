@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/documents/html_table.h"
 #include "trivet/engine/command.h"
 
 /// The rows of the table of commands, by what they are about.
@@ -52,7 +53,9 @@ template <typename FiguresOf>
 void add_below_tables(FiguresOf figures_of, Result& result) {
   result.html = [figures_of = std::move(figures_of), tables = result.html](const project::DisplayUnits& display) {
     std::string html = tables(display);
-    for (const auto& figure : figures_of(display)) html += "<figure>" + figure.html() + "</figure>\n";
+    for (const auto& figure : figures_of(display))
+      html += "<figure><div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"" +
+          documents::escaped(figure.title) + "\">" + figure.html() + "</div></figure>\n";
     return html;
   };
 }

@@ -8,6 +8,7 @@
 #include "trivet/engine/process_rank.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/report/figures/design_lines_figure.h"
 #include "trivet/report/figures/sample_figure.h"
 #include "trivet/report/figures/share_figure.h"
 #include "trivet/results/design/band_parts.h"
@@ -96,7 +97,7 @@ void write_result_files(const study::StudyProgress& study, const Result& result)
 using HeldSample = std::shared_ptr<const Held<study::Sample>>;
 
 /// The picture of the shares of the variance, if they are wanted, or else of the bands; both below the tables of a
-/// page.
+/// page, with the kept designs as lines.
 void add_figures(const HeldSample& held, bool wants_shares, Result& result) {
   const auto shares = report::share_figure(held->found), bands = report::band_figure(held->found);
   if (const auto& figure = wants_shares ? shares : bands)
@@ -104,7 +105,8 @@ void add_figures(const HeldSample& held, bool wants_shares, Result& result) {
   add_below_tables(
       [held](const project::DisplayUnits& display) {
         std::vector<report::Figure> figures;
-        for (auto& figure : {report::band_figure(held->found, display), report::share_figure(held->found, display)})
+        for (auto& figure : {report::band_figure(held->found, display), report::share_figure(held->found, display),
+                             report::design_lines_figure(held->found, display)})
           if (figure) figures.push_back(*figure);
         return figures;
       },

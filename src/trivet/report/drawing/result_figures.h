@@ -74,7 +74,7 @@ namespace trivet::report {
 /// The machine of [analyses.optimize] over the given one, if places, shapes or masses differ.
 [[nodiscard]] std::vector<Figure> best_design_figures(const project::Case& variant, const study::CaseResults& results);
 
-/// The bands and the shares of the variance of the designs within tolerances.
+/// The bands of the designs within tolerances, the shares of the variance, and kept designs as lines.
 [[nodiscard]] std::vector<Figure> sample_figures(const study::CaseResults& results);
 
 /// The front of two results.

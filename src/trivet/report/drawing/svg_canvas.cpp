@@ -78,7 +78,11 @@ void SvgCanvas::begin_clip(const std::vector<std::vector<PixelPoint>>& rings, st
       path_of(rings));
 }
 
-void SvgCanvas::end_clip() { body_ += "</g>\n"; }
+void SvgCanvas::end_clip() { end_group(); }
+
+void SvgCanvas::begin_group(std::string_view attributes) { body_ += fmt::format("<g {}>\n", attributes); }
+
+void SvgCanvas::end_group() { body_ += "</g>\n"; }
 
 void SvgCanvas::circle(PixelPoint centre, double radius, std::string_view style) {
   body_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" {}/>\n", centre.x, centre.y, radius, style);

@@ -33,6 +33,9 @@ class SvgCanvas {
   /// @param name  distinguishes this outline from those of other pictures on one page
   void begin_clip(const std::vector<std::vector<PixelPoint>>& rings, std::string_view name);
   void end_clip();
+  /// Gives everything drawn until `end_group` these attributes.
+  void begin_group(std::string_view attributes);
+  void end_group();
   void circle(PixelPoint centre, double radius, std::string_view style);
   void rectangle(PixelPoint corner, double width, double height, std::string_view style);
   /// `attributes` may contain anchor, size, weight, transform.

@@ -11,6 +11,7 @@
 #include "trivet/report/drawing/in_documents.h"
 #include "trivet/report/drawing/panel_figure.h"
 #include "trivet/report/drawing/result_figures.h"
+#include "trivet/report/figures/design_lines_figure.h"
 #include "trivet/report/figures/share_figure.h"
 
 namespace trivet::report {
@@ -131,6 +132,7 @@ std::vector<Figure> sample_figures(const study::CaseResults& results) {
   if (!results.sample) return figures;
   if (auto bands = band_figure(*results.sample)) figures.push_back(std::move(*bands));
   if (auto shares = share_figure(*results.sample)) figures.push_back(std::move(*shares));
+  if (auto lines = design_lines_figure(*results.sample)) figures.push_back(std::move(*lines));
   return figures;
 }
 

@@ -10,6 +10,7 @@
 #include "trivet/foundation/version.h"
 #include "trivet/report/drawing/machine_drawing.h"
 #include "trivet/report/drawing/svg_canvas.h"
+#include "trivet/report/figures/design_lines_figure.h"
 #include "trivet/report/page/compressed_part.h"
 #include "trivet/report/page/design_judgement.h"
 #include "trivet/report/page/drawing_json.h"
@@ -28,6 +29,7 @@ extern const char* const page_html;
 extern const char* const page_css;
 extern const char* const page_script;
 extern const char* const machine_script;
+extern const char* const lines_script;
 
 namespace {
 
@@ -37,7 +39,8 @@ void replace(std::string& text, const std::string& place, const std::string& con
 }
 
 /// Leaves out the parts of the page of one kind: between <!-- KIND --> and <!-- /KIND -->. The short form has none that
-/// are `full`, a page without maps none of a `map`, one without bodies none of `3d`.
+/// are `full`, a page without maps none of a `map`, one without designs as lines none of `lines`, one without bodies
+/// none of `3d`.
 std::string without_parts(std::string page, const std::string& kind) {
   const std::string begin = "<!-- " + kind + " -->", end = "<!-- /" + kind + " -->";
   for (std::size_t from = page.find(begin); from != std::string::npos; from = page.find(begin))
@@ -147,7 +150,11 @@ std::string report_page(const project::Project& project, const std::vector<study
   if (!has_points) page = without_parts(page, "map");
   const bool has_motion = !is_short && has_moving_machine(cases);
   if (!has_motion) page = without_parts(page, "3d");
+  const std::string analyses = case_blocks(cases, below_pictures);
+  const bool has_lines = !is_short && has_design_lines(analyses);
+  if (!has_lines) page = without_parts(page, "lines");
   // From the end to the start, so that inserted text that looks like a placeholder is not replaced.
+  if (has_lines) replace(page, "{{lines_script}}", lines_script);
   replace(page, "{{script}}", page_script);
   if (has_motion) {
     replace(page, "{{machine_data}}", compressed_part(machine_json(cases)));
@@ -164,7 +171,7 @@ std::string report_page(const project::Project& project, const std::vector<study
   const std::string drawing_of_base = machine_drawing(project.base());
   replace(page, "{{tables}}",
           case_blocks(cases, [&](const ShownCase& c) { return below_comparison(project, c, drawing_of_base); }));
-  replace(page, "{{analyses}}", case_blocks(cases, below_pictures));
+  replace(page, "{{analyses}}", analyses);
   replace(page, "{{heads}}", case_blocks(cases, [&](const ShownCase& c) { return above_pictures(c, cases.size()); }));
   replace(page, "{{cases}}", case_options(cases));
   // Next to the charts of a single case, its overview would be the same curves again.

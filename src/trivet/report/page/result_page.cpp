@@ -5,10 +5,12 @@
 #include <string>
 
 #include "trivet/documents/html_table.h"
+#include "trivet/report/figures/design_lines_figure.h"
 
 namespace trivet::report {
 
 extern const char* const page_css;
+extern const char* const lines_script;
 
 std::string result_page(const std::string& title, const std::string& remarks, const std::string& tables) {
   std::string page =
@@ -19,7 +21,9 @@ std::string result_page(const std::string& title, const std::string& remarks, co
   std::istringstream lines(remarks);
   for (std::string line; std::getline(lines, line);)
     if (!line.empty()) page += documents::paragraph(line);
-  return page + tables + "</main>\n</body>\n</html>\n";
+  page += tables + "</main>\n";
+  if (has_design_lines(tables)) page += std::string("<script>\n") + lines_script + "</script>\n";
+  return page + "</body>\n</html>\n";
 }
 
 }  // namespace trivet::report
