@@ -142,7 +142,9 @@ class StudyFolder(InTemporaryFolder):
         self.assertGreater(found, 0, "the kills were after some files")
         self.assertEqual(done.stdout, expected)
         left = {path.name for path in self.study.iterdir()} - {"study.txt.new", "part-1-of-2.new", "part-2-of-2.new"}
-        self.assertEqual(left, {"study.txt", "part-1-of-2", "part-2-of-2", "result.json", "sample.csv", "designs.csv", "bands.csv"})
+        self.assertEqual(
+            left, {"study.txt", "part-1-of-2", "part-2-of-2", "result.json", "sample.csv", "designs.csv", "bands.csv"}
+        )
 
     def test_signals_leave_a_partial_result_and_the_command_to_go_on(self):
         designs = 3_000_000
