@@ -43,10 +43,13 @@ export class Asker {
   private changedAt = 0;  // time of the last change of the state [ms]
   private seen = -1;  // its revision
   private restTimer: ReturnType<typeof setTimeout> | undefined;
+  private idleUntil = 0;  // time of the next question of a moving slider [ms]
   private readonly listeners = new Set<() => void>();
 
   /// @param patience  ms after which also a question of a moving slider gives way to a newer state
-  constructor(private readonly engine: Pick<Engine, 'ask'>, private readonly state: State, private readonly wishes: () => Wish[], private readonly patience = Infinity) {
+  /// @param idle  after a question of a moving slider so many times its duration pass before the next: others want the processor too
+  constructor(private readonly engine: Pick<Engine, 'ask'>, private readonly state: State, private readonly wishes: () => Wish[],
+              private readonly patience = Infinity, private readonly idle = 0) {
     state.subscribe(() => this.next());
   }
 
@@ -120,8 +123,8 @@ export class Asker {
     }
     const pace = PACES.find(p => this.asked[p] !== revision);
     if (!pace) return;
-    const wait = this.changedAt + REST[pace] - now;
-    if (pace === 'quick' || wait <= 0) void this.send(pace, revision);
+    const wait = (pace === 'quick' ? this.idleUntil : this.changedAt + REST[pace]) - now;
+    if (wait <= 0) void this.send(pace, revision);
     else this.restTimer = setTimeout(() => this.next(), wait);
   }
   private async send(pace: Pace, revision: number) {
@@ -129,7 +132,7 @@ export class Asker {
     const {generation, change} = this.state;
     this.asked[pace] = revision;
     if (wished.length) {
-      const {end} = this.underWay = {pace, revision, began: performance.now(), end: new AbortController()};
+      const {began, end} = this.underWay = {pace, revision, began: performance.now(), end: new AbortController()};
       try {
         const settings = [...change.settings, ...wished.flatMap(w => w.settings ?? [])];
         this.take(await this.engine.ask(revision, {...change, settings}, wished.map(w => this.unknown(w)), end.signal), wished, generation);
@@ -138,6 +141,8 @@ export class Asker {
         if (!end.signal.aborted) this.trouble = error instanceof EngineError ? error.message : String(error);
       }
       this.underWay = null;
+      const now = performance.now();
+      if (pace === 'quick' && !end.signal.aborted) this.idleUntil = now + this.idle * (now - began);
       if (!end.signal.aborted) for (const listener of this.listeners) listener();
     }
     if (!this.trouble || this.state.revision !== revision) this.next();

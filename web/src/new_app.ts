@@ -11,6 +11,7 @@ import {sampleWishes} from './sampled_designs.ts';
 import {questionsBeside, wishes} from './wishes.ts';
 
 const PATIENCE = 1000;  // ms for a sample while a slider moves
+const IDLE = 3;  // then samples take a quarter of the time, and curves do not wait for them
 
 /// What the parts of a page on this project share. Nothing is asked before a text is opened.
 /// @param aside  answers what is beside the results of the page
@@ -24,7 +25,7 @@ export function newApp(engine: Engine, project: Project, aside: Pick<Engine, 'as
     if (!engine.oneAtATime) beside.yield();  // else its answer comes first anyway
     return engine.ask(...question);
   }};
-  const asker = new Asker(first, state, wanted), sampler = sampling && new Asker(sampling, state, () => sampleWishes(app), PATIENCE);
+  const asker = new Asker(first, state, wanted), sampler = sampling && new Asker(sampling, state, () => sampleWishes(app), PATIENCE, IDLE);
   const app: App = new App(engine, project, state, display, asker, beside, sampler);
   asker.subscribe(() => { if (sampler?.trouble && !asker.trouble) sampler.afresh(); });
   state.subscribe(beside.rest);

@@ -237,6 +237,8 @@ export interface Sample {
   designs: number;
   confidence: number;
   yield: {share: number; from: number; to: number; met: number};
+  wanted?: number;  // with a wanted yield
+  held?: boolean;
   failed: number;
   cases: {case: string; no_kernels: string}[];
   bands?: {case: string; results: SampledBand[]}[];

@@ -16,12 +16,14 @@ export class YieldPill extends Part {
     if (failure) return html`<span class="pill unjudged" title=${failure}>no yield</span>`;
     if (!sampled) return app.sampler && !app.sampler.hasErrors && sampleWishes(app).length ? html`<span class="pill unknown">yield <span class="old">…</span></span>` : nothing;
     const {found, old, wanted} = sampled, {share, range} = yieldWords(found), designs = count(found.designs);
-    return html`<span class="pill yield" title=${this.explained(found, wanted)}>yield <b>${share} %</b> <span class="interval">${range} %, ${designs} designs</span>${old ? html` <span class="old">…</span>` : nothing}</span>`;
+    const style = found.held === undefined ? '' : found.held ? 'met' : 'violated';
+    return html`<span class="pill yield ${style}" title=${this.explained(found, wanted)}>yield <b>${share} %</b> <span class="interval">${range} %, ${designs} designs</span>${old ? html` <span class="old">…</span>` : nothing}</span>`;
   }
-  private explained({designs, confidence, failed}: Sample, wanted: number): string {
+  private explained({designs, confidence, failed, wanted: yieldWanted, held}: Sample, wanted: number): string {
     const of = designs < wanted ? `the first ${count(designs)} of the ${count(wanted)} machines` : `${count(designs)} machines`;
     const more = designs === FEW && wanted > FEW ? ` More, at most ${count(MOST)}, are judged when nothing moves, if kernels judge them.` : designs < wanted ? ' trivet sample judges all of them.' : '';
-    return `Share of ${of} within [tolerances] that meet every requirement, and its interval with ${Math.round(100 * confidence)} % confidence.${failed ? ` ${count(failed)} could not be judged and count as failed.` : ''}${more}`;
+    const verdict = held === undefined ? '' : ` ${held ? 'At least' : 'Not shown to be at least'} the wanted ${+(100 * yieldWanted!).toPrecision(6)} %.`;
+    return `Share of ${of} within [tolerances] that meet every requirement, and its interval with ${Math.round(100 * confidence)} % confidence.${verdict}${failed ? ` ${count(failed)} could not be judged and count as failed.` : ''}${more}`;
   }
 }
 const count = (n: number) => n.toLocaleString('en-US');

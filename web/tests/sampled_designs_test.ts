@@ -14,7 +14,7 @@ const after = (ms: number) => new Promise(done => setTimeout(done, ms));
 const TEXT = (designs: string) => `[tolerances.rubber]\npath = "elements.mount.scale"\nhalf_width = "15 %"\n[requirements]\nlimits = {"m.z" = "1 mm"}\n${designs}`;
 
 /// A page whose questions about samples are answered when the test wants.
-function played(text: string, patience?: number, assembled = '') {
+function played(text: string, patience?: number, assembled = '', idle = 0) {
   const state = new State(), asked: {settings: readonly string[]; signal: AbortSignal | undefined; answer: () => void}[] = [];
   const engine: Pick<Engine, 'ask'> = {ask: (revision: number, {settings}: Change, wants: readonly Want[], signal?: AbortSignal) => new Promise<Answer>((done, failed) => {
     signal?.addEventListener('abort', () => failed(new Error('aborted')));
@@ -22,7 +22,7 @@ function played(text: string, patience?: number, assembled = '') {
     asked.push({settings, signal, answer: () => done({revision, ok: true, problems: [], results: wants.map(({command}) => ({command, ok: true, problems: [],
       json: {designs, confidence: 0.95, yield: {share: 0.9, from: 0.8, to: 1, met: 9}, failed: 0, cases: [{case: '', no_kernels: assembled}]} satisfies Sample}))})});
   })};
-  const sampler = new Asker(engine, state, () => sampleWishes(app), patience);
+  const sampler = new Asker(engine, state, () => sampleWishes(app), patience, idle);
   const app = {state, sampler, get index() { return state.index; }} as unknown as App;
   state.open(text, '1');
   return {state, app, asked};
@@ -74,6 +74,18 @@ test('a sample that takes long gives way to the newest state, a short one is fin
   assert.ok(asked[1]!.settings.includes('bodies.m.mass = 2'));
   await after(90);
   assert.ok(!asked[1]!.signal!.aborted);  // it is of the newest state
+});
+test('samples of a moving slider leave most of the time to others', async () => {
+  const {state, asked} = played(TEXT(''), undefined, '', 3);
+  await after(40);
+  asked[0]!.answer();
+  await after(5);
+  state.set({'bodies.m.mass': '2'}, true);
+  await after(60);
+  assert.equal(asked.length, 1);  // three times 40 ms have not passed
+  await after(90);
+  assert.equal(asked.length, 2);
+  assert.ok(asked[1]!.settings.includes('bodies.m.mass = 2'));
 });
 test('a share has two digits of what is not known, and its interval is rounded outwards', () => {
   const words = (share: number, from: number, to: number) => yieldWords({yield: {share, from, to, met: 0}});
