@@ -55,8 +55,12 @@ class KeptDesigns(InTemporaryFolder):
         reasons = {}
         for one in found["kept"]:
             reasons.setdefault(one["kept_as"], []).append(one)
-        some = [reasons[kind][i] for kind in reasons for i in (0, -1)]
-        self.assertEqual(set(reasons), {"first", "failing", "least margin", "largest margin"})
+        extremes = {one["extreme"]: one for one in found["kept"] if one["extreme"]}
+        self.assertEqual(set(extremes), {"least margin", "largest margin"})
+        self.assertEqual(extremes["least margin"]["margin"], found["worst_margin"])
+        some = [reasons[kind][i] for kind in reasons for i in (0, -1)] + list(extremes.values())
+        self.assertLessEqual(set(reasons), {"first", "failing", "extreme"})
+        self.assertEqual(len(reasons["first"]), 400)
         for one in some:
             settings = [f"{path}={number!r}" for path, number in zip(paths, one["numbers"])]
             words = [word for setting in settings for word in ("--set", setting)]
@@ -83,7 +87,7 @@ class KeptDesigns(InTemporaryFolder):
         margins = ["margin: " + one["requirement"] for one in found["cases"][0]["requirements"]]
         for row, one in zip(rows, found["kept"]):
             self.assertEqual(int(row["design"]), one["design"])
-            for key in ("kept_as", "verdict", "governing"):
+            for key in ("kept_as", "extreme", "verdict", "governing"):
                 self.assertEqual(row[key], one[key])
             self.assertEqual([float(row[name]) for name in numbers], one["numbers"])
             self.assertEqual([None if row[name] == "inf" else float(row[name]) for name in margins], one["margins"])
@@ -179,7 +183,7 @@ class KeptDesigns(InTemporaryFolder):
         self.assertIn('class="design-axis"', page)
         self.assertIn(script, page)
         self.assertIn('class="design-axis"', (out / "00-base/designs.svg").read_text())
-        self.assertIn("design,kept_as,verdict", (out / "00-base/designs.csv").read_text())
+        self.assertIn("design,kept_as,extreme,verdict", (out / "00-base/designs.csv").read_text())
         self.assertEqual(trivet("run", self.project(), "-o", out, "--report", "short").returncode, 0)
         self.assertNotIn(script, (out / "report.html").read_text())
 

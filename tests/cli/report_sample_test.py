@@ -84,8 +84,22 @@ class ReportSample(InTemporaryFolder):
             self.assertEqual(found["yield"]["from"] >= found["wanted"], held)
             self.assertEqual(done.returncode == 3, not held, done.stderr)
             self.assertIn(heading, words(page))
-            self.assertEqual('<div class="alert" role="note"><h2>⚠ Not all designs' in page, not held)
-            self.assertIn(f"designs within tolerances ≥ {wanted}", done.stdout)
+            self.assertEqual("⚠ The designs within tolerances do not show the wanted yield" in page, not held)
+            self.assertNotIn("⚠ Not all designs", page)
+            self.assertIn("6 of 6 met", done.stdout)  # requirements of the machine
+            self.assertEqual("least margin: aggregate" in done.stdout, held)
+
+    def test_a_yield_that_the_designs_do_not_decide_is_not_judged(self):
+        # All designs meet this: 0.05^(1/1000) = 99.7 %.
+        text = ROBUST.read_text().replace("designs = 100_000", 'designs = 1000, yield = "99.9 %"')
+        text = text.replace('no_peak = ["aggregate.x", "aggregate.y", "aggregate.z"]', "")
+        project = self.project(text, *((f'"{mm} mm"', '"0.1 m"') for mm in (11, 10, 8)))
+        done, results, page = self.run_of(project, "--strict")
+        self.assertIsNone(results["cases"][0]["sample"]["held"])
+        self.assertIn("? NOT JUDGED: 1 of 1 yield", words(page))
+        self.assertIn("without violations 2995 designs show it", words(page))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the designs do not decide on the wanted yield", done.stderr)
 
     def test_the_short_report_states_the_yield(self):
         done, _, page = self.run_of(self.project(), "--report", "short")

@@ -64,12 +64,16 @@ class Sample(InTemporaryFolder):
             ("90 %", (), (0, ", wanted 90 %")),
             ("99 %", (), (3, ", NOT the wanted 99 %")),
             ("99.7 %", wide, (0, ", wanted 99.7 %")),
-            ("99.71 %", wide, (3, ", NOT certainly the wanted 99.71 %")),
+            ("99.71 %", wide, (1, ", NOT certainly the wanted 99.71 %")),
         ):
             code, first, error = strict("--set", f'analyses.sample.yield="{yields}"', *more)
             self.assertEqual(code, expected[0], error)
             self.assertIn(expected[1] + ";", first)
             self.assertEqual("1 yield below the wanted one" in error, code == 3)
+            self.assertEqual("the designs do not decide on the wanted yield" in error, code == 1)
+        study = ("-o", self.folder / "study", "--part", "1/2")
+        self.assertEqual(strict(*study)[0], 0)  # a part of the designs has no verdict
+        self.assertEqual(strict(*study[:3], "2/2")[0], 3)
 
     def test_numbers_of_designs_have_the_units_of_the_file(self):
         project = self.file(WEDGE + '[tolerances.whole]\npath = "elements.k1.scale"\nhalf_width = "10 %"\n')

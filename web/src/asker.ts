@@ -47,7 +47,7 @@ export class Asker {
   private readonly listeners = new Set<() => void>();
 
   /// @param patience  ms after which also a question of a moving slider gives way to a newer state
-  /// @param idle  after a question of a moving slider so many times its duration pass before the next: others want the processor too
+  /// @param idle  after a question of a moving slider so many times its duration pass before the next, while it moves: others want the processor too
   constructor(private readonly engine: Pick<Engine, 'ask'>, private readonly state: State, private readonly wishes: () => Wish[],
               private readonly patience = Infinity, private readonly idle = 0) {
     state.subscribe(() => this.next());
@@ -123,7 +123,7 @@ export class Asker {
     }
     const pace = PACES.find(p => this.asked[p] !== revision);
     if (!pace) return;
-    const wait = (pace === 'quick' ? this.idleUntil : this.changedAt + REST[pace]) - now;
+    const wait = (pace === 'quick' ? Math.min(this.idleUntil, this.changedAt + REST.slow) : this.changedAt + REST[pace]) - now;
     if (wait <= 0) void this.send(pace, revision);
     else this.restTimer = setTimeout(() => this.next(), wait);
   }
@@ -142,7 +142,7 @@ export class Asker {
       }
       this.underWay = null;
       const now = performance.now();
-      if (pace === 'quick' && !end.signal.aborted) this.idleUntil = now + this.idle * (now - began);
+      if (pace === 'quick') this.idleUntil = now + this.idle * (now - began);
       if (!end.signal.aborted) for (const listener of this.listeners) listener();
     }
     if (!this.trouble || this.state.revision !== revision) this.next();

@@ -238,7 +238,7 @@ export interface Sample {
   confidence: number;
   yield: {share: number; from: number; to: number; met: number};
   wanted?: number;  // with a wanted yield
-  held?: boolean;
+  held?: boolean | null;  // null: these designs do not decide
   failed: number;
   cases: {case: string; no_kernels: string}[];
   bands?: {case: string; results: SampledBand[]}[];

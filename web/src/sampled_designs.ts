@@ -36,10 +36,11 @@ export function sampledDesigns(app: App): Sampled | null {
   const name = sampler.revisionOf(NAME_OF_FEW) > sampler.revisionOf('sample') ? NAME_OF_FEW : 'sample', found = sampler.result<Sample>(name);
   return found && {found, old: wishes.some(wish => sampler.isOld(wish.as ?? 'sample')), wanted: wantedDesigns(app)};
 }
-/// Why there is none; empty: it is being computed, or none is wanted.
+/// Why there is none of the numbers on the page; empty: it is being computed, or none is wanted.
 export function sampleFailure(app: App): string {
   const {sampler} = app;
-  return sampler && !sampler.hasErrors && sampleWishes(app).length ? sampler.failure(NAME_OF_FEW) || sampler.failure('sample') : '';
+  if (!sampler || sampler.hasErrors) return '';
+  return sampleWishes(app).map(wish => wish.as ?? 'sample').filter(name => !sampler.isOld(name)).map(name => sampler.failure(name)).find(Boolean) ?? '';
 }
 /// Bands of amplitudes in the case on the page.
 export const sampledBands = ({found}: Sampled, name: string): readonly SampledBand[] => found.bands?.find(one => one.case === name)?.results ?? NONE;

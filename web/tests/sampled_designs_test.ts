@@ -87,11 +87,12 @@ test('samples of a moving slider leave most of the time to others', async () => 
   assert.equal(asked.length, 2);
   assert.ok(asked[1]!.settings.includes('bodies.m.mass = 2'));
 });
-test('a share has two digits of what is not known, and its interval is rounded outwards', () => {
-  const words = (share: number, from: number, to: number) => yieldWords({yield: {share, from, to, met: 0}});
-  assert.deepEqual(words(0.94637, 0.93153, 0.95921), {share: '94.6', range: '93.1 … 96.0'});
-  assert.deepEqual(words(0.999712, 0.999701, 0.999723), {share: '99.9712', range: '99.9701 … 99.9723'});
-  assert.deepEqual(words(1, 0.9964, 1), {share: '100.00', range: '99.64 … 100.00'});
+test('a share has two digits of what is not known, and without violations it is a bound', () => {
+  const words = (share: number, from: number, to: number, met = 1) => yieldWords({designs: 1000, confidence: 0.95, yield: {share, from, to, met}});
+  assert.deepEqual(words(0.94637, 0.93153, 0.95921), {share: '94.6', range: '93.2 … 95.9 %'});
+  assert.deepEqual(words(0.999712, 0.999701, 0.999723), {share: '99.9712', range: '99.9701 … 99.9723 %'});
+  assert.deepEqual(words(1, 0.9964, 1, 1000), {share: '≥ 99.70', range: ''});
+  assert.deepEqual(words(0, 0, 0.0036, 0), {share: '≤ 0.30', range: ''});
 });
 test('a band is drawn with the curve of its result and unit, and read at the cursor', () => {
   const band = {result: 'm.z', unit: 'm', angular_frequency: [1, 2], low: [1, 2], median: [2, 3], high: [3, null]};

@@ -43,7 +43,7 @@ void Findings::add(const study::CaseResults& results) {
 }
 
 Outcome Findings::outcome() const {
-  if (not_judged_ + unknown_ > 0) return Outcome::not_computed;
+  if (not_judged_ + unknown_ + undecided_yields_ > 0) return Outcome::not_computed;
   if (exceeded_ + violated_ + infeasible_ + infeasible_designs_ + missed_yields_ + violating_designs_ > 0)
     return Outcome::over_a_limit;
   return warnings_.empty() ? Outcome::done : Outcome::with_warnings;
@@ -52,6 +52,7 @@ Outcome Findings::outcome() const {
 std::string Findings::words() const {
   if (not_judged_ > 0) return count_words(not_judged_, "case", "cases") + " of a map could not be computed";
   if (unknown_ > 0) return count_words(unknown_, "requirement", "requirements") + " could not be judged";
+  if (undecided_yields_ > 0) return "the designs do not decide on the wanted yield";
   std::string found;
   const auto list = [&](std::size_t count, const char* one, const char* several) {
     if (count > 0) found += (found.empty() ? "" : ", ") + count_words(count, one, several);

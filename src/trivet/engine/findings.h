@@ -24,8 +24,11 @@ class Findings {
   void add(const study::DesignMap& map);
   /// Requirements that are violated or could not be judged, if the design has to meet them in this case.
   void add(const study::CaseVerdict& judged);
-  /// The yield is not the wanted one.
-  void add(const study::Sample& sample) { missed_yields_ += !sample.holds_yield(); }
+  /// A wanted yield that is missed or not decided.
+  void add(const study::Sample& sample) {
+    missed_yields_ += sample.yield_verdict() == study::YieldVerdict::violated;
+    undecided_yields_ += sample.yield_verdict() == study::YieldVerdict::undecided;
+  }
   /// Designs within tolerances violate a requirement, and no yield is wanted.
   void add_violating_designs() { ++violating_designs_; }
   /// The best design violates a requirement.
@@ -38,7 +41,7 @@ class Findings {
 
  private:
   std::size_t exceeded_ = 0, violated_ = 0, infeasible_ = 0, not_judged_ = 0, infeasible_designs_ = 0,
-              missed_yields_ = 0, violating_designs_ = 0;
+              missed_yields_ = 0, undecided_yields_ = 0, violating_designs_ = 0;
   std::size_t unknown_ = 0;         ///< requirements that could not be judged
   std::set<std::string> warnings_;  ///< the same warning of several cases counts once
 };

@@ -153,8 +153,10 @@ Result sample(const Task& task) {
   std::vector<std::string> files = {"sample.csv", "designs.csv"};
   if (results::has_bands(held->found)) files.emplace_back("bands.csv");
   set_forms(document, held, task.variant.display, files, result);
-  result.findings.add(held->found);
-  if (!held->found.request.yield && held->found.any_violates()) result.findings.add_violating_designs();
+  if (!held->found.study || held->found.study->is_complete()) {  // a part of the designs has no verdict
+    result.findings.add(held->found);
+    if (!held->found.request.yield && held->found.any_violates()) result.findings.add_violating_designs();
+  }
   add_figures(held, task.keys.flag("shares"), result);
   if (task.keys.has("picture") && result.figures.empty()) explain_no_picture(task, held->found, result);
   if (const auto& study = held->found.study) {

@@ -59,7 +59,7 @@ Group result_group(const project::Case& variant, const std::string& analysis, co
 Group sample(const project::Project& project, const foundation::Progress& progress) {
   const auto found = std::make_shared<study::CaseResults>();
   try {
-    found->sample = std::make_shared<const study::Sample>(study::sample_in_a_run(project, progress));
+    found->sample = std::make_shared<const study::Sample>(study::sample_in_a_run(project, false, progress));
   } catch (const foundation::InvalidInput& reason) {  // such as a file without requirements
     throw foundation::NotComputable(reason.what());
   }

@@ -20,7 +20,8 @@ namespace trivet::server {
 class OpenedSessions {
  public:
   using Shared = std::shared_ptr<const engine::Session>;
-  static constexpr std::size_t most_kept = 8;  ///< of four pages, each without and with settings
+  static constexpr std::size_t most_kept =
+      16;  ///< of four pages with three names each, and their texts without settings
 
   /// @param source  name of the project in messages, and the file to whose folder names are relative
   explicit OpenedSessions(std::string source) : source_(std::move(source)) {}

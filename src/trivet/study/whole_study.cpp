@@ -83,7 +83,7 @@ void add_optimum(const project::Project& project, const foundation::Progress& st
 void add_sample(const project::Project& project, const foundation::Progress& step, CaseResults& results) {
   if (!project.base().analyses.sample) return;
   try {
-    results.sample = std::make_shared<const Sample>(sample_in_a_run(project, step));
+    results.sample = std::make_shared<const Sample>(sample_in_a_run(project, true, step));
   } catch (const foundation::NotComputable& reason) {
     results.failures.emplace_back(reason.what());
   } catch (const foundation::InvalidInput& reason) {
@@ -120,12 +120,14 @@ std::vector<MountAtRest> quick_mounts(const model::System& system, const assembl
   }
 }
 
-Sample sample_in_a_run(const project::Project& project, const foundation::Progress& progress) {
+Sample sample_in_a_run(const project::Project& project, bool shares, const foundation::Progress& progress) {
   // The number of designs does not depend on the machine, so results do not either.
   constexpr std::size_t most_sampled = 100'000, most_assembled = 1000;
-  return sample(
-      project, progress,
-      {.shares = true, .most_by_kernels = most_sampled, .most_assembled = most_assembled, .worst_of_assembled = false});
+  return sample(project, progress,
+                {.shares = shares,
+                 .most_by_kernels = most_sampled,
+                 .most_assembled = most_assembled,
+                 .worst_of_assembled = false});
 }
 
 std::vector<CaseResults> run(const project::Project& project, const foundation::Progress& progress,

@@ -17,10 +17,11 @@ namespace trivet::study {
 [[nodiscard]] std::vector<CaseResults> run(const project::Project& project, const foundation::Progress& progress = {},
                                            const std::function<void(std::size_t index, const CaseResults&)>& done = {});
 
-/// The designs within the tolerances as a run judges them, with shares of the variance: the first ones, if all would
-/// take more than some seconds.
+/// The designs within the tolerances as a run judges them: the first ones, if all would take more than some seconds.
+/// @param shares  also those of the variance
 /// @throws as `sample`
-[[nodiscard]] Sample sample_in_a_run(const project::Project& project, const foundation::Progress& progress = {});
+[[nodiscard]] Sample sample_in_a_run(const project::Project& project, bool shares,
+                                     const foundation::Progress& progress = {});
 
 /// The envelope of the static results of a run over all its cases.
 [[nodiscard]] Envelope envelope_of(const std::vector<CaseResults>& results);

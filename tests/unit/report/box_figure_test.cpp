@@ -55,4 +55,13 @@ TEST(BoxFigure, OfOneFarEndStillShowsTheOthers) {
   EXPECT_THAT(svg, HasSubstr("arrow: the range goes on beyond the picture"));
 }
 
+TEST(BoxFigure, OfOneRangeCutsAFarEnd) {
+  study::SolutionBox one = box({1});
+  one.ranges.front().upper.times = 400;
+  const std::string svg = report::box_figure(one, "machine").svg;
+  EXPECT_THAT(svg, HasSubstr("arrow: the range goes on beyond the picture"));
+  const double middle = bars(report::box_figure(box({1}), "machine").svg)[0];
+  EXPECT_GT(bars(svg)[0], 0.5 * middle);
+}
+
 }  // namespace box_figure_test

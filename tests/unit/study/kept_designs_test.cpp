@@ -119,10 +119,8 @@ TEST(KeptDesigns, AreTheFirstOnesAndTheFirstThatFail) {
   const std::uint64_t to_last = failing[KeptDesigns::failing - 1] + 1;
   EXPECT_EQ(to_last - sample_of(static_cast<int>(to_last)).yield.met, KeptDesigns::first - met + KeptDesigns::failing);
   // The extremes of all designs.
-  const auto with = [&](KeptDesign::Reason reason) {
-    return *std::ranges::find(found.kept.list, reason, &KeptDesign::reason);
-  };
-  const KeptDesign worst = with(KeptDesign::Reason::least_margin), best = with(KeptDesign::Reason::largest_margin);
+  const auto with = [&](bool KeptDesign::* which) { return *std::ranges::find(found.kept.list, true, which); };
+  const KeptDesign worst = with(&KeptDesign::has_least_margin), best = with(&KeptDesign::has_largest);
   EXPECT_EQ(worst.number, found.worst->number);
   EXPECT_DOUBLE_EQ(worst.margins[worst.governing()], found.worst_margin);
   for (const KeptDesign& one : found.kept.list) EXPECT_LE(one.margins[one.governing()], best.margins[best.governing()]);

@@ -35,7 +35,7 @@ interface Line extends DrawnDesign {
 function linesOf(svg: SVGSVGElement, axes: readonly DrawnAxis[]): Line[] {
   return [...svg.querySelectorAll<SVGPolylineElement>('[data-verdict] > polyline')].map(node => {
     const {verdict, further} = node.parentElement!.dataset;
-    const shares = [...node.points].map(({x}, k) => (x - axes[k]!.left) / (axes[k]!.right - axes[k]!.left));
+    const shares = [...node.points].filter(({y}, k) => Math.abs(y - axes[k]!.y) < 1).map(({x}, k) => (x - axes[k]!.left) / (axes[k]!.right - axes[k]!.left));
     return {node, shares, met: verdict === 'met', further: further !== undefined};
   });
 }
@@ -129,9 +129,12 @@ class AxisPlace {
     const caught = !isWhole(from) ? ([0, 1] as const).find(which => isNear(from[which])) : undefined;
     const inside = !isWhole(from) && at > from[0] && at < from[1];
     const ended = new AbortController(), options = {signal: ended.signal};
+    let begun = false;
     this.node.setPointerCapture(pointerId);
     this.node.addEventListener('pointermove', moved => {
-      if (moved.pointerId !== pointerId || Math.abs(moved.clientX - start) < LEAST_DRAG) return;
+      if (moved.pointerId !== pointerId) return;
+      begun ||= Math.abs(moved.clientX - start) >= LEAST_DRAG;
+      if (!begun) return;
       const to = shareOf(moved.clientX);
       if (caught !== undefined) return this.set(movedEnd(from, caught, to));
       if (!inside) return this.set([Math.min(at, to), Math.max(at, to)]);

@@ -333,8 +333,9 @@ std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyse
   request.worst_case = reader.boolean("worst_case").value_or(false);
   request.yield = reader.number("yield", Quantity::pure);
   if (request.yield && !(*request.yield > 0 && *request.yield < 1))
-    reader.error("yield", value_text(*reader.node("yield")), "a share between 0 and 100 %, both excluded, is expected",
-                 "write yield = \"99 %\"; no sample tells that all machines meet the requirements, see worst_case");
+    reader.error(
+        "yield", value_text(*reader.node("yield")), "a share between 0 and 100 %, both excluded, is expected",
+        "write yield = \"99 %\"; no number of designs shows that all machines meet the requirements; see worst_case");
   read_sampled_bands(reader, names, response, request);
   reader.finish();
   if (!root.has("tolerances"))

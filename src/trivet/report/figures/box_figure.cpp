@@ -23,7 +23,7 @@ struct Reach {
   explicit Reach(const study::SolutionBox& box) {
     std::vector<double> ends;
     for (const study::BoxRange& one : box.ranges) ends.insert(ends.end(), {one.lower.times, one.upper.times});
-    const auto middle = ends.begin() + std::ssize(ends) / 2;
+    const auto middle = ends.begin() + (std::ssize(ends) - 1) / 2;  // of two the lesser one
     std::ranges::nth_element(ends, middle);
     const double far = 4 * std::max(1.0, *middle);
     for (const study::BoxRange& one : box.ranges) {

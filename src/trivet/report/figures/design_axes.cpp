@@ -104,7 +104,7 @@ bool varies(const DesignLinesAxis& axis) {
 /// "shares of the variance" and the largest total share of each drawn number; without shares, correlations.
 struct Influence {
   std::string words;
-  std::vector<double> of;
+  std::vector<double> of, at_most;  ///< estimates, and the ends of their intervals
 };
 
 /// All numbers of a tolerance, which are single sets too.
@@ -116,19 +116,24 @@ bool has_single_numbers(const std::vector<study::DrawnSet>& sets, const study::D
 
 Influence influence(const Sample& sample, const std::vector<DesignLinesAxis>& numbers,
                     const std::vector<DesignLinesAxis>& margins) {
-  Influence found{"share of the variance of a value, with others", std::vector<double>(numbers.size())};
+  Influence found{"share of the variance of a value, with others", std::vector<double>(numbers.size()),
+                  std::vector<double>(numbers.size())};
   bool any = false;
   if (sample.shares)
     for (const study::RequirementShares& one : sample.shares->list)
       for (std::size_t i = 0; i < one.sets.size(); ++i)
         if (const study::DrawnSet& set = sample.shares->sets[i]; !has_single_numbers(sample.shares->sets, set))
-          for (const std::size_t d : set.draws)
-            found.of[d] = std::max(found.of[d], one.sets[i].total.estimate), any = true;
+          for (const std::size_t d : set.draws) {
+            found.of[d] = std::max(found.of[d], one.sets[i].total.estimate);
+            found.at_most[d] = std::max(found.at_most[d], one.sets[i].total.to);
+            any = true;
+          }
   if (any) return found;
   found.words = "squared correlation with a margin in these designs";
   for (std::size_t d = 0; d < numbers.size(); ++d)
     for (const DesignLinesAxis& margin : margins)
       found.of[d] = std::max(found.of[d], squared_correlation(numbers[d].values, margin.values));
+  found.at_most = found.of;
   return found;
 }
 
@@ -153,6 +158,12 @@ std::vector<std::size_t> ordered(std::size_t size, Before before) {
   return order;
 }
 
+double largest_of_others(const Influence& influence, const std::vector<std::size_t>& order) {
+  double largest = 0;
+  for (std::size_t i = most_numbers; i < order.size(); ++i) largest = std::max(largest, influence.at_most[order[i]]);
+  return largest;
+}
+
 void choose_numbers(const Influence& influence, DesignLinesAxes& axes) {
   const auto order =
       ordered(axes.numbers.size(), [&](std::size_t a, std::size_t b) { return influence.of[a] > influence.of[b]; });
@@ -160,7 +171,7 @@ void choose_numbers(const Influence& influence, DesignLinesAxes& axes) {
   if (order.size() > 1)
     axes.notes.push_back(fmt::format("Drawn numbers in the order of their largest {}.", influence.words));
   if (others.empty()) return;
-  const double largest = std::max(influence.of[order[most_numbers]], 1e-4);
+  const double largest = std::max(largest_of_others(influence, order), 1e-4);
   axes.notes.push_back(fmt::format(
       "Left out: {} drawn number{} with at most {} % each: {}.", others.size(), others.size() == 1 ? "" : "s",
       results::rounded_percent(largest, results::decimals_of(largest), results::Rounded::up),

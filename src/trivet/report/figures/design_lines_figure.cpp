@@ -22,7 +22,7 @@ using study::KeptDesign;
 using study::KeptDesigns;
 using study::Sample;
 
-constexpr double lines_width = 980, axis_left = 300, axis_width = 640, axis_distance = 50, group_gap = 24,
+constexpr double lines_width = 980, axis_left = 300, axis_width = 640, axis_distance = 50, stub = 8, group_gap = 24,
                  above_axes = 40, name_right = axis_left - 18, name_room = name_right - 10, note_height = 15,
                  tick_size = 10.5;
 constexpr const char *axis_class = "design-axis", *met_colour = "#0072B2", *violated_colour = "#D55E00",
@@ -138,7 +138,7 @@ class LinesPicture {
 
   [[nodiscard]] std::vector<std::string> notes() const {
     std::vector<std::string> list = {
-        fmt::format("A line is a design. The first {} designs are a sample of all {}; designs.csv has their numbers.",
+        fmt::format("A line is a design. The first {} designs are a sample of all {}; their numbers are in JSON.",
                     first_designs(), sample_.request.designs)};
     const bool later = std::ranges::any_of(kinds_, [](const LineKind& one) { return one.further > 0; });
     if (later)
@@ -159,6 +159,7 @@ class LinesPicture {
       if (std::isnan(at)) break;
       points.push_back({x_of(*one.axis, at), one.y});
     }
+    if (points.size() == 1) points.push_back({points[0].x, points[0].y + stub});  // a line of one point is not seen
     return points;
   }
   static double x_of(const DesignLinesAxis& axis, double value) { return axis_left + axis_width * axis.share(value); }
@@ -192,7 +193,13 @@ class LinesPicture {
     if (!axes_.margins.empty()) heading(placed_[axes_.numbers.size()].y, "Margins: red is the limit 1, more is met");
   }
 
-  static void draw_axis(SvgCanvas& canvas, const PlacedAxis& placed) {
+  /// Its name as it is read out: with the detail if the name does not say which axis it is.
+  [[nodiscard]] std::string spoken_name(const DesignLinesAxis& axis) const {
+    const bool is_ambiguous = std::ranges::count(axes_.numbers, axis.name, &DesignLinesAxis::name) > 1;
+    return axis.detail.empty() || !(axis.of_margins || is_ambiguous) ? axis.name : axis.name + " " + axis.detail;
+  }
+
+  void draw_axis(SvgCanvas& canvas, const PlacedAxis& placed) const {
     const DesignLinesAxis& axis = *placed.axis;
     const double y = placed.y, right = axis_left + axis_width;
     canvas.line(
@@ -200,9 +207,8 @@ class LinesPicture {
         fmt::format(
             "class=\"{}\" stroke=\"#222\" stroke-width=\"1.4\" data-name=\"{}\" data-unit=\"{}\" data-from=\"{}\" "
             "data-to=\"{}\" data-end=\"{}\"{}",
-            axis_class, escaped(axis.name + (axis.detail.empty() || !axis.of_margins ? "" : " " + axis.detail)),
-            escaped(axis.unit), axis.scale.from, axis.scale.to, axis.end_of_scale(),
-            axis.scale.logarithmic ? " data-logarithmic=\"\"" : ""));
+            axis_class, escaped(spoken_name(axis)), escaped(axis.unit), axis.scale.from, axis.scale.to,
+            axis.end_of_scale(), axis.scale.logarithmic ? " data-logarithmic=\"\"" : ""));
     draw_name(canvas, y, axis);
     std::vector<Box> taken;
     const auto tick = [&](double value, const std::string& label, const char* colour, double anchor = 0.5) {
@@ -216,9 +222,13 @@ class LinesPicture {
                               "paint-order=\"stroke\"",
                               tick_size, colour));
     };
-    tick(axis.scale.from, fmt::format("{:.4g}", axis.scale.from), axis_colour, 0);
+    const double size = std::max(std::abs(axis.scale.from), std::abs(axis.scale.to));
+    const int digits =
+        std::clamp(static_cast<int>(std::ceil(3 + std::log10(size / (axis.scale.to - axis.scale.from)))), 4, 12);
+    const auto end_words = [digits](double value) { return fmt::format("{:.{}g}", value, digits); };
+    tick(axis.scale.from, end_words(axis.scale.from), axis_colour, 0);
     if (axis.has_infinite) tick(foundation::infinity, "∞", axis_colour, 1);
-    tick(axis.scale.to, fmt::format("{:.4g}", axis.scale.to), axis_colour, axis.has_infinite ? 0.5 : 1);
+    tick(axis.scale.to, end_words(axis.scale.to), axis_colour, axis.has_infinite ? 0.5 : 1);
     if (axis.of_margins && axis.scale.from <= 1 && axis.scale.to >= 1) {
       const double x = x_of(axis, 1);
       canvas.line({x, y - 9}, {x, y + 9}, fmt::format("stroke=\"{}\" stroke-width=\"3\"", limit_colour));

@@ -167,17 +167,19 @@ std::string box(const std::string& style, const std::string& title, const std::v
 /// amber if any of them violates a requirement, or more than wanted.
 std::string sample_box(const std::vector<ShownCase>& cases) {
   std::string words;
-  bool has_doubt = false;
+  const char* doubt = nullptr;
   for (const ShownCase& shown : cases) {
     if (!shown.results.sample) continue;
     const study::Sample& sample = *shown.results.sample;
-    has_doubt |= sample.request.yield ? !sample.holds_yield() : sample.any_violates();
+    if (sample.request.yield && sample.yield_verdict() != study::YieldVerdict::met)
+      doubt = "⚠ The designs within tolerances do not show the wanted yield";
+    else if (!sample.request.yield && sample.any_violates())
+      doubt = "⚠ Not all designs within tolerances meet the requirements";
     for (const std::string& sentence : results::sample_sentences(sample)) words += paragraph(sentence);
   }
   if (words.empty()) return "";
-  return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2>{}</div>\n", has_doubt ? "alert" : "note",
-                     has_doubt ? "⚠ Not all designs within tolerances meet the requirements" : "Within tolerances",
-                     words);
+  return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2>{}</div>\n", doubt ? "alert" : "note",
+                     doubt ? doubt : "Within tolerances", words);
 }
 
 }  // namespace

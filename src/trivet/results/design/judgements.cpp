@@ -198,19 +198,35 @@ void add_map(const study::DesignMap& map, std::size_t which, const std::vector<c
   }
 }
 
+/// What decides on a wanted yield that the designs do not decide.
+std::string deciding_words(const study::Sample& sample) {
+  if (sample.first_of) return "trivet sample judges more designs";
+  if (sample.yield.met < sample.yield.designs) return "more designs decide";
+  const double needed = std::ceil(std::log(1 - study::sample_confidence) / std::log(*sample.request.yield));
+  return fmt::format("without violations {:.0f} designs show it", needed);
+}
+
 /// The wanted yield of designs within tolerances.
 void add_yield(const study::CaseResults& case_results, std::size_t which, std::vector<Judgement>& list) {
   if (!case_results.sample || !case_results.sample->request.yield) return;
   const study::Sample& sample = *case_results.sample;
   const double wanted = *sample.request.yield;
-  Judgement one{sample.holds_yield() ? Outcome::met : Outcome::violated, "yield"};
-  one.subject = "designs within tolerances";
-  one.bound = "≥ " + wanted_words(wanted);
-  one.words = one.subject + " " + one.bound;
-  one.value = yield_words(sample.yield);
-  one.finding = one.value + " meet every requirement";
-  one.margin = sample.yield.at_least() / wanted;
-  one.shown_case = which;
+  Judgement one{.outcome = Outcome::met,
+                .kind = "yield",
+                .words = "the machines within tolerances have the wanted yield",
+                .finding = yield_words(sample.yield, wanted),
+                .margin = std::numeric_limits<double>::infinity(),
+                .shown_case = which,
+                .is_of_search = true};
+  if (sample.yield_verdict() == study::YieldVerdict::violated) {
+    one.outcome = Outcome::violated;
+    one.words = "too few machines within tolerances meet every requirement";
+    one.margin = 0;
+  } else if (sample.yield_verdict() == study::YieldVerdict::undecided) {
+    one.outcome = Outcome::not_judged;
+    one.words = "the wanted yield of the machines within tolerances is not decided";
+    one.finding += "; " + deciding_words(sample);
+  }
   list.push_back(std::move(one));
 }
 

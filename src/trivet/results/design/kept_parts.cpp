@@ -20,12 +20,15 @@ const char* reason_word(KeptDesign::Reason reason) {
       return "first";
     case KeptDesign::Reason::failing:
       return "failing";
-    case KeptDesign::Reason::least_margin:
-      return "least margin";
-    case KeptDesign::Reason::largest_margin:
-      return "largest margin";
+    case KeptDesign::Reason::extreme:
+      return "extreme";
   }
   return "";
+}
+
+const char* extreme_words(const KeptDesign& one) {
+  if (one.has_least_margin) return one.has_largest ? "least and largest margin" : "least margin";
+  return one.has_largest ? "largest margin" : "";
 }
 
 /// The numbers of the model that vary, in the order of `kept[].numbers`.
@@ -64,8 +67,8 @@ Table kept_table(const Sample& sample) {
       .rows = row.size(),
       .columns = {row("design", Kind::number, "", &KeptDesign::number),
                   row("kept_as", Kind::words, "", [](const KeptDesign& one) { return reason_word(one.reason); }),
-                  row("verdict", Kind::words, "", verdict), row("governing", Kind::words, "", governing),
-                  row("margin", Kind::number, "", margin),
+                  row("extreme", Kind::words, "", extreme_words), row("verdict", Kind::words, "", verdict),
+                  row("governing", Kind::words, "", governing), row("margin", Kind::number, "", margin),
                   row.lists("numbers", "", "kept_number", {}, &KeptDesign::numbers,
                             {.unit = unit_of_the_row, .forms = in_json | in_arrays}),
                   row.lists("margins", "", "requirement", {}, &KeptDesign::margins, lists)},

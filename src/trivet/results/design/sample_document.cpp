@@ -292,10 +292,12 @@ std::string yield_words(const Yield& yield) {
 std::string wanted_words(double yield) { return fmt::format("{:.6g} %", 100 * yield); }
 
 std::string yield_words(const Yield& yield, double wanted) {
+  using study::YieldVerdict;
+  const YieldVerdict verdict = yield.against(wanted);
   return yield_words(yield) +
-      (yield.at_least() >= wanted       ? ", wanted "
-           : yield.interval.to < wanted ? ", NOT the wanted "
-                                        : ", NOT certainly the wanted ") +
+      (verdict == YieldVerdict::met            ? ", wanted "
+           : verdict == YieldVerdict::violated ? ", NOT the wanted "
+                                               : ", NOT certainly the wanted ") +
       wanted_words(wanted);
 }
 
@@ -338,7 +340,8 @@ Document sample_document(const Sample& sample) {
   add("yield", yield_json(sample.yield));
   if (sample.request.yield) {
     add("wanted", *sample.request.yield);
-    add("held", sample.holds_yield());
+    const study::YieldVerdict verdict = *sample.yield_verdict();
+    add("held", verdict == study::YieldVerdict::undecided ? Json() : Json(verdict == study::YieldVerdict::met));
   }
   add("failed", sample.failed);
   add("first_failed", design_json(sample.first_failed));

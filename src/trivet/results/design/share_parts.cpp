@@ -55,7 +55,7 @@ Table share_table(const Sample& sample) {
                           {.forms = for_people}),
                       row("number", Kind::words, "drawn number",
                           [](const ShareRow& one) { return one.sample->shares->sets[one.set].name.words(); }),
-                      row("drawn", Kind::number, "",
+                      row("numbers", Kind::number, "",
                           [](const ShareRow& one) { return one.sample->shares->sets[one.set].draws.size(); },
                           {.forms = in_json}),
                       number("first", &VarianceShare::first, &ConfidenceInterval::estimate),

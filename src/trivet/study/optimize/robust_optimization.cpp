@@ -105,12 +105,12 @@ class RobustSearch {
     std::optional<Round> nearest;
     double most = 0;
     for (;;) {
-      const numerics::ConfidenceInterval seen = yield_by_choice(best_->project);
+      const Yield seen = yield_by_choice(best_->project);
       if (!nearest || assured(seen) > most) {
         nearest = best_;
         most = assured(seen);
       }
-      const bool may_search_on = assured(seen) < *result_.wanted && seen.estimate < 1 &&
+      const bool may_search_on = assured(seen) < *result_.wanted && seen.interval.estimate < 1 &&
           best_->kept.least > 1 - nearly_met && result_.rounds < most_searches && !best_->optimum.cut_short;
       if (!may_search_on) break;
       aim_higher(seen);
@@ -122,9 +122,9 @@ class RobustSearch {
 
   /// The search aims at the yield y whose interval would be high enough. Its reach goes with √(1 − y), so
   /// wanted = y − r √(1 − y), with r of the yield that was seen: a quadratic equation of √(1 − y).
-  void aim_higher(const numerics::ConfidenceInterval& seen) {
+  void aim_higher(const Yield& seen) {
     constexpr double most_share = 1 - 2.0 / searched_machines;
-    const double missed = 1 - seen.estimate, reach = (seen.estimate - assured(seen)) / std::sqrt(missed);
+    const double missed = 1 - seen.interval.estimate, reach = (1 - missed - assured(seen)) / std::sqrt(missed);
     const double root = (std::sqrt(reach * reach + 4 * (1 - *result_.wanted)) - reach) / 2;
     const double before = aim_.searched;
     aim_.searched = std::min(most_share, 1 - (1 - before) * root * root / missed);
@@ -229,13 +229,13 @@ class RobustSearch {
     move_to(from + reached * (safe - from));
   }
 
-  [[nodiscard]] numerics::ConfidenceInterval yield_by_choice(const project::Project& project) const {
-    return sample(with_numbers(project, choosing), progress_).yield.interval;
+  [[nodiscard]] Yield yield_by_choice(const project::Project& project) const {
+    return sample(with_numbers(project, choosing), progress_).yield;
   }
 
   /// What other numbers find as well, see `spare`.
-  static double assured(const numerics::ConfidenceInterval& seen) {
-    return seen.from - spare * (seen.estimate - seen.from);
+  static double assured(const Yield& seen) {
+    return seen.at_least() - spare * (seen.interval.estimate - seen.at_least());
   }
 
   [[nodiscard]] Eigen::VectorXd shares_of(const Optimization& optimum) const {

@@ -29,11 +29,11 @@ class KeepingDesigns {
   void add(const KeptTally::Designs& designs, KeptDesign::Reason reason) {
     for (const auto& [number, margins] : designs) add(number, reason, margins);
   }
-  /// A design with an extreme margin. One that is kept already stays in its place.
-  void add_extreme(std::uint64_t number, KeptDesign::Reason reason) {
-    const auto there = std::ranges::find(kept_.list, number, &KeptDesign::number);
-    if (there != kept_.list.end()) there->reason = reason;
-    else add(number, reason, run_.margins(number));
+  /// A design with an extreme margin, which may be kept already.
+  void add_extreme(std::uint64_t number, bool KeptDesign::* which) {
+    if (std::ranges::find(kept_.list, number, &KeptDesign::number) == kept_.list.end())
+      add(number, KeptDesign::Reason::extreme, run_.margins(number));
+    (*std::ranges::find(kept_.list, number, &KeptDesign::number)).*which = true;
   }
 
   [[nodiscard]] KeptDesigns in_order() && {
@@ -56,8 +56,8 @@ KeptDesigns kept_designs(const SampleRun& run, const SampleTally& all) {
   kept.add(all.kept.first(), first);
   kept.add(all.kept.failing(), failing);
   if (all.least.any) {
-    kept.add_extreme(all.least.largest_at, largest_margin);
-    kept.add_extreme(all.least.least_at, least_margin);
+    kept.add_extreme(all.least.largest_at, &KeptDesign::has_largest);
+    kept.add_extreme(all.least.least_at, &KeptDesign::has_least_margin);
   }
   return std::move(kept).in_order();
 }

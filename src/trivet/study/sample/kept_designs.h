@@ -24,12 +24,12 @@ struct VariedNumber {
 
 /// A design of a sample with its numbers and margins.
 struct KeptDesign {
-  /// Why it is kept. One with the least or the largest least margin of all may be one of the others too.
-  enum class Reason { first, failing, least_margin, largest_margin };
+  enum class Reason { first, failing, extreme };
 
   std::uint64_t number = 0;
-  Reason reason = Reason::first;
-  std::vector<double> numbers;  ///< of all varied numbers [SI]
+  Reason reason = Reason::first;                       ///< why it is kept
+  bool has_least_margin = false, has_largest = false;  ///< of all designs
+  std::vector<double> numbers;                         ///< of all varied numbers [SI]
   std::vector<double> margins;  ///< of all requirements of all cases, in their order; none: it could not be judged
 
   [[nodiscard]] bool is_judged() const { return !margins.empty(); }

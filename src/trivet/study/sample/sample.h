@@ -24,6 +24,12 @@ namespace trivet::study {
 
 inline constexpr double sample_confidence = 0.95;
 
+enum class YieldVerdict {
+  met,        ///< with the confidence of the sample the yield is the wanted one or more
+  violated,   ///< it is less
+  undecided,  ///< the interval contains the wanted one: more designs decide
+};
+
 /// Share of the designs that meet something.
 struct Yield {
   std::uint64_t met = 0, designs = 0;
@@ -34,6 +40,10 @@ struct Yield {
   /// With the confidence of a sample: the end of the interval; without violations the bound of this side alone.
   [[nodiscard]] double at_least() const {
     return met == designs ? numerics::share_without_failures(designs, sample_confidence) : interval.from;
+  }
+  [[nodiscard]] YieldVerdict against(double wanted) const {
+    if (at_least() >= wanted) return YieldVerdict::met;
+    return interval.to < wanted ? YieldVerdict::violated : YieldVerdict::undecided;
   }
 };
 
@@ -162,8 +172,10 @@ struct Sample {
 
   /// A design, drawn or searched, violates a requirement or cannot be judged.
   [[nodiscard]] bool any_violates() const;
-  /// False: the sample does not show the wanted yield.
-  [[nodiscard]] bool holds_yield() const { return !request.yield || yield.at_least() >= *request.yield; }
+  /// Of the wanted yield; none: none is wanted.
+  [[nodiscard]] std::optional<YieldVerdict> yield_verdict() const {
+    return request.yield ? std::optional(yield.against(*request.yield)) : std::nullopt;
+  }
 };
 
 struct SampleOptions {

@@ -45,7 +45,8 @@ std::vector<DrawnSet> independent_sets(const std::vector<project::Tolerance>& to
       for (std::size_t d = 0; d < tolerances[other].draws(); ++d) all.draws.push_back(drawn.draw_of(other, d));
     }
     const bool is_correlated = names.size() > 1;
-    if (is_correlated || all.draws.size() > 1) {
+    const bool is_all = all.draws.size() == drawn.draws();  // the share of all numbers is 1
+    if (is_correlated || (all.draws.size() > 1 && !is_all)) {
       all.name = {foundation::comma_separated(names),
                   is_correlated ? "(correlated)" : fmt::format("(all {} numbers)", all.draws.size())};
       sets.push_back(all);
