@@ -107,7 +107,7 @@ class Box(InTemporaryFolder):
     def test_its_page_has_the_picture(self):
         page = self.folder / "box.html"
         self.assertEqual(trivet("box", self.wedge(), "-o", page).returncode, 0)
-        self.assertIn("<figure><svg", page.read_text())
+        self.assertRegex(page.read_text(), "<figure><div [^>]*><svg")
         self.assertIn("what stops their ends", page.read_text())
 
     def test_labels_of_ends_are_below_their_bars(self):

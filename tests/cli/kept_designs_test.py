@@ -191,7 +191,7 @@ class KeptDesigns(InTemporaryFolder):
         tables = self.folder / "tables"
         done = trivet("export", self.project(), "--to", "csv", "--what", "sample", "-o", tables)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual((tables / "designs.csv").read_text().splitlines()[1].split(",")[:3], ["0", "first", "met"])
+        self.assertEqual((tables / "designs.csv").read_text().splitlines()[1].split(",")[:4], ["0", "first", "", "met"])
 
 
 if __name__ == "__main__":
