@@ -94,9 +94,10 @@ void add_forms(CLI::App& app, const Command& command, CommandLine& line) {
                  command.json ? "print every row and every column of tables, also on a narrow screen"
                               : "print the tables of all results, too");
   if (command.strict)
-    app.add_flag("--strict", line.strict,
-                 "exit code 3 if a limit or a rule is violated, 4 if there are only warnings; the result is written in "
-                 "any case");
+    app.add_flag(
+        "--strict", line.strict,
+        "exit code 3 if a limit, a rule or a wanted yield is violated, 4 if there are only warnings; the result "
+        "is written in any case");
 }
 
 std::string examples_text(const std::vector<std::string>& examples) {

@@ -332,10 +332,14 @@ std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyse
   request.sobol = reader.choice("sampling", {"sobol", "random"}) != "random";
   request.worst_case = reader.boolean("worst_case").value_or(false);
   request.yield = reader.number("yield", Quantity::pure);
-  if (request.yield && !(*request.yield > 0 && *request.yield < 1))
-    reader.error(
-        "yield", value_text(*reader.node("yield")), "a share between 0 and 100 %, both excluded, is expected",
-        "write yield = \"99 %\"; no number of designs shows that all machines meet the requirements; see worst_case");
+  constexpr double least_yield = 0.5;
+  if (request.yield && !(*request.yield >= least_yield && *request.yield < 1))
+    reader.error("yield", value_text(*reader.node("yield")),
+                 fmt::format("a share from {:.0f} % to below 100 % is expected", 100 * least_yield),
+                 *request.yield == 1
+                     ? "write yield = \"99.9 %\", or worst_case = true: no number of designs shows that all machines "
+                       "meet the requirements"
+                     : "write yield = \"99 %\"");
   read_sampled_bands(reader, names, response, request);
   reader.finish();
   if (!root.has("tolerances"))
