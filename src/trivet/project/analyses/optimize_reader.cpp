@@ -133,13 +133,14 @@ std::optional<int> read_count(TableReader& reader, const std::string& key, doubl
 /// `yield` or `worst_case`: what has to hold within the tolerances.
 void read_robustness(const TableReader& root, TableReader& reader, const std::vector<std::string>& choices,
                      OptimizeRequest& request) {
-  constexpr double least_yield = 0.5, most_yield = 0.999;  // beyond, 16,384 designs know too little
+  constexpr double most_yield = 0.999;  // beyond, 16,384 designs know too little
   request.yield = reader.number("yield", Quantity::pure);
   request.worst_case = reader.boolean("worst_case").value_or(false);
-  if (request.yield && !(*request.yield >= least_yield && *request.yield <= most_yield))
-    reader.error("yield", fmt::format("{:.6g}", *request.yield),
-                 fmt::format("a share from {:.0f} % to {:.1f} % is expected", 100 * least_yield, 100 * most_yield),
-                 "write yield = \"99 %\", or worst_case = true for all machines within bounded tolerances");
+  if (request.yield && !(*request.yield >= least_wanted_yield && *request.yield <= most_yield))
+    reader.error(
+        "yield", fmt::format("{:.6g}", *request.yield),
+        fmt::format("a share from {:.0f} % to {:.1f} % is expected", 100 * least_wanted_yield, 100 * most_yield),
+        "write yield = \"99 %\", or worst_case = true for all machines within bounded tolerances");
   if (!request.is_robust()) return;
   const char* key = request.yield ? "yield" : "worst_case";
   if (request.yield && request.worst_case)

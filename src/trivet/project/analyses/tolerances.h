@@ -35,6 +35,9 @@ struct Tolerance {
   }
 };
 
+/// The least yield that can be wanted: whoever accepts more bad machines than good ones has another question.
+inline constexpr double least_wanted_yield = 0.5;
+
 /// The study of designs within the tolerances: [analyses.sample].
 struct SampleRequest {
   std::size_t designs = 100'000;

@@ -332,10 +332,9 @@ std::optional<SampleRequest> read_sample(TableReader& root, TableReader& analyse
   request.sobol = reader.choice("sampling", {"sobol", "random"}) != "random";
   request.worst_case = reader.boolean("worst_case").value_or(false);
   request.yield = reader.number("yield", Quantity::pure);
-  constexpr double least_yield = 0.5;
-  if (request.yield && !(*request.yield >= least_yield && *request.yield < 1))
+  if (request.yield && !(*request.yield >= least_wanted_yield && *request.yield < 1))
     reader.error("yield", value_text(*reader.node("yield")),
-                 fmt::format("a share from {:.0f} % to below 100 % is expected", 100 * least_yield),
+                 fmt::format("a share from {:.0f} % to below 100 % is expected", 100 * least_wanted_yield),
                  *request.yield == 1
                      ? "write yield = \"99.9 %\", or worst_case = true: no number of designs shows that all machines "
                        "meet the requirements"
