@@ -13,7 +13,12 @@
 
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
+#include "trivet/judging/changed_case.h"
+#include "trivet/study/analyses/case_context.h"
+#include "trivet/study/family/design_batch.h"
+#include "trivet/study/requirements/requirement_values.h"
 #include "trivet/study/requirements/verdict.h"
+#include "trivet/study/sample/sample_tally.h"
 
 namespace trivet {
 namespace sampled_case_test {
@@ -125,8 +130,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Those of designs 0 … count − 1 whose last draw is below a number, by kernels and assembled: the same ones fail, for
 /// the same reasons, and the margins agree.
-study::SampledMargins judged_alike(const std::string& more, std::size_t count, double below) {
-  const project::Project project = test::project(random_machine(2) + more);
+study::SampledMargins judged_alike(const std::string& more, std::size_t count, double below, unsigned seed = 2) {
+  const project::Project project = test::project(random_machine(seed) + more);
   const std::vector<project::Tolerance>& tolerances = project.base().analyses.tolerances;
   const study::DrawnDesigns drawn(tolerances, {});
   const study::SampledCase one(project.base(), tolerances, drawn);
@@ -142,7 +147,8 @@ study::SampledMargins judged_alike(const std::string& more, std::size_t count, d
     for (Eigen::Index r = 0; exact.failures[to_size(d)].empty() && r < exact.margins.cols(); ++r) {
       const double a = quick.margins(d, r), b = exact.margins(d, r);
       if (a == b) continue;  // also both infinite
-      EXPECT_LT(std::abs(a / b - 1), of_prominence) << d << ", " << one.given()[r].words.text();
+      const bool peak = one.given()[r].kind == study::RequirementKind::no_peak;
+      EXPECT_LT(std::abs(a / b - 1), peak ? of_prominence : digits) << d << ", " << one.given()[r].words.text();
     }
   return quick;
 }
@@ -177,6 +183,107 @@ TEST(SampledCase, FindsDesignsThatTwoNumbersTogetherMakeImpossible) {
       "[tolerances.zz]\npath = \"bodies.machine.inertia.zz\"\nhalf_width = \"20 %\"\n",
       1000, infinity);
   EXPECT_GT(failed(found), 0);
+}
+
+const std::string speeds = "[operation]\nspeeds = [\"410 rpm\", [\"300 rpm\", \"900 rpm\"]]\n",
+                  single = "[operation]\nspeeds = [\"410 rpm\", \"1500 rpm\"]\n",
+                  effective = "limits = {\"machine.seat.z\" = \"0.5 mm/s rms\", \"machine.seat.x\" = \"0.1 mm rms\"}\n";
+constexpr const char* shaft = R"(
+[excitations.shaft]
+type = "orders"
+on = "machine"
+at = [0, 0.1, 0.3]
+table = [{order = 0.5, moment = [3, 0, 0]}, {order = 1, moment = [8, 2, 0], force_per_speed2 = [0, 0, 0.012], phase = 0.3}, {order = 2, force = [4, 0, 9]}]
+)";
+
+study::SampledCase sampled_case(const project::Project& project) {
+  const std::vector<project::Tolerance>& tolerances = project.base().analyses.tolerances;
+  return {project.base(), tolerances, study::DrawnDesigns(tolerances, {})};
+}
+
+// Of one order, a force or an unbalance, the amplitudes at all levels, and over ranges of speeds, in which the largest
+// one may be a peak. Seeds have loss factors (2) and viscous damping (3).
+TEST(SampledCase, JudgesOneOrderAtSpeedsOfTheMachine) {
+  const std::string limits =
+      "limits = {\"machine.seat.z\" = \"0.5 mm/s rms\", \"machine.seat.x\" = \"0.1 mm p-p\", "
+      "\"ground.force.z\" = \"30 N\"}\n";
+  bool any_peak = false;
+  for (const unsigned seed : {2U, 3U}) {
+    EXPECT_GE(judged_alike(speeds + limits, 60, infinity, seed).in_kernels, most_are_proven * 60) << seed;
+    const project::Project project = test::project(random_machine(seed) + speeds + limits);
+    for (const study::RequirementResult& one : sampled_case(project).given()) {
+      if (one.kind != study::RequirementKind::operation) continue;
+      EXPECT_NEAR(*study::value_at_margin(one, one.margin) / *one.value, 1, 1e-12) << one.words.text();
+      any_peak = any_peak ||
+          (one.speed->from < one.speed->to && *one.angular_frequency > 1.001 * one.speed->from &&
+           *one.angular_frequency < 0.999 * one.speed->to);
+    }
+  }
+  EXPECT_TRUE(any_peak);
+}
+
+// Of three orders the root mean square at a speed, of all excitations or one; a peak or a range has no kernel.
+TEST(SampledCase, JudgesTheSumOfOrdersAtASpeed) {
+  for (const std::string& selected : {"", "excitations = [\"shaft\"]\n"})
+    for (const unsigned seed : {2U, 3U})
+      EXPECT_EQ(judged_alike(shaft + single + selected + effective, 60, infinity, seed).in_kernels, 60) << seed;
+  for (const std::string& other : {speeds + effective, single + "limits = {\"machine.seat.z\" = \"0.1 mm\"}\n"})
+    EXPECT_THAT(sampled_case(test::project(random_machine(2) + shaft + other)).no_kernels(),
+                testing::EndsWith("of several orders it judges the root mean square at single speeds only"));
+}
+
+constexpr const char* two_forces = R"(
+trivet = 1
+[bodies.machine]
+mass = 400
+inertia = {about = "center_of_mass", xx = 15, yy = 22, zz = 27}
+[elements.k]
+type = "bushing"
+on = "machine"
+at = [0, 0, -0.3]
+translation = [6e5, 6e5, 2e6]
+rotation = [5e4, 5e4, 5e4]
+damping = {loss_factor = 0.1}
+[excitations.rotor]
+type = "harmonic"
+on = "machine"
+at = [0.1, 0, 0.4]
+force = [20, 10, 150]
+[excitations.pump]
+type = "harmonic"
+on = "machine"
+at = [0, 0.2, 0.1]
+force = [0, 40, 60]
+phase = 0.4
+[operation]
+speeds = ["410 rpm"]
+limits = {"machine.z" = "0.5 mm/s rms"}
+[requirements]
+limits = {"machine.z" = [{limit = "0.2 mm", excitations = ["rotor"]}]}
+natural_frequencies = {separation = 1.01}
+)";
+
+// A load that turns with a phase between two forces is no sum over a few numbers: the limit at the speed is left to
+// models, amplitudes and frequencies are not.
+TEST(SampledCase, LosesNoOtherKernelsByAnOrderWithoutOne) {
+  const project::Project project = test::project(two_forces);
+  const auto system = [&](const Eigen::VectorXd& values) {
+    auto changed =
+        judging::changed_system(project.base(), {{project::ModelNumber("excitations.pump.phase", ""), values(0)}});
+    return std::move(changed.value());
+  };
+  study::DesignNumbers numbers;
+  numbers.variables.push_back({0.1, 6, "phase"});
+  numbers.model = system;
+  foundation::Problems warnings;
+  const study::CaseContext context(project.base().system, {});
+  const std::vector<study::RequirementResult> given =
+      study::requirement_values(context, project.base().analyses, warnings);
+  ASSERT_EQ(given.size(), 3);
+  const study::DesignBatch batch(numbers, project.base(), project.base().analyses, given);
+  EXPECT_EQ(batch.reason(), "");
+  for (std::size_t r = 0; r < given.size(); ++r)
+    EXPECT_EQ(batch.packed().covers(r), given[r].kind != study::RequirementKind::operation) << given[r].words.text();
 }
 
 // Cases have the numbers of their own, moved by the same draws.

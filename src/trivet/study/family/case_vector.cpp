@@ -13,6 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/model/static_stiffness.h"
 #include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/response/machinery/operating_loads.h"
 #include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/requirements/mount_loads.h"
@@ -130,14 +131,15 @@ spatial::MassProperties mass_of(const MassNumbers& numbers) {
 }
 
 CaseVector::CaseVector(const project::Case& variant, const project::Analyses& request,
-                       const std::vector<RequirementResult>& results, bool any_size)
-    : results_(results), covered_(results.size(), false) {
+                       const std::vector<RequirementResult>& results, bool any_size, bool with_orders)
+    : results_(results), covered_(results.size(), false), not_covered_(results.size()) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   n_ = assembled.matrices.size();
   second_order_ = assembled.without_second_order != nullptr;
   has_static_stiffness_ = model::has_static_stiffness(variant.system);
   has_loads_ = has_loads_beside_weight(variant.system, assembled);
   plan_searches(request, variant.system, assembled);
+  if (with_orders) plan_operation(variant.system, assembled);
   plan_rest(variant.system, assembled);
   plan_decoupling(variant.system, assembled);
   if (request.requirements) avoided_ = request.requirements->avoided;
@@ -200,6 +202,38 @@ void CaseVector::unite_searches(const model::System& system, const assembly::Ass
   searches_.erase(amplitudes);
 }
 
+void CaseVector::plan_operation(const model::System& system, const assembly::Assembled& assembled) {
+  for (std::size_t r = 0; r < results_.size(); ++r) {
+    const RequirementResult& result = results_[r];
+    if (requirement_row(result.kind).packed != PackedPart::orders || !result.value) continue;
+    const std::vector<response::OrderLoading> loads = response::operating_loads(system, assembled, result.excitations);
+    const assembly::Band speed = *result.speed;
+    const bool has_sum = *result.level_of_limit == project::Level::rms && speed.from == speed.to;
+    if (loads.size() > 1 && !has_sum)
+      not_covered_[r] = "of several orders it judges the root mean square at single speeds only";
+    else if (!(speed.from > 0)) not_covered_[r] = "speeds from 0 on";
+    if (loads.empty() || !not_covered_[r].empty()) continue;
+    std::vector<Search> with_result = searches_;
+    const bool have_form = std::ranges::all_of(loads, [&](const response::OrderLoading& load) {
+      const assembly::Band band{load.order * speed.from, load.order * speed.to};
+      const auto same = std::ranges::find_if(with_result, [&](const Search& other) {
+        return other.order == load.order && other.band == band &&
+            results_[other.results.front()].excitations == result.excitations;
+      });
+      Search& search = same != with_result.end()
+          ? *same
+          : with_result.emplace_back(Search{.band = band, .order = load.order, .orders = loads.size()});
+      search.results.push_back(r);
+      set_curves(search);
+      not_covered_[r] = design_of(search, system, assembled).reason;
+      return not_covered_[r].empty();
+    });
+    if (!have_form) continue;  // it alone is assembled
+    searches_ = std::move(with_result);
+    covered_[r] = true;
+  }
+}
+
 void CaseVector::set_curves(Search& search) const {
   std::vector<std::size_t> named;  // results, one for each curve
   search.curves.clear();
@@ -213,14 +247,30 @@ void CaseVector::set_curves(Search& search) const {
   }
 }
 
+assembly::Loading CaseVector::order_loading(const Search& search, const model::System& system,
+                                            const assembly::Assembled& assembled) const {
+  std::vector<response::OrderLoading> loads =
+      response::operating_loads(system, assembled, results_[search.results.front()].excitations);
+  const auto of_order = std::ranges::find(loads, search.order, &response::OrderLoading::order);
+  if (of_order == loads.end() || loads.size() != search.orders)
+    throw foundation::NotComputable("designs with and without a load of some order");
+  return std::move(of_order->loading);
+}
+
 design::DesignOrReason<design::DrivenDesign> CaseVector::design_of(const Search& search, const model::System& system,
                                                                    const assembly::Assembled& assembled) const {
   std::vector<assembly::Channel> channels;
   assembly::Loading loading(Eigen::VectorXd::Zero(n_));
   try {
+    if (search.order > 0) loading = order_loading(search, system, assembled);
     for (std::size_t k = 0; k < search.results.size(); ++k) {
       if (search.curves[k] < std::ssize(channels)) continue;
-      RequirementCurve curve = requirement_curve(system, assembled, results_[search.results[k]]);
+      const RequirementResult& result = results_[search.results[k]];
+      if (search.order > 0) {
+        channels.push_back(assembly::channels(system, assembled, {result.subject}, result.quantity).front());
+        continue;
+      }
+      RequirementCurve curve = requirement_curve(system, assembled, result);
       if (channels.empty()) loading = std::move(curve.loading);
       channels.push_back(std::move(curve.channel));
     }

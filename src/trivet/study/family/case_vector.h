@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,25 +18,31 @@ namespace trivet::study {
 /// the loss of K, loads and rows of results, the static load and what is computed from it, mass properties of bodies.
 /// A family of designs interpolates these lists.
 ///
-/// Requirements with kernels: amplitudes, peaks and transmissibilities of constant symmetric matrices, avoided natural
+/// Requirements with kernels: amplitudes, peaks and transmissibilities of constant symmetric matrices, amplitudes at
+/// the speeds of the machine (not the peak of several orders, nor a range of speeds under several), avoided natural
 /// frequencies and their separation, decoupling, values at rest, loads and deflections of mounts. The others, and all
 /// of them if the case has no such form, are judged one design at a time.
 class CaseVector {
  public:
   /// @param request  requirements of the case  @param results  what they are and how they are judged as given
   /// @param any_size  more than twelve coordinates too, for which a design takes milliseconds instead of microseconds
+  /// @param with_orders  also amplitudes at the speeds of the machine
   CaseVector(const project::Case& variant, const project::Analyses& request,
-             const std::vector<RequirementResult>& results, bool any_size = false);
+             const std::vector<RequirementResult>& results, bool any_size = false, bool with_orders = true);
 
   /// Why there is no such form; empty if there is.
   [[nodiscard]] const std::string& reason() const { return reason_; }
   /// True if a requirement is judged by a kernel.
   [[nodiscard]] bool covers(std::size_t result) const { return covered_[result]; }
-  /// True if a requirement has slopes without models: those that are covered, and damping ratios.
+  /// Why it is not, where a kernel for its kind has refused; else empty.
+  [[nodiscard]] const std::string& not_covered(std::size_t result) const { return not_covered_[result]; }
+  /// True if a requirement has slopes without models: those that are covered and not differenced, and damping ratios.
   [[nodiscard]] bool gives_slopes(std::size_t result) const {
-    return covered_[result] ||
-        (reason_.empty() && requirement_row(results_[result].kind).slopes == MarginSlopes::roots);
+    const MarginSlopes slopes = requirement_row(results_[result].kind).slopes;
+    return (covered_[result] && slopes != MarginSlopes::differences) ||
+        (reason_.empty() && slopes == MarginSlopes::roots);
   }
+  [[nodiscard]] bool has_orders() const { return std::ranges::any_of(searches_, &Search::order); }
   [[nodiscard]] const std::vector<RequirementResult>& results() const { return results_; }
 
   /// The numbers of a changed model, or why it has another form.
@@ -44,9 +51,11 @@ class CaseVector {
   /// Results that are searched together: amplitudes and peaks under one loading.
   struct Search {
     assembly::Band band;       ///< of the amplitudes; from = to: one frequency
+    double order = 0;          ///< whose load at the speeds of the machine; 0: the loading of requirement_curve
+    std::size_t orders = 0;    ///< that have a load there, in all designs
     bool count_peaks = false;  ///< of some results, at all frequencies
     double min_prominence = 1e-6;
-    std::vector<std::size_t> results;
+    std::vector<std::size_t> results;  ///< one at a speed is in the searches of all orders, whose squares add
     std::vector<Eigen::Index> curves;  ///< of each result
     design::DrivenDesign first;        ///< of the given model
     Eigen::Index at = 0;               ///< where its loads and rows begin in a list
@@ -111,12 +120,16 @@ class CaseVector {
   [[nodiscard]] bool loads() const { return second_order_ || !at_rest_.empty(); }
   void plan_searches(const project::Analyses& request, const model::System& system,
                      const assembly::Assembled& assembled);
+  void plan_operation(const model::System& system, const assembly::Assembled& assembled);
   /// Searches of peaks take over the amplitudes under the same loading if all their curves have one form.
   void unite_searches(const model::System& system, const assembly::Assembled& assembled);
   void set_curves(Search& search) const;
   [[nodiscard]] design::DesignOrReason<design::DrivenDesign> design_of(const Search& search,
                                                                        const model::System& system,
                                                                        const assembly::Assembled& assembled) const;
+  /// Under the orders that a search has for one result.
+  [[nodiscard]] assembly::Loading order_loading(const Search& search, const model::System& system,
+                                                const assembly::Assembled& assembled) const;
   void plan_rest(const model::System& system, const assembly::Assembled& assembled);
   void plan_decoupling(const model::System& system, const assembly::Assembled& assembled);
   [[nodiscard]] std::string form(const model::System& system, const assembly::Assembled& assembled,
@@ -124,6 +137,7 @@ class CaseVector {
 
   std::vector<RequirementResult> results_;
   std::vector<bool> covered_;
+  std::vector<std::string> not_covered_;
   std::vector<Search> searches_;
   std::vector<RestValue> at_rest_;
   std::vector<Decoupled> decoupled_;

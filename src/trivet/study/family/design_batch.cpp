@@ -7,11 +7,21 @@ namespace trivet::study {
 
 DesignBatch::DesignBatch(const DesignNumbers& numbers, const project::Case& variant, const project::Analyses& request,
                          const std::vector<RequirementResult>& results)
-    : packed_(variant, request, results, numbers.any_size), reason_(packed_.reason()) {
+    : packed_(variant, request, results, numbers.any_size) {
+  fit(numbers);
+  if (!reason_.empty() && packed_.has_orders()) {  // loads of orders are rarely such sums, amplitudes may be
+    packed_ = CaseVector(variant, request, results, numbers.any_size, false);
+    fit(numbers);
+  }
+}
+
+void DesignBatch::fit(const DesignNumbers& numbers) {
+  reason_ = packed_.reason();
+  judges_ = false;
   bool any = false;
-  for (std::size_t r = 0; r < results.size(); ++r) {
+  for (std::size_t r = 0; r < packed_.results().size(); ++r) {
     judges_ = judges_ || packed_.covers(r);
-    any = any || packed_.gives_slopes(r);
+    any = any || packed_.covers(r) || packed_.gives_slopes(r);
   }
   if (!any && reason_.empty()) reason_ = "no requirement of a kind that is judged for many designs at once";
   if (!reason_.empty()) return;

@@ -44,6 +44,8 @@ class DesignBatch {
   }
 
  private:
+  void fit(const DesignNumbers& numbers);
+
   CaseVector packed_;
   std::optional<design::SumFamily> family_;
   std::string reason_;

@@ -33,26 +33,46 @@ Eigen::VectorXcd sum_of(const std::vector<numerics::DesignTerm>& terms, Eigen::I
 
 }  // namespace
 
+namespace {
+
+Eigen::MatrixXcd stiffness_at(const numerics::DrivenDesigns& designs, Eigen::Index design, double omega) {
+  const Eigen::MatrixXd K = numerics::unpacked(designs.K, design), D = numerics::unpacked(designs.D, design),
+                        B = numerics::unpacked(designs.B, design), A = numerics::unpacked(designs.A, design);
+  Eigen::MatrixXcd stiffness = (K - omega * omega * A).cast<Complex>();
+  stiffness.imag() = D + omega * B;
+  return stiffness;
+}
+
+}  // namespace
+
 CurveEquations packed_curve(const numerics::DrivenDesigns& designs, Eigen::Index design, std::size_t curve,
                             double omega) {
   const Complex s(0, omega);
   const numerics::DesignCurve& one = designs.curves[curve];
-  const Eigen::MatrixXd K = numerics::unpacked(designs.K, design), D = numerics::unpacked(designs.D, design),
-                        B = numerics::unpacked(designs.B, design), A = numerics::unpacked(designs.A, design);
   CurveEquations at;
-  at.stiffness = (K - omega * omega * A).cast<Complex>();
-  at.stiffness.imag() = D + omega * B;
-  at.load = sum_of(designs.loads[one.load], design, K.rows(), s);
-  at.row = sum_of(one.rows, design, K.rows(), s);
+  at.stiffness = stiffness_at(designs, design, omega);
+  at.load = sum_of(designs.loads[one.load], design, at.stiffness.rows(), s);
+  at.row = sum_of(one.rows, design, at.stiffness.rows(), s);
   at.constant = {one.constant_re(design, 0), one.constant_im(design, 0)};
   return at;
 }
 
-double packed_magnitude(const numerics::DrivenDesigns& designs, Eigen::Index design, std::size_t curve, double omega) {
-  const CurveEquations here = packed_curve(designs, design, curve, omega);
-  const Eigen::VectorXcd q = numerics::PivotedLu<Complex>(here.stiffness).solve(here.load);
-  const double size = std::abs(here.row.cwiseProduct(q).sum() + here.constant);
-  return std::isfinite(size) ? size : std::numeric_limits<double>::quiet_NaN();
+Eigen::ArrayXd packed_magnitudes(const numerics::DrivenDesigns& designs, Eigen::Index design, double omega) {
+  const Complex s(0, omega);
+  const Eigen::MatrixXcd stiffness = stiffness_at(designs, design, omega);
+  const numerics::PivotedLu<Complex> factors(stiffness);
+  std::vector<Eigen::VectorXcd> motions;
+  for (const std::vector<numerics::DesignTerm>& load : designs.loads)
+    motions.push_back(factors.solve(sum_of(load, design, stiffness.rows(), s)));
+  Eigen::ArrayXd sizes(to_index(designs.curves.size()));
+  for (Eigen::Index c = 0; c < sizes.size(); ++c) {
+    const numerics::DesignCurve& one = designs.curves[to_size(c)];
+    const Eigen::VectorXcd row = sum_of(one.rows, design, stiffness.rows(), s);
+    const Complex constant(one.constant_re(design, 0), one.constant_im(design, 0));
+    const double size = std::abs(row.cwiseProduct(motions[one.load]).sum() + constant);
+    sizes(c) = std::isfinite(size) ? size : std::numeric_limits<double>::quiet_NaN();
+  }
+  return sizes;
 }
 
 namespace {
@@ -64,15 +84,30 @@ Eigen::ArrayXXd unlimited(const CaseVector& of, Eigen::Index designs) {
   return Eigen::ArrayXXd::Constant(designs, to_index(of.results().size()), infinity);
 }
 
-/// Curves at one frequency.
-void set_curves_at(const CaseVector& of, const numerics::DrivenDesigns& designs, const CaseVector::Search& search,
-                   Eigen::ArrayXXd& margins) {
-  for (std::size_t k = 0; k < search.results.size(); ++k)
-    for (Eigen::Index d = 0; d < margins.rows(); ++d) {
-      const double value = packed_magnitude(designs, d, to_size(search.curves[k]), search.band.from);
-      margins(d, to_index(search.results[k])) =
-          std::isnan(value) ? unknown : margin_of(of.results()[search.results[k]].allowed, value);
+bool is_at_one(const CaseVector::Search& search) { return search.band.from == search.band.to; }
+
+/// Curves at one frequency, and the sums over orders at one speed.
+void set_curves_at(const CaseVector& of, const CaseVector::Unpacked& designs, Eigen::ArrayXXd& margins) {
+  Eigen::ArrayXXd squares = Eigen::ArrayXXd::Zero(margins.rows(), margins.cols());
+  std::vector<bool> is_set(of.results().size(), false);
+  for (const CaseVector::Search& search : of.searches()) {
+    if (!is_at_one(search)) continue;
+    const numerics::DrivenDesigns driven = of.searched(designs, search);
+    for (Eigen::Index d = 0; d < squares.rows(); ++d) {
+      const Eigen::ArrayXd sizes = packed_magnitudes(driven, d, search.band.from);
+      for (std::size_t k = 0; k < search.results.size(); ++k)
+        squares(d, to_index(search.results[k])) += sizes(search.curves[k]) * sizes(search.curves[k]);
     }
+    for (const std::size_t r : search.results) is_set[r] = true;
+  }
+  for (std::size_t r = 0; r < is_set.size(); ++r) {
+    if (!is_set[r]) continue;
+    const double allowed = of.results()[r].allowed_amplitude();
+    for (Eigen::Index d = 0; d < squares.rows(); ++d) {
+      const double square = squares(d, to_index(r));
+      margins(d, to_index(r)) = std::isnan(square) ? unknown : margin_of(allowed, std::sqrt(square));
+    }
+  }
 }
 
 bool is_good(numerics::DesignStatus status) {
@@ -102,7 +137,7 @@ void set_found(const CaseVector& of, const CaseVector::Search& search, const num
     const RequirementResult& one = of.results()[search.results[k]];
     const bool peaks = one.kind == RequirementKind::no_peak;
     const design::DesignRule rule{peaks ? design::DesignRule::Kind::no_peak : design::DesignRule::Kind::amplitude, 0,
-                                  one.allowed};
+                                  peaks ? one.allowed : one.allowed_amplitude()};
     const auto values = (peaks ? found.largest_rise : found.highest).col(search.curves[k]);
     for (Eigen::Index d = 0; d < values.size(); ++d)
       result.margins(d, to_index(search.results[k])) =
@@ -234,9 +269,9 @@ numerics::DesignPeaks searched_peaks(const CaseVector& of, const CaseVector::Unp
 CurveMargins curve_margins(const CaseVector& of, const CaseVector::Unpacked& designs) {
   CurveMargins result{unlimited(of, designs.count()),
                       std::vector(to_size(designs.count()), numerics::DesignStatus::proven)};
+  set_curves_at(of, designs, result.margins);
   for (const CaseVector::Search& search : of.searches())
-    if (search.band.from == search.band.to) set_curves_at(of, of.searched(designs, search), search, result.margins);
-    else set_found(of, search, searched_peaks(of, designs, search), result);
+    if (!is_at_one(search)) set_found(of, search, searched_peaks(of, designs, search), result);
   leave_falling(designs, result.margins);
   for (std::size_t d = 0; d < result.status.size(); ++d)
     if (designs.falls[d]) result.status[d] = numerics::DesignStatus::undecided;

@@ -14,7 +14,7 @@ const RequirementRow& requirement_row(RequirementKind kind) {
       RequirementRow{"no_peak", Shown::share, true, Slopes::curve, Packed::curve},
       RequirementRow{"limit_line", Shown::share_of_line, true, Slopes::curve, Packed::none},
       RequirementRow{"band_line", Shown::share_of_line, false, Slopes::differences, Packed::none},
-      RequirementRow{"operation", Shown::at_its_level, false, Slopes::differences, Packed::none},
+      RequirementRow{"operation", Shown::at_its_level, false, Slopes::differences, Packed::orders},
       RequirementRow{"avoided_frequencies", Shown::frequency, true, Slopes::frequencies, Packed::frequencies},
       RequirementRow{"separation", Shown::number, true, Slopes::frequencies, Packed::frequencies},
       RequirementRow{"damping_ratio", Shown::number, true, Slopes::roots, Packed::none},

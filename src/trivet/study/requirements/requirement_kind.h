@@ -60,7 +60,14 @@ enum class MarginSlopes : std::uint8_t {
 };
 
 /// Which part of a packed case judges it for many designs at once (study/family/case_vector.h).
-enum class PackedPart : std::uint8_t { none, curve, frequencies, rest, bodies };
+enum class PackedPart : std::uint8_t {
+  none,
+  curve,
+  orders,  ///< curves under the orders at a speed, whose squares add, or under one order over a range of speeds
+  frequencies,
+  rest,
+  bodies
+};
 
 /// What holds for all requirements of a kind.
 struct RequirementRow {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cassert>
 #include <optional>
 #include <string>
 #include <utility>
@@ -86,6 +87,12 @@ struct RequirementResult {
   std::optional<Transmitted> transmitted;  ///< none: the curve is that of `subject` under `excitations`
 
   [[nodiscard]] bool met() const { return value && margin >= 1; }
+  /// `allowed` of an amplitude, zero-to-peak; of an rms √2 times it, to compare with √Σ|y_k|² of several orders.
+  /// @pre `operation`: it has a level
+  [[nodiscard]] double allowed_amplitude() const {
+    assert(kind != RequirementKind::operation || level_of_limit);
+    return kind == RequirementKind::operation ? allowed / project::level_factor(*level_of_limit) : allowed;
+  }
   /// Level of `allowed` and `value`: "0-p" of harmonic amplitudes, "rms" of root mean squares, that of the file of
   /// limits at a speed; else empty.
   [[nodiscard]] const char* level() const;

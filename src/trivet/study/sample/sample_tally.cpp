@@ -21,6 +21,9 @@ std::optional<double> value_at_margin(const RequirementResult& requirement, doub
   using enum RequirementKind;
   switch (requirement.kind) {
     case amplitude:
+    case operation:
+    case isolation:
+    case steady:
     case rms:
     case largest:
     case static_value:

@@ -101,6 +101,15 @@ std::string SampledCase::beyond_kernels() const {
   for (const RequirementResult& one : given_)
     if (requirement_row(one.kind).packed == PackedPart::none && !is_constant(one))
       return fmt::format("\"{}\" has no kernel over many designs", one.words_for_people(case_.display));
+  const CaseVector packed(case_, case_.analyses, given_, true);
+  return packed.reason().empty() ? not_covered(packed) : packed.reason();
+}
+
+std::string SampledCase::not_covered(const CaseVector& packed) const {
+  for (std::size_t r = 0; r < given_.size(); ++r)
+    if (!packed.covers(r) && !is_constant(given_[r]))
+      return fmt::format("\"{}\" is not judged by a kernel here{}{}", given_[r].words_for_people(case_.display),
+                         packed.not_covered(r).empty() ? "" : ": ", packed.not_covered(r));
   return "";
 }
 
@@ -152,9 +161,7 @@ void SampledCase::fit(const DrawnDesigns& drawn) {
     numbers.model = [this](const Eigen::VectorXd& draws) { return system(draws); };
     batch_.emplace(numbers, case_, case_.analyses, given_);
     no_kernels_ = batch_->reason();
-    for (std::size_t r = 0; no_kernels_.empty() && r < given_.size(); ++r)
-      if (!batch_->packed().covers(r) && !is_constant(given_[r]))
-        no_kernels_ = fmt::format("\"{}\" is not judged by a kernel here", given_[r].words_for_people(case_.display));
+    if (no_kernels_.empty()) no_kernels_ = not_covered(batch_->packed());
     if (!no_kernels_.empty()) continue;
     if (bands_) bands_->fit(numbers);
     return;

@@ -113,6 +113,7 @@ class SampledCase {
   [[nodiscard]] std::string without_model(const Eigen::VectorXd& draws) const;
   /// Why kernels cannot prove all requirements of a design; empty if they can.
   [[nodiscard]] std::string beyond_kernels() const;
+  [[nodiscard]] std::string not_covered(const CaseVector& packed) const;
   /// Judges one design by its model; into row `design`.
   void assemble(const Eigen::MatrixXd& draws, Eigen::Index design, SampledMargins& into,
                 const foundation::Progress& interruption) const;
