@@ -90,16 +90,31 @@ class ReportSample(InTemporaryFolder):
             self.assertEqual("least margin: aggregate" in done.stdout, held)
 
     def test_a_yield_that_the_designs_do_not_decide_is_not_judged(self):
-        # All designs meet this: 0.05^(1/1000) = 99.7 %.
-        text = ROBUST.read_text().replace("designs = 100_000", 'designs = 1000, yield = "99.9 %"')
-        text = text.replace('no_peak = ["aggregate.x", "aggregate.y", "aggregate.z"]', "")
-        project = self.project(text, *((f'"{mm} mm"', '"0.1 m"') for mm in (11, 10, 8)))
-        done, results, page = self.run_of(project, "--strict")
-        self.assertIsNone(results["cases"][0]["sample"]["held"])
-        self.assertIn("? NOT JUDGED: 1 of 1 yield", words(page))
-        self.assertIn("without violations 2995 designs show it", words(page))
-        self.assertEqual(done.returncode, 1)
-        self.assertIn("the designs do not decide on the wanted yield", done.stderr)
+        # All designs meet this: 0.05^(1/1000) = 99.7 %. The least whole n with y^n <= 0.05 decides.
+        for wanted, deciding in (("99.9 %", 2995), ("99.8 %", 1497)):
+            text = ROBUST.read_text().replace("designs = 100_000", f'designs = 1000, yield = "{wanted}"')
+            text = text.replace('no_peak = ["aggregate.x", "aggregate.y", "aggregate.z"]', "")
+            project = self.project(text, *((f'"{mm} mm"', '"0.1 m"') for mm in (11, 10, 8)))
+            done, results, page = self.run_of(project, "--strict")
+            self.assertIsNone(results["cases"][0]["sample"]["held"])
+            self.assertIn("? NOT JUDGED: 1 of 1 yield", words(page))
+            self.assertIn(f"without violations {deciding} designs show it", words(page))
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("the designs do not decide on the wanted yield", done.stderr)
+
+    def test_an_interval_around_the_wanted_yield_says_how_many_designs_end_beside_it(self):
+        def sample(designs, wanted):
+            key = f"designs = {designs}" + (f", yield = {wanted}" if wanted else "")
+            _, results, page = self.run_of(self.project(None, ("designs = 2000, worst_case = true", key)))
+            return results["cases"][0]["sample"], words(page)
+
+        wanted = sample(500, None)[0]["yield"]["share"] - 0.01
+        found, page = sample(500, wanted)
+        self.assertIsNone(found["held"])
+        about = re.search(r"NOT certainly the wanted [\d.]+ %; about (\d+) designs decide if the share stays", page)
+        half = found["yield"]["share"] - found["yield"]["from"]  # it shrinks as the root of their number
+        self.assertAlmostEqual(int(about[1]) / (500 * (half / 0.01) ** 2), 1.05, delta=0.06)  # two digits, rounded up
+        self.assertTrue(sample(2 * int(about[1]), wanted)[0]["held"])
 
     def test_the_short_report_states_the_yield(self):
         done, _, page = self.run_of(self.project(), "--report", "short")

@@ -201,9 +201,10 @@ void add_map(const study::DesignMap& map, std::size_t which, const std::vector<c
 /// What decides on a wanted yield that the designs do not decide.
 std::string deciding_words(const study::Sample& sample) {
   if (sample.first_of) return "trivet sample judges more designs";
-  if (sample.yield.met < sample.yield.designs) return "more designs decide";
-  const double needed = std::ceil(std::log(1 - study::sample_confidence) / std::log(*sample.request.yield));
-  return fmt::format("without violations {:.0f} designs show it", needed);
+  const std::optional<double> designs = sample.yield.deciding(*sample.request.yield);
+  if (sample.yield.met == sample.yield.designs)
+    return fmt::format("without violations {:.0f} designs show it", *designs);
+  return designs ? fmt::format("about {:.0f} designs decide if the share stays", *designs) : "more designs decide";
 }
 
 /// The wanted yield of designs within tolerances.

@@ -31,7 +31,7 @@ struct Judgement {
   /// value, and the frequency, time or part of the machine where it occurs.
   std::string subject = words, bound = {}, value = {}, place = {};
   bool is_at = false;         ///< the place is a frequency or a time
-  bool is_of_search = false;  ///< of a best design or of many, not of the machine: its words are a sentence
+  bool is_of_search = false;  ///< of a best design or of many, not of the machine; `words` are a whole sentence then
 };
 
 /// All verdicts on the cases of a study. A limit that is also a requirement of its case is listed once.

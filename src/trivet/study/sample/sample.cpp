@@ -2,6 +2,7 @@
 #include "trivet/study/sample/sample.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -12,6 +13,16 @@
 #include "trivet/study/sample/sample_shares.h"
 
 namespace trivet::study {
+
+std::optional<double> Yield::deciding(double wanted) const {
+  if (met == designs) return std::ceil(std::log(1 - sample_confidence) / std::log(wanted));
+  // The interval shrinks as the root of the number of designs.
+  const double half = interval.estimate < wanted ? interval.to - interval.estimate : interval.estimate - interval.from,
+               needed = static_cast<double>(designs) * std::pow(half / (interval.estimate - wanted), 2);
+  if (!(needed < project::most_sampled)) return std::nullopt;
+  const double two_digits = std::pow(10.0, std::floor(std::log10(needed)) - 1);
+  return (std::floor(needed / two_digits) + 1) * two_digits;
+}
 
 bool Sample::any_violates() const {
   if (yield.met < yield.designs) return true;

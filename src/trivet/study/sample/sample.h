@@ -38,9 +38,12 @@ struct Yield {
   bool of_replicates = false;
 
   /// With the confidence of a sample: the end of the interval; without violations the bound of this side alone.
-  [[nodiscard]] double at_least() const {
-    return met == designs ? numerics::share_without_failures(designs, sample_confidence) : interval.from;
-  }
+  [[nodiscard]] double at_least() const { return met == designs ? bound_of_all_met() : interval.from; }
+  /// What as many designs show that all meet it. One minus it is what they show if none does.
+  [[nodiscard]] double bound_of_all_met() const { return numerics::share_without_failures(designs, sample_confidence); }
+  /// How many designs end beside a wanted yield that the interval contains: without violations all of them have to meet
+  /// it, otherwise if the share stays. Rounded up to two digits in the latter case; none: more than a sample can have.
+  [[nodiscard]] std::optional<double> deciding(double wanted) const;
   [[nodiscard]] YieldVerdict against(double wanted) const {
     if (at_least() >= wanted) return YieldVerdict::met;
     return interval.to < wanted ? YieldVerdict::violated : YieldVerdict::undecided;
