@@ -236,7 +236,7 @@ export interface SampledBand {
 export interface Sample {
   designs: number;
   confidence: number;
-  yield: {share: number; from: number; to: number; met: number};
+  yield: {shown_share: string; shown_interval: string};
   wanted?: number;  // with a wanted yield
   held?: boolean | null;  // null: these designs do not decide
   failed: number;

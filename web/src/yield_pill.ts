@@ -15,9 +15,9 @@ export class YieldPill extends Part {
     const {app} = this, sampled = sampledDesigns(app), failure = sampleFailure(app);
     if (failure) return html`<span class="pill unjudged" title=${failure}>no yield</span>`;
     if (!sampled) return app.sampler && !app.sampler.hasErrors && sampleWishes(app).length ? html`<span class="pill unknown">yield <span class="old">…</span></span>` : nothing;
-    const {found, old, wanted} = sampled, {share, range} = yieldWords(found), designs = count(found.designs);
+    const {found, old, wanted} = sampled, {shown_share: share, shown_interval: interval} = found.yield, designs = count(found.designs);
     const style = found.held === undefined ? '' : found.held === null ? 'unjudged' : found.held ? 'met' : 'violated';
-    return html`<span class="pill yield ${style}" title=${this.explained(found, wanted)}>yield <b>${share} %</b> <span class="interval">${range ? `${range}, ` : ''}${designs} designs</span>${old ? html` <span class="old">…</span>` : nothing}</span>`;
+    return html`<span class="pill yield ${style}" title=${this.explained(found, wanted)}>yield <b>${share}</b> <span class="interval">${interval ? `${interval}, ` : ''}${designs} designs</span>${old ? html` <span class="old">…</span>` : nothing}</span>`;
   }
   private explained({designs, confidence, failed, wanted: yieldWanted, held}: Sample, wanted: number): string {
     const of = designs < wanted ? `the first ${count(designs)} of the ${count(wanted)} machines` : `${count(designs)} machines`;
@@ -27,14 +27,4 @@ export class YieldPill extends Part {
   }
 }
 const count = (n: number) => n.toLocaleString('en-US');
-
-/// In %, with two digits of what is not known, as `trivet sample` has it: without violations the bound of one side.
-export function yieldWords({designs, confidence, yield: {share, from, to, met}}: Pick<Sample, 'yield' | 'designs' | 'confidence'>): {share: string; range: string} {
-  const bound = (1 - confidence) ** (1 / designs), digits = decimals(met === designs || met === 0 ? 1 - bound : Math.max(to - share, share - from)), unit = 10 ** digits;
-  const shown = (part: number, round: (n: number) => number) => (round(100 * part * unit) / unit).toFixed(digits);
-  if (met === designs) return {share: `≥ ${shown(bound, Math.floor)}`, range: ''};
-  if (met === 0) return {share: `≤ ${shown(1 - bound, Math.ceil)}`, range: ''};
-  return {share: shown(share, Math.round), range: `${shown(from, Math.round)} … ${shown(to, Math.round)} %`};
-}
-const decimals = (unsure: number) => (unsure > 0 ? Math.min(Math.max(1 - Math.floor(Math.log10(100 * unsure)), 0), 9) : 1);
 customElements.define('yield-pill', YieldPill);

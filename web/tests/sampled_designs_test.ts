@@ -8,7 +8,6 @@ import type {App} from '../src/part.ts';
 import type {Sample} from '../src/results.ts';
 import {sampledDesigns, sampleWishes} from '../src/sampled_designs.ts';
 import {State} from '../src/state.ts';
-import {yieldWords} from '../src/yield_pill.ts';
 
 const after = (ms: number) => new Promise(done => setTimeout(done, ms));
 const TEXT = (designs: string) => `[tolerances.rubber]\npath = "elements.mount.scale"\nhalf_width = "15 %"\n[requirements]\nlimits = {"m.z" = "1 mm"}\n${designs}`;
@@ -20,7 +19,7 @@ function played(text: string, patience?: number, assembled = '', idle = 0) {
     signal?.addEventListener('abort', () => failed(new Error('aborted')));
     const designs = Number(settings.findLast(s => s.startsWith('analyses.sample.designs'))!.split(' = ')[1]);
     asked.push({settings, signal, answer: () => done({revision, ok: true, problems: [], results: wants.map(({command}) => ({command, ok: true, problems: [],
-      json: {designs, confidence: 0.95, yield: {share: 0.9, from: 0.8, to: 1, met: 9}, failed: 0, cases: [{case: '', no_kernels: assembled}]} satisfies Sample}))})});
+      json: {designs, confidence: 0.95, yield: {shown_share: '90 %', shown_interval: '80 % … 100 %'}, failed: 0, cases: [{case: '', no_kernels: assembled}]} satisfies Sample}))})});
   })};
   const sampler = new Asker(engine, state, () => sampleWishes(app), patience, idle);
   const app = {state, sampler, get index() { return state.index; }} as unknown as App;
@@ -86,13 +85,6 @@ test('samples of a moving slider leave most of the time to others', async () => 
   await after(90);
   assert.equal(asked.length, 2);
   assert.ok(asked[1]!.settings.includes('bodies.m.mass = 2'));
-});
-test('a share has two digits of what is not known, and without violations it is a bound', () => {
-  const words = (share: number, from: number, to: number, met = 1) => yieldWords({designs: 1000, confidence: 0.95, yield: {share, from, to, met}});
-  assert.deepEqual(words(0.94637, 0.93153, 0.95921), {share: '94.6', range: '93.2 … 95.9 %'});
-  assert.deepEqual(words(0.999712, 0.999701, 0.999723), {share: '99.9712', range: '99.9701 … 99.9723 %'});
-  assert.deepEqual(words(1, 0.9964, 1, 1000), {share: '≥ 99.70', range: ''});
-  assert.deepEqual(words(0, 0, 0.0036, 0), {share: '≤ 0.30', range: ''});
 });
 test('a band is drawn with the curve of its result and unit, and read at the cursor', () => {
   const band = {result: 'm.z', unit: 'm', angular_frequency: [1, 2], low: [1, 2], median: [2, 3], high: [3, null]};

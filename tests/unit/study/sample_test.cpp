@@ -12,6 +12,7 @@
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/judging/read_project.h"
 #include "trivet/results/design/sample_document.h"
+#include "trivet/results/design/sample_words.h"
 #include "trivet/study/sample/drawn_designs.h"
 #include "trivet/study/sample/sample_tally.h"
 
@@ -255,6 +256,35 @@ TEST(YieldWords, StateBoundsAndDigits) {
   EXPECT_EQ(words(0, 10000), "≤ 0.030 % with 95 % confidence");
   EXPECT_EQ(words(9730, 10000), "97.30 % (95 % confidence: 96.96 % … 97.61 %)");
   EXPECT_EQ(words(9999, 10000), "99.990 % (95 % confidence: 99.944 % … 100.000 %)");
+  const study::Yield replicates{19994, 20000, {.estimate = 0.999712, .from = 0.9997011, .to = 0.9997231}, true};
+  EXPECT_EQ(results::yield_words(replicates), "99.9712 % (95 % confidence: 99.9701 % … 99.9724 %)");
+  const auto shown = [](std::uint64_t met) {
+    const results::Json json = results::yield_json({met, 1000, numerics::share_of_trials(met, 1000, 0.95)});
+    return json["shown_share"].get<std::string>() + "|" + json["shown_interval"].get<std::string>();
+  };
+  EXPECT_EQ(shown(1000), "≥ 99.70 %|");
+  EXPECT_EQ(shown(0), "≤ 0.30 %|");
+  EXPECT_EQ(shown(946), "94.6 %|93.0 % … 96.0 %");
+}
+
+// 2430 of 4000 are 60.75 %, at most 62.2686 %; a wanted yield between a number and its rounded words gets more digits.
+TEST(YieldWords, DifferFromTheWantedYieldAsTheNumbersDo) {
+  const study::Yield some{2430, 4000, {.estimate = 0.6075, .from = 0.5921234, .to = 0.6226862}};
+  EXPECT_EQ(results::yield_words(some, 0.607),
+            "60.8 % (95 % confidence: 59.2 % … 62.3 %), NOT certainly the wanted 60.7 %");
+  EXPECT_EQ(results::yield_words(some, 0.608),
+            "60.75 % (95 % confidence: 59.21 % … 62.27 %), NOT certainly the wanted 60.8 %");
+  EXPECT_EQ(results::yield_words(some, 0.62269),
+            "60.7500 % (95 % confidence: 59.2123 % … 62.2687 %), NOT the wanted 62.269 %");
+  EXPECT_EQ(results::yield_words(some, 0.59211), "60.750 % (95 % confidence: 59.212 % … 62.269 %), wanted 59.211 %");
+  const study::Yield all{2000, 2000, numerics::share_of_trials(2000, 2000, 0.95)};  // 0.05^(1/2000) = 99.85033 %
+  EXPECT_EQ(results::yield_words(all, 0.998503), "≥ 99.8503 % with 95 % confidence, wanted 99.8503 %");
+}
+
+TEST(YieldWords, OfSharesContainZeroOnlyWithTheInterval) {
+  EXPECT_EQ(results::share_words({0.642, 0.63817, 0.64581}), "64.20 % (63.81 % … 64.59 %)");
+  EXPECT_EQ(results::share_words({0.003, 0.0002, 0.0058}), "0.30 % (0.02 % … 0.58 %)");
+  EXPECT_EQ(results::share_words({0.003, -0.0002, 0.0058}), "cannot be told from 0, ≤ 0.58 %");
 }
 
 }  // namespace unit_sample_test

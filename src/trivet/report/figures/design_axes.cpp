@@ -83,7 +83,7 @@ DesignLinesAxis margin_axis(const Sample& sample, std::size_t requirement, const
   const std::string all = results::requirement_words(one.of->given, display);
   if (all.starts_with(axis.name + " ")) axis.detail = all.substr(axis.name.size() + 1);
   else axis.name = all;
-  axis.detail += results::in_case_words(*one.in);
+  axis.detail += results::in_case_words(one.in->case_name);
   for (const KeptDesign& design : sample.kept.list)
     axis.values.push_back(design.is_judged() ? design.margins[requirement] : no_value);
   axis.given = one.of->given.margin;

@@ -74,8 +74,8 @@ struct SharePanel {
     constexpr double most = 1.2;
     const PlotPanel panel{
         {bars_left, top + above_panel}, bars_width, height(), {0, std::min(largest, most), false, ""}, {}};
-    const std::string value =
-        results::requirement_words(in.requirements[of.requirement].given, display) + results::in_case_words(in);
+    const std::string value = results::requirement_words(in.requirements[of.requirement].given, display) +
+        results::in_case_words(in.case_name);
     canvas.text({bars_left, top + 17}, value, "font-weight=\"bold\" font-size=\"12\"");
     for (const Tick& tick : panel.x.ticks(6)) {
       const double x = panel.corner.x + panel.width * panel.x.share(tick.value), end = panel.corner.y + panel.height;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trivet/results/design/sample_words.h"
+#include "trivet/results/design/verdict_words.h"
 #include "trivet/results/format/json_parts.h"
 
 namespace trivet::results {
@@ -130,8 +131,8 @@ void add_bands(const study::Sample& sample, Document& document) {
     group.parts.push_back({Single{.name = "results", .value = std::move(list)}});
     const std::size_t frequencies = first.angular_frequency.size();
     say(fmt::format(
-        "Amplitudes{} of {} designs{}. 5 %, 50 % and 95 % of the designs are below these values:", in_case_words(of),
-        sample.request.designs - sample.failed - first.without,
+        "Amplitudes{} of {} designs{}. 5 %, 50 % and 95 % of the designs are below these values:",
+        in_case_words(of.case_name), sample.request.designs - sample.failed - first.without,
         frequencies == 1
             ? " at one frequency"
             : fmt::format(", each result at that of {} frequencies where the 95 % value is largest", frequencies)));

@@ -38,8 +38,6 @@ double rounded_inward(double value, Inward to, int digits) {
   return (to == Inward::up ? std::ceil(scaled) : std::floor(scaled)) / unit;
 }
 
-std::string in_case(const BoxCase& one) { return one.case_name.empty() ? "" : " in case " + one.case_name; }
-
 constexpr int shown_digits = 5;
 
 std::string end_of_number(const BoxNumber& number, double value, Inward to) {
@@ -195,7 +193,7 @@ Table requirement_table(const SolutionBox& box) {
                           [](const CheckedRow& one) { return one.of->given.words_at_level(); }, data),
                       row("requirement", Kind::words, "requirement",
                           [](const CheckedRow& one) {
-                            return requirement_words(one.of->given, one.in->display) + in_case(*one.in);
+                            return requirement_words(one.of->given, one.in->display) + in_case_words(one.in->case_name);
                           },
                           {.forms = for_people}),
                       row(
@@ -294,9 +292,7 @@ void add_singles(const SolutionBox& box, Document& document) {
 
 }  // namespace
 
-std::string box_number_words(const BoxNumber& number, double value) {
-  return number.unit.after(fmt::format("{:.6g}", value / number.unit.si));
-}
+std::string box_number_words(const BoxNumber& number, double value) { return number.unit.words(value, 6); }
 
 std::string box_end_words(const BoxRange& range, const BoxEnd& end) {
   const Inward to = &end == &range.lower ? Inward::up : Inward::down;
@@ -311,7 +307,7 @@ std::string box_stop_words(const SolutionBox& box, const BoxEnd& end) {
   if (end.stop == BoxStop::most) return fmt::format("nothing up to ×{:g}", box.request.most);
   if (end.stop == BoxStop::not_determined) return "not determined: the search was given up here";
   const BoxCase& in = box.cases[end.in_case];
-  return requirement_words(in.requirements[end.requirement].given, in.display) + in_case(in);
+  return requirement_words(in.requirements[end.requirement].given, in.display) + in_case_words(in.case_name);
 }
 
 Document box_document(const SolutionBox& box, const foundation::Problems& warnings) {

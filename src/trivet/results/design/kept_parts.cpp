@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "trivet/results/design/sample_words.h"
+#include "trivet/results/design/verdict_words.h"
 #include "trivet/results/format/json_parts.h"
 
 namespace trivet::results {
@@ -45,7 +46,9 @@ Table varied_table(const Sample& sample) {
           .forms = in_json | in_arrays};
 }
 
-std::string words_of(const KeptRequirement& one) { return one.of->given.words_at_level() + in_case_words(*one.in); }
+std::string words_of(const KeptRequirement& one) {
+  return one.of->given.words_at_level() + in_case_words(one.in->case_name);
+}
 
 Table kept_table(const Sample& sample) {
   const Rows row(sample.kept.list);

@@ -37,9 +37,10 @@ Table compared_designs(const RobustOptimum& robust) {
                               [](const MachinesOfDesign& one) { return one.design->kept; }, {.digits = 4})},
               .mark = [&robust](std::size_t i) { return i == 2 && !robust.held ? Mark::bad : Mark::plain; }};
   if (!robust.wanted) return table;
-  table.columns.push_back(row("yield", Kind::words, "",
-                              [](const MachinesOfDesign& one) { return yield_json(*one.design->yield); },
-                              {.forms = in_json}));
+  table.columns.push_back(
+      row("yield", Kind::words, "",
+          [&robust](const MachinesOfDesign& one) { return yield_json(*one.design->yield, robust.wanted); },
+          {.forms = in_json}));
   table.columns.push_back(row("yield", Kind::words, "meet every requirement",
                               [](const MachinesOfDesign& one) { return yield_words(*one.design->yield); },
                               {.forms = for_people}));

@@ -105,8 +105,7 @@ std::vector<Column> yield_columns(const DrawnRequirements& row) {
           row("alone", Kind::words, "met",
               [](const DrawnRequirement& one) {
                 const ConfidenceInterval& of = one.result->yield.interval;
-                return rounded_percent(of.estimate, decimals_of(std::max(of.to - of.estimate, of.estimate - of.from))) +
-                    " %";
+                return percent_words(of.estimate, decimals_of(of));
               },
               {.forms = for_people}),
           row(
@@ -177,9 +176,45 @@ Json design_json(const std::optional<study::NamedDesign>& design) {
 std::string design_words(const study::NamedDesign& design) {
   std::string words = fmt::format("design {}", design.number);
   for (const study::NamedNumber& one : design.numbers)
-    words += fmt::format("{}{} = {}", &one == &design.numbers.front() ? ": " : ", ", one.path,
-                         one.unit.after(fmt::format("{:.5g}", one.value / one.unit.si)));
+    words +=
+        fmt::format("{}{} = {}", &one == &design.numbers.front() ? ": " : ", ", one.path, one.unit.words(one.value, 5));
   return words;
+}
+
+struct ShownYield {
+  std::string share, interval;
+};
+
+/// "97.3 %" and "97.1 % … 97.5 %"; if all or none of the designs meet the requirements a bound, "≥ 99.97 %", and "".
+/// @param wanted  from which the shown numbers differ as the exact ones do: with more digits if they have to
+ShownYield shown_yield(const Yield& yield, std::optional<double> wanted) {
+  const ConfidenceInterval& of = yield.interval;
+  const bool all = yield.met == yield.designs, none = yield.met == 0;
+  const double bound = yield.bound_of_all_met(), shown = all ? bound : none ? 1 - bound : of.estimate;
+  constexpr int most_decimals = 9;
+  const auto stays_beside = [&](double exact, Rounded rounded, int decimals) {
+    const double printed = std::stod(rounded_percent(exact, decimals, rounded));
+    return !wanted || (printed < 100 * *wanted) == (exact < *wanted);
+  };
+  int decimals = all || none ? decimals_of(1 - bound) : decimals_of(of);
+  while (decimals < most_decimals &&
+         !(stays_beside(shown,
+                        all        ? Rounded::down
+                            : none ? Rounded::up
+                                   : Rounded::near,
+                        decimals) &&
+           (all || none ||
+            (stays_beside(of.from, Rounded::down, decimals) && stays_beside(of.to, Rounded::up, decimals)))))
+    ++decimals;
+  if (all) return {"≥ " + percent_words(bound, decimals, Rounded::down), ""};
+  if (none) return {"≤ " + percent_words(1 - bound, decimals, Rounded::up), ""};
+  return {percent_words(of.estimate, decimals), interval_words(of, decimals)};
+}
+
+std::string words_of(const ShownYield& shown) {
+  return shown.share +
+      (shown.interval.empty() ? fmt::format(" with {} confidence", confidence_words())
+                              : fmt::format(" ({} confidence: {})", confidence_words(), shown.interval));
 }
 
 void say(Document& document, std::string words, unsigned forms = for_people) {
@@ -208,7 +243,8 @@ std::string worst_words(const Sample& sample) {
       if (!margin) continue;
       ++searched;
       if (*margin < 1) ++violated;
-      if (*margin < least) least = *margin, of = requirement_words(result.given, one.display) + in_case_words(one);
+      if (*margin < least)
+        least = *margin, of = requirement_words(result.given, one.display) + in_case_words(one.case_name);
     }
   if (searched == 0) return "";
   return fmt::format("Worst designs found: {} of {} requirements violated; least margin {:.4g}{}{}.", violated,
@@ -224,7 +260,7 @@ std::string first_words(const Sample& sample) {
       if (result.first > 0 && (!most || result.first > most->first)) most = &result, in = &one;
   if (!most) return "";
   return fmt::format("Breaks first: {}{}, in {:.3g} % of the designs that violate a requirement.",
-                     requirement_words(most->given, in->display), in_case_words(*in),
+                     requirement_words(most->given, in->display), in_case_words(in->case_name),
                      100 * static_cast<double>(most->first) / static_cast<double>(violating(sample)));
 }
 
@@ -274,39 +310,29 @@ std::string case_words(const SampledCaseResult& one) {
 
 }  // namespace
 
-std::string yield_words(const Yield& yield) {
-  const ConfidenceInterval& of = yield.interval;
-  if (yield.met == yield.designs)
-    return fmt::format("≥ {} % with {} confidence",
-                       rounded_percent(yield.at_least(), decimals_of(1 - yield.at_least()), Rounded::down),
-                       confidence_words());
-  const double bound = numerics::share_without_failures(yield.designs, study::sample_confidence);
-  if (yield.met == 0)
-    return fmt::format("≤ {} % with {} confidence", rounded_percent(1 - bound, decimals_of(1 - bound), Rounded::up),
-                       confidence_words());
-  const int decimals = decimals_of(std::max(of.to - of.estimate, of.estimate - of.from));
-  return fmt::format("{} % ({} confidence: {} % … {} %)", rounded_percent(of.estimate, decimals), confidence_words(),
-                     rounded_percent(of.from, decimals), rounded_percent(of.to, decimals));
-}
+std::string yield_words(const Yield& yield) { return words_of(shown_yield(yield, std::nullopt)); }
 
 std::string wanted_words(double yield) { return fmt::format("{:.6g} %", 100 * yield); }
 
 std::string yield_words(const Yield& yield, double wanted) {
   using study::YieldVerdict;
   const YieldVerdict verdict = yield.against(wanted);
-  return yield_words(yield) +
+  return words_of(shown_yield(yield, wanted)) +
       (verdict == YieldVerdict::met            ? ", wanted "
            : verdict == YieldVerdict::violated ? ", NOT the wanted "
                                                : ", NOT certainly the wanted ") +
       wanted_words(wanted);
 }
 
-Json yield_json(const Yield& yield) {
+Json yield_json(const Yield& yield, std::optional<double> wanted) {
+  const ShownYield shown = shown_yield(yield, wanted);
   return {{"share", yield.interval.estimate},
           {"from", yield.interval.from},
           {"to", yield.interval.to},
           {"met", yield.met},
-          {"interval", yield.of_replicates ? "replicates" : "Clopper-Pearson"}};
+          {"interval", yield.of_replicates ? "replicates" : "Clopper-Pearson"},
+          {"shown_share", shown.share},
+          {"shown_interval", shown.interval}};
 }
 
 std::vector<std::string> sample_sentences(const Sample& sample) {
@@ -337,7 +363,7 @@ Document sample_document(const Sample& sample) {
   add("drawn", sample.draws);
   add("confidence", study::sample_confidence);
   add("quantiles_within", numerics::LogHistogram::relative_error);
-  add("yield", yield_json(sample.yield));
+  add("yield", yield_json(sample.yield, sample.request.yield));
   if (sample.request.yield) {
     add("wanted", *sample.request.yield);
     const study::YieldVerdict verdict = *sample.yield_verdict();
@@ -352,8 +378,8 @@ Document sample_document(const Sample& sample) {
   add_failures(sample, document);
   if (sample.worst)
     say(document,
-        fmt::format("Least margin {:.4g}{} in {}.", sample.worst_margin,
-                    sample.worst_case.empty() ? "" : " in case " + sample.worst_case, design_words(*sample.worst)));
+        fmt::format("Least margin {:.4g}{} in {}.", sample.worst_margin, in_case_words(sample.worst_case),
+                    design_words(*sample.worst)));
   std::vector<const SampledCaseResult*> cases;
   for (const SampledCaseResult& one : sample.cases) cases.push_back(&one);
   document.add(requirement_table(sample, cases)).forms = in_csv | in_arrays;

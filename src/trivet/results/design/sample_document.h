@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ namespace trivet::results {
 [[nodiscard]] std::string wanted_words(double yield);
 /// The same against a wanted one: "97.3 % (…), NOT the wanted 99 %".
 [[nodiscard]] std::string yield_words(const study::Yield& yield, double wanted);
-[[nodiscard]] Json yield_json(const study::Yield& yield);
+/// @param wanted  from which the shown numbers differ as the exact ones do
+[[nodiscard]] Json yield_json(const study::Yield& yield, std::optional<double> wanted = {});
 
 }  // namespace trivet::results

@@ -29,20 +29,29 @@ inline std::string rounded_percent(double share, int decimals, Rounded rounded =
   return fmt::format("{:.{}f}", whole / unit, decimals);
 }
 
-inline std::string confidence_words() { return fmt::format("{:.0f} %", 100 * study::sample_confidence); }
-
-inline std::string in_case_words(const study::SampledCaseResult& one) {
-  return one.case_name.empty() ? "" : " in case " + one.case_name;
+inline int decimals_of(const numerics::ConfidenceInterval& of) {
+  return decimals_of(std::max(of.to - of.estimate, of.estimate - of.from));
 }
+
+inline std::string percent_words(double share, int decimals, Rounded rounded = Rounded::near) {
+  return rounded_percent(share, decimals, rounded) + " %";
+}
+
+/// "63.8 % … 64.7 %", rounded outwards: what the words exclude, the interval excludes.
+inline std::string interval_words(const numerics::ConfidenceInterval& of, int decimals) {
+  return percent_words(of.from, decimals, Rounded::down) + " … " + percent_words(of.to, decimals, Rounded::up);
+}
+
+inline std::string confidence_words() { return fmt::format("{:.0f} %", 100 * study::sample_confidence); }
 
 /// "64.2 % (63.8 % … 64.6 %)", or that it cannot be told from zero.
 inline std::string share_words(const numerics::ConfidenceInterval& share) {
-  const int decimals = decimals_of(std::max((share.to - share.from) / 2, 1e-4));
+  int decimals = decimals_of(std::max((share.to - share.from) / 2, 1e-4));
   if (share.from <= 0)
-    return fmt::format("cannot be told from 0, ≤ {} %",
-                       rounded_percent(std::max(share.to, 0.0), decimals, Rounded::up));
-  return fmt::format("{} % ({} % … {} %)", rounded_percent(share.estimate, decimals),
-                     rounded_percent(share.from, decimals), rounded_percent(share.to, decimals));
+    return "cannot be told from 0, ≤ " + percent_words(std::max(share.to, 0.0), decimals, Rounded::up);
+  constexpr int most = 9;  // a share below is one of round-off
+  while (decimals < most && 100 * share.from * std::pow(10.0, decimals) < 1) ++decimals;  // the interval excludes 0
+  return fmt::format("{} ({})", percent_words(share.estimate, decimals), interval_words(share, decimals));
 }
 
 }  // namespace trivet::results

@@ -50,7 +50,8 @@ Table share_table(const Sample& sample) {
                           [](const ShareRow& one) { return one.requirement().words.text(); }, {.forms = in_json}),
                       row("requirement", Kind::words, "value of",
                           [](const ShareRow& one) {
-                            return requirement_words(one.requirement(), one.in().display) + in_case_words(one.in());
+                            return requirement_words(one.requirement(), one.in().display) +
+                                in_case_words(one.in().case_name);
                           },
                           {.forms = for_people}),
                       row("number", Kind::words, "drawn number",
@@ -85,7 +86,8 @@ Table without_shares(const Sample& sample) {
                           [](const ShareRow& one) { return one.requirement().words.text(); }, {.forms = in_json}),
                       row("requirement", Kind::words, "no shares of",
                           [](const ShareRow& one) {
-                            return requirement_words(one.requirement(), one.in().display) + in_case_words(one.in());
+                            return requirement_words(one.requirement(), one.in().display) +
+                                in_case_words(one.in().case_name);
                           },
                           {.forms = for_people}),
                       row("reason", Kind::words, "because", [](const ShareRow& one) { return one.of->reason; })},

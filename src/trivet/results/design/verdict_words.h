@@ -31,6 +31,11 @@ namespace trivet::results {
 [[nodiscard]] std::string judged_value(const study::RequirementResult& result, const project::DisplayUnits& display);
 [[nodiscard]] std::string judged_place(const study::RequirementResult& result, const project::DisplayUnits& display);
 
+/// " in case cold"; nothing for the base model.
+[[nodiscard]] inline std::string in_case_words(const std::string& case_name) {
+  return case_name.empty() ? "" : " in case " + case_name;
+}
+
 /// "met", "VIOLATED" or "NOT JUDGED".
 [[nodiscard]] const char* verdict_word(const study::RequirementResult& result);
 

@@ -34,7 +34,7 @@ Table worst_table(const study::Sample& sample) {
   return {.rows = row.size(),
           .columns = {row("requirement", Kind::words, "worst found of",
                           [](const WorstRow& one) {
-                            return requirement_words(one.of->given, one.in->display) + in_case_words(*one.in);
+                            return requirement_words(one.of->given, one.in->display) + in_case_words(one.in->case_name);
                           }),
                       row(
                           "given", Kind::number, "margin in the file",
@@ -56,7 +56,7 @@ std::string beaten_searches(const study::Sample& sample) {
     for (const study::SampledRequirement& requirement : one.requirements) {
       if (!requirement.drawn_is_worst()) continue;
       list += fmt::format("{}\"{}\"{} ({:.4g})", list.empty() ? "" : ", ",
-                          requirement_words(requirement.given, one.display), in_case_words(one),
+                          requirement_words(requirement.given, one.display), in_case_words(one.case_name),
                           requirement.margin.extremes.least);
     }
   return list;
@@ -147,7 +147,7 @@ void add_worst_cases(const study::Sample& sample, Document& document) {
   group.parts.push_back({worst_table(sample)});
   for (const study::SampledCaseResult& one : sample.cases)
     for (const study::SampledRequirement& of : one.requirements)
-      say(fmt::format("{}{}: {}", requirement_words(of.given, one.display), in_case_words(one),
+      say(fmt::format("{}{}: {}", requirement_words(of.given, one.display), in_case_words(one.case_name),
                       setting_words(of.worst->numbers)));
   say(search_words(sample));
   if (search.failed > 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 
 namespace trivet::study {
@@ -10,6 +12,10 @@ struct FileUnit {
   std::string name;  ///< empty: a pure number
   double si = 1;     ///< SI value of one unit
 
+  /// "210 N/mm" of 210000 [SI].
+  [[nodiscard]] std::string words(double value, int digits) const {
+    return after(fmt::format("{:.{}g}", value / si, digits));
+  }
   /// "210 N/mm" of "210".
   [[nodiscard]] std::string after(const std::string& number) const {
     return name.empty() ? number : number + " " + name;
