@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plausible random machines: one to three bodies on four to eight mounts, 5 kg to 50 t, natural frequencies of a few
 hertz."""
+import re
 
 
 def three(values):
@@ -46,13 +47,29 @@ def machine(random):
         height += size[2] + 0.1
         mass *= random.uniform(0.2, 0.9)
     if random.random() < 0.4:
-        text += f'\n[elements.damper]\ntype = "damper"\non = "body 0"\nat = [0.05, 0, 0]\ntranslation = {three([random.uniform(0, 500), 0, random.uniform(10, 5000)])}\n'
+        text += f'\n[elements.damper]\ntype = "damper"\non = "body 0"\nat = [0.05, 0, 0]\nfrom_at = [0.05, {random.uniform(-0.2, 0.2):.3g}, -0.3]\ncoefficient = {random.uniform(10, 5000):.6g}\n'
     text += f'\n[excitations.force]\ntype = "harmonic"\non = "body {bodies - 1}"\nat = [0.1, 0.05, 0.2]\nforce = {three([random.uniform(-100, 100), 10, 120])}\n'
     if random.random() < 0.4:
         text += '[excitations.floor]\ntype = "base"\ntranslation = [0, 0, "1 mm"]\n'
     return (
         text
         + f'\n[analyses]\nmodes = {{}}\nroots = {{}}\nresponse = {{band = ["0 Hz", "{random.uniform(20, 100):.4g} Hz"]}}\npeaks = {{}}\nstatic = {{}}\n'
+    )
+
+
+def within_tolerances(random, text):
+    """The machine with tolerances on its lowest mounts and body, an amplitude that is limited at a speed, and a sample."""
+    paths = ", ".join(f"'elements.\"mount 0{m}\".scale'" for m in range(4))
+    if random.random() < 0.5:  # kernels judge the designs of constant matrices alone
+        text = re.sub(r"(?m)^damping = \{(zener|maxwell) .*$", "damping = {loss_factor = 0.1}", text)
+    return (
+        text.replace("\n[analyses]\n", '\n[analyses]\nsample = {designs = 100}\n')
+        + f'[tolerances.rubber]\npath = [{paths}]\nhalf_width = "{random.uniform(1, 60):.3g} %"\n'
+        + "[tolerances.weight]\npath = 'bodies.\"body 0\".mass'\n"
+        + f'standard_deviation = "{random.uniform(1, 40):.3g} %"\n'
+        + '[operation]\nspeeds = ["980 rpm"]\n'
+        + f'limits = {{"body 0.top.z" = "{10 ** random.uniform(-1, 1):.3g} mm/s rms"}}\n'
+        + f'[limits]\n"body 0.top.x" = "{10 ** random.uniform(-3, 0):.3g} mm"\n'
     )
 
 

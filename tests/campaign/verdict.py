@@ -42,8 +42,9 @@ def holds_no_number(path):
     return path.suffix in (".csv", ".json") and NAN.search(text) is not None
 
 
-def faults(trivet, arguments, folder, cache, seconds, memory=MOST_MEMORY):
-    """All violations of the contract of docs/project-file.md by this run; empty: none."""
+def faults(trivet, arguments, folder, cache, seconds, memory=MOST_MEMORY, plausible=False):
+    """All violations of the contract of docs/project-file.md by this run; empty: none. A plausible machine is refused
+    only if it falls over, or if nothing acts on it."""
     private = pathlib.Path(tempfile.mkdtemp(prefix="campaign-tmp-"))
     result = pathlib.Path(folder) / "result"
     known = set(pathlib.Path(folder).rglob("*"))
@@ -63,6 +64,8 @@ def faults(trivet, arguments, folder, cache, seconds, memory=MOST_MEMORY):
         told = any(words in said for words in ("error:", "NOT COMPUTED", "ends before the end"))
         if code != 0 and not told and "DISAGREES" not in output:
             found.append("no message")
+        if plausible and code == 2 and not any(words in messages for words in ("falls over", "no harmonic excitation")):
+            found.append("a plausible machine is refused")
         if messages.count("\n") > MOST_LINES:
             found.append(f"{messages.count(chr(10))} lines of messages")
         if word := LIBRARY_WORDS.search(messages + output):
