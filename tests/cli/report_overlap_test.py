@@ -104,22 +104,28 @@ addEventListener('load', () => setTimeout(() => {
   const wide = document.documentElement.scrollWidth - document.documentElement.clientWidth;
   if (wide > 0) found.push(`the page is ${wide} px wider than the window`);
   const marks = document.getElementById('marks').textContent;
-  parent.postMessage(JSON.stringify({measured, found, marks}), '*');
+  parent.postMessage({width: innerWidth, measured, found, marks}, '*');
 }, 1500));
 """
-FRAME = """<iframe src="measured.html" style="width:{width}px;height:9000px;border:0"></iframe><pre id="answer"></pre>
-<script>onmessage = event => document.getElementById('answer').textContent = event.data;</script>"""
+FRAME = '<iframe src="measured.html" style="width:{width}px;height:9000px;border:0"></iframe>'
+ANSWERS = """<pre id="answers"></pre><script>
+const answers = {};
+onmessage = ({data}) => {
+  answers[data.width] = data;
+  document.getElementById('answers').textContent = JSON.stringify(answers);
+};
+</script>"""
 
 
 @unittest.skipUnless(BROWSER, "no browser")
 class Overlaps(InTemporaryFolder):
-    def answer(self, page, width, scheme="1"):
-        """Of the page in a frame: windows have a least width."""
+    def answers(self, page, widths, scheme="1"):
+        """Of the page in a frame of each width: windows have a least one."""
         page.with_name("measured.html").write_text(
             page.read_text().replace("</head>", f"<script>{MEASURE}</script></head>", 1)
         )
         frame = page.with_name("frame.html")
-        frame.write_text(FRAME.format(width=width))
+        frame.write_text(ANSWERS + "".join(FRAME.format(width=width) for width in widths))
         arguments = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking"]
         arguments += [f"--blink-settings=preferredColorScheme={scheme}"]
         arguments += ["--window-size=1400,9000", "--virtual-time-budget=9000", "--allow-file-access-from-files"]
@@ -129,18 +135,19 @@ class Overlaps(InTemporaryFolder):
             text=True,
             timeout=120,
         )
-        text = re.search(r'<pre id="answer">(.*?)</pre>', done.stdout, re.DOTALL)
+        text = re.search(r'<pre id="answers">(.*?)</pre>', done.stdout, re.DOTALL)
         self.assertTrue(text and text[1], done.stderr[-2000:])
-        return json.loads(html.unescape(text[1]))
+        answers = json.loads(html.unescape(text[1]))
+        self.assertEqual(sorted(answers), sorted(map(str, widths)))
+        return answers
 
     def test_labels_lie_beside_each_other(self):
         for example in EXAMPLES:
             target = self.folder / example.replace("/", "-")
             done = trivet("run", SOURCE / f"examples/{example}.toml", "-o", target)
             self.assertIn(done.returncode, (0, 1), done.stderr)
-            for width in WIDTHS:
+            for width, answer in self.answers(target / "report.html", WIDTHS).items():
                 with self.subTest(example=example, width=width):
-                    answer = self.answer(target / "report.html", width)
                     self.assertEqual(answer["found"], [])
                     self.assertGreater(answer["measured"], 10)
 
@@ -148,7 +155,7 @@ class Overlaps(InTemporaryFolder):
         """The fan has modes and no peaks."""
         target = self.folder / "fan"
         trivet("run", SOURCE / "examples/fan/fan.toml", "-o", target)
-        answer = self.answer(target / "report.html", 1280, scheme="0")
+        answer = self.answers(target / "report.html", (1280,), scheme="0")["1280"]
         self.assertEqual(answer["found"], [])
         self.assertEqual(answer["marks"], "Grey ticks on the upper edge: undamped natural frequencies.")
 
