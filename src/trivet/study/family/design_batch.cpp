@@ -9,7 +9,7 @@ DesignBatch::DesignBatch(const DesignNumbers& numbers, const project::Case& vari
                          const std::vector<RequirementResult>& results)
     : packed_(variant, request, results, numbers.any_size) {
   fit(numbers);
-  if (!reason_.empty() && packed_.has_orders()) {  // loads of orders are rarely such sums, amplitudes may be
+  if (!reason_.empty() && packed_.has_orders()) {  // of loads of orders that are no such sums
     packed_ = CaseVector(variant, request, results, numbers.any_size, false);
     fit(numbers);
   }
