@@ -8,6 +8,8 @@ import unittest
 
 from report_page_test import SOURCE, TRIVET, Folder
 
+from trivet_test import HANGS_AFTER
+
 EXAMPLE = SOURCE / "examples/microscope"
 PIXEL = 0.002  # of the logarithm of a level: places have two decimals, 90 pixels are a decade
 
@@ -32,7 +34,7 @@ class BandLevels(Folder):
         (self.folder / "microscope.toml").write_text(text)
         out = self.folder / "out"
         run = [TRIVET, "run", str(self.folder / "microscope.toml"), "-o", str(out)]
-        subprocess.run(run, check=True, capture_output=True, timeout=300)
+        subprocess.run(run, check=True, capture_output=True, timeout=HANGS_AFTER)
         return out
 
     def test_the_steps_are_the_measured_levels_and_the_line_their_limit(self):

@@ -10,6 +10,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 EXAMPLE = SOURCE / "examples/microscope/microscope.toml"
@@ -43,7 +45,7 @@ def run(*arguments, text=None):
             file = pathlib.Path(folder) / "project.toml"
             file.write_text(text, encoding="utf-8")
             arguments = (arguments[0], str(file), *arguments[1:])
-        return subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=300)
+        return subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=HANGS_AFTER)
 
 
 def result(*arguments, text=None):
@@ -82,7 +84,9 @@ class BandsTest(unittest.TestCase):
             squares = sum(band["rms"][place] ** 2 for band in document["bands"])
             self.assertAlmostEqual(math.sqrt(squares) / total["rms"], 1, delta=1e-7)
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([TRIVET, "run", str(EXAMPLE), "-o", folder + "/out"], capture_output=True, timeout=300)
+            subprocess.run(
+                [TRIVET, "run", str(EXAMPLE), "-o", folder + "/out"], capture_output=True, timeout=HANGS_AFTER
+            )
             tables = sorted(pathlib.Path(folder).rglob("*bands.csv"))
             self.assertTrue(tables)
             with open(tables[0], encoding="utf-8") as file:

@@ -11,6 +11,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 EXAMPLES = SOURCE / "examples"
@@ -85,7 +87,7 @@ response = {of = ["coordinates"], band = ["0.2 Hz", "8 Hz"]}
 
 
 def result(*arguments):
-    done = subprocess.run([TRIVET, *map(str, arguments), "--json"], capture_output=True, text=True, timeout=300)
+    done = subprocess.run([TRIVET, *map(str, arguments), "--json"], capture_output=True, text=True, timeout=HANGS_AFTER)
     assert done.returncode == 0, (arguments[:4], done.stderr[:2000])
     return json.loads(done.stdout)
 
@@ -305,14 +307,14 @@ class Curves(unittest.TestCase):
         eight = [f"machine.{c}" for c in ("x", "y", "z", "rx", "ry", "rz")] + ["ground.force.x", "ground.force.z"]
         keys = [word for name in eight for word in ("--of", name)]
         done = subprocess.run(
-            [TRIVET, "curves", written(self, ONE_BODY), *keys, "--json"], capture_output=True, timeout=60
+            [TRIVET, "curves", written(self, ONE_BODY), *keys, "--json"], capture_output=True, timeout=HANGS_AFTER
         )
         self.assertEqual(len(json.loads(done.stdout)["results"]), 8)
         self.assertLess(len(done.stdout), 20000)
 
     def test_the_table_for_people_has_the_largest_amplitudes(self):
         file = written(self, ONE_BODY)
-        done = subprocess.run([TRIVET, "curves", file], capture_output=True, text=True, timeout=60)
+        done = subprocess.run([TRIVET, "curves", file], capture_output=True, text=True, timeout=HANGS_AFTER)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("machine.rz", done.stdout)
         self.assertRegex(done.stdout, r"Rational model from 0 Hz to .* Hz: \d+ nodes")

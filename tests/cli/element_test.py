@@ -11,6 +11,8 @@ import tempfile
 import unittest
 import xml.dom.minidom
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 PAPER = SOURCE / "examples/paper/three_elements.toml"
@@ -86,7 +88,9 @@ class Element(unittest.TestCase):
         return path
 
     def run_element(self, *arguments):
-        done = subprocess.run([TRIVET, "element", *map(str, arguments)], capture_output=True, text=True, timeout=120)
+        done = subprocess.run(
+            [TRIVET, "element", *map(str, arguments)], capture_output=True, text=True, timeout=HANGS_AFTER
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 

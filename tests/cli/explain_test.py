@@ -10,6 +10,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 PAPER = str(SOURCE / "examples/paper/corrected.toml")
@@ -17,7 +19,7 @@ BOGIE = str(SOURCE / "examples/bogie/loaded_frame.toml")
 
 
 def run(*arguments, code=0):
-    done = subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=300)
+    done = subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=HANGS_AFTER)
     assert done.returncode == code, (done.returncode, done.stdout, done.stderr)
     return done.stdout, done.stderr
 

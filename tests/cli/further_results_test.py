@@ -7,12 +7,14 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 EXAMPLES = pathlib.Path(os.environ["TRIVET_SOURCE"]) / "examples"
 
 
 def trivet(*arguments):
-    return subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+    return subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True, timeout=HANGS_AFTER)
 
 
 def result_of(test, *arguments):

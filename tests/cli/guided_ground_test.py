@@ -8,6 +8,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 
 MODEL = """trivet = 1
@@ -35,7 +37,9 @@ class GuidedGround(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "model.toml"
             path.write_text(MODEL.format(motion=motion, turned=turned) + extra)
-            done = subprocess.run([TRIVET, command, path, "--json"], capture_output=True, text=True, timeout=60)
+            done = subprocess.run(
+                [TRIVET, command, path, "--json"], capture_output=True, text=True, timeout=HANGS_AFTER
+            )
             self.assertEqual(done.returncode, 0, done.stderr)
             self.result = json.loads(done.stdout)
             return [

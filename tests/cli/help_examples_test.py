@@ -9,7 +9,7 @@ import signal
 import subprocess
 import unittest
 
-from trivet_test import SOURCE, TRIVET, InTemporaryFolder, trivet
+from trivet_test import HANGS_AFTER, SOURCE, TRIVET, InTemporaryFolder, trivet
 
 # Examples with the analyses of a command; all others run on the first.
 MACHINES = {
@@ -67,7 +67,7 @@ class HelpExamples(InTemporaryFolder):
             )
             self.assertIn(b"http://127.0.0.1:", run.stdout.readline())
             run.send_signal(signal.SIGINT)
-            self.assertEqual(run.wait(timeout=30), 130)
+            self.assertEqual(run.wait(timeout=HANGS_AFTER), 130)
             run.stdout.close()
 
     def run_examples(self, command):
@@ -83,7 +83,7 @@ class HelpExamples(InTemporaryFolder):
                     capture_output=True,
                     text=True,
                     cwd=folder,
-                    timeout=300,
+                    timeout=HANGS_AFTER,
                     env={**os.environ, "PATH": path},
                 )
                 accepted = (0, 3, 4) if "--strict" in example else (0,)

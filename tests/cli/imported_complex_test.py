@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 
 BODY = """trivet = 1
@@ -50,7 +52,9 @@ class ImportedComplex(unittest.TestCase):
     def result_of(self, command, elements, *more):
         path = pathlib.Path(self.folder.name) / "model.toml"
         path.write_text(BODY + elements)
-        done = subprocess.run([TRIVET, command, path, "--json", *more], capture_output=True, text=True, timeout=120)
+        done = subprocess.run(
+            [TRIVET, command, path, "--json", *more], capture_output=True, text=True, timeout=HANGS_AFTER
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
@@ -81,7 +85,7 @@ class ImportedComplex(unittest.TestCase):
             [TRIVET, "element", pathlib.Path(self.folder.name) / "model.toml", "stiff", "--json"],
             capture_output=True,
             text=True,
-            timeout=60,
+            timeout=HANGS_AFTER,
         )
         self.assertAlmostEqual(json.loads(facts.stdout)["loss_factor"], 0.3)
         self.result_of("response", imported)  # writes the model again
@@ -89,7 +93,7 @@ class ImportedComplex(unittest.TestCase):
             [TRIVET, "element", pathlib.Path(self.folder.name) / "model.toml", "mount", "--json"],
             capture_output=True,
             text=True,
-            timeout=60,
+            timeout=HANGS_AFTER,
         )
         self.assertAlmostEqual(json.loads(facts.stdout)["loss_factor"], 0.3, delta=1e-12)
 

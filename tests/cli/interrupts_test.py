@@ -16,6 +16,8 @@ import time
 import unittest
 import uuid
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.path.abspath(os.environ["TRIVET"])
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"]).resolve()
 SIGNALS_IN_TESTS = 21
@@ -134,7 +136,7 @@ def campaign(count, show=lambda line: None):
         for place in all_places:
             begun = time.monotonic()
             process = place.start()
-            _, errors = process.communicate(timeout=300)
+            _, errors = process.communicate(timeout=HANGS_AFTER)
             assert process.returncode == 0, errors
             times[place.name] = time.monotonic() - begun
             if (place.folder / "work/out").exists():
@@ -146,7 +148,7 @@ def campaign(count, show=lambda line: None):
             process = place.start()
             time.sleep(chance.random() * times[place.name])
             process.send_signal(number)
-            _, errors = process.communicate(timeout=300)
+            _, errors = process.communicate(timeout=HANGS_AFTER)
             killed = number == signal.SIGKILL
             expected = (-9, 0) if killed else (128 + number, 0)
             found = [] if process.returncode in expected else [f"exit code {process.returncode}: {errors}"]
@@ -158,7 +160,7 @@ def campaign(count, show=lambda line: None):
             found += place.complaints(killed)
             if killed:
                 process = place.start()
-                _, errors = process.communicate(timeout=300)
+                _, errors = process.communicate(timeout=HANGS_AFTER)
                 found += [f"the next run: {process.returncode} {errors}"] if process.returncode else []
                 found += [f"after the next run: {line}" for line in place.complaints(False)]
             key = (place.name, signal.Signals(number).name, "hit" if process.returncode != 0 or killed else "too late")
@@ -195,7 +197,7 @@ class Interrupts(unittest.TestCase):
         )
         wait_until(lambda: list((place.folder / "work").iterdir()))
         process.send_signal(signal.SIGHUP)
-        self.assertEqual(process.wait(timeout=300), 0)
+        self.assertEqual(process.wait(timeout=HANGS_AFTER), 0)
 
     def test_a_program_of_another_name_ends_with_us(self):
         """gmsh is a script that starts other processes and ignores signals."""
@@ -214,7 +216,7 @@ class Interrupts(unittest.TestCase):
                 wait_until(lambda: (place.folder / "begun").exists() or process.poll() is not None)
                 self.assertIsNone(process.poll())
                 process.send_signal(number)
-                process.communicate(timeout=60)
+                process.communicate(timeout=HANGS_AFTER)
                 self.assertEqual(process.returncode, -9 if number == signal.SIGKILL else 128 + number)
                 self.assertEqual(place.complaints(number == signal.SIGKILL), [])
 

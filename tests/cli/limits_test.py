@@ -7,7 +7,7 @@ import re
 import subprocess
 import unittest
 
-from trivet_test import PAPER, TRIVET, InTemporaryFolder, result_of, trivet
+from trivet_test import HANGS_AFTER, PAPER, TRIVET, InTemporaryFolder, result_of, trivet
 
 BODY = 'trivet = 1\n[bodies.b]\nmass = 100\ninertia = {about = "center_of_mass", xx = 8, yy = 9, zz = 10}\n'
 FORCE = '[excitations.f]\ntype = "harmonic"\non = "b"\nat = [0.1, 0, 0.2]\nforce = [1, 2, 3]\n'
@@ -70,7 +70,7 @@ class Messages(Refused):
     def test_json_is_valid_for_a_file_name_that_is_not_utf8(self):
         path = bytes(self.folder) + b"/M\xfcller.toml"
         pathlib.Path(path.decode("utf-8", "surrogateescape")).write_text(BODY + "mass = 1\n")
-        done = subprocess.run([TRIVET.encode(), b"check", path, b"--json"], capture_output=True, timeout=60)
+        done = subprocess.run([TRIVET.encode(), b"check", path, b"--json"], capture_output=True, timeout=HANGS_AFTER)
         self.assertEqual(done.returncode, 2)
         self.assertFalse(json.loads(done.stdout.decode())["ok"])
         self.assertIn(b"\\xfc", done.stderr)

@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 
 BODY = """
@@ -46,7 +48,7 @@ class MapMessages(unittest.TestCase):
     def map(self, text, *arguments, code=0):
         self.project.write_text(text)
         done = subprocess.run(
-            [TRIVET, "map", str(self.project), *arguments], capture_output=True, text=True, timeout=300
+            [TRIVET, "map", str(self.project), *arguments], capture_output=True, text=True, timeout=HANGS_AFTER
         )
         self.assertEqual(done.returncode, code, done.stderr)
         return done.stderr if code else done.stdout

@@ -12,6 +12,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ.get("TRIVET_SOURCE", pathlib.Path(__file__).parents[2]))
 BROWSER = os.environ.get("TRIVET_BROWSER") or shutil.which("chromium") or shutil.which("google-chrome")
@@ -107,7 +109,9 @@ class Folder(unittest.TestCase):
 
     def report(self, project):
         out = self.folder / "out"
-        subprocess.run([TRIVET, "run", str(project), "-o", str(out)], check=True, capture_output=True, timeout=600)
+        subprocess.run(
+            [TRIVET, "run", str(project), "-o", str(out)], check=True, capture_output=True, timeout=HANGS_AFTER
+        )
         return out / "report.html"
 
     def stored(self, report):
@@ -115,7 +119,9 @@ class Folder(unittest.TestCase):
         return json.loads(found.group(1))
 
     def command(self, *words):
-        done = subprocess.run([TRIVET, *map(str, words), "--json"], check=True, capture_output=True, timeout=600)
+        done = subprocess.run(
+            [TRIVET, *map(str, words), "--json"], check=True, capture_output=True, timeout=HANGS_AFTER
+        )
         return json.loads(done.stdout)
 
 
@@ -199,7 +205,7 @@ class StoredDesigns(Folder):
         self.assertNotIn('id="designs"', report.read_text())
         out = self.folder / "short"
         words = [TRIVET, "run", str(self.write(text)), "-o", str(out), "--report", "short"]
-        subprocess.run(words, check=True, capture_output=True, timeout=600)
+        subprocess.run(words, check=True, capture_output=True, timeout=HANGS_AFTER)
         self.assertNotIn('id="designs"', (out / "report.html").read_text())
 
 
@@ -210,7 +216,7 @@ class Browser(Folder):
         arguments += ["--disable-background-networking"]
         arguments += ["--enable-logging=stderr", "--window-size=1280,8000", "--virtual-time-budget=5000"]
         arguments += [f"--user-data-dir={self.folder}/profile", "--dump-dom", report.as_uri() + view]
-        done = subprocess.run(arguments, check=True, capture_output=True, text=True, timeout=300)
+        done = subprocess.run(arguments, check=True, capture_output=True, text=True, timeout=HANGS_AFTER)
         self.assertEqual(re.findall("CONSOLE.*", done.stderr), [], view)
         return SCRIPTS.sub("", done.stdout)
 

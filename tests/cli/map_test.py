@@ -12,6 +12,8 @@ import tempfile
 import unittest
 import xml.etree.ElementTree
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 PAPER = str(SOURCE / "examples/paper/map.toml")
@@ -46,7 +48,7 @@ elements.spring.damping.proportional = "90 ms"
 
 
 def run(*arguments, code=0):
-    done = subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=300)
+    done = subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=HANGS_AFTER)
     assert done.returncode == code, (done.returncode, done.stdout, done.stderr)
     return done.stdout, done.stderr
 
@@ -109,7 +111,7 @@ class Map(unittest.TestCase):
             [TRIVET, "map", self.project, "--points", "5", "--picture", str(target)],
             capture_output=True,
             text=True,
-            timeout=300,
+            timeout=HANGS_AFTER,
             **options,
         )
         self.assertEqual((done.returncode, done.stdout), (2, ""))
@@ -141,7 +143,7 @@ class Map(unittest.TestCase):
             [TRIVET, "map", self.project, "--picture", str(picture)],
             capture_output=True,
             text=True,
-            timeout=300,
+            timeout=HANGS_AFTER,
             preexec_fn=limit,
         )
         self.assertEqual(done.returncode, 1)

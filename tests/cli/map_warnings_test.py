@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 
 BODY = """
@@ -45,7 +47,7 @@ class MapWarnings(unittest.TestCase):
     def map(self, text, *arguments):
         self.project.write_text(text)
         done = subprocess.run(
-            [TRIVET, "map", str(self.project), *arguments], capture_output=True, text=True, timeout=300
+            [TRIVET, "map", str(self.project), *arguments], capture_output=True, text=True, timeout=HANGS_AFTER
         )
         self.assertEqual(done.returncode, 0, done.stderr)
         return done
@@ -60,7 +62,7 @@ class MapWarnings(unittest.TestCase):
             [TRIVET, "run", str(self.project), "-o", str(self.folder / "out")],
             capture_output=True,
             text=True,
-            timeout=300,
+            timeout=HANGS_AFTER,
         )
         self.assertIn(words, run.stdout)
         self.assertIn(words, (self.folder / "out" / "report.html").read_text())

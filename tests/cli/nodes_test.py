@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 FRAME = str(SOURCE / "examples/frame/frame.toml")
@@ -75,7 +77,7 @@ class Nodes(unittest.TestCase):
     def run_on(self, command, text=BARS, *more, code=0):
         path = self.folder / "project.toml"
         path.write_text(text)
-        done = subprocess.run([TRIVET, command, str(path), *more], capture_output=True, text=True, timeout=120)
+        done = subprocess.run([TRIVET, command, str(path), *more], capture_output=True, text=True, timeout=HANGS_AFTER)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout + done.stderr
 
@@ -134,7 +136,9 @@ class Nodes(unittest.TestCase):
         self.assertFalse([name for name in parameters if "joint" in name])
 
     def test_the_second_solver_agrees_on_the_frame(self):
-        done = subprocess.run([TRIVET, "check", FRAME, "--deep", "--json"], capture_output=True, text=True, timeout=120)
+        done = subprocess.run(
+            [TRIVET, "check", FRAME, "--deep", "--json"], capture_output=True, text=True, timeout=HANGS_AFTER
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         for check in json.loads(done.stdout)["deep"]:
             self.assertLess(check["worst_difference"], check["allowed"], check)
@@ -150,7 +154,9 @@ class Nodes(unittest.TestCase):
         self.assertIn("nodes.joint: defined a second time", self.run_on("check", double, code=2))
 
     def test_the_schema_knows_them(self):
-        schema = json.loads(subprocess.run([TRIVET, "schema"], capture_output=True, text=True, timeout=60).stdout)
+        schema = json.loads(
+            subprocess.run([TRIVET, "schema"], capture_output=True, text=True, timeout=HANGS_AFTER).stdout
+        )
         self.assertIn("nodes", schema["properties"])
         self.assertEqual(sorted(schema["$defs"]["node"]["properties"]), ["free", "orientation", "position"])
 

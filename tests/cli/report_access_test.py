@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import unittest
 
-from trivet_test import SOURCE, InTemporaryFolder, trivet
+from trivet_test import HANGS_AFTER, SOURCE, InTemporaryFolder, trivet
 
 BROWSER = os.environ.get("TRIVET_BROWSER") or shutil.which("chromium") or shutil.which("google-chrome")
 EXAMPLES = ("fan/fan", "paper/corrected", "paper/map", "genset/genset")
@@ -92,7 +92,7 @@ class Access(InTemporaryFolder):
             [BROWSER, *arguments, f"--user-data-dir={self.folder / 'profile'}", "--dump-dom", tested.as_uri()],
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=HANGS_AFTER,
         )
         answer = re.search(r'<pre id="access">(.*?)</pre>', done.stdout, re.DOTALL)
         self.assertIsNotNone(answer, done.stderr)

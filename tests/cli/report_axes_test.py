@@ -8,6 +8,8 @@ import unittest
 
 from report_page_test import SOURCE, TRIVET, Folder
 
+from trivet_test import HANGS_AFTER
+
 
 def least_that_matters(at, heights, round_off, dips):
     """What the curve exceeds outside its dips."""
@@ -33,11 +35,11 @@ class Axes(Folder):
         """Of each row of charts in the report, by its rule and as stated: {(group, row): (rule, stated)}."""
         project = SOURCE / "examples" / example
         run = [TRIVET, "run", str(project), "-o", str(self.folder / "out")]
-        subprocess.run(run, check=True, capture_output=True, timeout=300)
+        subprocess.run(run, check=True, capture_output=True, timeout=HANGS_AFTER)
         page = (self.folder / "out/report.html").read_text()
         drawing = json.loads(re.search(r'id="drawing">(.*?)</script>', page, re.DOTALL)[1])
         done = subprocess.run(
-            [TRIVET, "response", str(project), "--json"], check=True, capture_output=True, timeout=300
+            [TRIVET, "response", str(project), "--json"], check=True, capture_output=True, timeout=HANGS_AFTER
         )
         response = json.loads(done.stdout)
         heights = [[math.hypot(*z) for z in result["complex"]] for result in response["results"]]

@@ -9,7 +9,7 @@ import shutil
 import subprocess
 import unittest
 
-from trivet_test import SOURCE, InTemporaryFolder, trivet
+from trivet_test import HANGS_AFTER, SOURCE, InTemporaryFolder, trivet
 
 BROWSER = os.environ.get("TRIVET_BROWSER") or shutil.which("chromium") or shutil.which("google-chrome")
 EXAMPLES = (
@@ -133,7 +133,7 @@ class Overlaps(InTemporaryFolder):
             [BROWSER, *arguments, f"--user-data-dir={self.folder / 'profile'}", "--dump-dom", frame.as_uri()],
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=HANGS_AFTER,
         )
         text = re.search(r'<pre id="answers">(.*?)</pre>', done.stdout, re.DOTALL)
         self.assertTrue(text and text[1], done.stderr[-2000:])

@@ -8,6 +8,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ.get("TRIVET_SOURCE", pathlib.Path(__file__).parents[2]))
 BROWSER = os.environ.get("TRIVET_BROWSER") or shutil.which("chromium") or shutil.which("google-chrome")
@@ -56,7 +58,9 @@ class Folder(unittest.TestCase):
         """Path of a new report."""
         project, out = self.folder / "machine.toml", self.folder / f"out {limit}"
         project.write_text(text.replace("LIMIT", limit))
-        subprocess.run([TRIVET, "run", str(project), "-o", str(out)], check=True, capture_output=True, timeout=300)
+        subprocess.run(
+            [TRIVET, "run", str(project), "-o", str(out)], check=True, capture_output=True, timeout=HANGS_AFTER
+        )
         return out / "report.html"
 
 
@@ -117,7 +121,7 @@ class Browser(Folder):
             "--dump-dom",
             report.as_uri() + view,
         ]
-        done = subprocess.run(arguments, check=True, capture_output=True, text=True, timeout=300)
+        done = subprocess.run(arguments, check=True, capture_output=True, text=True, timeout=HANGS_AFTER)
         self.assertEqual(re.findall("CONSOLE.*", done.stderr), [], view)
         return SCRIPTS.sub("", done.stdout)
 

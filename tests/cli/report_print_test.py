@@ -11,6 +11,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ.get("TRIVET_SOURCE", pathlib.Path(__file__).parents[2]))
 BROWSERS = ("chromium", "chromium-headless-shell", "google-chrome")
@@ -163,7 +165,7 @@ class PrintedReport(unittest.TestCase):
         out = self.folder / project.stem
         if not out.exists():
             command = [TRIVET, "run", str(project), "-o", str(out)]
-            subprocess.run(command, check=True, capture_output=True, timeout=600)
+            subprocess.run(command, check=True, capture_output=True, timeout=HANGS_AFTER)
         return out / "report.html"
 
     def printed(self, report, size):
@@ -184,7 +186,7 @@ class PrintedReport(unittest.TestCase):
             f"--print-to-pdf={pdf}",
             page.as_uri(),
         ]
-        done = subprocess.run(arguments, check=True, capture_output=True, text=True, timeout=300)
+        done = subprocess.run(arguments, check=True, capture_output=True, text=True, timeout=HANGS_AFTER)
         self.assertEqual(re.findall("CONSOLE.*", done.stderr), [])
         return Paper(pdf)
 
@@ -285,7 +287,7 @@ class PrintedReport(unittest.TestCase):
     def test_the_short_form_of_a_machine_with_many_results_is_at_most_four_pages(self):
         project, out = SOURCE / "examples/genset/genset.toml", self.folder / "short"
         command = [TRIVET, "run", str(project), "-o", str(out), "--report", "short"]
-        subprocess.run(command, check=True, capture_output=True, timeout=600)
+        subprocess.run(command, check=True, capture_output=True, timeout=HANGS_AFTER)
         for size in SIZES:
             with self.subTest(size):
                 paper = self.printed(out / "report.html", size)

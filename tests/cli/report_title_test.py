@@ -11,6 +11,8 @@ import unittest
 
 from report_page_test import MACHINE, SCRIPTS, SOURCE, TRIVET, Folder
 
+from trivet_test import HANGS_AFTER
+
 TITLES = """
 [report]
 project = "Hull <4711>"
@@ -41,7 +43,7 @@ class Title(Folder):
         project.write_bytes(text.encode())
         command = [TRIVET, "run", str(project), "-o", str(out), *options]
         environment = {**os.environ, "SOURCE_DATE_EPOCH": "86400"}
-        done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=HANGS_AFTER, env=environment)
         return done, (out / "report.html").read_bytes().decode() if done.returncode == 0 else ""
 
     def test_the_title_block_has_the_texts_of_the_file(self):
@@ -116,7 +118,7 @@ class OperatingSpeeds(Folder):
         project, out = self.folder / "fan.toml", self.folder / "out"
         project.write_text(text)
         command = [TRIVET, "run", str(project), "-o", str(out), *options]
-        subprocess.run(command, check=True, capture_output=True, timeout=300)
+        subprocess.run(command, check=True, capture_output=True, timeout=HANGS_AFTER)
         return SCRIPTS.sub("", (out / "report.html").read_text())
 
     def test_both_forms_have_them_before_the_machine(self):
@@ -148,7 +150,7 @@ class Inputs(Folder):
         project, out = self.folder / "fan.toml", self.folder / "out"
         project.write_text(text)
         command = [TRIVET, "run", str(project), "-o", str(out), *options]
-        subprocess.run(command, check=True, capture_output=True, timeout=300)
+        subprocess.run(command, check=True, capture_output=True, timeout=HANGS_AFTER)
         return SCRIPTS.sub("", (out / "report.html").read_text())
 
     def test_only_tables_with_the_numbers_of_the_file_are_marked_as_its_repetition(self):
@@ -181,7 +183,7 @@ class NamedFiles(Folder):
     def page(self):
         out = self.folder / "out"
         command = [TRIVET, "run", str(self.folder / "microscope.toml"), "-o", str(out)]
-        subprocess.run(command, check=True, capture_output=True, timeout=300)
+        subprocess.run(command, check=True, capture_output=True, timeout=HANGS_AFTER)
         self.results = json.loads((out / "results.json").read_text())
         return SCRIPTS.sub("", (out / "report.html").read_text())
 
@@ -219,7 +221,9 @@ class Levels(Folder):
         text = MACHINE.replace("LIMIT", "1 m").replace("[analyses]", ORDERS + "[analyses]\n" + RUN_UP, 1)
         project, out = self.folder / "machine.toml", self.folder / "out"
         project.write_text(text)
-        subprocess.run([TRIVET, "run", str(project), "-o", str(out)], check=True, capture_output=True, timeout=300)
+        subprocess.run(
+            [TRIVET, "run", str(project), "-o", str(out)], check=True, capture_output=True, timeout=HANGS_AFTER
+        )
         page = html.unescape(SCRIPTS.sub("", (out / "report.html").read_text())).replace("\u00a0", " ")
         section = re.search('<section class="answer orders">.*?</section>', page, re.DOTALL).group()
         self.assertNotIn("0-p", section)
@@ -234,7 +238,7 @@ class FirstPage(Folder):
     def test_cases_on_a_map_have_their_first_findings_there_and_all_of_them_with_the_map(self):
         out = self.folder / "out"
         command = [TRIVET, "run", str(SOURCE / "examples/paper/map.toml"), "-o", str(out)]
-        self.assertEqual(subprocess.run(command, capture_output=True, timeout=600).returncode, 0)
+        self.assertEqual(subprocess.run(command, capture_output=True, timeout=HANGS_AFTER).returncode, 0)
         page = html.unescape(SCRIPTS.sub("", (out / "report.html").read_text()))
         first = page[: page.index('<section class="machine">')]
         bullets = re.findall("<li>(?:Case .*?|The .*?)</li>", first)
@@ -257,7 +261,7 @@ class Mounts(Folder):
     def rows(self, example):
         out = self.folder / "out"
         command = [TRIVET, "run", str(SOURCE / "examples" / example), "-o", str(out)]
-        subprocess.run(command, check=True, capture_output=True, timeout=600)
+        subprocess.run(command, check=True, capture_output=True, timeout=HANGS_AFTER)
         self.results = json.loads((out / "results.json").read_text())
         page = SCRIPTS.sub("", (out / "report.html").read_text())
         section = re.search('<section class="machine">.*?</table>', page, re.DOTALL).group()

@@ -11,6 +11,8 @@ import tempfile
 import time
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 
 ONE_MASS = """trivet = 1
@@ -65,7 +67,7 @@ class InFolder(unittest.TestCase):
             [TRIVET, "run", str(project or self.project), "-o", str(target or self.target)],
             capture_output=True,
             text=True,
-            timeout=120,
+            timeout=HANGS_AFTER,
             **options,
         )
 
@@ -258,7 +260,7 @@ class Rejection(InFolder):
             ["sh", "-c", f'cd "{gone}" && rmdir "{gone}" && exec "{os.path.abspath(TRIVET)}" run "{self.project}"'],
             capture_output=True,
             text=True,
-            timeout=60,
+            timeout=HANGS_AFTER,
         )
         self.assertEqual(done.returncode, 1)
         self.assertIn("current folder", done.stderr)
@@ -279,7 +281,7 @@ class AtOnce(InFolder):
                     )
                     for i in range(8)
                 ]
-                results = [(run.communicate(timeout=120)[1], run.returncode) for run in runs]
+                results = [(run.communicate(timeout=HANGS_AFTER)[1], run.returncode) for run in runs]
                 self.assertEqual(results, [("", 0)] * 8)
                 self.assertTrue(is_whole(self.target))
                 self.nothing_beside()
@@ -320,7 +322,7 @@ class AfterAKill(InFolder):
             self.assertIsNone(run.poll())
             time.sleep(0.001)
         run.send_signal(signal.SIGKILL)
-        run.wait(timeout=60)
+        run.wait(timeout=HANGS_AFTER)
 
     def slow(self):
         text = ONE_MASS.replace("response = {at = [1, 2, 3]}", "response = {}") + CASES

@@ -21,6 +21,8 @@ import tempfile
 import unittest
 import zipfile
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 EXAMPLES = pathlib.Path(os.environ["TRIVET_SOURCE"]) / "examples"
 
@@ -205,7 +207,7 @@ def strangers(text, pool):
 
 @functools.cache
 def output(*arguments):
-    done = subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True, timeout=HANGS_AFTER)
     assert done.returncode in (0, 1), done.stderr
     return done.stdout
 

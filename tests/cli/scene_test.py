@@ -9,6 +9,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 EXAMPLES = SOURCE / "examples"
@@ -101,7 +103,7 @@ shapes = {at = ["11 Hz"]}
 
 
 def result(*arguments):
-    done = subprocess.run([TRIVET, *map(str, arguments), "--json"], capture_output=True, text=True, timeout=300)
+    done = subprocess.run([TRIVET, *map(str, arguments), "--json"], capture_output=True, text=True, timeout=HANGS_AFTER)
     assert done.returncode == 0, (arguments, done.stderr)
     return json.loads(done.stdout)
 
@@ -354,7 +356,7 @@ UNDER
         self.assert_near(centre, [0, 0, 0], 0.01)
 
     def test_the_table_for_people_names_bodies_and_elements(self):
-        done = subprocess.run([TRIVET, "scene", self.workshop()], capture_output=True, text=True, timeout=300)
+        done = subprocess.run([TRIVET, "scene", self.workshop()], capture_output=True, text=True, timeout=HANGS_AFTER)
         self.assertEqual(done.returncode, 0, done.stderr)
         for words in ("press", "2 solids", "box of equal inertia", "coil_spring", "bumper", "shake"):
             self.assertIn(words, done.stdout)

@@ -11,7 +11,7 @@ import time
 import unittest
 
 from serving import GENSET, Served, slower
-from trivet_test import PAPER, SOURCE, TRIVET, trivet
+from trivet_test import HANGS_AFTER, PAPER, SOURCE, TRIVET, trivet
 
 
 def opened_token(found, key, port, nonce):
@@ -52,7 +52,7 @@ class Starts(Served):
         command = pathlib.Path(f"/proc/{process.pid}/cmdline").read_text()
         self.assertNotIn("token", command)
         process.send_signal(signal.SIGINT)
-        self.assertEqual(process.wait(timeout=30), 130)
+        self.assertEqual(process.wait(timeout=HANGS_AFTER), 130)
         self.assertFalse(pathlib.Path(first[4:]).exists())
         process.stdout.close()
         process.stderr.close()

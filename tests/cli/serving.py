@@ -7,7 +7,7 @@ import signal
 import socket
 import subprocess
 
-from trivet_test import SOURCE, TRIVET, InTemporaryFolder
+from trivet_test import HANGS_AFTER, SOURCE, TRIVET, InTemporaryFolder
 
 GENSET = SOURCE / "examples/genset/genset.toml"
 slower = 10 if b"__asan_init" in pathlib.Path(TRIVET).read_bytes() else 1  # clang links the sanitizers statically
@@ -37,13 +37,13 @@ class Server:
 
     def end(self, number=signal.SIGTERM):
         self.process.send_signal(number)
-        code = self.process.wait(timeout=10)
+        code = self.process.wait(timeout=HANGS_AFTER)
         self.process.stdout.close()
         self.log_file.close()
         return code
 
     def connect(self):
-        connection = socket.create_connection(("127.0.0.1", self.port), timeout=60)
+        connection = socket.create_connection(("127.0.0.1", self.port), timeout=HANGS_AFTER)
         opened.append(connection)
         return connection
 

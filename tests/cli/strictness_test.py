@@ -7,6 +7,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 EXAMPLES = pathlib.Path(os.environ["TRIVET_SOURCE"]) / "examples"
 DONE, NOT_COMPUTED, WRONG_INPUT, OVER_A_LIMIT, WITH_WARNINGS = 0, 1, 2, 3, 4
@@ -32,7 +34,7 @@ response = {of = ["mass.z"], band = [0, "40 rad/s"]}
 
 
 def trivet(*arguments):
-    return subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+    return subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, text=True, timeout=HANGS_AFTER)
 
 
 class Strictness(unittest.TestCase):

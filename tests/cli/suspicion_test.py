@@ -16,6 +16,8 @@ import unittest
 
 from slips import G, SLIPS, ask_in_time, text, toml, written_out
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 EXAMPLES = sorted((SOURCE / "examples").glob("*/*.toml"))
@@ -33,7 +35,7 @@ def written(folder, project):
 
 
 def check(path):
-    return subprocess.run([TRIVET, "check", str(path)], capture_output=True, text=True, timeout=300)
+    return subprocess.run([TRIVET, "check", str(path)], capture_output=True, text=True, timeout=HANGS_AFTER)
 
 
 def reported_kinds(done):
@@ -318,14 +320,19 @@ class Acceptances(InTemporaryFolder):
         self.machine["bodies"]["compressor"]["mass"] = 400000
         path = written(self.folder, self.machine)
         for command in (["check"], ["modes"], ["roots"], ["peaks"], ["static"], ["suspension"]):
-            done = subprocess.run([TRIVET, *command, str(path), "--json"], capture_output=True, text=True, timeout=60)
+            done = subprocess.run(
+                [TRIVET, *command, str(path), "--json"], capture_output=True, text=True, timeout=HANGS_AFTER
+            )
             self.assertEqual(done.returncode, 0, done.stderr)
             found = [w for w in json.loads(done.stdout)["warnings"] if 'suspicion "mass"' in w]
             self.assertEqual(len(found), 1, command)
             self.assertIn("400 kg if the number was meant in grams", found[0])
             self.assertRegex(found[0], r"slipped.toml:\d+: ")
         done = subprocess.run(
-            [TRIVET, "run", str(path), "-o", str(self.folder / "out")], capture_output=True, text=True, timeout=60
+            [TRIVET, "run", str(path), "-o", str(self.folder / "out")],
+            capture_output=True,
+            text=True,
+            timeout=HANGS_AFTER,
         )
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("400 kg if the number was meant in grams", (self.folder / "out/report.html").read_text())
@@ -339,7 +346,7 @@ class Acceptances(InTemporaryFolder):
             self.machine["analyses"] = {"response": {"band": band} if band else {}}
             path = written(self.folder, self.machine)
             return subprocess.run(
-                [TRIVET, "response", path, *options], capture_output=True, text=True, timeout=60
+                [TRIVET, "response", path, *options], capture_output=True, text=True, timeout=HANGS_AFTER
             ).stderr
 
         for found in (response([0, 0.5]), response(None, "--band", "0,0.5 rad/s")):

@@ -10,6 +10,8 @@ import subprocess
 import tempfile
 import unittest
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 MOVED_BY_MOUNTS = 0.02  # mounts of 9 % of the stiffness of the floor's first mode shift its resonances by less
 FLOOR = ((14, 3000, 0.03), (38, 1500, 0.04))  # modes: natural frequency [Hz], modal mass [kg], damping ratio
@@ -75,7 +77,11 @@ class SymmetricTable(unittest.TestCase):
     def result_of(self, command, offset=0):
         (self.folder / "table.toml").write_text(project(offset))
         done = subprocess.run(
-            [TRIVET, command, "table.toml", "--json"], cwd=self.folder, capture_output=True, text=True, timeout=60
+            [TRIVET, command, "table.toml", "--json"],
+            cwd=self.folder,
+            capture_output=True,
+            text=True,
+            timeout=HANGS_AFTER,
         )
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
@@ -107,7 +113,7 @@ class SymmetricTable(unittest.TestCase):
         )
         (self.folder / "table.toml").write_text(project(0) + more)
         done = subprocess.run(
-            [TRIVET, "response", "table.toml"], cwd=self.folder, capture_output=True, text=True, timeout=60
+            [TRIVET, "response", "table.toml"], cwd=self.folder, capture_output=True, text=True, timeout=HANGS_AFTER
         )
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("largest at any ω", done.stdout)
@@ -144,7 +150,9 @@ random = {{of = ["box"], quantity = "acceleration"}}
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "box.toml"
             path.write_text(text)
-            done = subprocess.run([TRIVET, "random", str(path), "--json"], capture_output=True, text=True, timeout=60)
+            done = subprocess.run(
+                [TRIVET, "random", str(path), "--json"], capture_output=True, text=True, timeout=HANGS_AFTER
+            )
         self.assertEqual(done.returncode, 0, done.stderr)
         for one in json.loads(done.stdout)["results"]:
             if one["name"].rsplit(".", 1)[1] in ("y", "rx", "rz"):

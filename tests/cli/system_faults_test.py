@@ -13,6 +13,8 @@ import time
 import unittest
 import uuid
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.path.abspath(os.environ["TRIVET"])
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"]).resolve()
 STEP = SOURCE / "examples/step_mount"
@@ -85,7 +87,7 @@ class Faults(unittest.TestCase):
         done = subprocess.run(
             [TRIVET, *map(str, arguments)],
             capture_output=True,
-            timeout=120,
+            timeout=HANGS_AFTER,
             env=dict(self.environment, **(environment or {})),
             **options,
         )
@@ -332,7 +334,7 @@ class Files(Faults):
         shutil.copy(os.fsencode(self.project), raw)
         target = os.fsencode(self.work) + b"/out\xff"
         done = subprocess.run(
-            [TRIVET, b"run", raw, b"-o", target], capture_output=True, env=self.environment, timeout=60
+            [TRIVET, b"run", raw, b"-o", target], capture_output=True, env=self.environment, timeout=HANGS_AFTER
         )
         self.assertEqual((done.returncode, done.stderr), (0, b""))
         self.assertIn(b"results.json", os.listdir(target))
@@ -363,7 +365,7 @@ class Files(Faults):
                     capture_output=True,
                     text=True,
                     env=self.environment,
-                    timeout=120,
+                    timeout=HANGS_AFTER,
                 )
                 self.assertIn(done.returncode, codes, done.stderr)
                 for word in LIBRARY_WORDS:

@@ -355,7 +355,7 @@ class Faults(InTemporaryFolder):
         while not any(p.name.startswith(".trivet-") for p in self.folder.iterdir()) and time.monotonic() < deadline:
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)
-        _, errors = process.communicate(timeout=120)
+        _, errors = process.communicate(timeout=HANGS_AFTER)
         self.assertEqual(process.returncode, 130, errors)
         self.assertIn("interrupted", errors)
         self.assertEqual(os.listdir(self.folder), ["project.toml"])
