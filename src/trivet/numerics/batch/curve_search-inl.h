@@ -134,7 +134,7 @@ class CurveSearch {
     const int lanes = lane_count();
     alignas(64) double numbers[5][table_lanes], highest[table_lanes], highest_at[table_lanes],
         start_doubts[table_lanes] = {}, end_doubts[table_lanes] = {};
-    bool known[table_lanes];
+    bool known[table_lanes], some[table_lanes];
     store_mask(complete_, peaks.complete + lane_);
     // The extrema of one curve, ascending, as a linked list.
     std::vector<int> first(to_size(channels_ * lanes), -1), next(found_.size(), -1);
@@ -186,8 +186,15 @@ class CurveSearch {
           peaks.complete[lane_ + i] = false;
         if (band_.count_peaks && !count(heights, doubts, doubtful, result)) peaks.complete[lane_ + i] = false;
       }
-      store_mask(has_digits_at(c, hn::LoadU(Lanes(), highest), hn::LoadU(Lanes(), highest_at)), known);
-      for (int i = 0; i < lanes; ++i) peaks.complete[lane_ + i] = peaks.complete[lane_ + i] && known[i];
+      const Pack height = hn::LoadU(Lanes(), highest), omega = hn::LoadU(Lanes(), highest_at);
+      store_mask(has_digits_at(c, height, omega, nine_digits), known);
+      if (!band_.count_peaks) store_mask(has_digits_at(c, height, omega, seven_digits), some);
+      for (int i = 0; i < lanes; ++i) {
+        const bool at_end = highest_at[i] == band_.from || highest_at[i] == band_.to;
+        ChannelPeaks& result = peaks.channels[c * table_lanes + lane_ + i];
+        result.has_few_digits = !band_.count_peaks && !known[i] && some[i] && at_end;
+        peaks.complete[lane_ + i] = peaks.complete[lane_ + i] && (known[i] || result.has_few_digits);
+      }
     }
   }
 
@@ -220,15 +227,15 @@ class CurveSearch {
   }
   static double amplitude(double half_square) { return std::sqrt(std::max(2 * half_square, 0.0)); }
 
-  /// Whether a height is known to nine digits.
-  [[nodiscard]] LaneMask has_digits_at(int channel, const Pack& height, const Pack& omega) const {
+  /// Whether a height is known to so many digits.
+  [[nodiscard]] LaneMask has_digits_at(int channel, const Pack& height, const Pack& omega, double digits) const {
     const SquaredResponse<Size::most>& f = curves_[channel].f;
     const Pack infinity = all(std::numeric_limits<double>::infinity()),
                value = hn::Mul(all(0.5), hn::Mul(height, height));
     const LaneMask endless = hn::Eq(omega, infinity);
     const Pack moduli = sum_of_moduli(
         pack_.poles, f, hn::IfThenElse(endless, pack_.from, band_.squared ? hn::Mul(omega, omega) : omega));
-    return has_digits(hn::IfThenElse(endless, f.constant_parts, moduli), round_off_, value);
+    return has_digits(hn::IfThenElse(endless, f.constant_parts, moduli), round_off_, value, digits);
   }
 
   /// Where fractions of near poles nearly cancel, the terms of C do too, and the scan does not know that round-off. It

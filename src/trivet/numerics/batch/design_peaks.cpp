@@ -109,6 +109,8 @@ class Piece {
     if (!table_peaks_.complete[lane]) return false;
     assert(table_peaks_.channels.size() == request_.rows.size() * table_lanes && lane < table_lanes);
     for (std::size_t c = 0; c < request_.rows.size(); ++c)
+      if (table_peaks_.channels[c * table_lanes + to_size(lane)].has_few_digits) return false;
+    for (std::size_t c = 0; c < request_.rows.size(); ++c)
       store(d, c, table_peaks_.channels[c * table_lanes + to_size(lane)]);
     status(d) = as;
     return true;

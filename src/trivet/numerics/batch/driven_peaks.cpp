@@ -13,6 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/batch/driven_curves-inl.h"
 #include "trivet/numerics/batch/driven_peaks.h"
+#include "trivet/numerics/batch/driven_values.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -128,7 +129,7 @@ DesignPeaks driven_peaks(const DrivenDesigns& designs, const DrivenPeakOptions& 
       result.status[d] = DesignStatus::proven;
       for (Eigen::Index c = 0; c < channels; ++c) {
         const ChannelPeaks& of = found.channels[c * table_lanes + (d - first)];
-        result.highest(d, c) = of.highest;
+        result.highest(d, c) = of.has_few_digits ? driven_magnitudes(designs, d, of.highest_at)(c) : of.highest;
         result.highest_at(d, c) = of.highest_at;
         if (!options.count_peaks) continue;
         result.peaks(d, c) = of.peaks;

@@ -39,6 +39,9 @@ struct ChannelPeaks {
   double highest_at = 0;
   int peaks = 0;
   double largest_rise = 0;
+  /// Without peaks: the highest value is the one at an end of the band, and there the fractions cancel so far that it
+  /// has seven digits instead of nine.
+  bool has_few_digits = false;
 };
 
 /// Channels × designs of a table; `complete`: proven.

@@ -40,12 +40,13 @@ HWY_INLINE LaneMask drop_round_off(Size n, const LaneMask& allowed, const Pack* 
   return hn::Or(none, hn::Not(little));
 }
 
-/// Lanes in which a value of terms with these moduli keeps nine digits (an amplitude has half the relative error of its
-/// square).
+/// Errors of a square whose root, an amplitude, has so many digits.
+constexpr double nine_digits = 2e-10, seven_digits = 2e-8;
+
+/// Lanes in which a value of terms with these moduli keeps its digits.
 /// @param of_sums  round-off of a sum relative to its terms
-HWY_INLINE LaneMask has_digits(const Pack& moduli, const Pack& of_sums, const Pack& value) {
-  constexpr double nine_digits = 2e-10;
-  return hn::Le(hn::Mul(of_sums, moduli), hn::Mul(all(nine_digits), value));
+HWY_INLINE LaneMask has_digits(const Pack& moduli, const Pack& of_sums, const Pack& value, double digits) {
+  return hn::Le(hn::Mul(of_sums, moduli), hn::Mul(all(digits), value));
 }
 
 HWY_INLINE void store_mask(const LaneMask& mask, bool* to) {

@@ -8,7 +8,7 @@
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/decompositions.h"
+#include "trivet/numerics/batch/driven_values.h"
 #include "trivet/numerics/roots/design_modes.h"
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/requirements/free_motion.h"
@@ -17,62 +17,13 @@
 
 namespace trivet::study {
 
-namespace {
-
-using Complex = std::complex<double>;
-
-Eigen::VectorXcd sum_of(const std::vector<numerics::DesignTerm>& terms, Eigen::Index design, Eigen::Index n,
-                        Complex s) {
-  Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(n);
-  for (const numerics::DesignTerm& term : terms) {
-    const Complex power = std::pow(s, term.power);
-    for (Eigen::Index i = 0; i < n; ++i) sum(i) += power * Complex(term.re(design, i), term.im(design, i));
-  }
-  return sum;
-}
-
-}  // namespace
-
-namespace {
-
-Eigen::MatrixXcd stiffness_at(const numerics::DrivenDesigns& designs, Eigen::Index design, double omega) {
-  const Eigen::MatrixXd K = numerics::unpacked(designs.K, design), D = numerics::unpacked(designs.D, design),
-                        B = numerics::unpacked(designs.B, design), A = numerics::unpacked(designs.A, design);
-  Eigen::MatrixXcd stiffness = (K - omega * omega * A).cast<Complex>();
-  stiffness.imag() = D + omega * B;
-  return stiffness;
-}
-
-}  // namespace
-
 CurveEquations packed_curve(const numerics::DrivenDesigns& designs, Eigen::Index design, std::size_t curve,
                             double omega) {
-  const Complex s(0, omega);
   const numerics::DesignCurve& one = designs.curves[curve];
-  CurveEquations at;
-  at.stiffness = stiffness_at(designs, design, omega);
-  at.load = sum_of(designs.loads[one.load], design, at.stiffness.rows(), s);
-  at.row = sum_of(one.rows, design, at.stiffness.rows(), s);
-  at.constant = {one.constant_re(design, 0), one.constant_im(design, 0)};
-  return at;
-}
-
-Eigen::ArrayXd packed_magnitudes(const numerics::DrivenDesigns& designs, Eigen::Index design, double omega) {
-  const Complex s(0, omega);
-  const Eigen::MatrixXcd stiffness = stiffness_at(designs, design, omega);
-  const numerics::PivotedLu<Complex> factors(stiffness);
-  std::vector<Eigen::VectorXcd> motions;
-  for (const std::vector<numerics::DesignTerm>& load : designs.loads)
-    motions.push_back(factors.solve(sum_of(load, design, stiffness.rows(), s)));
-  Eigen::ArrayXd sizes(to_index(designs.curves.size()));
-  for (Eigen::Index c = 0; c < sizes.size(); ++c) {
-    const numerics::DesignCurve& one = designs.curves[to_size(c)];
-    const Eigen::VectorXcd row = sum_of(one.rows, design, stiffness.rows(), s);
-    const Complex constant(one.constant_re(design, 0), one.constant_im(design, 0));
-    const double size = std::abs(row.cwiseProduct(motions[one.load]).sum() + constant);
-    sizes(c) = std::isfinite(size) ? size : std::numeric_limits<double>::quiet_NaN();
-  }
-  return sizes;
+  return {numerics::driven_stiffness(designs, design, omega),
+          numerics::sum_of_terms(designs.loads[one.load], design, omega),
+          numerics::sum_of_terms(one.rows, design, omega),
+          {one.constant_re(design, 0), one.constant_im(design, 0)}};
 }
 
 namespace {
@@ -94,7 +45,7 @@ void set_curves_at(const CaseVector& of, const CaseVector::Unpacked& designs, Ei
     if (!is_at_one(search)) continue;
     const numerics::DrivenDesigns driven = of.searched(designs, search);
     for (Eigen::Index d = 0; d < squares.rows(); ++d) {
-      const Eigen::ArrayXd sizes = packed_magnitudes(driven, d, search.band.from);
+      const Eigen::ArrayXd sizes = numerics::driven_magnitudes(driven, d, search.band.from);
       for (std::size_t k = 0; k < search.results.size(); ++k)
         squares(d, to_index(search.results[k])) += sizes(search.curves[k]) * sizes(search.curves[k]);
     }

@@ -20,10 +20,6 @@ struct CurveEquations {
 [[nodiscard]] CurveEquations packed_curve(const numerics::DrivenDesigns& designs, Eigen::Index design,
                                           std::size_t curve, double omega);
 
-/// |y| of all curves at one frequency; NaN at an undamped resonance.
-[[nodiscard]] Eigen::ArrayXd packed_magnitudes(const numerics::DrivenDesigns& designs, Eigen::Index design,
-                                               double omega);
-
 /// Margins of amplitudes, isolations and peaks of many designs at once, designs × requirements; infinite for all
 /// others, NaN where the kernels prove nothing.
 struct CurveMargins {
