@@ -149,10 +149,11 @@ DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
       DrivenDesign::Curve& curve = design.curves[group.which[k]];
       curve.load = design.loads.size() - 1;
       curve.rows = rows_of(given.curves[k], n);
-      if (!powers_are_possible(curve.rows, load, within_band) ||
-          !add_given(given.curves[k], given.given, curve.constant))
-        return {{},
-                fmt::format("{} grows without bound towards low or high frequencies", channels[group.which[k]].name)};
+      const std::string& name = channels[group.which[k]].name;
+      if (!powers_are_possible(curve.rows, load, within_band))
+        return {{}, fmt::format("{} grows without bound towards low or high frequencies", name)};
+      if (!add_given(given.curves[k], given.given, curve.constant))
+        return {{}, fmt::format("{} contains the given motion of the ground, which changes with the frequency", name)};
     }
     const bool moves = std::ranges::any_of(group.which, [&](auto k) { return design.curves[k].constant != 0.0; });
     if (load.size() == 1 && !moves) turn_to_real(load.front().value);
