@@ -102,7 +102,7 @@ int write_starter(const std::string& file) {
 void read_standard_input(trivet::engine::Source& source) {
   std::ostringstream text;
   text << std::cin.rdbuf();
-  source = {"standard input", text.str(), "."};
+  source = {trivet::engine::standard_input, text.str(), "."};
 }
 
 std::vector<std::string> names_of_kind(const trivet::engine::Session& session, const std::string& kind) {

@@ -163,7 +163,7 @@ class RequirementsOfCases(InTemporaryFolder):
         check = trivet("check", path, "--case", "winter").stdout
         self.assertIn("Case winter\n", check)
         self.assertNotIn("Base model", check)
-        self.assertIn(f'trivet verdict {path} --case "winter"', check)
+        self.assertIn(f"trivet verdict {path} --case winter", check)
         wrong = trivet("verdict", path, "--case", "wnter")
         self.assertEqual(wrong.returncode, 2)
         self.assertIn('did you mean "winter"?', wrong.stderr)

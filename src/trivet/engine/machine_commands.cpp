@@ -8,6 +8,7 @@
 
 #include "trivet/engine/command_rows.h"
 #include "trivet/engine/key_reader.h"
+#include "trivet/engine/names.h"
 #include "trivet/foundation/hertz.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
@@ -34,8 +35,8 @@ std::string judged_by_verdict(const project::Project& project, const std::string
   const bool clearances = std::ranges::any_of(
       project.cases, [](const project::Case& one) { return !one.system.description().clearances.empty(); });
   return fmt::format("Not judged here: requirements{} and limits{}. Judge them by: trivet verdict {}{}\n",
-                     clearances ? ", clearances" : "", alone.empty() ? ", in all cases" : "", project.source,
-                     alone.empty() ? "" : " --case " + foundation::quoted(alone));
+                     clearances ? ", clearances" : "", alone.empty() ? ", in all cases" : "", project_word(project),
+                     alone.empty() ? "" : " --case " + shell_word(alone));
 }
 
 Result check(const Task& task) {

@@ -9,6 +9,18 @@
 
 namespace trivet::engine {
 
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char one : text) quoted += one == '\'' ? std::string("'\\''") : std::string(1, one);
+  return quoted + "'";
+}
+
+std::string project_word(const project::Project& project) {
+  return project.source == standard_input ? "-" : shell_word(project.source);
+}
+
 std::vector<std::string> result_names(const Session& session) {
   const model::System& system = session.model().system;
   std::vector<std::string> names = assembly::channel_words(system.description());

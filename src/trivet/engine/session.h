@@ -14,6 +14,9 @@
 /// ask it.
 namespace trivet::engine {
 
+/// Name of a project that came from standard input, in its messages.
+inline constexpr const char* standard_input = "standard input";
+
 /// A project file, or a text in its place.
 struct Source {
   std::string name;                      ///< of the file; of a text, the name in its messages
