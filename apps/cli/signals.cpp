@@ -31,7 +31,7 @@ bool ask_to_end(int number) {
   if (!may_end.compare_exchange_strong(kind, nothing)) return false;
   is_asked_by = number;
   say(kind == a_search ? "\nthe search ends with the best design so far; interrupt again to end at once\n"
-                       : "\nthe study ends with the chunks that are finished\n");
+                       : "\nthe study ends with what is finished\n");
   return true;
 }
 
@@ -54,7 +54,8 @@ void wait_and_end(sigset_t signals) {
   }
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends the program by default
   engine::remove_leftovers();
-  say("\ninterrupted; unfinished results are removed, and earlier files are as they were\n");
+  say(study_runs ? "\ninterrupted; the study folder has what was finished, and the same command goes on\n"
+                 : "\ninterrupted; unfinished results are removed, and earlier files are as they were\n");
   _exit(128 + number);
 }
 

@@ -20,6 +20,8 @@ import unittest
 import document_steps
 from document_fragments import BASES, COARSER, FILES, NOT_A_PROJECT, OUTPUTS, STARTER
 
+from trivet_test import HANGS_AFTER
+
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 DOCUMENTS = [SOURCE / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "benchmarks/README.md")]
@@ -50,6 +52,11 @@ ELSEWHERE = {
     'pip install ".[notebook]"': ("it compiles for minutes", ".ci/run", "scripts/python"),
     "pip install FILE.whl": ("it installs into the system", ".ci/run", "scripts/release"),
     "trivet serve pump.toml": ("it serves until it is interrupted", "tests/cli/help_examples_test.py", "serve"),
+    "mpirun -n 64 trivet optimize machine.toml -o study": (
+        "it needs MPI",
+        "tests/cli/shared_work_test.py",
+        "PMI_RANK",
+    ),
     "mpirun -n 64 trivet sample machine.toml -o study": (
         "it needs MPI",
         "tests/cli/study_folder_test.py",
@@ -182,7 +189,12 @@ class Documents(unittest.TestCase):
 
     def shell(self, command, folder):
         return subprocess.run(
-            ["bash", "-c", command], cwd=folder, env=self.environment, capture_output=True, text=True, timeout=600
+            ["bash", "-c", command],
+            cwd=folder,
+            env=self.environment,
+            capture_output=True,
+            text=True,
+            timeout=HANGS_AFTER,
         )
 
     def work_folder(self, name):

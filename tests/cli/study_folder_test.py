@@ -11,7 +11,7 @@ import subprocess
 import time
 import unittest
 
-from trivet_test import SOURCE, TRIVET, InTemporaryFolder, trivet
+from trivet_test import HANGS_AFTER, SOURCE, TRIVET, InTemporaryFolder, trivet
 
 ROBUST = SOURCE / "examples/paper/robust.toml"
 KILLS = 20
@@ -154,7 +154,7 @@ class StudyFolder(InTemporaryFolder):
             time.sleep(0.8)
             begin = time.monotonic()
             process.send_signal(number)
-            output, errors = process.communicate(timeout=60)
+            output, errors = process.communicate(timeout=HANGS_AFTER)
             self.assertLess(time.monotonic() - begin, 2, "seconds")
             self.assertEqual(process.returncode, 128 + number, errors)
             self.assertRegex(output, r"^PARTIAL: \d+ of \d+ chunks of the study")
@@ -181,6 +181,13 @@ class StudyFolder(InTemporaryFolder):
         done = self.sample("-o", self.study, "--json")
         self.assertIn("1 file (study.txt) cannot be read: damaged", done.stderr)
         self.assertEqual(done.stdout, expected)
+        (self.study / "study.txt").write_text("nothing")
+        self.refused("study.txt is damaged, and part-1-of-3 is of another study", "-o", self.study, designs=30_000)
+        self.assertEqual((self.study / "study.txt").read_text(), "nothing")
+        for part in self.study.glob("part-*"):
+            part.unlink()
+        self.refused("study.txt is damaged, and no other file says what the study is of", "-o", self.study)
+        self.assertEqual((self.study / "result.json").read_text(), expected)
 
     def test_files_with_the_same_chunks_count_once(self):
         expected = self.one_process()
@@ -224,7 +231,12 @@ class StudyFolder(InTemporaryFolder):
         self.refused("the folder above it does not exist", "-o", self.folder / "none" / "study")
         self.refused("parts share a study folder", "--part", "1/2")
         for part in ("0/2", "3/2", "1", "a/b", "1/2/3", "-1/2"):
-            self.refused("give the part and their number, as in 3/64", "-o", self.folder / "new", f"--part={part}")
+            self.refused(
+                "give the part and the number of all, at most 1000000, as in 3/64",
+                "-o",
+                self.folder / "new",
+                f"--part={part}",
+            )
 
     def test_one_part_is_for_one_process(self):
         first = self.start("--part", "1/2", designs=3_000_000)

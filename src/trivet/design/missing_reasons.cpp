@@ -3,31 +3,53 @@
 
 #include <algorithm>
 
-#include "trivet/foundation/index.h"
-
 namespace trivet::design {
 
 void MissingReasons::note(std::size_t design, const std::string& rule, const std::string& words) {
-  const std::string kind = without_numbers(rule);
-  const std::lock_guard lock(noting_);
-  const auto known = to_size(std::ranges::find(kinds_, kind) - kinds_.begin());
-  if (known == kinds_.size()) {
-    kinds_.push_back(kind);
-    reasons_.push_back({words, 0, design});
-  }
-  MissingReason& reason = reasons_[known];
-  ++reason.designs;
-  if (design < reason.first) {
-    reason.first = design;
-    reason.words = words;
+  add(without_numbers(rule), {words, 1, design});
+}
+
+void MissingReasons::add(const MissingReasons& others) {
+  for (const auto& [kind, reason] : others.reasons_) add(kind, reason);
+}
+
+void MissingReasons::add(const std::string& kind, const MissingReason& reason) {
+  const auto [known, is_new] = reasons_.try_emplace(kind, reason);
+  if (is_new) return;
+  MissingReason& all = known->second;
+  all.designs += reason.designs;
+  if (reason.first < all.first) {
+    all.first = reason.first;
+    all.words = reason.words;
   }
 }
 
 std::vector<MissingReason> MissingReasons::list() const {
-  const std::lock_guard lock(noting_);
-  std::vector<MissingReason> sorted = reasons_;
-  std::ranges::sort(sorted, {}, &MissingReason::first);
+  std::vector<MissingReason> sorted;
+  for (const auto& [kind, reason] : reasons_) sorted.push_back(reason);
+  std::ranges::stable_sort(sorted, {}, &MissingReason::first);
   return sorted;
+}
+
+void MissingReasons::store(foundation::StoredWords& words) const {
+  words.whole(reasons_.size());
+  for (const auto& [kind, reason] : reasons_) {
+    words.text(kind);
+    words.text(reason.words);
+    words.whole(reason.designs);
+    words.whole(reason.first);
+  }
+}
+
+MissingReasons MissingReasons::restored(foundation::WordReader& words) {
+  MissingReasons found;
+  for (std::uint64_t left = words.whole(); left > 0; --left) {
+    MissingReason& reason = found.reasons_[words.text()];
+    reason.words = words.text();
+    reason.designs = words.whole();
+    reason.first = words.whole();
+  }
+  return found;
 }
 
 }  // namespace trivet::design

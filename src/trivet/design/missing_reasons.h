@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <mutex>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "trivet/design/design_outcome.h"
+#include "trivet/foundation/stored_words.h"
 
 namespace trivet::design {
 
@@ -17,19 +18,24 @@ struct DesignOrReason {
   std::string reason;
 };
 
-/// Reasons why designs have no outcome, counted by kind, noted from any thread.
+/// Reasons why designs have no outcome, counted by kind.
 class MissingReasons {
  public:
   /// @param rule  decides the kind, except for its numbers  @param words  shown for the first design of the kind
   void note(std::size_t design, const std::string& rule, const std::string& words);
+  void add(const MissingReasons& others);
 
-  /// In the order of their first designs, whichever thread noted first.
+  /// In the order of their first designs.
   [[nodiscard]] std::vector<MissingReason> list() const;
 
+  void store(foundation::StoredWords& words) const;
+  /// @throws foundation::DamagedText
+  [[nodiscard]] static MissingReasons restored(foundation::WordReader& words);
+
  private:
-  mutable std::mutex noting_;
-  std::vector<std::string> kinds_;
-  std::vector<MissingReason> reasons_;
+  void add(const std::string& kind, const MissingReason& reason);
+
+  std::map<std::string, MissingReason> reasons_;  ///< by their kinds
 };
 
 }  // namespace trivet::design

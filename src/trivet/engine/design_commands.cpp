@@ -9,6 +9,7 @@
 #include "trivet/engine/key_reader.h"
 #include "trivet/engine/new_project_file.h"
 #include "trivet/engine/solved_cases.h"
+#include "trivet/engine/study_keys.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/text/document.h"
@@ -78,19 +79,29 @@ study::MapOptions map_sizes(const Task& task) {
   return options;
 }
 
-study::CaseResults computed_maps(const Task& task) {
+/// "200x150", of the first pair if there are several maps.
+std::string grid_words(const Task& task) {
+  const study::MapOptions sizes = map_sizes(task);
+  const auto& request = task.variant.analyses.map;
+  if (!request) return "";
+  return fmt::format("{}x{}", sizes.nx > 0 ? sizes.nx : request->x.points, sizes.ny > 0 ? sizes.ny : request->y.points);
+}
+
+study::CaseResults computed_maps(const Task& task, study::SharedWork* shared) {
   const project::Case& variant = task.variant;
   if (!variant.analyses.map)
     throw InvalidInput(
         "map: none given; add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, "
         "no_peak = \"coordinates\"} to [analyses]");
-  const study::MapOptions sizes = map_sizes(task);
+  study::MapOptions sizes = map_sizes(task);
+  sizes.shared = shared;
   const project::MapRequest& request = *variant.analyses.map;
   project::Analyses requested;
   requested.map = request;
   study::CaseResults found = study::notices(variant, requested, task.solved.of(variant));
-  found.map_pairs = study::design_maps(*task.project, variant, request, sizes, task.progress);
-  if (found.map_pairs.empty()) found.map = study::design_map(*task.project, variant, request, sizes, task.progress);
+  const foundation::Progress progress = shared_progress(task, shared);
+  found.map_pairs = study::design_maps(*task.project, variant, request, sizes, progress);
+  if (found.map_pairs.empty()) found.map = study::design_map(*task.project, variant, request, sizes, progress);
   return found;
 }
 
@@ -102,7 +113,14 @@ documents::Document map_on_screen(const study::CaseResults& found, const documen
 
 Result map(const Task& task) {
   const project::Case& variant = task.variant;
-  const auto held = hold(task, computed_maps(task));
+  const auto shared = shared_work(task, {{"case of the map", variant.name}, {"points", grid_words(task)}}, {});
+  study::CaseResults computed;
+  try {
+    computed = computed_maps(task, shared.get());
+  } catch (const foundation::Interrupted&) {
+    return ended_study(task, shared.get());
+  }
+  const auto held = hold(task, std::move(computed));
   const study::CaseResults& found = held->found;
   Result result;
   result.warnings = without_unused(*task.project, found.warnings);
@@ -130,6 +148,7 @@ Result map(const Task& task) {
                               }));
   result.arrays = [held, &variant] { return results::result_arrays("map", variant, held->found); };
   result.held = held;
+  add_shared(shared.get(), task, result);
   return result;
 }
 
@@ -151,7 +170,9 @@ std::vector<project::Node> trial_changes(const project::Analyses& requested, boo
 std::function<bool()> end_of_search(const Task& task) {
   using Clock = std::chrono::steady_clock;
   const auto limit = task.keys.seconds("time-limit");
-  return [requested = task.request.ends_search, limit, start = Clock::now()] {
+  // With a study folder signals end the process, and the same command goes on.
+  const std::function<bool()> by_signal = task.keys.has("output") ? nullptr : task.request.ends_search;
+  return [requested = by_signal, limit, start = Clock::now()] {
     return (requested && requested()) ||
         (limit && std::chrono::duration<double>(Clock::now() - start).count() > *limit);
   };
@@ -168,9 +189,15 @@ void add_optimum(const std::shared_ptr<const Held<study::CaseResults>>& held, co
 }
 
 Result optimum(const Task& task, const NewProjectFile& file) {
+  const auto ends = end_of_search(task);
+  const auto shared = shared_work(task, {}, ends);
   study::CaseResults found;
-  found.optimization = std::make_shared<const study::Optimization>(
-      study::optimization(*task.project, task.progress, end_of_search(task)));
+  try {
+    found.optimization = std::make_shared<const study::Optimization>(
+        study::optimization(*task.project, shared_progress(task, shared.get()), ends, shared.get()));
+  } catch (const foundation::Interrupted&) {
+    return ended_study(task, shared.get());
+  }
   const auto held = hold(task, std::move(found));
   const study::Optimization& best = *held->found.optimization;
   Result result;
@@ -182,6 +209,7 @@ Result optimum(const Task& task, const NewProjectFile& file) {
   result.changes = project::setting_words(changes);
   const std::string settings = "\nThe optimum as settings:\n" + results::optimization_settings(best);
   add_optimum(held, task, settings + file.write(changes, result), result);
+  add_shared(shared.get(), task, result);
   return result;
 }
 
@@ -189,6 +217,9 @@ Result front(const Task& task, const NewProjectFile& file) {
   if (task.keys.has("time-limit"))
     throw InvalidInput(task.keys.written("time-limit") +
                        ": a front is computed as a whole; take fewer points or starts");
+  if (study_folder(task))
+    throw InvalidInput(task.keys.written("output") +
+                       ": a front is computed by one process; name a file with the ending .json, .csv, .html or .txt");
   study::CaseResults found;
   found.front = std::make_shared<const study::DesignFront>(study::design_front(*task.project, task.progress));
   const auto held = hold(task, std::move(found));
@@ -207,6 +238,7 @@ Result front(const Task& task, const NewProjectFile& file) {
     result.figures.emplace_back("front.svg", writer([held, title = task.project->title] {
                                   return report::front_figure(*held->found.front, title).svg;
                                 }));
+  note_unshared(task, result);
   return result;
 }
 
@@ -291,6 +323,11 @@ std::vector<Command> design_commands() {
                  .kind = KeyKind::text,
                  .about = "designs along both axes instead of those of the file: 200x150, or 100 for both",
                  .value = "NXxNY"},
+                study_key(
+                    "study folder whose processes share designs that take milliseconds, and that goes on where it "
+                    "was ended",
+                    ".json, .csv or .txt"),
+                part_key(),
                 picture_key("map")},
        .csv = true,
        .strict = true,
@@ -302,7 +339,9 @@ std::vector<Command> design_commands() {
        .of_one_case = false,
        .without_case = one_design_for_all,
        .looks_at = with_judged_tables({"optimize", "parameters", "sample", "tolerances"}),
-       .keys = {write_key("optimum"),
+       .keys = {study_key("study folder whose processes share looks and climbs, and that goes on where it was ended"),
+                part_key(),
+                write_key("optimum"),
                 {.name = "time-limit",
                  .kind = KeyKind::text,
                  .about = "end the search after this time with the best design so far: \"10 min\", \"2 h\", or seconds",
@@ -311,7 +350,8 @@ std::vector<Command> design_commands() {
        .csv = true,
        .strict = true,
        .examples = {"trivet optimize machine.toml --write best.toml",
-                    "trivet optimize machine.toml --time-limit \"10 min\""},
+                    "trivet optimize machine.toml --time-limit \"10 min\"",
+                    "trivet optimize machine.toml -o study --part 3/64"},
        .run = optimize},
       sample_command(),
       box_command(),

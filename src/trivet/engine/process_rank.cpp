@@ -70,13 +70,18 @@ std::optional<RankedPart> part_of_array(const Environment& environment) {
 
 }  // namespace
 
+std::string RankedPart::words() const {
+  return fmt::format("part {} of {}{}", part.number, part.of, reason.empty() ? "" : " (" + reason + ")");
+}
+
 study::StudyPart part_of_words(const std::string& words, const std::string& key) {
   const std::size_t slash = words.find('/');
   const auto number = rank_number(words.substr(0, slash)),
              of = slash == std::string::npos ? std::nullopt : rank_number(words.substr(slash + 1));
   if (!number || !of || *number < 1 || *number > *of || *of > study::most_parts)
-    throw InvalidInput(fmt::format("{} {}: give the part and their number, as in 3/64: from 1/64 to 64/64", key,
-                                   foundation::quoted(words)));
+    throw InvalidInput(fmt::format(
+        "{} {}: give the part and the number of all, at most {}, as in 3/64: the third of 64, which are 1/64 to 64/64",
+        key, foundation::quoted(words), study::most_parts));
   return {*number, *of};
 }
 

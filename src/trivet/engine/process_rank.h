@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "trivet/study/sample/part_file.h"
+#include "trivet/study/shared/part_file.h"
 
 namespace trivet::engine {
 
@@ -13,6 +13,9 @@ namespace trivet::engine {
 struct RankedPart {
   study::StudyPart part;
   std::string reason;  ///< "SLURM_PROCID and SLURM_NTASKS"
+
+  /// "part 3 of 64 (SLURM_PROCID and SLURM_NTASKS)"
+  [[nodiscard]] std::string words() const;
 };
 
 /// Value of an environment variable; nullptr: it is not set.

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
-#include <cstdlib>
-
 #include "trivet/engine/command_rows.h"
 #include "trivet/engine/key_reader.h"
-#include "trivet/engine/process_rank.h"
+#include "trivet/engine/study_keys.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/report/figures/design_lines_figure.h"
@@ -14,7 +12,6 @@
 #include "trivet/results/design/band_parts.h"
 #include "trivet/results/design/sample_document.h"
 #include "trivet/results/design/study_status_document.h"
-#include "trivet/results/files/whole_file.h"
 #include "trivet/study/sample/sample_study.h"
 #include "trivet/study/sample/study_status.h"
 
@@ -23,75 +20,26 @@ namespace {
 
 using foundation::InvalidInput;
 
-/// One word of a shell.
-std::string shell_word(const std::string& text) {
-  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./,:@%";
-  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char one : text) quoted += one == '\'' ? std::string("'\\''") : std::string(1, one);
-  return quoted + "'";
-}
-
-/// The command that does the rest of this one.
-std::string same_command(const Task& task) {
-  std::string words = "trivet " + task.command.name + " " + shell_word(task.project->source);
-  for (const std::string& setting : task.settings) words += " --set " + shell_word(setting);
-  if (!task.request.case_name.empty()) words += " --case " + shell_word(task.request.case_name);
-  for (const auto& [key, value] : task.request.keys)
-    words += " --" + key + (std::holds_alternative<bool>(value) ? "" : " " + shell_word(text_of(value)));
-  return words;
-}
-
-RankedPart part_of(const Task& task) {
-  if (task.keys.has("part"))
-    return {part_of_words(task.keys.text("part"), task.keys.written("part")), task.keys.written("part")};
-  return part_of_rank([](const char* name) -> const char* { return std::getenv(name); }).value_or(RankedPart());
-}
-
 study::Sample sampled(const Task& task) {
-  if (!task.keys.has("output")) {
-    if (task.keys.has("part"))
-      throw InvalidInput(fmt::format("{}: parts share a study folder; name it with {}", task.keys.written("part"),
-                                     task.keys.written("output")));
-    return study::sample(*task.project, task.progress, {.shares = task.keys.flag("shares")});
-  }
+  const auto folder = study_folder(task);
+  if (!folder) return study::sample(*task.project, task.progress, {.shares = task.keys.flag("shares")});
   return study::sample_in_folder(*task.project,
-                                 {.folder = task.keys.text("output"),
+                                 {.folder = *folder,
                                   .part = part_of(task).part,
                                   .shares = task.keys.flag("shares"),
                                   .ends = task.request.ends_study},
                                  task.progress);
 }
 
-std::string files_words(const std::vector<std::string>& names) {
-  return fmt::format("{} file{} ({})", names.size(), names.size() == 1 ? "" : "s", foundation::comma_separated(names));
-}
-
 void add_remarks(const study::StudyProgress& study, const Task& task, Result& result) {
   const std::string folder = study.folder.string();
-  const RankedPart part = part_of(task);
-  result.remarks.push_back(fmt::format("{}: {} of {} chunks were there; part {} of {}{} computed {}", folder,
-                                       study.found, study.chunks, study.part, study.of,
-                                       part.reason.empty() ? "" : " (" + part.reason + ")", study.computed));
-  if (!study.damaged.empty())
-    result.remarks.push_back(fmt::format("{}: {} cannot be read: damaged; what it had is computed again", folder,
-                                         files_words(study.damaged)));
+  result.remarks.push_back(fmt::format("{}: {} of {} chunks were there; {} computed {}", folder, study.found,
+                                       study.chunks, part_of(task).words(), study.computed));
+  if (!study.damaged.empty()) result.remarks.push_back(damaged_files(study.folder, study.damaged));
   if (!study.overlapping.empty())
     result.remarks.push_back(
         fmt::format("{}: {} not counted: other files have the same chunks", folder, files_words(study.overlapping)));
-  if (!study.is_locked)
-    result.remarks.push_back(
-        fmt::format("{}: this file system has no locks: two processes with the same part are not noticed", folder));
-}
-
-/// The result as files of a complete study: every process that finds it complete writes the same bytes.
-void write_result_files(const study::StudyProgress& study, const Result& result) {
-  const auto write = [&](const char* name, const Writer& form) {
-    const results::WholeFile file(study.folder / name, [](const std::filesystem::path&) { return std::string(); });
-    file.publish(whole(form));
-  };
-  write("result.json", result.json);
-  for (const auto& [name, table] : result.tables) write(name.c_str(), table);
+  if (!study.is_locked) result.remarks.push_back(without_locks(study.folder));
 }
 
 using HeldSample = std::shared_ptr<const Held<study::Sample>>;
@@ -163,7 +111,9 @@ Result sample(const Task& task) {
     add_remarks(*study, task, result);
     result.complete = !study->ended_early;
     if (study->ended_early) result.go_on = same_command(task);
-    if (study->is_complete() && !study->ended_early) write_result_files(*study, result);
+    if (study->is_complete() && !study->ended_early) write_result_files(study->folder, result);
+  } else {
+    note_unshared(task, result);
   }
   return result;
 }
@@ -190,18 +140,9 @@ Command sample_command() {
                 .kind = KeyKind::flag,
                 .about =
                     "also which tolerance scatters which value: shares of its variance, from as many designs again"},
-               {.name = "output",
-                .kind = KeyKind::file,
-                .about = "study folder that many processes share, and that goes on where it was ended; or a file for "
-                         "the result whose ending chooses the form: .json, .csv, .html or .txt",
-                .short_name = "o",
-                .value = "STUDY"},
+               study_key("study folder that many processes share, and that goes on where it was ended"),
                picture_key("shares of the variance, if they are wanted, or else bands of amplitudes"),
-               {.name = "part",
-                .kind = KeyKind::text,
-                .about = "compute this part of the study folder: 3/64; by default the rank among the processes of "
-                         "mpirun, of srun or of an array of Slurm",
-                .value = "K/N"},
+               part_key(),
                {.name = "status",
                 .kind = KeyKind::file,
                 .about =

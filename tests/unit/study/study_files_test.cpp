@@ -2,10 +2,11 @@
 #include <gmock/gmock.h>
 
 #include "support/projects.h"
-#include "trivet/study/sample/part_file.h"
+#include "trivet/study/sample/sample_manifest.h"
 #include "trivet/study/sample/sample_run.h"
 #include "trivet/study/sample/stored_tally.h"
-#include "trivet/study/sample/study_manifest.h"
+#include "trivet/study/shared/part_file.h"
+#include "trivet/study/shared/study_manifest.h"
 
 namespace trivet {
 namespace study_files_test {
@@ -60,14 +61,14 @@ TEST(StudyPart, HasEachChunkOnce) {
 }
 
 TEST(PartRecord, IsReadOnlyUndamaged) {
-  PartRecord record{.study = "a hash", .written_at = 7, .designs = 960, .has_ended = true, .chunks = ChunkSet(9)};
+  PartRecord record{.study = "a hash", .written_at = 7, .computed = 960, .has_ended = true, .chunks = ChunkSet(9)};
   record.chunks.add(8);
-  record.counts = "1 2\n3 sha256: 4";
+  record.results = "1 2\n3 sha256: 4";
   const std::string text = record.text();
   const auto found = PartRecord::read(text);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->text(), text);
-  EXPECT_EQ(found->counts, record.counts);
+  EXPECT_EQ(found->results, record.results);
   for (std::size_t i = 0; i < text.size(); ++i) {
     EXPECT_FALSE(PartRecord::read(text.substr(0, i))) << i;
     std::string other = text;
@@ -78,13 +79,17 @@ TEST(PartRecord, IsReadOnlyUndamaged) {
 
 TEST(StudyManifest, IsTheSameFromItsTextAndStatesDifferences) {
   const StudyManifest manifest{{{"seed", "1"}, {"settings", "a: 1\nb"}, {"file \"x\"", std::string(64, 'a')}},
-                               {1000, 120},
-                               {{{0.1, 0.01}, {1, 1}}, {}}};
+                               study::FixedBySample{{1000, 120}, {{{0.1, 0.01}, {1, 1}}, {}}}.text()};
   const auto found = StudyManifest::read(manifest.text());
   ASSERT_TRUE(found);
   EXPECT_EQ(found->text(), manifest.text());
   EXPECT_EQ(found->hash(), manifest.hash());
   EXPECT_EQ(found->identity, manifest.identity);
+  const auto fixed = study::FixedBySample::read(found->fixed);
+  ASSERT_TRUE(fixed);
+  EXPECT_EQ(fixed->chunks.size, 120);
+  EXPECT_EQ(fixed->text(), manifest.fixed);
+  EXPECT_FALSE(study::FixedBySample::read(""));  // of a command without chunks
   EXPECT_FALSE(StudyManifest::read(manifest.text() + " "));
   EXPECT_EQ(study::identity_differences(manifest.identity, found->identity), "");
   EXPECT_EQ(study::identity_differences(manifest.identity,

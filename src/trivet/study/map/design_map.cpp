@@ -136,7 +136,7 @@ DesignMap design_map(const project::Project& project, const project::Case& varia
   map.request.y.points = map.grid.ny;
   map.drawn = design::drawn_grid(map.grid);
   refuse_unbounded_peaks(variant, map.request);
-  MapJudge evaluation(project, variant, map.request, options.evaluation);
+  MapJudge evaluation(project, variant, map.request, options.evaluation, options.shared);
   map.rules = evaluation.rules();
   map.outcomes = evaluation.evaluate(map.grid.count(), [&](std::size_t k) { return map.point(k); }, progress);
   map.report = evaluation.report();

@@ -15,6 +15,7 @@
 namespace trivet::study {
 
 class MapJudge;
+class SharedWork;
 
 /// A case as a point on the map, judged from its own model.
 struct MapMark {
@@ -69,6 +70,7 @@ struct DesignMap {
 struct MapOptions {
   int nx = 0, ny = 0;  ///< instead of those of the request
   design::EvaluationOptions evaluation;
+  SharedWork* shared = nullptr;  ///< with other processes; null: alone
 };
 
 /// Judges every design of the grid, refines the boundary of the feasible region between neighbours, and judges the

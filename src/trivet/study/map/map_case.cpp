@@ -84,7 +84,7 @@ MapCase::MapCase(const project::Case& variant, project::MapRequest request, cons
   std::vector<RequirementResult> results = add_own_rules();
   std::vector<RequirementResult> required = requirements(variant.system, warnings_);
   std::ranges::copy_if(required, std::back_inserter(results), is_on_frequencies);
-  if (!options.fast) report_.no_family = "as requested";
+  if (!options.fast) no_family_ = "as requested";
   else if (!results.empty()) fit_batch(results);
   if (has_family()) {
     at_once_ = results.size() - own();
@@ -149,8 +149,7 @@ void MapCase::fit_batch(const std::vector<RequirementResult>& results) {
                                design::SumFamily::Compared::grid,
                                true},
                  case_, analyses, results);
-  report_.no_family = batch_->reason();
-  if (has_family()) report_.family = "matrices as " + batch_->family().words();
+  no_family_ = batch_->reason();
 }
 
 std::vector<RequirementResult> MapCase::requirements(const model::System& system,
@@ -169,19 +168,22 @@ std::size_t MapCase::piece() const {
   // fit in the cache; 15 lines of it for each number, so that they do not displace each other.
   constexpr std::size_t from_models = 1, from_both = 8, at_once = 120;
   if (!has_family()) return from_models;
-  return own() + at_once_ == rules_.size() ? at_once : from_both;
+  return is_quick() ? at_once : from_both;
 }
 
-void MapCase::judge(std::size_t first, const std::vector<DesignPoint>& points, Margins margins,
-                    DesignOutcome* outcomes) {
+PieceReport MapCase::judge(std::size_t first, const std::vector<DesignPoint>& points, Margins margins,
+                           DesignOutcome* outcomes) const {
+  PieceReport report;
   margins.setConstant(no_margin);
-  if (has_family()) judge_at_once(points, margins, outcomes);
+  if (has_family()) judge_at_once(points, margins, outcomes, report);
   for (std::size_t d = 0; d < points.size(); ++d)
     if (margins.row(to_index(d)).isNaN().any())
-      judge_from_model(first + d, points[d], margins, to_index(d), outcomes[d]);
+      judge_from_model(first + d, points[d], margins, to_index(d), outcomes[d], report);
+  return report;
 }
 
-void MapCase::judge_at_once(const std::vector<DesignPoint>& points, Margins margins, DesignOutcome* outcomes) {
+void MapCase::judge_at_once(const std::vector<DesignPoint>& points, Margins margins, DesignOutcome* outcomes,
+                            PieceReport& report) const {
   const CaseVector::Unpacked designs = batch_->designs(rows_of(points));
   if (at_once_ > 0)
     margins.rightCols(to_index(at_once_)) = quick_margins(batch_->packed(), designs).rightCols(to_index(at_once_));
@@ -191,29 +193,25 @@ void MapCase::judge_at_once(const std::vector<DesignPoint>& points, Margins marg
   if (counts_modes_)
     squared_frequencies =
         numerics::design_modes(batch_->packed().free(designs), {.shapes = false, .threads = 1}).lambda;
-  std::size_t proven = 0, fallback = 0;
   for (Eigen::Index d = 0; d < margins.rows(); ++d) {
     const numerics::DesignStatus found = status[to_size(d)];
     if (found != numerics::DesignStatus::proven && found != numerics::DesignStatus::fallback) continue;
     margins.row(d).head(to_index(own())) = of_curves.row(d).head(to_index(own()));
     for (Eigen::Index k = 0; k < squared_frequencies.cols(); ++k) count_mode(squared_frequencies(d, k), outcomes[d]);
-    ++(found == numerics::DesignStatus::proven ? proven : fallback);
+    ++(found == numerics::DesignStatus::proven ? report.proven : report.fallback);
   }
-  const std::lock_guard lock(noting_);
-  report_.proven += proven;
-  report_.fallback += fallback;
 }
 
 void MapCase::judge_from_model(std::size_t index, const DesignPoint& point, Margins margins, Eigen::Index d,
-                               DesignOutcome& outcome) {
+                               DesignOutcome& outcome, PieceReport& report) const {
   const auto refuse = [&](const std::string& rule, const std::string& words, std::uint8_t kind) {
-    missing_.note(index, rule + of_case_, words + of_case_);
+    report.missing.note(index, rule + of_case_, words + of_case_);
     if (outcome.known()) outcome = {0, kind};
   };
   const auto n = to_index(own());
   const bool wants_own = margins.row(d).head(n).isNaN().any();
   if (!wants_own && !outcome.known()) return;
-  assembled_separately_ += wants_own;
+  report.assembled_separately += wants_own;
   const auto system = system_at(point);
   if (!system) {
     const foundation::Problem& first = foundation::error_of(system.error());
@@ -226,7 +224,7 @@ void MapCase::judge_from_model(std::size_t index, const DesignPoint& point, Marg
       for (const double squared : found.natural_frequencies_squared) count_mode(squared, outcome);
     }
     if (!outcome.known() || !margins.row(d).isNaN().any()) return;
-    ++with_requirements_;
+    ++report.with_requirements;
     foundation::Problems of_design;  // the warnings of the model itself are enough
     const std::vector<RequirementResult> results = requirements(*system, of_design);
     for (std::size_t r = 0; r < results.size(); ++r) {
@@ -332,11 +330,15 @@ void MapCase::add_judged(const model::System& system, design::JudgedDesign& resu
   }
 }
 
-design::EvaluationReport MapCase::report() const {
-  design::EvaluationReport report = report_;
-  report.assembled_separately = assembled_separately_;
-  report.with_requirements = with_requirements_;
-  report.missing = missing_.list();
+design::EvaluationReport MapCase::report(const PieceReport& judged) const {
+  design::EvaluationReport report;
+  report.proven = judged.proven;
+  report.fallback = judged.fallback;
+  report.assembled_separately = judged.assembled_separately;
+  report.with_requirements = judged.with_requirements;
+  report.missing = judged.missing.list();
+  report.no_family = no_family_;
+  if (has_family()) report.family = "matrices as " + batch_->family().words();
   if (!of_case_.empty() && own() > 0) report.further.push_back(of_case_.substr(1) + ": " + report.summary());
   const std::size_t at_once = rules_.size() - at_once_;
   if (at_once_ > 0)

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "trivet/design/design_outcome.h"
-#include "trivet/design/missing_reasons.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/project.h"
 #include "trivet/study/family/design_batch.h"
+#include "trivet/study/map/piece_report.h"
 
 namespace trivet::study {
 
@@ -32,8 +30,10 @@ class MapCase {
 
   /// Margins of designs first …, designs × rules. A design that has none has an outcome that says so, and the report
   /// its reason. Outcomes also count the natural frequencies in the case of the map.
-  void judge(std::size_t first, const std::vector<design::DesignPoint>& points, Eigen::Ref<Eigen::ArrayXXd> margins,
-             design::DesignOutcome* outcomes);
+  [[nodiscard]] PieceReport judge(std::size_t first, const std::vector<design::DesignPoint>& points,
+                                  Eigen::Ref<Eigen::ArrayXXd> margins, design::DesignOutcome* outcomes) const;
+  /// Do kernels judge all rules of most designs, in microseconds each?
+  [[nodiscard]] bool is_quick() const { return has_family() && own() + at_once_ == rules_.size(); }
 
   /// Does a model have the same Z(ω) and load as the design at this point?
   [[nodiscard]] bool is_at(const model::System& system, const design::DesignPoint& point) const;
@@ -42,8 +42,8 @@ class MapCase {
   /// Adds values and margins of all rules from a model. @throws foundation::NotComputable, InvalidInput
   void add_judged(const model::System& system, design::JudgedDesign& result) const;
 
-  /// How designs were judged.
-  [[nodiscard]] design::EvaluationReport report() const;
+  /// How designs were judged. @param judged  the reports of all of them
+  [[nodiscard]] design::EvaluationReport report(const PieceReport& judged) const;
   /// What the judgement of the model itself warns of.
   [[nodiscard]] const foundation::Problems& warnings() const { return warnings_; }
 
@@ -64,10 +64,11 @@ class MapCase {
   void count_mode(double squared, design::DesignOutcome& outcome) const;
   using Margins = Eigen::Ref<Eigen::ArrayXXd>;
   /// NaN where the kernels prove nothing; if that is one of the own rules of a design, in all of them.
-  void judge_at_once(const std::vector<design::DesignPoint>& points, Margins margins, design::DesignOutcome* outcomes);
+  void judge_at_once(const std::vector<design::DesignPoint>& points, Margins margins, design::DesignOutcome* outcomes,
+                     PieceReport& report) const;
   /// The rules of a design, row d, that have no margin yet.
   void judge_from_model(std::size_t index, const design::DesignPoint& point, Margins margins, Eigen::Index d,
-                        design::DesignOutcome& outcome);
+                        design::DesignOutcome& outcome, PieceReport& report) const;
 
   const project::Case& case_;
   const project::MapRequest request_;
@@ -81,10 +82,7 @@ class MapCase {
   std::optional<DesignBatch> batch_;
   bool counts_modes_ = false;  ///< natural frequencies may cross the band of the amplitudes between designs
   foundation::Problems warnings_;
-  std::mutex noting_;  ///< guards the report
-  design::EvaluationReport report_;
-  std::atomic<std::size_t> assembled_separately_ = 0, with_requirements_ = 0;
-  design::MissingReasons missing_;
+  std::string no_family_;  ///< why designs are not judged many at once; otherwise empty
 };
 
 }  // namespace trivet::study

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include "trivet/foundation/constants.h"
@@ -62,7 +63,7 @@ bool takes_numbers(const project::Case& variant, const project::Case& base, cons
 }  // namespace
 
 MapJudge::MapJudge(const project::Project& project, const project::Case& variant, const project::MapRequest& request,
-                   const design::EvaluationOptions& options)
+                   const design::EvaluationOptions& options, SharedWork* shared)
     : threads_(options.threads) {
   add_case(variant, request, options);
   const std::vector<std::string> hold_in = cases_to_hold(project);
@@ -76,6 +77,10 @@ MapJudge::MapJudge(const project::Project& project, const project::Case& variant
   if (rules_.size() > DesignOutcome::most_rules)
     throw foundation::NotComputable(fmt::format("map: {} rules in all cases of hold_in; a map has at most {}",
                                                 rules_.size(), DesignOutcome::most_rules));
+  reports_.resize(cases_.size());
+  // Kernels take less time for a design than its result in a file.
+  if (!std::ranges::all_of(cases_, &MapCase::is_quick, [](const auto& one) -> const MapCase& { return *one; }))
+    shared_ = shared;
 }
 
 void MapJudge::add_further(const project::Case& variant, const project::MapRequest& request,
@@ -104,31 +109,78 @@ void MapJudge::add_case(const project::Case& variant, const project::MapRequest&
 std::vector<DesignOutcome> MapJudge::evaluate(std::size_t count,
                                               const std::function<design::DesignPoint(std::size_t)>& point,
                                               const foundation::Progress& progress) {
-  std::size_t piece = std::numeric_limits<std::size_t>::max();
-  for (const std::unique_ptr<MapCase>& one : cases_) piece = std::min(piece, one->piece());
+  std::size_t size = count;
+  for (const std::unique_ptr<MapCase>& one : cases_) size = std::min(size, one->piece());
   std::vector<DesignOutcome> outcomes(count);
-  foundation::parallel_for(count, {.size = piece, .threads = threads_, .progress = progress, .task = "designs"},
-                           [&](std::size_t first, std::size_t last) {
-                             std::vector<design::DesignPoint> points;
-                             for (std::size_t k = first; k < last; ++k) points.push_back(point(k));
-                             Eigen::ArrayXXd margins(to_index(points.size()), to_index(rules_.size()));
-                             Eigen::Index rule = 0;
-                             for (const std::unique_ptr<MapCase>& one : cases_) {
-                               const auto own = to_index(one->rules().size());
-                               one->judge(first, points, margins.middleCols(rule, own), &outcomes[first]);
-                               rule += own;
-                             }
-                             std::vector<double> of_design(rules_.size());
-                             for (std::size_t k = first; k < last; ++k) {
-                               if (!outcomes[k].known()) continue;
-                               for (std::size_t r = 0; r < of_design.size(); ++r)
-                                 of_design[r] = margins(to_index(k - first), to_index(r));
-                               const design::Governing least = design::governing(of_design);
-                               outcomes[k].margin = design::rounded_margin(least.margin);
-                               outcomes[k].governing = static_cast<std::uint8_t>(least.rule);
-                             }
-                           });
+  std::mutex adding;
+  const auto points = [&](std::size_t first) {
+    std::vector<design::DesignPoint> found;
+    for (std::size_t k = first; k < std::min(first + size, count); ++k) found.push_back(point(k));
+    return found;
+  };
+  const auto add = [&](std::size_t first, const Piece& piece) {
+    std::ranges::copy(piece.outcomes, outcomes.begin() + static_cast<std::ptrdiff_t>(first));
+    const std::lock_guard lock(adding);
+    for (std::size_t c = 0; c < reports_.size(); ++c) reports_[c].add(piece.reports[c]);
+  };
+  foundation::ParallelOptions options{.size = size, .threads = threads_, .progress = progress, .task = "designs"};
+  if (!shared_) {
+    foundation::parallel_for(count, options,
+                             [&](std::size_t first, std::size_t) { add(first, judged(first, points(first))); });
+    return outcomes;
+  }
+  const std::vector<std::string> pieces =
+      shared_->results((count + size - 1) / std::max<std::size_t>(size, 1), options,
+                       [&](std::size_t piece) { return judged(piece * size, points(piece * size)).text(); });
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece) add(piece * size, Piece::of_text(pieces[piece]));
   return outcomes;
+}
+
+MapJudge::Piece MapJudge::judged(std::size_t first, const std::vector<design::DesignPoint>& points) const {
+  Piece piece{std::vector<DesignOutcome>(points.size()), {}};
+  Eigen::ArrayXXd margins(to_index(points.size()), to_index(rules_.size()));
+  Eigen::Index rule = 0;
+  for (const std::unique_ptr<MapCase>& one : cases_) {
+    const auto own = to_index(one->rules().size());
+    piece.reports.push_back(one->judge(first, points, margins.middleCols(rule, own), piece.outcomes.data()));
+    rule += own;
+  }
+  std::vector<double> of_design(rules_.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!piece.outcomes[k].known()) continue;
+    for (std::size_t r = 0; r < of_design.size(); ++r) of_design[r] = margins(to_index(k), to_index(r));
+    const design::Governing least = design::governing(of_design);
+    piece.outcomes[k].margin = design::rounded_margin(least.margin);
+    piece.outcomes[k].governing = static_cast<std::uint8_t>(least.rule);
+  }
+  return piece;
+}
+
+std::string MapJudge::Piece::text() const {
+  foundation::StoredWords words;
+  words.whole(outcomes.size());
+  for (const DesignOutcome& one : outcomes) {
+    words.exact(static_cast<double>(one.margin));
+    for (const unsigned number : {unsigned{one.governing}, unsigned{one.modes_in_band}, unsigned{one.modes_below}})
+      words.whole(number);
+  }
+  words.whole(reports.size());
+  for (const PieceReport& one : reports) one.store(words);
+  return words.words();
+}
+
+MapJudge::Piece MapJudge::Piece::of_text(const std::string& text) {
+  foundation::WordReader words(text);
+  Piece piece;
+  for (std::uint64_t left = words.whole(); left > 0; --left) {
+    DesignOutcome& one = piece.outcomes.emplace_back();
+    one.margin = static_cast<float>(words.exact());
+    one.governing = static_cast<std::uint8_t>(words.whole());
+    one.modes_in_band = static_cast<std::uint8_t>(words.whole());
+    one.modes_below = static_cast<std::uint16_t>(words.whole());
+  }
+  for (std::uint64_t left = words.whole(); left > 0; --left) piece.reports.push_back(PieceReport::restored(words));
+  return piece;
 }
 
 design::JudgedDesign MapJudge::judged_design(const model::System& system,
@@ -150,9 +202,9 @@ design::JudgedDesign MapJudge::judged_design(const model::System& system,
 }
 
 design::EvaluationReport MapJudge::report() const {
-  design::EvaluationReport report = cases_.front()->report();
+  design::EvaluationReport report = cases_.front()->report(reports_.front());
   for (std::size_t p = 1; p < cases_.size(); ++p) {
-    const design::EvaluationReport further = cases_[p]->report();
+    const design::EvaluationReport further = cases_[p]->report(reports_[p]);
     report.with_requirements += further.with_requirements;
     report.further.insert(report.further.end(), further.further.begin(), further.further.end());
     report.missing.insert(report.missing.end(), further.missing.begin(), further.missing.end());

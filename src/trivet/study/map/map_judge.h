@@ -4,18 +4,22 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "trivet/study/map/map_case.h"
+#include "trivet/study/map/piece_report.h"
+#include "trivet/study/shared/shared_work.h"
 
 namespace trivet::study {
 
 /// Judges designs by all rules of a map, in the case of the map and in those of `hold_in`.
 class MapJudge {
  public:
+  /// @param shared  judges designs together with other processes where each takes milliseconds; null: alone
   /// @throws foundation::NotComputable if the rules cannot be evaluated
   MapJudge(const project::Project& project, const project::Case& variant, const project::MapRequest& request,
-           const design::EvaluationOptions& options);
+           const design::EvaluationOptions& options, SharedWork* shared = nullptr);
 
   [[nodiscard]] const std::vector<design::MapRule>& rules() const { return rules_; }
 
@@ -44,10 +48,22 @@ class MapJudge {
   void add_further(const project::Case& variant, const project::MapRequest& request,
                    const design::EvaluationOptions& options);
 
+  /// Designs in a row, with a report of each case.
+  struct Piece {
+    std::vector<design::DesignOutcome> outcomes;
+    std::vector<PieceReport> reports;
+
+    [[nodiscard]] std::string text() const;
+    [[nodiscard]] static Piece of_text(const std::string& text);
+  };
+  [[nodiscard]] Piece judged(std::size_t first, const std::vector<design::DesignPoint>& points) const;
+
   std::vector<std::unique_ptr<MapCase>> cases_;
   std::vector<design::MapRule> rules_;  ///< of all cases
+  std::vector<PieceReport> reports_;    ///< of each case
   foundation::Problems warnings_;
   int threads_ = 0;
+  SharedWork* shared_ = nullptr;
 };
 
 }  // namespace trivet::study

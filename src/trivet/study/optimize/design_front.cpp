@@ -103,10 +103,10 @@ class FrontSearch {
 
   void refuse_without_design() const {
     throw foundation::NotComputable("optimize: no design of the ranges can be computed" +
-                                    (objective_.first_failure().empty()
+                                    (objective_.counts().first_failure.empty()
                                          ? std::string(": an undamped resonance lies in the band; add damping, or "
                                                        "change the band")
-                                         : ": " + objective_.first_failure()));
+                                         : ": " + objective_.counts().first_failure));
   }
 
   [[nodiscard]] FrontValues with_least_others(std::size_t wanted, const MaxMinPoint& best) const {
@@ -212,11 +212,12 @@ class FrontSearch {
         result.knee_distance = distance;
       }
     }
-    result.evaluations = objective_.evaluations();
-    result.failed = objective_.failed();
-    result.first_failure = objective_.first_failure();
+    const EvaluationCounts counts = objective_.counts();
+    result.evaluations = counts.evaluations;
+    result.failed = counts.failed;
+    result.first_failure = counts.first_failure;
     result.differenced = objective_.differenced();
-    result.differences = objective_.differences();
+    result.differences = counts.differences;
     return result;
   }
 

@@ -155,8 +155,19 @@ bool DesignObjective::has_quick(Effort effort) const {
   });
 }
 
-std::string DesignObjective::first_failure() const {
-  return first_failure_.empty() && quick_ ? quick_->first_failure() : first_failure_;
+EvaluationCounts DesignObjective::counts() const {
+  const std::lock_guard lock(noting_);
+  EvaluationCounts all = counts_;
+  if (!quick_) return all;
+  EvaluationCounts of_quick = quick_->counts();
+  if (!all.first_failure.empty()) of_quick.first_failure.clear();  // its own reasons say more
+  all.add(of_quick);
+  return all;
+}
+
+void DesignObjective::add(const EvaluationCounts& of_others) const {
+  const std::lock_guard lock(noting_);
+  counts_.add(of_others);
 }
 
 const std::vector<DesignBatch>& DesignObjective::families() const {
@@ -210,38 +221,41 @@ void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& v
                                const std::optional<Place>& ignored) const {
   const bool keep = !ignored && is_expensive();
   const std::vector<double> key(shares.begin(), shares.end());
+  EvaluationCounts counts{.evaluations = 1};
   if (keep && !slopes) {
     const std::lock_guard lock(noting_);
     if (const auto known = known_.find(key); known != known_.end()) {
-      values = known->second;
+      values = known->second.values;
+      counts_.add(known->second.counts);
+      CountedHere::add(known->second.counts);
       return;
     }
   }
-  ++evaluations_;
   const auto count = to_index(places_.size());
   values = Eigen::VectorXd::Constant(count, unlimited);
   if (slopes) slopes->setZero(count, shares.size());
   try {
     Eigen::Index first = 0;
     for (std::size_t c = 0; c < cases_.size(); ++c) {
-      evaluate_case(c, shares, first, values, slopes, ignored);
+      evaluate_case(c, shares, first, values, slopes, ignored, counts);
       for (const std::size_t width : width_[c]) first += to_index(width);
     }
   } catch (const foundation::NotComputable& reason) {
-    ++failed_;
+    counts.failed = 1;
+    counts.first_failure = reason.what();
     values.setConstant(unusable);
     if (slopes) slopes->setZero();
-    const std::lock_guard lock(noting_);
-    if (first_failure_.empty() || reason.what() < first_failure_) first_failure_ = reason.what();  // in any order
   }
-  if (!keep) return;
+  CountedHere::add(counts);
   const std::lock_guard lock(noting_);
-  known_.emplace(key, values);
+  counts_.add(counts);
+  counts.differences = 0;
+  if (keep) known_.emplace(key, Known{values, counts});
 }
 
 void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares, Eigen::Index first,
                                     Eigen::VectorXd& values, Eigen::MatrixXd* slopes,
-                                    const std::optional<Place>& ignored) const {
+                                    const std::optional<Place>& ignored, EvaluationCounts& counts) const {
   const Eigen::VectorXd design = space_.values(shares);
   const model::System system = space_.system(*cases_[c], design);
   const foundation::Progress silent;
@@ -268,7 +282,7 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
   for (Smooth& one : smooth)
     one.keep_near(values, is_objective_, minimized_.are_separate() ? one.least(values) : least_objective);
   const RequirementSlopes exact(context, space_, *cases_[c], design, &families()[c]);
-  set_slopes(c, exact, found, smooth, *slopes);
+  set_slopes(c, exact, found, smooth, *slopes, counts);
   if (!absences.empty()) add_absences(absences, found, exact.neighbours(), references_[c], *slopes);
   for (std::size_t j = 0; j < space_.size(); ++j)
     slopes->block(first, to_index(j), place - first, 1) *= space_.slope(j, shares(to_index(j)));
@@ -276,7 +290,7 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
 
 void DesignObjective::set_slopes(std::size_t c, const RequirementSlopes& exact,
                                  const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
-                                 Eigen::MatrixXd& slopes) const {
+                                 Eigen::MatrixXd& slopes, EvaluationCounts& counts) const {
   bool differenced = false;
   for (std::size_t r = 0; r < found.size(); ++r) {
     const std::vector<RequirementResult::Candidate>& candidates = smooth[r].candidates;
@@ -286,7 +300,7 @@ void DesignObjective::set_slopes(std::size_t c, const RequirementSlopes& exact,
     const Eigen::MatrixXd of_result = exact.of(r, found[r], candidates);
     for (std::size_t i = 0; i < smooth[r].rows.size(); ++i) slopes.row(smooth[r].rows[i]) = of_result.row(to_index(i));
   }
-  if (differenced) add_differences(c, found, smooth, exact.neighbours(), slopes);
+  if (differenced) add_differences(c, found, smooth, exact.neighbours(), slopes, counts);
 }
 
 double DesignObjective::Smooth::least(const Eigen::VectorXd& values) const {
@@ -371,12 +385,12 @@ std::vector<std::optional<AbsentPeak>> DesignObjective::absent_peaks_at(std::siz
 
 void DesignObjective::add_differences(std::size_t c, const std::vector<RequirementResult>& found,
                                       const std::vector<Smooth>& smooth, const DesignNeighbours& neighbours,
-                                      Eigen::MatrixXd& slopes) const {
+                                      Eigen::MatrixXd& slopes, EvaluationCounts& counts) const {
   const foundation::Progress silent;
   foundation::Problems warnings;
   for (std::size_t j = 0; j < space_.size(); ++j)
     for (const response::WeightedModel& model : neighbours.along(j)) {
-      ++differences_;
+      ++counts.differences;
       const CaseContext context(*model.system, silent);
       const std::vector<RequirementResult> there = requirement_values(context, differenced_requirements_[c], warnings);
       for (std::size_t r = 0; r < found.size(); ++r) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -15,6 +14,7 @@
 #include "trivet/study/family/design_space.h"
 #include "trivet/study/family/objectives.h"
 #include "trivet/study/family/requirement_slopes.h"
+#include "trivet/study/optimize/evaluation_counts.h"
 #include "trivet/study/requirements/peak_absence.h"
 #include "trivet/study/requirements/verdict.h"
 
@@ -77,13 +77,12 @@ class DesignObjective {
   /// The same with upper bounds of the margins that take a small part of the time; nullptr if there are none.
   [[nodiscard]] const DesignObjective* quick() const { return quick_.get(); }
 
-  /// Counts are those of `quick` too.
-  [[nodiscard]] std::size_t evaluations() const { return evaluations_ + (quick_ ? quick_->evaluations() : 0); }
-  [[nodiscard]] std::size_t failed() const { return failed_ + (quick_ ? quick_->failed() : 0); }
-  [[nodiscard]] std::string first_failure() const;
-  /// Kinds of requirements without exact slopes, and the models solved for the differences of their values.
+  /// Of designs judged by this objective, also by `quick`.
+  [[nodiscard]] EvaluationCounts counts() const;
+  /// Adds those of another process.
+  void add(const EvaluationCounts& of_others) const;
+  /// Kinds of requirements without exact slopes.
   [[nodiscard]] std::vector<std::string> differenced() const;
-  [[nodiscard]] std::size_t differences() const { return differences_ + (quick_ ? quick_->differences() : 0); }
 
  private:
   /// The places of one requirement that have slopes.
@@ -99,7 +98,7 @@ class DesignObjective {
   [[nodiscard]] bool is_differenced(std::size_t c, std::size_t r) const;
   /// Slopes of what is near deciding, per unit of the axes.
   void set_slopes(std::size_t c, const RequirementSlopes& exact, const std::vector<RequirementResult>& found,
-                  const std::vector<Smooth>& smooth, Eigen::MatrixXd& slopes) const;
+                  const std::vector<Smooth>& smooth, Eigen::MatrixXd& slopes, EvaluationCounts& counts) const;
   /// A curve that is to have no peak, near to having one.
   struct Absence {
     std::size_t result = 0;
@@ -112,9 +111,9 @@ class DesignObjective {
   static void add_absences(const std::vector<Absence>& absences, const std::vector<RequirementResult>& found,
                            const DesignNeighbours& neighbours, double reference, Eigen::MatrixXd& slopes);
   void add_differences(std::size_t c, const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
-                       const DesignNeighbours& neighbours, Eigen::MatrixXd& slopes) const;
+                       const DesignNeighbours& neighbours, Eigen::MatrixXd& slopes, EvaluationCounts& counts) const;
   void evaluate_case(std::size_t c, const Eigen::VectorXd& shares, Eigen::Index first, Eigen::VectorXd& values,
-                     Eigen::MatrixXd* slopes, const std::optional<Place>& ignored) const;
+                     Eigen::MatrixXd* slopes, const std::optional<Place>& ignored, EvaluationCounts& counts) const;
 
   [[nodiscard]] bool has_quick(Effort effort) const;
 
@@ -132,10 +131,13 @@ class DesignObjective {
   std::vector<bool> is_objective_;
   mutable std::once_flag fitting_;
   mutable std::vector<DesignBatch> families_;
-  mutable std::atomic<std::size_t> evaluations_ = 0, failed_ = 0, differences_ = 0;
   mutable std::mutex noting_;
-  mutable std::string first_failure_;
-  mutable std::map<std::vector<double>, Eigen::VectorXd> known_;  ///< values by shares, of designs that take long
+  mutable EvaluationCounts counts_;
+  struct Known {
+    Eigen::VectorXd values;
+    EvaluationCounts counts;
+  };
+  mutable std::map<std::vector<double>, Known> known_;  ///< by shares, of designs that take long
 };
 
 }  // namespace trivet::study

@@ -6,12 +6,15 @@
 #include <cmath>
 #include <iterator>
 #include <mutex>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
+#include "trivet/study/optimize/search_watch.h"
 #include "trivet/study/requirements/margin.h"
 
 namespace trivet::study {
@@ -25,6 +28,8 @@ constexpr int looks_per_start = 8, fewest_looks = 64, most_looks = 4096;
 /// Climbs over designs that are judged by following branches of motions, if the file states no number.
 constexpr int starts_of_expensive_designs = 4;
 using Place = DesignObjective::Place;
+
+constexpr std::string_view climbing = "climbing";
 
 /// The search as requested. @param ignored  a requirement that counts as met
 MaxMinProblem problem_of(const DesignObjective& objective, const std::optional<Place>& ignored = std::nullopt) {
@@ -54,47 +59,6 @@ MaxMinProblem weighted_problem(const DesignObjective& objective) {
   };
   return problem;
 }
-
-/// Notes the best point of a search, and ends it when there is enough.
-class Watch {
- public:
-  explicit Watch(std::function<bool()> enough) : enough_(std::move(enough)) {}
-
-  /// The same problem under watch; the best point of another one is only a fallback: its rank is not comparable.
-  MaxMinProblem over(MaxMinProblem problem) {
-    if (best_) before_ = std::exchange(best_, std::nullopt);
-    if (!enough_) return problem;
-    MaxMinProblem watched = problem;
-    watched.evaluate = [this, inner = std::move(problem)](const Eigen::VectorXd& x, Eigen::VectorXd& values,
-                                                          Eigen::MatrixXd* slopes) {
-      if (enough_()) {
-        has_ended_ = true;
-        throw foundation::Interrupted();
-      }
-      inner.evaluate(x, values, slopes);
-      if ((x.array() < 0).any() || (x.array() > 1).any()) return;
-      MaxMinPoint here = numerics::point_with(inner, x, values);
-      const std::lock_guard lock(noting_);
-      if (!best_ || rank(here) > rank(*best_)) best_ = std::move(here);
-    };
-    return watched;
-  }
-
-  [[nodiscard]] bool has_ended() const { return has_ended_; }
-  /// The best points of the current problem and of the one before; none: not one is judged.
-  [[nodiscard]] std::vector<Eigen::VectorXd> best() const {
-    std::vector<Eigen::VectorXd> found;
-    if (best_) found.push_back(best_->x);
-    if (before_ && !(best_ && best_->x == before_->x)) found.push_back(before_->x);
-    return found;
-  }
-
- private:
-  std::function<bool()> enough_;
-  std::atomic<bool> has_ended_ = false;
-  std::mutex noting_;
-  std::optional<MaxMinPoint> best_, before_;
-};
 
 class Search {
  public:
@@ -165,15 +129,44 @@ class Search {
 
   /// Climbs from all starts; the results in their order.
   std::vector<MaxMinPoint> climbed(const std::vector<MaxMinPoint>& starts) {
-    std::vector<MaxMinPoint> ends = starts;
-    foundation::parallel_for(starts.size(), {.progress = progress_, .task = "climbing"},
-                             [&](std::size_t first, std::size_t last) {
-                               for (std::size_t i = first; i < last; ++i) {
-                                 if (can_climb(starts[i])) ends[i] = max_min(problem_, starts[i].x);
-                                 ++finished_;
-                               }
-                             });
-    return ends;
+    return found(starts.size(), climbing, [&](std::size_t i) {
+      MaxMinPoint end = can_climb(starts[i]) ? max_min(problem_, starts[i].x) : starts[i];
+      ++finished_;
+      return end;
+    });
+  }
+
+  /// A point of each item, which this process or another one that shares the search finds.
+  std::vector<MaxMinPoint> found(std::size_t count, std::string_view task,
+                                 const std::function<MaxMinPoint(std::size_t)>& find) {
+    std::vector<MaxMinPoint> points(count);
+    const foundation::ParallelOptions options{.progress = progress_, .task = task};
+    if (!options_.shared) {
+      foundation::parallel_for(count, options, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) points[i] = find(i);
+      });
+      return points;
+    }
+    std::vector<char> is_own(count);
+    const auto restored = [&](const std::string& text) { return CountedPoint::restored(text, problem_.variables); };
+    const std::vector<std::string> texts = options_.shared->results(
+        count, options,
+        [&](std::size_t i) {
+          const CountedHere here;
+          is_own[i] = 1;
+          MaxMinPoint point = find(i);
+          return CountedPoint{std::move(point), here.counts()}.text();
+        },
+        [&](std::size_t, const std::string& text) {  // known also to a search that is ended within the loop
+          watch_.note(restored(text).point);
+          if (task == climbing) ++finished_;
+        });
+    for (std::size_t i = 0; i < count; ++i) {
+      CountedPoint one = restored(texts[i]);
+      if (!is_own[i]) judged_by_->add(one.counts);
+      points[i] = std::move(one.point);
+    }
+    return points;
   }
 
   /// Nothing limits the design, or nothing that limits it has a slope.
@@ -202,10 +195,9 @@ class Search {
   }
 
   /// The same designs, judged by the current problem.
-  [[nodiscard]] std::vector<MaxMinPoint> at(std::vector<MaxMinPoint> points) const {
-    if (objective_.is_expensive())
-      for (MaxMinPoint& point : points) point = numerics::point_at(problem_, point.x);
-    return points;
+  [[nodiscard]] std::vector<MaxMinPoint> at(std::vector<MaxMinPoint> points) {
+    if (!objective_.is_expensive()) return points;
+    return found(points.size(), "judging", [&](std::size_t i) { return numerics::point_at(problem_, points[i].x); });
   }
 
   std::vector<MaxMinPoint> starts() {
@@ -229,12 +221,9 @@ class Search {
     std::vector<MaxMinPoint> seen;
     for (std::size_t from = 0; from < points.size(); from += batch) {
       const std::size_t count = std::min(batch, points.size() - from);
-      seen.resize(from + count);
-      foundation::parallel_for(count, {.progress = progress_, .task = "looking"},
-                               [&](std::size_t first, std::size_t last) {
-                                 for (std::size_t i = first; i < last; ++i)
-                                   seen[from + i] = numerics::point_at(problem_, points[from + i]);
-                               });
+      const std::vector<MaxMinPoint> batch_seen =
+          found(count, "looking", [&](std::size_t i) { return numerics::point_at(problem_, points[from + i]); });
+      seen.insert(seen.end(), batch_seen.begin(), batch_seen.end());
       if (std::ranges::any_of(seen, [](const MaxMinPoint& one) { return rank(one) >= DesignObjective::unlimited; }))
         break;
     }
@@ -254,14 +243,19 @@ class Search {
   std::vector<MaxMinPoint> best_on_the_line(const std::vector<MaxMinPoint>& starts) {
     std::vector<MaxMinPoint> known = at(looks_), more = at(starts);
     known.insert(known.end(), more.begin(), more.end());
-    std::vector<MaxMinPoint> found = maxima_on_a_line(problem_, std::move(known), to_size(wanted_), progress_);
-    result_.starts = static_cast<int>(found.size());
-    return found;
+    std::vector<MaxMinPoint> maxima = maxima_on_a_line(
+        problem_, std::move(known), to_size(wanted_),
+        [this](std::size_t count, std::string_view task, const std::function<MaxMinPoint(std::size_t)>& find) {
+          return found(count, task, find);
+        });
+    result_.starts = static_cast<int>(maxima.size());
+    return maxima;
   }
 
   /// The designs were judged by upper bounds. In the order of falling bounds they are judged completely, until none
   /// that is left can be better; if the best bound is not the margin, the search goes on from there.
   void judge_completely(bool on_a_line) {
+    judged_by_ = &objective_;
     problem_ = watch_.over(result_.problem);
     std::vector<MaxMinPoint> bounds = result_.ends;
     if (!result_.falls_short) bounds.insert(bounds.end(), looks_.begin(), looks_.end());
@@ -324,9 +318,8 @@ class Search {
     if (objective_.minimized().any() && !result_.falls_short && result_.best.objective >= DesignObjective::most)
       throw foundation::NotComputable("optimize: the minimised results are zero in every design looked at");
     if (result_.best.objective > DesignObjective::unusable) return;
-    if (!objective_.first_failure().empty())
-      throw foundation::NotComputable("optimize: no design of the ranges can be computed: " +
-                                      objective_.first_failure());
+    if (const std::string failure = objective_.counts().first_failure; !failure.empty())
+      throw foundation::NotComputable("optimize: no design of the ranges can be computed: " + failure);
     Eigen::VectorXd values;
     result_.problem.evaluate(result_.best.x, values, nullptr);
     Eigen::Index least = 0;
@@ -341,11 +334,12 @@ class Search {
   }
 
   const DesignObjective& objective_;
-  const DesignObjective& searched_;  ///< `objective_`, or upper bounds of its margins
+  const DesignObjective& searched_;                ///< `objective_`, or upper bounds of its margins
+  const DesignObjective* judged_by_ = &searched_;  ///< points of `problem_`
   const SearchOptions& options_;
   int wanted_;
   const foundation::Progress& progress_;
-  Watch watch_;
+  SearchWatch watch_;
   MaxMinProblem problem_;           ///< of `searched_`, under watch
   std::vector<MaxMinPoint> looks_;  ///< judged by `problem_` as requested
   std::atomic<int> finished_ = 0;   ///< climbs

@@ -5,12 +5,14 @@
 
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/numerics/search/max_min.h"
 #include "trivet/study/optimize/design_objective.h"
 #include "trivet/study/optimize/sampled_starts.h"
+#include "trivet/study/shared/shared_work.h"
 
 namespace trivet::study {
 
@@ -23,6 +25,7 @@ struct SearchOptions {
   std::size_t among = sampled_designs;     ///< designs judged by kernels, among which the starts are chosen
   /// True if the search is to end with the best design so far; called between designs, on any thread.
   std::function<bool()> enough = {};
+  SharedWork* shared = nullptr;  ///< looks and climbs together with other processes; null: alone
 };
 
 struct DesignSearch {
@@ -82,6 +85,10 @@ inline constexpr double same_objective = 1e-5;
                                                            const std::vector<Eigen::VectorXd>& first,
                                                            std::size_t wanted, const foundation::Progress& progress);
 
+/// Finds a point for each item of a task, on several threads, and in several processes if they share the search.
+using FindPoints = std::function<std::vector<numerics::MaxMinPoint>(
+    std::size_t count, std::string_view task, const std::function<numerics::MaxMinPoint(std::size_t item)>& find)>;
+
 /// Local maxima of a problem of one variable whose values take long, each by Brent's method between the neighbours of a
 /// point that is the best near it. No slopes are needed.
 /// @param known  points that were judged, some of them near every maximum worth finding; at least one
@@ -89,7 +96,6 @@ inline constexpr double same_objective = 1e-5;
 /// @returns the best point of each, in the order of `known` by rank; without a rise between neighbours the known one
 [[nodiscard]] std::vector<numerics::MaxMinPoint> maxima_on_a_line(const numerics::MaxMinProblem& problem,
                                                                   std::vector<numerics::MaxMinPoint> known,
-                                                                  std::size_t most,
-                                                                  const foundation::Progress& progress);
+                                                                  std::size_t most, const FindPoints& find);
 
 }  // namespace trivet::study

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/search/zeros_and_minima.h"
 
 namespace trivet::study {
@@ -54,20 +53,14 @@ MaxMinPoint refined(const numerics::MaxMinProblem& problem, const Bracket& brack
 }  // namespace
 
 std::vector<MaxMinPoint> maxima_on_a_line(const numerics::MaxMinProblem& problem, std::vector<MaxMinPoint> known,
-                                          std::size_t most, const foundation::Progress& progress) {
+                                          std::size_t most, const FindPoints& find) {
   std::vector<Bracket> brackets = brackets_of(std::move(known));
   brackets.resize(std::min(brackets.size(), most));
-  std::vector<MaxMinPoint> found(brackets.size());
-  foundation::parallel_for(
-      brackets.size(), {.progress = progress, .task = "refining"}, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-          const double value = brackets[i].middle.objective;
-          const bool level =
-              value <= DesignObjective::unusable || rank(brackets[i].middle) >= DesignObjective::unlimited;
-          found[i] = level ? brackets[i].middle : refined(problem, brackets[i]);
-        }
-      });
-  return found;
+  return find(brackets.size(), "refining", [&](std::size_t i) {
+    const MaxMinPoint& middle = brackets[i].middle;
+    const bool level = middle.objective <= DesignObjective::unusable || rank(middle) >= DesignObjective::unlimited;
+    return level ? middle : refined(problem, brackets[i]);
+  });
 }
 
 }  // namespace trivet::study

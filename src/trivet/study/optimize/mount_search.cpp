@@ -268,7 +268,7 @@ class Combinations {
 
   /// Why a design has no margin above 0.
   static std::string why_unusable(const DesignObjective& objective, const MaxMinPoint& found) {
-    if (!objective.first_failure().empty()) return objective.first_failure();
+    if (const std::string failure = objective.counts().first_failure; !failure.empty()) return failure;
     Eigen::VectorXd values;
     search_problem(objective).evaluate(found.x, values, nullptr);
     Eigen::Index least = 0;

@@ -72,11 +72,12 @@ class Description {
       describe_gone_peaks();
       describe_ends();
     }
-    result_.search.evaluations = objective_.evaluations();
-    result_.search.failed = objective_.failed();
-    result_.search.first_failure = objective_.first_failure();
+    const EvaluationCounts counts = objective_.counts();
+    result_.search.evaluations = counts.evaluations;
+    result_.search.failed = counts.failed;
+    result_.search.first_failure = counts.first_failure;
     result_.search.differenced = objective_.differenced();
-    result_.search.differences = objective_.differences();
+    result_.search.differences = counts.differences;
     describe_families();
     return std::move(result_);
   }
@@ -90,7 +91,8 @@ class Description {
     Eigen::MatrixXd slopes;
     problem_.evaluate(best_.x, values, &slopes);
     if (values.minCoeff() <= DesignObjective::unusable) {
-      result_.no_slopes = objective_.first_failure().empty() ? "a margin is 0 there" : objective_.first_failure();
+      const std::string failure = objective_.counts().first_failure;
+      result_.no_slopes = failure.empty() ? "a margin is 0 there" : failure;
       return;
     }
     MaxMinPoint kept = best_;
@@ -312,21 +314,21 @@ class Description {
 }  // namespace
 
 Optimization optimization(const project::Project& project, const foundation::Progress& progress,
-                          const std::function<bool()>& enough) {
+                          const std::function<bool()>& enough, SharedWork* shared) {
   const auto& request = project.base().analyses.optimize;
-  return request && request->is_robust() ? robust_optimization(project, progress, enough)
-                                         : optimization_with_reserves(project, {}, progress, enough);
+  return request && request->is_robust() ? robust_optimization(project, progress, enough, shared)
+                                         : optimization_with_reserves(project, {}, progress, enough, {}, shared);
 }
 
 Optimization optimization_with_reserves(const project::Project& project, const DesignObjective::Reserves& reserves,
                                         const foundation::Progress& progress, const std::function<bool()>& enough,
-                                        const std::vector<Eigen::VectorXd>& near) {
+                                        const std::vector<Eigen::VectorXd>& near, SharedWork* shared) {
   const project::OptimizeRequest request = project.base().analyses.optimize.value_or(project::OptimizeRequest());
   const DesignObjective given(project, request, reserves);
   for (const project::Case* variant : given.cases()) refuse_unbounded_peaks(*variant, given.space().axes());
   std::optional<MountSearch> mounts = mount_search(project, request, progress, enough);
   const auto searched = [&](const DesignObjective& objective) {
-    SearchOptions options{.starts = request.starts, .also = near, .enough = enough};
+    SearchOptions options{.starts = request.starts, .also = near, .enough = enough, .shared = shared};
     if (!near.empty()) {  // what differs are the reserves
       options.starts = std::min(starts_besides_ends, request.starts.value_or(starts_besides_ends));
       options.among = looks_besides_ends;

@@ -13,6 +13,8 @@
 /// The best design over some parameters: `trivet optimize`. Mathematics: docs/design.md.
 namespace trivet::study {
 
+class SharedWork;
+
 /// One parameter of the search.
 struct OptimizedParameter {
   project::DesignAxis axis;
@@ -161,10 +163,11 @@ struct Optimization {
 
 /// Searches [analyses.optimize] of a project, or the largest least margin over all its parameters.
 /// @param enough  true if the search is to end with the best design so far; called between designs, on any thread
+/// @param shared  looks and climbs together with other processes; null: alone
 /// @throws foundation::InvalidInput without parameters or requirements; NotComputable if no design can be judged, or if
 /// all results that are required to be small are zero
 [[nodiscard]] Optimization optimization(const project::Project& project, const foundation::Progress& progress = {},
-                                        const std::function<bool()>& enough = {});
+                                        const std::function<bool()>& enough = {}, SharedWork* shared = nullptr);
 
 /// The changes of the file that set the optimum.
 [[nodiscard]] std::vector<project::Node> optimum_changes(const Optimization& found);

@@ -39,12 +39,13 @@ bool meets(double margin) { return margin > 0 && std::log(margin) >= least_met; 
 class RobustSearch {
  public:
   RobustSearch(const project::Project& project, const foundation::Progress& progress,
-               const std::function<bool()>& enough)
+               const std::function<bool()>& enough, SharedWork* shared)
       : project_(with_usual_sample(project)),
         space_(project_, project_.base().analyses.optimize->parameters),
         given_progress_(progress),
         progress_(in_stages(progress)),
-        enough_(enough) {
+        enough_(enough),
+        shared_(shared) {
     result_.wanted = project.base().analyses.optimize->yield;
     aim_.wanted = aim_.searched = aim_.share = result_.wanted.value_or(1);
     aim_.minimizes = !project.base().analyses.optimize->minimize.empty();
@@ -151,7 +152,7 @@ class RobustSearch {
     result_.settled = false;
     while (result_.rounds < most_searches && !result_.settled) {
       stage_ = fmt::format("round {} of at most {}", result_.rounds + 1, most_searches);
-      Optimization optimum = optimization_with_reserves(project_, reserves_, progress_, enough_, near_);
+      Optimization optimum = optimization_with_reserves(project_, reserves_, progress_, enough_, near_, shared_);
       near_ = ends_of(optimum);
       project::Project there = with_changes(project_, optimum_changes(optimum));
       Kept kept = kept_by(there);
@@ -305,6 +306,7 @@ class RobustSearch {
   const foundation::Progress& given_progress_;
   foundation::Progress progress_;  ///< names the stage
   const std::function<bool()>& enough_;
+  SharedWork* shared_;
   DesignObjective::Reserves reserves_;
   std::vector<Eigen::VectorXd> near_;  ///< ends of the last round
   /// Later rounds start at its ends: that these reach the same optimum again is no evidence.
@@ -317,13 +319,13 @@ class RobustSearch {
 }  // namespace
 
 Optimization robust_optimization(const project::Project& project, const foundation::Progress& progress,
-                                 const std::function<bool()>& enough) {
+                                 const std::function<bool()>& enough, SharedWork* shared) {
   if (std::ranges::none_of(project.cases, has_something_to_judge))
     throw foundation::InvalidInput(fmt::format(
         "optimize: {} without requirements and limits, which the machines within the tolerances have to meet; "
         "add [requirements]",
         project.base().analyses.optimize->yield ? "yield" : "worst_case"));
-  return RobustSearch(project, progress, enough).run();
+  return RobustSearch(project, progress, enough, shared).run();
 }
 
 }  // namespace trivet::study

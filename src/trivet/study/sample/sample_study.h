@@ -6,8 +6,8 @@
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/project/project.h"
-#include "trivet/study/sample/part_file.h"
 #include "trivet/study/sample/sample.h"
+#include "trivet/study/shared/part_file.h"
 
 namespace trivet::study {
 

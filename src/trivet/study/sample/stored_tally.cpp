@@ -62,8 +62,8 @@ void restore_tally(WordReader& words, SampleTally& tally) {
   std::size_t requirements = 0;
   for (const auto& one : tally.of) requirements += one.size();
   tally.kept = KeptTally::restored(words, requirements);
-  for (auto& requirements : tally.of)
-    for (RequirementTally& one : requirements) restore_requirement(words, one);
+  for (auto& of_case : tally.of)
+    for (RequirementTally& one : of_case) restore_requirement(words, one);
   for (BandTally& one : tally.bands) one.restore(words);
 }
 

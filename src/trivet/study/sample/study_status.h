@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/study/sample/part_file.h"
+#include "trivet/study/shared/part_file.h"
 
 namespace trivet::study {
 

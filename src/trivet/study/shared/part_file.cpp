@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/sample/part_file.h"
+#include "trivet/study/shared/part_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -16,12 +16,12 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/stored_words.h"
-#include "trivet/study/sample/study_manifest.h"
+#include "trivet/study/shared/study_manifest.h"
 
 namespace trivet::study {
 namespace {
 
-constexpr std::string_view part_heading = "Trivet part of a study, format 2\n";
+constexpr std::string_view part_heading = "Trivet part of a study, format 3\n";
 constexpr std::string_view name_start = "part-", name_middle = "-of-";
 
 std::optional<std::uint64_t> whole_number(std::string_view words) {
@@ -91,14 +91,21 @@ std::optional<StudyPart> StudyPart::of_file(std::string_view name) {
   return part;
 }
 
+void PartRecord::stamp(std::chrono::steady_clock::time_point start) {
+  const auto since_1970 = std::chrono::system_clock::now().time_since_epoch();
+  const auto since_start = std::chrono::steady_clock::now() - start;
+  written_at = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::seconds>(since_1970).count());
+  milliseconds = static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::milliseconds>(since_start).count());
+}
+
 std::string PartRecord::text() const {
   foundation::StoredWords words;
   words.text(study);
-  for (const std::uint64_t one : {written_at, milliseconds, designs, std::uint64_t{has_ended}}) words.whole(one);
+  for (const std::uint64_t one : {written_at, milliseconds, computed, std::uint64_t{has_ended}}) words.whole(one);
   words.end_line();
   chunks.store(words);
   words.end_line();
-  words.text(counts);
+  words.text(results);
   words.end_line();
   return with_hash_line(std::string(part_heading) + words.words());
 }
@@ -110,10 +117,10 @@ std::optional<PartRecord> PartRecord::read(const std::string& text) {
     foundation::WordReader words(std::string_view(*all).substr(part_heading.size()));
     PartRecord found;
     found.study = words.text();
-    for (std::uint64_t* one : {&found.written_at, &found.milliseconds, &found.designs}) *one = words.whole();
+    for (std::uint64_t* one : {&found.written_at, &found.milliseconds, &found.computed}) *one = words.whole();
     found.has_ended = words.at_most(1) == 1;
     found.chunks = ChunkSet::restored(words, most_chunks);
-    found.counts = words.text();
+    found.results = words.text();
     words.end();
     return found;
   } catch (const foundation::DamagedText&) {
@@ -160,6 +167,7 @@ int replaced_file(const foundation::FolderHandle& folder, const std::string& nam
   OpenFile file(
       openat(folder.descriptor(), unfinished.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0666));
   try {
+    if (text.size() > largest_part_file) throw foundation::NotComputable("it would have more than 1 GiB");
     if (file.get() < 0) throw foundation::NotComputable(std::strerror(errno));
     bool has_locks = true;
     static_cast<void>(lock(file.get(), has_locks));  // before it gets its name, so that the part always is locked
@@ -168,17 +176,24 @@ int replaced_file(const foundation::FolderHandle& folder, const std::string& nam
       throw foundation::NotComputable(std::strerror(errno));
   } catch (const foundation::NotComputable& reason) {
     if (file.get() >= 0) unlinkat(folder.descriptor(), unfinished.c_str(), 0);  // a full disk gets its space again
-    throw foundation::NotComputable(fmt::format(
-        "{} cannot be written: {}; what it had before stays: make room, then start the same command again to go on",
-        shown.string(), reason.what()));
+    throw foundation::NotComputable(
+        fmt::format("{} cannot be written: {}; what it had before stays. Make room or grant the right to write, then "
+                    "start the same command "
+                    "again to go on",
+                    shown.string(), reason.what()));
   }
   return file.release();
 }
 
 bool is_worked_on(const foundation::FolderHandle& folder, const StudyPart& part) {
-  const OpenFile file(openat(folder.descriptor(), part.file_name().c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
-  if (file.get() < 0) return false;
-  return flock(file.get(), LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  constexpr int most_tries = 20;  // the file may be replaced between opening it and asking for its lock
+  for (int i = 0; i < most_tries; ++i) {
+    const OpenFile file(openat(folder.descriptor(), part.file_name().c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC));
+    if (file.get() < 0) return false;
+    if (flock(file.get(), LOCK_SH | LOCK_NB) != 0) return errno == EWOULDBLOCK;
+    if (is_current(file.get(), folder, part.file_name())) return false;
+  }
+  return true;
 }
 
 }  // namespace trivet::study

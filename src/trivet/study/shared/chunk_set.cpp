@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/sample/chunk_set.h"
+#include "trivet/study/shared/chunk_set.h"
 
 #include <algorithm>
 #include <string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -8,11 +9,11 @@
 #include <string_view>
 
 #include "trivet/foundation/files.h"
-#include "trivet/study/sample/chunk_set.h"
+#include "trivet/study/shared/chunk_set.h"
 
 namespace trivet::study {
 
-/// One of several processes that share a study: it computes the chunks number − 1, number − 1 + of, ….
+/// One of several processes that share a study: the chunks number − 1, number − 1 + of, … are its own.
 struct StudyPart {
   std::uint64_t number = 1, of = 1;
 
@@ -30,11 +31,13 @@ struct PartRecord {
   std::string study;               ///< hash of the manifest
   std::uint64_t written_at = 0;    ///< [s] since 1970
   std::uint64_t milliseconds = 0;  ///< since the process began
-  std::uint64_t designs = 0;       ///< that it has computed since then
+  std::uint64_t computed = 0;      ///< designs or items since then
   bool has_ended = false;          ///< it computes nothing more
-  ChunkSet chunks;                 ///< finished ones, also those of earlier processes
-  std::string counts;              ///< of all their designs: a stored tally
+  ChunkSet chunks;                 ///< finished ones, also those of earlier processes; of shared items none
+  std::string results;             ///< in the words of the command
 
+  /// Notes the time now. @param start  of the process
+  void stamp(std::chrono::steady_clock::time_point start);
   [[nodiscard]] std::string text() const;
   /// Empty if the text is damaged.
   [[nodiscard]] static std::optional<PartRecord> read(const std::string& text);

@@ -7,26 +7,22 @@
 #include <vector>
 
 #include "trivet/project/project.h"
-#include "trivet/study/sample/chunk_set.h"
-#include "trivet/study/sample/sample_tally.h"
 
 namespace trivet::study {
 
 /// What a study is of, in words that are compared: ("seed", "1"), …
 using StudyIdentity = std::vector<std::pair<std::string, std::string>>;
 
-/// Version, designs, sampling, seed, case, settings, and the SHA-256 of the project file and of every file that it
-/// names.
-[[nodiscard]] StudyIdentity study_identity(const project::Project& project);
+/// Command, version, case, settings, and the SHA-256 of the project file and of every file that it names.
+[[nodiscard]] StudyIdentity study_identity(const std::string& command, const project::Project& project);
 
 /// "the seed is 1 there and 2 here; …"; empty if they are equal.
 [[nodiscard]] std::string identity_differences(const StudyIdentity& there, const StudyIdentity& here);
 
-/// The file that says what a study folder is of. All processes take chunks and magnitudes from it.
+/// The file that says what a study folder is of.
 struct StudyManifest {
   StudyIdentity identity;
-  StudyChunks chunks;
-  SampleMagnitudes magnitudes;
+  std::string fixed;  ///< what the first process fixes for all, in the words of its command
 
   [[nodiscard]] std::string text() const;
   /// Empty if the text is damaged.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/sample/study_manifest.h"
+#include "trivet/study/shared/study_manifest.h"
 
 #include <fmt/format.h>
 
@@ -15,9 +15,10 @@
 namespace trivet::study {
 namespace {
 
-constexpr std::string_view manifest_heading = "Trivet study of designs within tolerances, format 1\n";
+constexpr std::string_view manifest_heading = "Trivet study, format 2\n";
 constexpr std::string_view hash_mark = "sha256: ";
-constexpr std::uint64_t most_cases = 10'000, most_requirements = 100'000;
+constexpr const char* command_key = "command";
+constexpr std::uint64_t most_entries = 100'000;
 
 const std::string* found_in(const StudyIdentity& identity, const std::string& key) {
   const auto at = std::ranges::find(identity, key, &StudyIdentity::value_type::first);
@@ -33,7 +34,7 @@ std::string shown(const std::string* words) {
 }
 
 StudyIdentity read_identity(foundation::WordReader& words) {
-  StudyIdentity identity(words.at_most(most_requirements));
+  StudyIdentity identity(words.at_most(most_entries));
   for (auto& [key, value] : identity) {
     key = words.text();
     value = words.text();
@@ -41,29 +42,14 @@ StudyIdentity read_identity(foundation::WordReader& words) {
   return identity;
 }
 
-SampleMagnitudes read_magnitudes(foundation::WordReader& words) {
-  SampleMagnitudes magnitudes(words.at_most(most_cases));
-  for (std::vector<SumMagnitudes>& of_case : magnitudes) {
-    of_case.resize(words.at_most(most_requirements));
-    for (SumMagnitudes& one : of_case) {
-      one.value = words.exact();
-      one.square = words.exact();
-    }
-  }
-  return magnitudes;
-}
-
 }  // namespace
 
-StudyIdentity study_identity(const project::Project& project) {
-  const project::SampleRequest request = project.base().analyses.sample.value_or(project::SampleRequest());
+StudyIdentity study_identity(const std::string& command, const project::Project& project) {
   std::string settings;
   for (const std::string& one : project.settings)
     settings += (settings.empty() ? "" : ", ") + foundation::on_one_line(one);
-  StudyIdentity identity = {{"version", foundation::version()},
-                            {"number of designs", std::to_string(request.designs)},
-                            {"sampling", request.sobol ? "sobol" : "random"},
-                            {"seed", std::to_string(request.seed)},
+  StudyIdentity identity = {{command_key, command},
+                            {"version", foundation::version()},
                             {"case", project.base().name},
                             {"settings", settings},
                             {"project file", project.parsed ? project::sha256(project.parsed->text) : project.sha256}};
@@ -73,6 +59,9 @@ StudyIdentity study_identity(const project::Project& project) {
 }
 
 std::string identity_differences(const StudyIdentity& there, const StudyIdentity& here) {
+  const std::string *command = found_in(there, command_key), *own_command = found_in(here, command_key);
+  if (command && own_command && *command != *own_command)
+    return fmt::format("it is of trivet {}, not of trivet {}", *command, *own_command);
   std::string words;
   const auto add = [&](const std::string& key, const std::string* one, const std::string* other) {
     const bool hashes = one && other && is_hash(*one) && is_hash(*other);
@@ -90,8 +79,7 @@ std::string identity_differences(const StudyIdentity& there, const StudyIdentity
 std::string StudyManifest::text() const {
   std::string words;
   for (const auto& [key, value] : identity) words += fmt::format("{}: {}\n", key, value);
-  words +=
-      fmt::format("designs in a chunk: {}\n\nThe same for programs, with the magnitudes of the sums:\n", chunks.size);
+  words += "\nThe same for programs:\n";
   foundation::StoredWords stored;
   stored.whole(identity.size());
   for (const auto& [key, value] : identity) {
@@ -99,16 +87,7 @@ std::string StudyManifest::text() const {
     stored.text(value);
   }
   stored.end_line();
-  stored.whole(chunks.designs);
-  stored.whole(chunks.size);
-  stored.whole(magnitudes.size());
-  for (const std::vector<SumMagnitudes>& of_case : magnitudes) {
-    stored.whole(of_case.size());
-    for (const SumMagnitudes& one : of_case) {
-      stored.exact(one.value);
-      stored.exact(one.square);
-    }
-  }
+  stored.text(fixed);
   stored.end_line();
   foundation::StoredWords lengths;
   lengths.text(words);
@@ -123,10 +102,7 @@ std::optional<StudyManifest> StudyManifest::read(const std::string& text) {
     static_cast<void>(words.text());
     StudyManifest found;
     found.identity = read_identity(words);
-    found.chunks.designs = words.whole();
-    found.chunks.size = words.whole();
-    if (found.chunks.size == 0 || found.chunks.count() > most_chunks) return std::nullopt;
-    found.magnitudes = read_magnitudes(words);
+    found.fixed = words.text();
     words.end();
     return found;
   } catch (const foundation::DamagedText&) {

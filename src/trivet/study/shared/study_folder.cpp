@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/sample/study_folder.h"
+#include "trivet/study/shared/study_folder.h"
 
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -19,7 +19,6 @@ using foundation::FolderHandle;
 using foundation::InvalidInput;
 namespace fs = std::filesystem;
 
-constexpr const char* manifest_file = "study.txt";
 constexpr std::string_view unfinished_end = ".new";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
@@ -79,8 +78,27 @@ std::optional<StudyManifest> StudyFolder::manifest() const {
 StudyManifest StudyFolder::with_manifest(const StudyManifest& manifest) const {
   const FolderLock lock(handle_);
   if (auto other = this->manifest()) return *other;
+  check_parts_without(manifest);
   close(replaced_file(handle_, manifest_file, manifest.text(), path_ / manifest_file));
   return manifest;
+}
+
+void StudyFolder::check_parts_without(const StudyManifest& manifest) const {
+  const std::string study = manifest.hash();
+  bool any = false;
+  for (const StudyPart& part : parts()) {
+    const auto text = handle_.content(part.file_name(), largest_part_file);
+    const auto record = text ? PartRecord::read(*text) : std::nullopt;
+    if (record && record->study != study)
+      refuse(path_,
+             fmt::format("{} is {}, and {} is of another study; name another folder", manifest_file,
+                         has_manifest() ? "damaged" : "missing", part.file_name()));
+    any = any || record;
+  }
+  if (has_manifest() && !any)
+    refuse(
+        path_,
+        fmt::format("{} is damaged, and no other file says what the study is of; name another folder", manifest_file));
 }
 
 std::vector<StudyPart> StudyFolder::parts() const {
@@ -93,19 +111,27 @@ std::vector<StudyPart> StudyFolder::parts() const {
   return found;
 }
 
-StudyFolder::Content StudyFolder::content(const StudyManifest& manifest) const {
+void StudyFolder::check_identity(const StudyIdentity& identity) const {
+  const auto there = manifest();
+  const std::string differences = there ? identity_differences(there->identity, identity) : "";
+  if (!differences.empty())
+    throw InvalidInput(
+        fmt::format("study folder {} is of another study: {}; name another folder", path_.string(), differences));
+}
+
+StudyFolder::Content StudyFolder::content(const StudyManifest& manifest, std::uint64_t chunks) const {
   const std::string study = manifest.hash();
   std::vector<std::pair<StudyPart, PartRecord>> all;
-  Content found{.chunks = ChunkSet(manifest.chunks.count())};
+  Content found{.chunks = ChunkSet(chunks)};
   for (const StudyPart& part : parts()) {
     const auto text = handle_.content(part.file_name(), largest_part_file);
     if (text && text->empty()) continue;  // its process has just begun
     auto record = text ? PartRecord::read(*text) : std::nullopt;
     if (record && record->study != study)
       refuse(path_,
-             fmt::format("{} is of another study than {}; name another folder, or remove it", part.file_name(),
+             fmt::format("{} is of another study than {}; name another folder, or remove this file", part.file_name(),
                          manifest_file));
-    if (record && record->chunks.chunks() == found.chunks.chunks()) all.emplace_back(part, std::move(*record));
+    if (record && record->chunks.chunks() == chunks) all.emplace_back(part, std::move(*record));
     else found.damaged.push_back(part.file_name());
   }
   std::ranges::stable_sort(all, std::ranges::greater(), [](const auto& one) { return one.second.chunks.size(); });
